@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/cli/cli.hpp"
+
+int main(int argc, char** argv) { return lacuna::run_cli(argc, argv); }

@@ -1,0 +1,18 @@
+# Installs the library, its headers, the command and the CMake package lacuna::lacuna.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS lacuna EXPORT lacuna-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS lacuna-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/lacuna DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lacuna)
+install(EXPORT lacuna-targets NAMESPACE lacuna:: DESTINATION ${package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/lacuna-config.cmake.in
+  ${PROJECT_BINARY_DIR}/lacuna-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/lacuna-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/lacuna-config.cmake
+  ${PROJECT_BINARY_DIR}/lacuna-config-version.cmake DESTINATION ${package_dir})

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <iosfwd>
+
+#include "lacuna/config/registry.hpp"
+
+namespace lacuna {
+
+/// Where the command line reads and writes.
+struct CliStreams {
+  std::ostream& out;  ///< results for people, or JSON with `--json -`
+  std::ostream& err;  ///< errors and progress
+};
+
+/// The `lacuna` command as a function, so that a user's own program can have it, with parts of
+/// its own: `auto registry = default_registry(); registry.add<MyBasis>(); return run_cli(...)`.
+/// @return exit status: 0 done; 1 the numbers do not allow an answer; 2 bad arguments,
+///   configuration or data; 130 interrupted.
+int run_cli(int argc, const char* const* argv);
+int run_cli(int argc, const char* const* argv, const Registry& registry);
+int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams);
+
+}  // namespace lacuna

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/types.hpp"
+#include "lacuna/data/trajectory.hpp"
+
+namespace lacuna {
+
+/// A named physical quantity.
+struct Quantity {
+  std::string name;  ///< an identifier: letters, digits, underscores
+  std::string unit;  ///< "V", "rad/s"; empty when it is not known
+
+  bool operator==(const Quantity&) const = default;
+};
+
+/// Records of one system: which quantities were measured, and one or many trajectories of them.
+struct Dataset {
+  std::string time_unit = "s";
+  std::vector<Quantity> states;  ///< m
+  std::vector<Quantity> inputs;  ///< p
+  std::vector<Trajectory> trajectories;
+
+  /// Identities known without any fit: where entry i holds j, dx_i/dt is the state x_j.
+  /// Either empty or m entries.
+  std::vector<std::optional<Index>> rate_of;
+
+  /// What the reader did that a user should know of: "split at line 812: value missing".
+  std::vector<std::string> notes;
+
+  Index state_count() const noexcept { return static_cast<Index>(states.size()); }
+  Index input_count() const noexcept { return static_cast<Index>(inputs.size()); }
+
+  /// Samples of all trajectories together.
+  Index samples() const noexcept;
+
+  /// Whether every trajectory brings dx/dt.
+  bool has_derivatives() const noexcept;
+
+  /// The state that is dx_i/dt by an identity, if there is one.
+  std::optional<Index> rate_state(Index state) const;
+};
+
+/// Checks that a dataset can be worked with: at least one trajectory, at least two samples each,
+/// shapes that fit the names, names that are distinct, finite values, increasing time.
+/// @throws DataError naming trajectory, column, row and remedy.
+void check_dataset(const Dataset& data);
+
+}  // namespace lacuna

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lacuna/core/types.hpp"
+#include "lacuna/data/table.hpp"
+
+namespace lacuna {
+
+/// Parses a NumPy .npy array (versions 1 to 3) of one or two dimensions or of a structured type
+/// with named fields; any real or integer type, either byte order, C or Fortran order.
+/// Columns without a name are called c1, c2, ...
+/// @throws DataError naming source and what is not supported.
+Table parse_npy(std::string_view bytes, const std::string& source);
+
+/// Writes a matrix as .npy version 1, little-endian doubles in Fortran order, whole or not at all.
+/// @throws FileError when it cannot be written.
+void write_npy(const std::filesystem::path& path, const Matrix& values);
+
+}  // namespace lacuna

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lacuna/core/types.hpp"
+
+namespace lacuna {
+
+/// One uninterrupted record: n samples of m states and p inputs at strictly increasing times.
+struct Trajectory {
+  std::string source;  ///< where it comes from, for messages: "run.csv", "run.csv, record 2"
+  Vector time;         ///< n, in the time unit of the dataset
+  Matrix states;       ///< n x m
+  Matrix inputs;       ///< n x p; n x 0 without inputs
+  Matrix derivatives;  ///< n x m, dx/dt at the samples; 0 x 0 when they are not known
+
+  /// Number of samples n.
+  Index samples() const noexcept { return time.size(); }
+
+  /// Whether dx/dt came with the data.
+  bool has_derivatives() const noexcept { return derivatives.size() > 0; }
+};
+
+/// The common sampling step of a record.
+/// @return nothing when steps differ by more than `tolerance` times the mean step, or when there
+///   are fewer than two samples.
+std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance = 1e-3);
+
+}  // namespace lacuna

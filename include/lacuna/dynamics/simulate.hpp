@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/dynamics/integrator.hpp"
+#include "lacuna/model/ode_model.hpp"
+
+namespace lacuna {
+
+/// Inputs as a function of time: writes p entries for time t.
+using InputSignal = FunctionRef<void(double t, double* u)>;
+
+/// Simulates a model from x0 at the given times.
+/// @param inputs needed when the model has inputs.
+/// Delayed states are taken from the orbit so far (cubic Hermite between steps); before the first
+/// time they have the value x0.
+/// @throws ArgumentError when x0 does not have m entries or inputs are missing.
+Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
+                  const Vector& times, const RunContext& context = {});
+Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
+                  const Vector& times, InputSignal inputs, const RunContext& context = {});
+
+/// t0, t0 + h, ... with n entries.
+Vector sample_times(double t0, double h, Index n);
+
+}  // namespace lacuna

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/core/types.hpp"
+#include "lacuna/linear/factor.hpp"
+#include "lacuna/linear/row_source.hpp"
+
+namespace lacuna {
+
+class Subproblem;
+
+/// Row weights from residuals, one tile at a time: weights(residuals) entry by entry.
+using WeightFunction =
+    std::function<void(const Eigen::Ref<const Vector>& residuals, Eigen::Ref<Vector> weights)>;
+
+/// The linear problem Theta h_k ~ y_k for k = 1..m that every filter, regressor and pruner works
+/// on. Owns a row source and the statistics of its rows, never the n x L matrix.
+///
+/// Rows are read in tiles and folded in a fixed order, so the result does not depend on the
+/// number of threads. Folding is by the Gram matrix (scaled, Cholesky); where its scaled condition
+/// exceeds about 1e7, where Cholesky breaks down, or where the residual lies below what a Gram can
+/// resolve, it is repeated by tall-skinny QR. A value: copies share rows and statistics.
+class LeastSquaresSystem {
+ public:
+  /// Reads all rows once (or twice, see above).
+  /// @throws ArgumentError when names do not fit the columns; DataError when a row is not finite.
+  LeastSquaresSystem(std::shared_ptr<const RowSource> rows, std::vector<std::string> term_names,
+                     std::vector<std::string> target_names, const RunContext& context = {},
+                     Folding folding = Folding::Automatic);
+
+  Index rows() const noexcept { return factor_->rows; }        ///< n
+  Index terms() const noexcept { return factor_->terms(); }    ///< L
+  Index targets() const noexcept { return factor_->target_norms.size(); }  ///< m
+  const std::vector<std::string>& term_names() const noexcept { return *term_names_; }
+  const std::vector<std::string>& target_names() const noexcept { return *target_names_; }
+
+  /// Statistics of all rows.
+  const Factor& factor() const noexcept { return *factor_; }
+
+  /// All term numbers 0..L-1.
+  TermSet all_terms() const;
+
+  /// The problem of one target in a subset of the terms.
+  /// @throws ArgumentError when a number is out of range or the set is not increasing.
+  Subproblem subproblem(Index target, TermSet active) const;
+
+  /// The same problem with rows weighted by their residuals at h: minimises
+  /// sum_i w_i (y_i - theta_i h)^2. One pass over the rows.
+  /// @param h one entry per active term, unscaled.
+  Subproblem reweighted(const Subproblem& problem, const Vector& h, const WeightFunction& weights,
+                        const RunContext& context = {}) const;
+
+  /// Coefficients after one pass of iterative refinement: r = y - Theta h, R'R dh = Theta' r.
+  Vector refined(const Subproblem& problem, const Vector& h, const RunContext& context = {}) const;
+
+  /// Residuals y - Theta_A h of one target, all n of them. One pass.
+  Vector residuals(Index target, const TermSet& active, const Vector& h,
+                   const RunContext& context = {}) const;
+
+ private:
+  std::shared_ptr<const RowSource> source_;
+  std::shared_ptr<const std::vector<std::string>> term_names_;
+  std::shared_ptr<const std::vector<std::string>> target_names_;
+  std::shared_ptr<const Factor> factor_;
+};
+
+}  // namespace lacuna

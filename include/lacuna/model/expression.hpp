@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna {
+
+/// Kinds of nodes an expression is made of.
+enum class Operation {
+  Number,    ///< a constant
+  Variable,  ///< a state, an input or t
+  Delay,     ///< a variable as it was a fixed time ago: delay(x,T)
+  Add, Subtract, Multiply, Divide, Power, Negate,
+  Sin, Cos, Tan, Asin, Acos, Atan, Tanh, Exp, Log, Sqrt, Abs, Sign,
+  Step,      ///< 0 for x < 0, 1 from 0 on
+  Min, Max,
+  Clip,      ///< clip(x,lo,hi)
+};
+
+/// A formula in named variables: an immutable value, cheap to copy.
+///
+/// The language: numbers, `pi`, `+ - * / ^` (`^` binds tightest and to the right, then the sign),
+/// parentheses, `sin cos tan asin acos atan tanh exp log sqrt abs sign min max step(x)`
+/// `clip(x,lo,hi)`, `delay(x,T)` with a constant T >= 0. A delay of a formula is stored as the
+/// formula of its delayed variables, so that only variables are ever delayed.
+///
+/// What was written is kept: nothing is reordered; only a sign in front of a number is folded.
+/// `parse(to_string(e)) == e` holds for every expression.
+class Expression {
+ public:
+  /// The constant 0.
+  Expression();
+
+  /// A constant. @throws ModelError when it is not finite.
+  static Expression number(double value);
+
+  /// A variable. @throws ModelError when the name is not an identifier or is a reserved word.
+  static Expression variable(std::string name);
+
+  /// Any operation on its operands, folded only where the class comment says so.
+  /// @throws ModelError when the number of operands does not fit the operation.
+  static Expression make(Operation operation, std::vector<Expression> operands);
+
+  /// A variable as it was `delay` time units ago. @throws ModelError for a negative delay.
+  static Expression delayed(std::string name, double delay);
+
+  Operation operation() const noexcept;
+  double value() const noexcept;             ///< of a Number; the time of a Delay
+  const std::string& name() const noexcept;  ///< of a Variable or a Delay
+  std::span<const Expression> operands() const noexcept;
+
+  /// Names of all variables, delayed ones too.
+  std::set<std::string> variables() const;
+
+  /// Canonical text: no blanks, no superfluous parentheses, shortest numbers: "x^2*y", "sin(th)".
+  std::string to_string() const;
+
+  /// Same structure, same names, same numbers.
+  friend bool operator==(const Expression& a, const Expression& b);
+
+ private:
+  struct Node;
+  explicit Expression(std::shared_ptr<const Node> node);
+  std::shared_ptr<const Node> node_;
+};
+
+/// Reads a formula.
+/// @param known when not empty, the only names that may stand for variables.
+/// @throws ModelError naming the column (from 1): an unknown name or function, wrong number of
+///   arguments, unbalanced parentheses, a number out of range.
+Expression parse_expression(std::string_view text, std::span<const std::string> known = {});
+
+/// The exact partial derivative, with plain simplifications (0*x, 1*x, x+0, constant folding).
+/// d|x|/dx = sign(x); the derivative of sign and step is 0 (it exists almost everywhere);
+/// min, max and clip select a branch with step. A delayed variable counts as another variable.
+Expression differentiate(const Expression& expression, std::string_view variable);
+
+Expression operator+(const Expression& a, const Expression& b);
+Expression operator-(const Expression& a, const Expression& b);
+Expression operator*(const Expression& a, const Expression& b);
+Expression operator/(const Expression& a, const Expression& b);
+Expression operator-(const Expression& a);
+
+}  // namespace lacuna

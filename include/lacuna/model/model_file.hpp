@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lacuna/model/ode_model.hpp"
+
+namespace lacuna {
+
+/// Reads a model from JSON text of the format "lacuna.model/1".
+/// @param source name for messages.
+/// @throws ModelError naming source and JSON path ("m.json: $.equations[1].terms[0].term, column
+///   3"): not JSON, another format, a missing or unknown key, an unknown name in a term.
+OdeModel parse_model(std::string_view json, const std::string& source);
+
+/// Reads a model file. @throws FileError when it cannot be read; ModelError as parse_model.
+OdeModel read_model(const std::filesystem::path& path);
+
+/// The model as JSON text; parse_model gives the same model back, to the last bit.
+std::string format_model(const OdeModel& model);
+
+/// Writes the model, whole or not at all. @throws FileError when it cannot be written.
+void write_model(const std::filesystem::path& path, const OdeModel& model);
+
+}  // namespace lacuna

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/model/term.hpp"
+
+namespace lacuna {
+
+/// One summand of an equation: coefficient times term.
+struct WeightedTerm {
+  Term term;
+  double coefficient = 0.0;  ///< state unit per time unit and unit of the term, unscaled
+  std::optional<double> standard_error = {};
+  std::optional<std::array<double, 2>> ci95 = {};  ///< 95 % confidence interval, low and high
+};
+
+/// The right-hand side of one state: dx_k/dt = sum_i c_i tau_i.
+using Equation = std::vector<WeightedTerm>;
+
+class CompiledModel;
+
+/// A system of ordinary differential equations dx/dt = f(t, x, u): a value.
+class OdeModel {
+ public:
+  /// @throws ModelError when names repeat or are not identifiers, when the number of equations is
+  ///   not the number of states, or when a coefficient is not finite.
+  OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
+           std::vector<Equation> equations, std::string time_unit = "s");
+
+  const std::vector<Quantity>& states() const noexcept { return states_; }
+  const std::vector<Quantity>& inputs() const noexcept { return inputs_; }
+  const std::vector<Equation>& equations() const noexcept { return equations_; }
+  const std::string& time_unit() const noexcept { return time_unit_; }
+  Index dimension() const noexcept { return static_cast<Index>(states_.size()); }
+
+  /// Names in slot order.
+  Variables variables() const;
+
+  /// Number of a state. @throws ModelError listing the states when there is none of that name.
+  Index state_index(const std::string& name) const;
+
+  /// Coefficient of a term (by canonical name) in an equation; 0 when it is not there.
+  double coefficient(Index equation, const std::string& term) const;
+
+  /// The model with one more summand; a term that is there already gets the sum.
+  OdeModel with_term(Index equation, WeightedTerm summand) const;
+
+  /// A flat evaluator of f and of its Jacobian.
+  CompiledModel compile() const;
+
+ private:
+  std::vector<Quantity> states_;
+  std::vector<Quantity> inputs_;
+  std::vector<Equation> equations_;
+  std::string time_unit_;
+};
+
+/// Evaluates f(t, x, u) and its Jacobian without allocation. Cheap to copy; one per thread.
+class CompiledModel {
+ public:
+  explicit CompiledModel(const OdeModel& model);
+
+  Index dimension() const noexcept { return dimension_; }
+  Index inputs() const noexcept { return input_count_; }
+
+  /// Delayed variables whose values evaluate() needs, in order.
+  const std::vector<DelayedVariable>& delays() const noexcept { return rate_.delays(); }
+
+  /// Writes dx/dt (m entries).
+  /// @param x m states; @param u p inputs (may be null when p is 0);
+  /// @param delayed values of delays() (may be null when there are none).
+  void evaluate(double t, const double* x, const double* u, const double* delayed, double* dxdt);
+
+  /// Writes df_k/dx_j (m x m). Arguments as in evaluate(). Delayed variables are held fixed.
+  void jacobian(double t, const double* x, const double* u, const double* delayed,
+                Eigen::Ref<Matrix> derivative);
+
+ private:
+  Index dimension_ = 0;
+  Index input_count_ = 0;
+  Program rate_;                         ///< distinct terms of all equations
+  Eigen::MatrixXd coefficients_;         ///< m x distinct terms
+  std::vector<double> slots_, values_;
+  Program::Workspace workspace_;
+  std::optional<Program> jacobian_;
+};
+
+/// Equations for people, one per line: "dx/dt = -y - z". Numbers are unrounded unless a number
+/// of significant digits is given, so that what is printed is the model.
+std::string to_text(const OdeModel& model, std::optional<int> significant_digits = {});
+
+}  // namespace lacuna
