@@ -16,7 +16,7 @@ namespace {
 using Buffer = std::array<char, 64>;
 
 std::string from_result(const Buffer& buffer, std::to_chars_result result) {
-  return std::string(buffer.data(), result.ptr);
+  return {buffer.data(), static_cast<const char*>(result.ptr)};
 }
 
 std::string not_finite_text(double value) {
