@@ -49,7 +49,7 @@ class OptionVisitor {
 
   /// An enumeration whose values 0, 1, ... have the given names.
   template <class Enum>
-  requires std::is_enum_v<Enum>
+    requires std::is_enum_v<Enum>
   void field(const FieldInfo& info, std::span<const std::string_view> names, Enum& value) {
     int index = static_cast<int>(value);
     choice(info, names, index);

@@ -19,10 +19,10 @@ struct Progress {
 /// What a run is given besides data and options; passed down by const reference, owned by the
 /// caller, never stored by a stage.
 struct RunContext {
-  std::stop_token stop{};                           ///< asks the run to end
-  std::function<void(const Progress&)> progress{};  ///< told how far it is; may be empty
-  int threads = 1;                                  ///< results do not depend on it
-  std::uint64_t seed = 1;                           ///< of everything random in the run
+  std::stop_token stop{};                             ///< asks the run to end
+  std::function<void(const Progress&)> progress{};    ///< told how far it is; may be empty
+  int threads = 1;                                    ///< results do not depend on it
+  std::uint64_t seed = 1;                             ///< of everything random in the run
 
   /// Tells the progress function, if there is one, and honours a stop request.
   /// @throws Cancelled when an end was asked for.

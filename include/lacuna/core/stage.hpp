@@ -41,8 +41,7 @@ class StageInterface {
 };
 
 /// Value handle on a stage: shared, immutable, never null; cheap to copy, safe to share
-/// between threads. Made from any concrete stage: `Stage<Regressor> r = Stlsq{{.threshold =
-/// 0.1}};`
+/// between threads. Made from any concrete stage: `Stage<Regressor> r = Stlsq{{.threshold = 0.1}};`
 template <class Interface>
 class Stage {
  public:

@@ -22,8 +22,8 @@ std::string join(std::span<const std::string> parts, std::string_view separator)
 /// The text without blanks and tabs at either end.
 std::string_view trim(std::string_view text);
 
-/// The pieces of `text` between separators, trimmed; separators inside parentheses do not
-/// count, so "x, max(x,y)" has two pieces.
+/// The pieces of `text` between separators, trimmed; separators inside parentheses do not count,
+/// so "x, max(x,y)" has two pieces.
 std::vector<std::string> split_list(std::string_view text, char separator = ',');
 
 /// Whole text as a double; nothing when it is not one number from end to end.

@@ -45,8 +45,8 @@ struct Dataset {
   std::optional<Index> rate_state(Index state) const;
 };
 
-/// Checks that a dataset can be worked with: at least one trajectory, at least two samples
-/// each, shapes that fit the names, names that are distinct, finite values, increasing time.
+/// Checks that a dataset can be worked with: at least one trajectory, at least two samples each,
+/// shapes that fit the names, names that are distinct, finite values, increasing time.
 /// @throws DataError naming trajectory, column, row and remedy.
 void check_dataset(const Dataset& data);
 

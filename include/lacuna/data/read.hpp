@@ -14,12 +14,11 @@ namespace lacuna {
 /// Which column plays which role; what is not said is found by the rules of the data format:
 /// time is the column `t`, `time` or the first one, every other column is a state.
 struct ColumnRoles {
-  std::optional<std::string> time;  ///< name of the time column
-  std::optional<double> step;       ///< sampling step h; then no column is the time
-  std::vector<std::string> states;  ///< empty: all that have no other role
+  std::optional<std::string> time;        ///< name of the time column
+  std::optional<double> step;             ///< sampling step h; then no column is the time
+  std::vector<std::string> states;        ///< empty: all that have no other role
   std::vector<std::string> inputs;
-  std::vector<std::string>
-      derivatives;  ///< columns that hold dx/dt, in the order of the states
+  std::vector<std::string> derivatives;   ///< columns that hold dx/dt, in the order of the states
   std::optional<std::string> trajectory;  ///< column that numbers the records in one file
 };
 
@@ -28,8 +27,8 @@ struct ColumnRoles {
 /// @throws FileError when it cannot be opened; DataError naming file, line and column.
 Table read_table(const std::filesystem::path& path);
 
-/// Gives the columns their roles and cuts the rows into trajectories: a missing value, a jump
-/// in time or a new number in the trajectory column starts a new one; each split is noted.
+/// Gives the columns their roles and cuts the rows into trajectories: a missing value, a jump in
+/// time or a new number in the trajectory column starts a new one; each split is noted.
 /// @throws DataError for unknown names, time that goes backwards, an infinite value, ...
 Dataset assign_roles(const Table& table, const ColumnRoles& roles);
 

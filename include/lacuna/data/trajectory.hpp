@@ -24,8 +24,7 @@ struct Trajectory {
 };
 
 /// The common sampling step of a record.
-/// @return nothing when steps differ by more than `tolerance` times the mean step, or when
-/// there
+/// @return nothing when steps differ by more than `tolerance` times the mean step, or when there
 ///   are fewer than two samples.
 std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance = 1e-3);
 

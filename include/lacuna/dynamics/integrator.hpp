@@ -38,13 +38,12 @@ class Stepper {
 /// A simulated orbit.
 struct Solution {
   IntegrationStatus status = IntegrationStatus::Completed;
-  Vector time;            ///< the sample times reached
-  Matrix states;          ///< samples reached x m
+  Vector time;    ///< the sample times reached
+  Matrix states;  ///< samples reached x m
   double end_time = 0.0;  ///< last good time (between samples, where it stopped early)
   Vector end_state;       ///< the state there
 
-  /// One sentence on how it ended: "diverged at t = 3.2 s with x = 1e+09 ...". Empty if
-  /// completed.
+  /// One sentence on how it ended: "diverged at t = 3.2 s with x = 1e+09 ...". Empty if completed.
   std::string message;
 };
 

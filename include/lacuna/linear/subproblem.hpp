@@ -11,8 +11,8 @@ namespace lacuna {
 ///   min_h |y - Theta_A h|^2 = min_h |c - R D h|^2 + rho^2
 ///
 /// with R (|A| x |A|) upper triangular, D the norms of the columns, rho the residual that no h
-/// removes. Terms leave it by Givens rotations. A value of its own: it does not refer to the
-/// rows. Coefficients h are in the units of the data everywhere; scaling is inside.
+/// removes. Terms leave it by Givens rotations. A value of its own: it does not refer to the rows.
+/// Coefficients h are in the units of the data everywhere; scaling is inside.
 class Subproblem {
  public:
   /// Restricts a factor of all terms to one target and the active terms: O(L |A|^2).

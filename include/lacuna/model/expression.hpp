@@ -15,34 +15,17 @@ enum class Operation {
   Number,    ///< a constant
   Variable,  ///< a state, an input or t
   Delay,     ///< a variable as it was a fixed time ago: delay(x,T)
-  Add,
-  Subtract,
-  Multiply,
-  Divide,
-  Power,
-  Negate,
-  Sin,
-  Cos,
-  Tan,
-  Asin,
-  Acos,
-  Atan,
-  Tanh,
-  Exp,
-  Log,
-  Sqrt,
-  Abs,
-  Sign,
-  Step,  ///< 0 for x < 0, 1 from 0 on
-  Min,
-  Max,
-  Clip,  ///< clip(x,lo,hi)
+  Add, Subtract, Multiply, Divide, Power, Negate,
+  Sin, Cos, Tan, Asin, Acos, Atan, Tanh, Exp, Log, Sqrt, Abs, Sign,
+  Step,      ///< 0 for x < 0, 1 from 0 on
+  Min, Max,
+  Clip,      ///< clip(x,lo,hi)
 };
 
 /// A formula in named variables: an immutable value, cheap to copy.
 ///
-/// The language: numbers, `pi`, `+ - * / ^` (`^` binds tightest and to the right, then the
-/// sign), parentheses, `sin cos tan asin acos atan tanh exp log sqrt abs sign min max step(x)`
+/// The language: numbers, `pi`, `+ - * / ^` (`^` binds tightest and to the right, then the sign),
+/// parentheses, `sin cos tan asin acos atan tanh exp log sqrt abs sign min max step(x)`
 /// `clip(x,lo,hi)`, `delay(x,T)` with a constant T >= 0. A delay of a formula is stored as the
 /// formula of its delayed variables, so that only variables are ever delayed.
 ///
@@ -74,8 +57,7 @@ class Expression {
   /// Names of all variables, delayed ones too.
   std::set<std::string> variables() const;
 
-  /// Canonical text: no blanks, no superfluous parentheses, shortest numbers: "x^2*y",
-  /// "sin(th)".
+  /// Canonical text: no blanks, no superfluous parentheses, shortest numbers: "x^2*y", "sin(th)".
   std::string to_string() const;
 
   /// Same structure, same names, same numbers.

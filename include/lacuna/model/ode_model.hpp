@@ -27,8 +27,7 @@ class CompiledModel;
 /// A system of ordinary differential equations dx/dt = f(t, x, u): a value.
 class OdeModel {
  public:
-  /// @throws ModelError when names repeat or are not identifiers, when the number of equations
-  /// is
+  /// @throws ModelError when names repeat or are not identifiers, when the number of equations is
   ///   not the number of states, or when a coefficient is not finite.
   OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
            std::vector<Equation> equations, std::string time_unit = "s");
@@ -75,8 +74,7 @@ class CompiledModel {
   /// Writes dx/dt (m entries).
   /// @param x m states; @param u p inputs (may be null when p is 0);
   /// @param delayed values of delays() (may be null when there are none).
-  void evaluate(double t, const double* x, const double* u, const double* delayed,
-                double* dxdt);
+  void evaluate(double t, const double* x, const double* u, const double* delayed, double* dxdt);
 
   /// Writes df_k/dx_j (m x m). Arguments as in evaluate(). Delayed variables are held fixed.
   void jacobian(double t, const double* x, const double* u, const double* delayed,
@@ -85,8 +83,8 @@ class CompiledModel {
  private:
   Index dimension_ = 0;
   Index input_count_ = 0;
-  Program rate_;                  ///< distinct terms of all equations
-  Eigen::MatrixXd coefficients_;  ///< m x distinct terms
+  Program rate_;                         ///< distinct terms of all equations
+  Eigen::MatrixXd coefficients_;         ///< m x distinct terms
   std::vector<double> slots_, values_;
   Program::Workspace workspace_;
   std::optional<Program> jacobian_;
