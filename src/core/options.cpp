@@ -27,7 +27,9 @@ void check_range(std::string_view stage, const FieldInfo& info, double value) {
                     "give a number that is " + range_text(info));
 }
 
-void RangeCheck::field(const FieldInfo& info, double& value) { check_range(stage_, info, value); }
+void RangeCheck::field(const FieldInfo& info, double& value) {
+  check_range(stage_, info, value);
+}
 
 void RangeCheck::field(const FieldInfo& info, int& value) { check_range(stage_, info, value); }
 
