@@ -7,7 +7,8 @@
 namespace {
 
 struct HarmonicsOptions {
-  static constexpr lacuna::StageInfo kInfo{"harmonics", "1, x, sin(k x) and cos(k x)", "example"};
+  static constexpr lacuna::StageInfo kInfo{"harmonics", "1, x, sin(k x) and cos(k x)",
+                                           "example"};
   int harmonics = 1;
   void describe(lacuna::OptionVisitor& visitor) {
     visitor.field({"harmonics", "", "Largest k.", 1.0, 20.0}, harmonics);

@@ -105,11 +105,13 @@ TEST(Layers, NoConcreteStageIncludesAnother) {
 }
 
 TEST(Layers, PublicHeadersNeedOnlyEigenAndTheStandardLibrary) {
-  const std::set<std::string> banned = {"<nlohmann", "<CLI", "<ceres", "<nlopt", "<zlib", "<fmt"};
+  const std::set<std::string> banned = {"<nlohmann", "<CLI",  "<ceres",
+                                        "<nlopt",    "<zlib", "<fmt"};
   for (const SourceFile& file : sources_below("include"))
     for (const std::string& line : file.lines)
       for (const std::string& name : banned)
-        EXPECT_EQ(line.find("#include " + name), std::string::npos) << file.path << ": " << line;
+        EXPECT_EQ(line.find("#include " + name), std::string::npos)
+            << file.path << ": " << line;
 }
 
 }  // namespace

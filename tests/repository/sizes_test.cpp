@@ -10,8 +10,8 @@
 namespace lacuna::repository {
 namespace {
 
-const std::vector<std::string> kOwnCode = {"include",  "src",   "bases",    "solvers",
-                                           "apps",     "tests", "examples", "benchmarks"};
+const std::vector<std::string> kOwnCode = {"include", "src",   "bases",    "solvers",
+                                           "apps",    "tests", "examples", "benchmarks"};
 
 TEST(Sizes, NoFileIsOver450Lines) {
   for (const SourceFile& file : sources_below(kOwnCode))
@@ -40,14 +40,16 @@ TEST(Sizes, AtMost12HeadersInAFolder) {
   for (const auto& [folder, count] : headers) EXPECT_LE(count, 12) << folder;
 }
 
-/// With this formatting a function body outside a class starts with a line that begins at column
-/// 0 and ends in "{", and ends with "}" at column 0; namespaces and classes are told apart.
+/// With this formatting a function body outside a class starts with a line that begins at
+/// column 0 and ends in "{", and ends with "}" at column 0; namespaces and classes are told
+/// apart.
 bool opens_function(const std::string& line, const std::string& previous) {
   if (line.empty() || line.back() != '{' || line[0] == '}') return false;
   for (const char* other : {"namespace", "class ", "struct ", "enum ", "template", "const ",
                             "constexpr ", "static const", "union ", "//", "extern"})
     if (line.rfind(other, 0) == 0 && line.find('(') == std::string::npos) return false;
-  const bool has_call = line.find('(') != std::string::npos || line.find(')') != std::string::npos;
+  const bool has_call =
+      line.find('(') != std::string::npos || line.find(')') != std::string::npos;
   return has_call && (line[0] != ' ' || previous.find('(') != std::string::npos);
 }
 

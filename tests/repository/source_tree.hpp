@@ -30,8 +30,7 @@ inline std::vector<SourceFile> sources_below(const std::string& folder) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
     const auto extension = entry.path().extension();
     if (!entry.is_regular_file() || (extension != ".hpp" && extension != ".cpp")) continue;
-    files.push_back(
-        {std::filesystem::relative(entry.path(), root), read_lines(entry.path())});
+    files.push_back({std::filesystem::relative(entry.path(), root), read_lines(entry.path())});
   }
   std::sort(files.begin(), files.end(),
             [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
