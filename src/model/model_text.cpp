@@ -47,14 +47,12 @@ std::string right_hand_side(const Equation& equation, std::optional<int> signifi
   for (const WeightedTerm& summand : equation) {
     if (summand.coefficient == 0.0) continue;
     const bool negative = summand.coefficient < 0.0;
-    if (text.empty())
-      text = negative ? "-" : "";
-    else
-      text += negative ? " - " : " + ";
+    text += text.empty() ? (negative ? "-" : "") : negative ? " - " : " + ";
     text += magnitude_text(summand.term.expression(),
                            number_text(std::abs(summand.coefficient), significant_digits));
   }
-  return text.empty() ? "0" : text;
+  if (text.empty()) text += '0';
+  return text;
 }
 
 }  // namespace
