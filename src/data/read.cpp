@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/read.hpp"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/file_bytes.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/data/npy.hpp"
+#include "lacuna/data/read_text.hpp"
+#include "lacuna/data/text_field.hpp"
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool starts_with(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+/// Whether the name ends in .npy or .npy.gz.
+bool is_npy_name(const fs::path& path) {
+  fs::path name = path.filename();
+  if (lower_case(name.extension().string()) == ".gz") name = name.stem();
+  return lower_case(name.extension().string()) == ".npy";
+}
+
+/// @throws DataError for well-known binary formats that cannot be read.
+void check_format(std::string_view bytes, const std::string& source) {
+  const bool matlab = starts_with(bytes, "MATLAB ");
+  if (!matlab && !starts_with(bytes, "\x89HDF\r\n\x1a\n")) return;
+  throw DataError(source,
+                  std::string("this is a ") + (matlab ? "MATLAB" : "HDF5") +
+                      " file, which this build cannot read",
+                  "save the columns as .csv or NumPy's .npy");
+}
+
+bool is_pattern(const std::string& path) {
+  std::error_code ignored;
+  return path.find_first_of("*?[") != std::string::npos && !fs::exists(path, ignored);
+}
+
+std::vector<std::string> matching_files(const std::string& pattern) {
+  glob_t found{};
+  const std::unique_ptr<glob_t, decltype(&globfree)> guard(&found, &globfree);
+  if (glob(pattern.c_str(), 0, nullptr, &found) != 0 || found.gl_pathc == 0)
+    throw DataError(pattern, "no file matches this pattern",
+                    "check the folder and the names; quote the pattern as it stands");
+  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+}
+
+std::vector<std::string> all_files(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::vector<std::string> more =
+        is_pattern(path) ? matching_files(path) : std::vector<std::string>{path};
+    std::move(more.begin(), more.end(), std::back_inserter(files));
+  }
+  if (files.empty()) throw DataError("data", "no file is given", "name at least one file");
+  return files;
+}
+
+std::vector<std::string> sorted_names(const Table& table) {
+  std::vector<std::string> names;
+  for (const Quantity& column : table.columns) names.push_back(column.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// @throws DataError when the file has other columns than the first one.
+void check_same_columns(const Table& first, const Table& other) {
+  const std::vector<std::string> expected = sorted_names(first);
+  const std::vector<std::string> found = sorted_names(other);
+  if (expected == found) return;
+  throw DataError(other.source,
+                  "its columns (" + join(found, ", ") + ") are not those of " + first.source +
+                      " (" + join(expected, ", ") + ")",
+                  "give files with the same columns, or read them apart");
+}
+
+std::string unit_text(const std::string& unit) { return unit.empty() ? "none" : unit; }
+
+void check_same_unit(const std::string& source, const std::string& name,
+                     const std::string& expected, const std::string& found,
+                     const std::string& first) {
+  if (expected == found) return;
+  throw DataError(source,
+                  "the unit of '" + name + "' is " + unit_text(found) + ", in " + first +
+                      " it is " + unit_text(expected),
+                  "bring both files to the same unit");
+}
+
+/// Roles by name as the first file has them, so that the order of columns may differ in others.
+ColumnRoles fixed_roles(const Table& first, const ColumnRoles& roles) {
+  const ColumnIndices columns = find_columns(first, roles);
+  const auto name = [&](Index column) {
+    return first.columns[static_cast<std::size_t>(column)].name;
+  };
+  ColumnRoles fixed = roles;
+  if (columns.time && !columns.time_by_position) fixed.time = name(*columns.time);
+  fixed.states.clear();
+  for (const Index column : columns.states) fixed.states.push_back(name(column));
+  return fixed;
+}
+
+void append(Dataset& data, Dataset more, const std::string& source, const std::string& first) {
+  check_same_unit(source, "time", data.time_unit, more.time_unit, first);
+  for (std::size_t i = 0; i < data.states.size(); ++i)
+    check_same_unit(source, data.states[i].name, data.states[i].unit, more.states[i].unit,
+                    first);
+  for (std::size_t i = 0; i < data.inputs.size(); ++i)
+    check_same_unit(source, data.inputs[i].name, data.inputs[i].unit, more.inputs[i].unit,
+                    first);
+  std::move(more.trajectories.begin(), more.trajectories.end(),
+            std::back_inserter(data.trajectories));
+  std::move(more.notes.begin(), more.notes.end(), std::back_inserter(data.notes));
+}
+
+}  // namespace
+
+Table read_table(const fs::path& path) {
+  const std::string bytes = read_bytes(path);
+  const std::string source = path.string();
+  if (is_npy_name(path)) return parse_npy(bytes, source);
+  check_format(bytes, source);
+  return parse_text_table(bytes, source);
+}
+
+Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles) {
+  const std::vector<std::string> files = all_files(paths);
+  Table first = read_table(files.front());
+  Dataset data = assign_roles(first, roles);
+  if (files.size() == 1) return data;
+  const ColumnRoles fixed = fixed_roles(first, roles);
+  first.values.resize(0, 0);  // only its columns are looked at from here on
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const Table table = read_table(files[i]);
+    check_same_columns(first, table);
+    append(data, assign_roles(table, fixed), table.source, first.source);
+  }
+  return data;
+}
+
+}  // namespace lacuna
