@@ -7,18 +7,21 @@
 #include <optional>
 
 #include "lacuna/core/error.hpp"
-#include "lacuna/data/trajectory.hpp"
 
 namespace lacuna {
 namespace {
 
-// Time stamps of uniform sampling are often rounded to a few digits, which must not count.
-constexpr double kUniformTolerance = 1e-4;
-
+/// The step h of a uniform grid: no time stamp is further than h/1000 from t_0 + i h. Stamps are
+/// often rounded to a few digits, which must not count, while a drifting clock must.
 std::optional<double> common_step(const Vector& time) {
-  Trajectory grid;
-  grid.time = time;
-  return uniform_step(grid, kUniformTolerance);
+  constexpr double kTolerance = 1e-3;
+  const Index last = time.size() - 1;
+  if (last < 1) return std::nullopt;
+  const double step = (time[last] - time[0]) / static_cast<double>(last);
+  for (Index i = 1; i < last; ++i)
+    if (std::abs(time[i] - time[0] - static_cast<double>(i) * step) > kTolerance * step)
+      return std::nullopt;
+  return step;
 }
 
 /// Samples from `first` on take part in a row of their own weights.

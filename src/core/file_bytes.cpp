@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/core/file_bytes.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <new>
+#include <system_error>
+
+#include "lacuna/core/error.hpp"
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kGzipWindow = 15 + 16;  // zlib: largest window, gzip wrapper
+constexpr std::size_t kChunk = std::size_t{1} << 18U;
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason,
+                       const std::string& remedy = "check the name and the permissions") {
+  throw FileError(path.string(), "cannot be read: " + reason, remedy);
+}
+
+File open_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    fail(path, "it is a folder",
+         "give a file or a pattern such as '" + (path / "*.csv").string() + "'");
+  File file(std::fopen(path.c_str(), "rb"));
+  if (!file) fail(path, std::strerror(errno));
+  return file;
+}
+
+std::string read_raw(const fs::path& path) {
+  const File file = open_file(path);
+  std::error_code no_size;  // a pipe has none
+  const auto size = fs::file_size(path, no_size);
+  std::string content;
+  std::size_t filled = 0;
+  std::size_t wanted = no_size ? kChunk : static_cast<std::size_t>(size);
+  do {
+    content.resize(filled + wanted);
+    filled += std::fread(content.data() + filled, 1, wanted, file.get());
+    wanted = std::max(kChunk, filled);
+  } while (filled == content.size() && std::ungetc(std::fgetc(file.get()), file.get()) != EOF);
+  if (std::ferror(file.get()) != 0) fail(path, std::strerror(errno));
+  content.resize(filled);
+  return content;
+}
+
+bool is_gzip(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
+
+Bytef* input_pointer(std::string_view bytes) {
+  return reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib does not write it
+}
+
+uInt chunk_size(std::size_t size) {
+  return static_cast<uInt>(std::min<std::size_t>(size, std::numeric_limits<uInt>::max() / 2));
+}
+
+/// Unpacks one member at the start of `packed`, appends to `content`, returns its packed size.
+std::size_t unpack_member(std::string_view packed, const std::string& source,
+                          std::string& content) {
+  z_stream stream{};
+  if (inflateInit2(&stream, kGzipWindow) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, decltype(&inflateEnd)> guard(&stream, &inflateEnd);
+  std::array<char, kChunk / 4> buffer;
+  std::size_t used = 0;
+  int status = Z_OK;
+  while (status == Z_OK) {
+    stream.next_in = input_pointer(packed.substr(used));
+    stream.avail_in = chunk_size(packed.size() - used);
+    const uInt given = stream.avail_in;
+    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    stream.avail_out = static_cast<uInt>(buffer.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    used += given - stream.avail_in;
+    content.append(buffer.data(), buffer.size() - stream.avail_out);
+  }
+  if (status != Z_STREAM_END)
+    throw DataError(source, "the compressed data are damaged or cut short",
+                    "make or copy the file again; 'gzip -t' checks it");
+  return used;
+}
+
+}  // namespace
+
+std::string gunzip(std::string_view packed, const std::string& source) {
+  std::string content;
+  content.reserve(packed.size() * 3);
+  while (is_gzip(packed)) packed.remove_prefix(unpack_member(packed, source, content));
+  return content;
+}
+
+std::string gzip(std::string_view content) {
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipWindow, 8,
+                   Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  const std::unique_ptr<z_stream, decltype(&deflateEnd)> guard(&stream, &deflateEnd);
+  std::string packed;
+  std::array<char, kChunk / 4> buffer;
+  int status = Z_OK;
+  while (status != Z_STREAM_END) {
+    if (stream.avail_in == 0) {
+      stream.next_in = input_pointer(content);
+      stream.avail_in = chunk_size(content.size());
+      content.remove_prefix(stream.avail_in);
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    stream.avail_out = static_cast<uInt>(buffer.size());
+    status = deflate(&stream, content.empty() ? Z_FINISH : Z_NO_FLUSH);
+    packed.append(buffer.data(), buffer.size() - stream.avail_out);
+  }
+  return packed;
+}
+
+std::string read_bytes(const fs::path& path) {
+  std::string content = read_raw(path);
+  return is_gzip(content) ? gunzip(content, path.string()) : content;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/text.hpp"
+
+namespace lacuna {
+namespace {
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_word(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+/// The words of the expression language; data lies below it and cannot ask it.
+constexpr std::array<std::string_view, 21> kReserved{
+    "sin",  "cos",  "tan", "asin", "acos", "atan",  "tanh", "exp", "log", "sqrt", "abs",
+    "sign", "step", "min", "max",  "clip", "delay", "pi",   "t",   "inf", "nan"};
+
+/// Greek alphabet in the order of Unicode, from U+0391 and U+03B1 on.
+constexpr std::array<std::string_view, 25> kGreek{
+    "alpha", "beta",   "gamma",   "delta", "epsilon", "zeta",    "eta",  "theta", "iota",
+    "kappa", "lambda", "mu",      "nu",    "xi",      "omicron", "pi_",  "rho",   "sigma",
+    "sigma", "tau",    "upsilon", "phi",   "chi",     "psi",     "omega"};
+
+/// Name of the Greek letter with this code point; empty for any other.
+std::string greek_name(unsigned code) {
+  const bool capital = code >= 0x391 && code <= 0x3A9;
+  const bool small = code >= 0x3B1 && code <= 0x3C9;
+  if (!capital && !small) return code == 0xB5 ? "u" : "";
+  std::string name(kGreek[code - (capital ? 0x391U : 0x3B1U)]);
+  if (capital) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+/// Name of the two-byte UTF-8 letter that starts at `i`; empty when there is none.
+std::string greek_at(std::string_view text, std::size_t i) {
+  const auto first = static_cast<unsigned char>(text[i]);
+  if (first < 0xC2 || first > 0xDF || i + 1 >= text.size()) return "";
+  const auto second = static_cast<unsigned char>(text[i + 1]);
+  return greek_name(((first & 0x1FU) << 6U) | (second & 0x3FU));
+}
+
+std::optional<Quantity> split_brackets(std::string_view text, char open, char close) {
+  if (text.empty() || text.back() != close) return std::nullopt;
+  const std::size_t begin = text.find(open);
+  if (begin == std::string_view::npos) return std::nullopt;
+  const std::string_view unit = text.substr(begin + 1, text.size() - begin - 2);
+  return Quantity{std::string(trim(text.substr(0, begin))), std::string(trim(unit))};
+}
+
+std::string default_name(std::size_t column) { return "c" + std::to_string(column + 1); }
+
+std::string usable_name(const std::string& header, std::size_t column) {
+  std::string name = is_identifier(header) ? header : to_identifier(header);
+  if (name.empty()) return default_name(column);
+  if (name != "t" && is_reserved_name(name)) name += '_';
+  return name;
+}
+
+std::string header_place(const Table& table, std::optional<std::size_t> line,
+                         std::size_t column) {
+  const std::string number = std::to_string(column + 1);
+  if (!line) return table.source + ", column " + number;
+  return table.source + ":" + std::to_string(*line) + ":" + number;
+}
+
+void check_distinct(const Table& table, std::size_t column, std::optional<std::size_t> line) {
+  const std::string& name = table.columns[column].name;
+  for (std::size_t other = 0; other < column; ++other) {
+    if (table.columns[other].name != name) continue;
+    throw DataError(header_place(table, line, column),
+                    "columns " + std::to_string(other + 1) + " and " +
+                        std::to_string(column + 1) + " are both named '" + name + "'",
+                    "give every column a name of its own in the header");
+  }
+}
+
+}  // namespace
+
+std::string place(const Table& table, Index row, Index column) {
+  const std::string number = std::to_string(column + 1);
+  const auto index = static_cast<std::size_t>(row);
+  if (index < table.lines.size())
+    return table.source + ":" + std::to_string(table.lines[index]) + ":" + number;
+  return table.source + ", row " + std::to_string(row + 1) + ", column " + number;
+}
+
+bool is_identifier(std::string_view text) {
+  return !text.empty() && !is_digit(text[0]) && std::all_of(text.begin(), text.end(), is_word);
+}
+
+bool is_reserved_name(std::string_view name) {
+  return std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
+}
+
+std::string to_identifier(std::string_view text) {
+  std::string name;
+  bool gap = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string piece = is_word(text[i]) ? std::string(1, text[i]) : greek_at(text, i);
+    if (piece.empty()) {
+      gap = true;
+      continue;
+    }
+    if (!is_word(text[i])) ++i;
+    if (gap && !name.empty()) name += '_';
+    gap = false;
+    name += piece;
+  }
+  if (!name.empty() && is_digit(name[0])) name.insert(0, "c_");
+  return name;
+}
+
+Quantity split_header(std::string_view text) {
+  text = trim(text);
+  if (const auto squared = split_brackets(text, '[', ']')) return *squared;
+  if (const auto round = split_brackets(text, '(', ')')) return *round;
+  return Quantity{std::string(text), ""};
+}
+
+void name_columns(Table& table, const std::vector<Quantity>& headers,
+                  std::optional<std::size_t> line) {
+  table.columns.clear();
+  table.headers.clear();
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    const std::string& header = headers[i].name;
+    table.headers.push_back(header);
+    table.columns.push_back({usable_name(header, i), headers[i].unit});
+    check_distinct(table, i, line);
+    const std::string& name = table.columns.back().name;
+    if (header.empty() || name == header) continue;
+    table.notes.push_back(header_place(table, line, i) + ": column '" + header +
+                          "' is called '" + name + "'");
+  }
+}
+
+}  // namespace lacuna
