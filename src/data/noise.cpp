@@ -30,7 +30,7 @@ class Differences {
   Differences(const Trajectory& trajectory, Index state)
       : time_(trajectory.time),
         values_(trajectory.states.col(state)),
-        uniform_(uniform_step(trajectory, 1e-2).has_value()) {
+        uniform_(uniform_step(trajectory).has_value()) {
     const double scale = values_.size() > 0 ? values_.cwiseAbs().maxCoeff() : 0.0;
     if (scale > 0.0) values_ /= scale;
     scale_ = scale;
