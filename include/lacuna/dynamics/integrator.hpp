@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 
 #include "lacuna/core/function_ref.hpp"
@@ -35,15 +35,25 @@ class Stepper {
   virtual IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) = 0;
 };
 
+/// The size of a state that counts as divergence: 1e12 times the largest |x_k|, at least 1e12.
+double divergence_bound(const double* x, Index dimension);
+
+/// One sentence on an integration that ended early: "diverged at t = 3.2 s with x = 1e+09, y =
+/// 2". Empty when it was completed. Without names the states are called x1, x2, ...
+std::string end_message(IntegrationStatus status, double time, const Vector& state,
+                        std::span<const std::string> names = {},
+                        const std::string& time_unit = "");
+
 /// A simulated orbit.
 struct Solution {
   IntegrationStatus status = IntegrationStatus::Completed;
-  Vector time;    ///< the sample times reached
-  Matrix states;  ///< samples reached x m
+  Vector time;            ///< the sample times reached
+  Matrix states;          ///< samples reached x m
   double end_time = 0.0;  ///< last good time (between samples, where it stopped early)
   Vector end_state;       ///< the state there
 
-  /// One sentence on how it ended: "diverged at t = 3.2 s with x = 1e+09 ...". Empty if completed.
+  /// One sentence on how it ended: "diverged at t = 3.2 s with x = 1e+09 ...". Empty if
+  /// completed.
   std::string message;
 };
 
@@ -55,7 +65,7 @@ class Integrator : public StageInterface {
   /// Order p of the method: the error falls as h^p.
   virtual int order() const = 0;
 
-  /// A stepper for m states.
+  /// A stepper for m states; it takes the size of divergence from the state it first sees.
   virtual std::unique_ptr<Stepper> make_stepper(Index dimension) const = 0;
 
   /// The orbit through x0 at the given times (increasing; the first is the time of x0).

@@ -10,9 +10,10 @@ namespace lacuna {
 using InputSignal = FunctionRef<void(double t, double* u)>;
 
 /// Simulates a model from x0 at the given times.
-/// @param inputs needed when the model has inputs.
-/// Delayed states are taken from the orbit so far (cubic Hermite between steps); before the first
-/// time they have the value x0.
+/// @param inputs needed when the model has inputs; a record is one with RecordInput.
+/// Delayed states are taken from the orbit so far (cubic Hermite polynomials between points at
+/// most a quarter of the shortest delay apart); before the first time they have the value x0.
+/// Delayed inputs are the signal at the earlier time.
 /// @throws ArgumentError when x0 does not have m entries or inputs are missing.
 Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
                   const Vector& times, const RunContext& context = {});

@@ -11,7 +11,8 @@
 
 namespace lacuna {
 
-/// How the slave is driven: dx_s/dt = f(t, x_s) - K (x_s - x_m(t)), Karimov et al. 2023, Sect. 2.2.
+/// How the slave is driven: dx_s/dt = f(t, x_s) - K (x_s - x_m(t)), Karimov et al. 2023,
+/// Sect. 2.2.
 struct SyncOptions {
   /// K, m x m, in 1 / time unit. Without it all states are coupled with default_coupling().
   std::optional<Matrix> coupling = {};
@@ -22,27 +23,40 @@ struct SyncOptions {
 
 /// How far a model stays from a record that drives it.
 struct SyncResult {
-  Matrix coupling;          ///< K that was used
-  std::vector<Vector> errors;  ///< per trajectory: |x_s,n - x_m,n| at the samples
-  double median = 0.0;      ///< of the errors, all samples
+  Matrix coupling;             ///< K that was used
+  std::vector<Vector> errors;  ///< per trajectory: |x_s,n - x_m,n| at the samples reached
+  double median = 0.0;  ///< of the errors at all samples; nothing is left out at the start
   double mean = 0.0;
-  double relative = 0.0;    ///< mean / max_n |x_m,n|
-  bool settled = false;     ///< the error of the second half is not above that of the first
-                            ///< quarter after the transient, and nothing diverged
+  double relative = 0.0;  ///< mean / max_n |x_m,n|
+
+  /// Whether the slave follows the record: nothing diverged; the root mean square error of the
+  /// last quarter of the trajectories is at most 3 times that of the two quarters before it (it
+  /// does not grow), and less than half the record's own spread, the root mean square distance
+  /// from its mean (it is not merely another orbit of the same size).
+  bool settled = false;
+
   IntegrationStatus status = IntegrationStatus::Completed;
-  std::string message;      ///< on divergence: where and with what state; else empty
+  std::string message;  ///< on divergence: trajectory, time and state; else empty
 };
 
-/// A coupling strength from the record's own time scale: k = sqrt(sum var(dx/dt) / sum var(x)),
-/// each state in units of its standard deviation, times the identity.
+/// A coupling strength from the record's own time scale, times the identity:
+/// k = sqrt(mean_i w_i^2), where w_i is the angular frequency of the harmonic oscillation whose
+/// mean square change reaches a quarter of twice the variance after the same lag as that of
+/// state i: w_i = arccos(3/4) / lag_i. For clean data this is about sqrt(mean var(dx_i/dt) /
+/// var(x_i)); unlike that it does not grow with noise and with fast sampling. In 1 / time unit;
+/// 1 over the length of the record when no state changes.
 Matrix default_coupling(const Dataset& record);
 
 /// Synchronises the model with every trajectory of the record. The slave makes one step per
-/// sample; between the samples the record (and the inputs) are the Lagrange polynomial through p
-/// points for a method of order p, e.g. t_{n-2} .. t_{n+1} for RK4.
-/// @throws DataError when states or inputs of the model are not in the record or when a trajectory
-///   has fewer samples than the polynomial needs; ArgumentError for a K of the wrong shape.
-SyncResult synchronise(const OdeModel& model, const Dataset& record, const Integrator& integrator,
-                       const SyncOptions& options = {}, const RunContext& context = {});
+/// sample; in the step t_n .. t_{n+1} the record (and the inputs) are the Lagrange polynomial
+/// through p points for a method of order p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for
+/// RK4. Delayed variables of the model are those of the record.
+/// @throws DataError when states or inputs of the model are not in the record or when a
+/// trajectory
+///   has fewer samples than the polynomial needs; ArgumentError for a K or a start of the wrong
+///   shape.
+SyncResult synchronise(const OdeModel& model, const Dataset& record,
+                       const Integrator& integrator, const SyncOptions& options = {},
+                       const RunContext& context = {});
 
 }  // namespace lacuna

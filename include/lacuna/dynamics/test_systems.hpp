@@ -14,8 +14,8 @@ struct TestSystem {
   std::string summary;    ///< one sentence
   std::string reference;  ///< where equations and parameters come from
   OdeModel model;
-  Vector start;           ///< a state on or near the attractor
-  double step = 0.0;      ///< a usual sampling step
+  Vector start;       ///< a state on or near the attractor
+  double step = 0.0;  ///< a usual sampling step
 };
 
 /// All systems, in alphabetical order of their names.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,32 +9,31 @@
 #include "lacuna/core/types.hpp"
 #include "lacuna/linear/factor.hpp"
 #include "lacuna/linear/row_source.hpp"
+#include "lacuna/linear/weighted_rows.hpp"
 
 namespace lacuna {
 
 class Subproblem;
 
-/// Row weights from residuals, one tile at a time: weights(residuals) entry by entry.
-using WeightFunction =
-    std::function<void(const Eigen::Ref<const Vector>& residuals, Eigen::Ref<Vector> weights)>;
-
-/// The linear problem Theta h_k ~ y_k for k = 1..m that every filter, regressor and pruner works
-/// on. Owns a row source and the statistics of its rows, never the n x L matrix.
+/// The linear problem Theta h_k ~ y_k for k = 1..m that every filter, regressor and pruner
+/// works on. Owns a row source and the statistics of its rows, never the n x L matrix.
 ///
 /// Rows are read in tiles and folded in a fixed order, so the result does not depend on the
-/// number of threads. Folding is by the Gram matrix (scaled, Cholesky); where its scaled condition
-/// exceeds about 1e7, where Cholesky breaks down, or where the residual lies below what a Gram can
-/// resolve, it is repeated by tall-skinny QR. A value: copies share rows and statistics.
+/// number of threads. Folding is by the Gram matrix (scaled, Cholesky); where its scaled
+/// condition exceeds about 1e7, where Cholesky breaks down, or where the residual lies below
+/// what a Gram can resolve, it is repeated by tall-skinny QR. A value: copies share rows and
+/// statistics.
 class LeastSquaresSystem {
  public:
   /// Reads all rows once (or twice, see above).
-  /// @throws ArgumentError when names do not fit the columns; DataError when a row is not finite.
+  /// @throws ArgumentError when names do not fit the columns; DataError when a row is not
+  /// finite.
   LeastSquaresSystem(std::shared_ptr<const RowSource> rows, std::vector<std::string> term_names,
                      std::vector<std::string> target_names, const RunContext& context = {},
                      Folding folding = Folding::Automatic);
 
-  Index rows() const noexcept { return factor_->rows; }        ///< n
-  Index terms() const noexcept { return factor_->terms(); }    ///< L
+  Index rows() const noexcept { return factor_->rows; }                    ///< n
+  Index terms() const noexcept { return factor_->terms(); }                ///< L
   Index targets() const noexcept { return factor_->target_norms.size(); }  ///< m
   const std::vector<std::string>& term_names() const noexcept { return *term_names_; }
   const std::vector<std::string>& target_names() const noexcept { return *target_names_; }
@@ -51,13 +49,15 @@ class LeastSquaresSystem {
   Subproblem subproblem(Index target, TermSet active) const;
 
   /// The same problem with rows weighted by their residuals at h: minimises
-  /// sum_i w_i (y_i - theta_i h)^2. One pass over the rows.
+  /// sum_i w_i (y_i - theta_i h)^2. One pass over the rows, folded as the system is.
   /// @param h one entry per active term, unscaled.
-  Subproblem reweighted(const Subproblem& problem, const Vector& h, const WeightFunction& weights,
-                        const RunContext& context = {}) const;
+  /// @throws ArgumentError when h does not fit, or a weight is negative or not finite.
+  Subproblem reweighted(const Subproblem& problem, const Vector& h,
+                        const WeightFunction& weights, const RunContext& context = {}) const;
 
   /// Coefficients after one pass of iterative refinement: r = y - Theta h, R'R dh = Theta' r.
-  Vector refined(const Subproblem& problem, const Vector& h, const RunContext& context = {}) const;
+  Vector refined(const Subproblem& problem, const Vector& h,
+                 const RunContext& context = {}) const;
 
   /// Residuals y - Theta_A h of one target, all n of them. One pass.
   Vector residuals(Index target, const TermSet& active, const Vector& h,
@@ -68,6 +68,7 @@ class LeastSquaresSystem {
   std::shared_ptr<const std::vector<std::string>> term_names_;
   std::shared_ptr<const std::vector<std::string>> target_names_;
   std::shared_ptr<const Factor> factor_;
+  Folding folding_;  // as asked for
 };
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <set>
 #include <span>
@@ -22,6 +23,15 @@ enum class Operation {
   Clip,      ///< clip(x,lo,hi)
 };
 
+/// Deepest formula the parser takes, in operations from the whole to a leaf.
+inline constexpr int kMaxFormulaDepth = 400;
+
+/// Deepest parentheses, signs and powers of powers the parser takes.
+inline constexpr int kMaxFormulaNesting = 200;
+
+/// Deepest expression that can be made at all; leaves room for derivatives of any formula.
+inline constexpr int kMaxExpressionDepth = 2400;
+
 /// A formula in named variables: an immutable value, cheap to copy.
 ///
 /// The language: numbers, `pi`, `+ - * / ^` (`^` binds tightest and to the right, then the sign),
@@ -29,8 +39,10 @@ enum class Operation {
 /// `clip(x,lo,hi)`, `delay(x,T)` with a constant T >= 0. A delay of a formula is stored as the
 /// formula of its delayed variables, so that only variables are ever delayed.
 ///
-/// What was written is kept: nothing is reordered; only a sign in front of a number is folded.
-/// `parse(to_string(e)) == e` holds for every expression.
+/// What was written is kept: nothing is reordered; only a sign in front of a number is folded,
+/// a delay of 0 is the variable itself, and time delayed by T is t-T.
+/// `parse(to_string(e)) == e` holds for every expression that is not nested deeper than the
+/// parser allows (kMaxFormulaDepth).
 class Expression {
  public:
   /// The constant 0.
@@ -43,10 +55,12 @@ class Expression {
   static Expression variable(std::string name);
 
   /// Any operation on its operands, folded only where the class comment says so.
-  /// @throws ModelError when the number of operands does not fit the operation.
+  /// @throws ModelError when the number of operands does not fit the operation, or when the
+  ///   expression gets deeper than kMaxExpressionDepth.
   static Expression make(Operation operation, std::vector<Expression> operands);
 
-  /// A variable as it was `delay` time units ago. @throws ModelError for a negative delay.
+  /// A variable as it was `delay` time units ago.
+  /// @throws ModelError for a delay that is negative or not finite, and as variable() does.
   static Expression delayed(std::string name, double delay);
 
   Operation operation() const noexcept;
@@ -57,10 +71,17 @@ class Expression {
   /// Names of all variables, delayed ones too.
   std::set<std::string> variables() const;
 
-  /// Canonical text: no blanks, no superfluous parentheses, shortest numbers: "x^2*y", "sin(th)".
+  /// Operations on the longest way from the whole to a leaf; 0 for a leaf.
+  int depth() const noexcept;
+
+  /// Equal expressions have equal hashes.
+  std::size_t hash() const noexcept;
+
+  /// Canonical text: no blanks, shortest numbers, parentheses only where they are needed and
+  /// around a signed operand behind + - * /: "x^2*y", "sin(th)", "-x*y", "2*x^-1", "x*(-y)".
   std::string to_string() const;
 
-  /// Same structure, same names, same numbers.
+  /// Same structure, same names, same numbers (to the bit: 0 and -0 differ).
   friend bool operator==(const Expression& a, const Expression& b);
 
  private:
@@ -72,7 +93,7 @@ class Expression {
 /// Reads a formula.
 /// @param known when not empty, the only names that may stand for variables.
 /// @throws ModelError naming the column (from 1): an unknown name or function, wrong number of
-///   arguments, unbalanced parentheses, a number out of range.
+///   arguments, unbalanced parentheses, a number out of range, too deep a nesting.
 Expression parse_expression(std::string_view text, std::span<const std::string> known = {});
 
 /// The exact partial derivative, with plain simplifications (0*x, 1*x, x+0, constant folding).
@@ -80,6 +101,7 @@ Expression parse_expression(std::string_view text, std::span<const std::string> 
 /// min, max and clip select a branch with step. A delayed variable counts as another variable.
 Expression differentiate(const Expression& expression, std::string_view variable);
 
+/// The operations, without any simplification: `a + b` is Expression::make(Operation::Add, {a, b}).
 Expression operator+(const Expression& a, const Expression& b);
 Expression operator-(const Expression& a, const Expression& b);
 Expression operator*(const Expression& a, const Expression& b);

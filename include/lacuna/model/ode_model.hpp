@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +29,11 @@ class CompiledModel;
 /// A system of ordinary differential equations dx/dt = f(t, x, u): a value.
 class OdeModel {
  public:
-  /// @throws ModelError when names repeat or are not identifiers, when the number of equations is
-  ///   not the number of states, or when a coefficient is not finite.
+  /// Terms get their canonical names in this model's variables.
+  /// @throws ModelError when there is no state, when names repeat, are not identifiers or are
+  ///   words of the formula language, when the number of equations is not the number of states,
+  ///   when a term stands twice in an equation or uses an unknown name, or when a coefficient is
+  ///   not finite.
   OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
            std::vector<Equation> equations, std::string time_unit = "s");
 
@@ -45,9 +50,12 @@ class OdeModel {
   Index state_index(const std::string& name) const;
 
   /// Coefficient of a term (by canonical name) in an equation; 0 when it is not there.
+  /// @throws ArgumentError when there is no such equation.
   double coefficient(Index equation, const std::string& term) const;
 
-  /// The model with one more summand; a term that is there already gets the sum.
+  /// The model with one more summand; a term that is there already gets the sum, and keeps no
+  /// error and no interval, which the sum does not have.
+  /// @throws ArgumentError when there is no such equation; ModelError as the constructor.
   OdeModel with_term(Index equation, WeightedTerm summand) const;
 
   /// A flat evaluator of f and of its Jacobian.
@@ -60,7 +68,8 @@ class OdeModel {
   std::string time_unit_;
 };
 
-/// Evaluates f(t, x, u) and its Jacobian without allocation. Cheap to copy; one per thread.
+/// Evaluates f(t, x, u) and its Jacobian without allocation (the Jacobian is compiled by its
+/// first use). Cheap to copy; one per thread.
 class CompiledModel {
  public:
   explicit CompiledModel(const OdeModel& model);
@@ -69,25 +78,48 @@ class CompiledModel {
   Index inputs() const noexcept { return input_count_; }
 
   /// Delayed variables whose values evaluate() needs, in order.
-  const std::vector<DelayedVariable>& delays() const noexcept { return rate_.delays(); }
+  const std::vector<DelayedVariable>& delays() const noexcept { return rate_.program.delays(); }
 
   /// Writes dx/dt (m entries).
   /// @param x m states; @param u p inputs (may be null when p is 0);
   /// @param delayed values of delays() (may be null when there are none).
-  void evaluate(double t, const double* x, const double* u, const double* delayed, double* dxdt);
+  void evaluate(double t, const double* x, const double* u, const double* delayed,
+                double* dxdt);
 
   /// Writes df_k/dx_j (m x m). Arguments as in evaluate(). Delayed variables are held fixed.
+  /// @throws ArgumentError when the matrix is not m x m.
   void jacobian(double t, const double* x, const double* u, const double* delayed,
                 Eigen::Ref<Matrix> derivative);
 
  private:
+  friend class SumBuilder;
+
+  /// Sums of coefficient times value: row r is sum over entries [row_ends[r-1], row_ends[r]).
+  struct Sums {
+    struct Entry {
+      double coefficient;
+      std::size_t value;
+    };
+    Program program;
+    std::vector<Entry> entries;
+    std::vector<std::size_t> row_ends;
+    std::vector<double> values;
+  };
+
+  static Sums compile_rate(const OdeModel& model);
+  static Sums compile_jacobian(const OdeModel& model);
+  void fill_slots(double t, const double* x, const double* u);
+  void fill_delays(const Program& program, const double* delayed);
+  void add_up(Sums& sums, double* out);
+
   Index dimension_ = 0;
   Index input_count_ = 0;
-  Program rate_;                         ///< distinct terms of all equations
-  Eigen::MatrixXd coefficients_;         ///< m x distinct terms
-  std::vector<double> slots_, values_;
+  Sums rate_;
+  std::optional<Sums> jacobian_;
+  std::shared_ptr<const OdeModel> model_;
+  std::vector<double> slots_;
+  std::vector<double> entries_;  ///< of the Jacobian, column by column
   Program::Workspace workspace_;
-  std::optional<Program> jacobian_;
 };
 
 /// Equations for people, one per line: "dx/dt = -y - z". Numbers are unrounded unless a number

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,6 +43,8 @@ class Program {
   /// Scratch memory of one thread; grows as needed, may be used with any program.
   struct Workspace {
     std::vector<double> registers;
+    std::vector<const double*> sources;
+    std::vector<double*> targets;
   };
 
   /// @throws ModelError naming a variable that is not in `variables`.
@@ -55,23 +58,45 @@ class Program {
   void evaluate(const double* slots, double* out, Workspace& workspace) const;
 
   /// All outputs for many rows at once.
-  /// @param slots rows x slots(); @param out rows x outputs().
+  /// Rows go through in blocks that stay in cache; each instruction is one loop over the block.
+  /// @param slots rows x slots(); @param out rows x outputs(), other memory than `slots`.
   /// @throws ArgumentError when shapes do not fit.
   void evaluate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> out,
                 Workspace& workspace) const;
 
  private:
   friend class ProgramBuilder;
+
+  /// Registers: the slots, the constants, then one for each instruction's result.
   struct Instruction {
-    Operation operation;
     int target, a, b, c;
   };
+
+  /// Instructions [begin, end) that all do the same operation.
+  struct Run {
+    Operation operation;
+    std::size_t begin, end;
+  };
+
+  /// An output column and the register it shows.
+  struct Output {
+    Index column;
+    int source;
+  };
+
+  void prepare(Workspace& workspace, Index rows) const;
+  void evaluate_block(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix>& out,
+                      Index first, Index rows, Workspace& workspace) const;
+
   std::vector<Instruction> instructions_;
+  std::vector<Run> runs_;
   std::vector<double> constants_;
   std::vector<DelayedVariable> delays_;
   std::vector<int> outputs_;
+  std::vector<Output> written_;  ///< outputs that are computed in place
+  std::vector<Output> copied_;   ///< outputs that are slots, constants or shown twice
   Index slot_count_ = 0;
-  int register_count_ = 0;
+  std::size_t register_count_ = 0;
 };
 
 }  // namespace lacuna

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/core/stage.hpp"
 #include "lacuna/data/dataset.hpp"
@@ -9,23 +11,40 @@
 
 namespace lacuna {
 
-/// Plug point: turns records and candidate terms into a linear problem. In the strong form a row
-/// is a sample and the target its derivative; other forms have other rows. All that comes after
-/// sees rows only.
+/// Plug point: turns records and candidate terms into a linear problem. In the strong form a
+/// row is a sample and the target its derivative; other forms have other rows. All that comes
+/// after sees rows only.
 class Formulation : public StageInterface {
  public:
   static constexpr std::string_view kKind = "formulation";
 
   /// The system Theta h_k ~ y_k with one target per state.
-  /// @throws DataError when the dataset is not usable (check_dataset), when there are fewer rows
-  ///   than terms, when a state is constant, when a derivative is zero throughout, or when a term
-  ///   is not finite on the data: names the place and the remedy.
+  /// @throws DataError when the dataset is not usable (check_dataset), when there are fewer
+  /// rows
+  ///   than terms, when a state is constant, when a derivative is zero throughout, or when a
+  ///   term is not finite on the data: names the place and the remedy.
   LeastSquaresSystem assemble(const Dataset& data, const TermLibrary& library,
                               const RunContext& context = {}) const;
+
+  /// rms of each target that measurement noise alone causes.
+  ///
+  /// The noise is white, of standard deviation sigma_k in state k, and enters the target
+  /// through a linear operator: rms_k = gain sigma_k, where gain is the root of the sum of
+  /// squared responses to a unit impulse. Noise in Theta is not counted.
+  /// @param state_noise sigma, one per state, in state units.
+  /// @return target units, one per state; nothing when the dataset brings derivatives, whose
+  ///   noise nobody knows.
+  /// @throws ArgumentError unless there is one finite number >= 0 per state; DataError as
+  ///   assemble().
+  std::optional<Vector> target_noise(const Dataset& data, const Vector& state_noise) const;
 
  private:
   virtual LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,
                                          const RunContext& context) const = 0;
+
+  /// Called with a checked dataset of which no record brings derivatives.
+  virtual std::optional<Vector> do_target_noise(const Dataset& data,
+                                                const Vector& state_noise) const = 0;
 };
 
 }  // namespace lacuna

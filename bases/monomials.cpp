@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/bases/monomials.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "lacuna/bases/term_list.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kMostTerms = 100000;
+
+using Exponents = std::vector<int>;
+
+/// Lists exponents of `count` variables depth first, spending degrees of either sign.
+class ExponentLister {
+ public:
+  ExponentLister(std::size_t count, int min_degree, int max_degree)
+      : current_(count, 0), min_degree_(min_degree), max_degree_(max_degree) {}
+
+  std::vector<Exponents> list() {
+    visit(0, max_degree_, std::min(min_degree_, 0));
+    return std::move(found_);
+  }
+
+ private:
+  void visit(std::size_t position, int above, int below) {
+    if (position == current_.size()) return keep();
+    for (int e = above; e >= below; --e) {
+      current_[position] = e;
+      visit(position + 1, above - std::max(e, 0), below - std::min(e, 0));
+    }
+    current_[position] = 0;
+  }
+
+  void keep() {
+    const int degree = std::accumulate(current_.begin(), current_.end(), 0);
+    if (min_degree_ > 0 && degree < min_degree_) return;
+    found_.push_back(current_);
+    if (found_.size() > kMostTerms)
+      throw ConfigError("monomials.max_degree",
+                        "there are more than " + std::to_string(kMostTerms) + " monomials in " +
+                            std::to_string(current_.size()) + " variables",
+                        "lower max_degree or leave variables out");
+  }
+
+  Exponents current_;
+  int min_degree_;
+  int max_degree_;
+  std::vector<Exponents> found_;
+};
+
+/// Degree, then size; the list itself is lexicographic already.
+std::tuple<int, int> degree_and_size(const Exponents& exponents) {
+  int degree = 0, size = 0;
+  for (const int e : exponents) {
+    degree += e;
+    size += std::abs(e);
+  }
+  return {degree, size};
+}
+
+/// Slots of the variables that take part.
+std::vector<std::size_t> used_slots(const Variables& variables,
+                                    const MonomialsOptions& options) {
+  const std::size_t states = variables.states.size();
+  const std::size_t inputs = variables.inputs.size();
+  std::vector<std::size_t> slots(states + (options.with_inputs ? inputs : 0));
+  std::iota(slots.begin(), slots.end(), std::size_t{0});
+  if (options.with_time) slots.push_back(states + inputs);
+  return slots;
+}
+
+std::vector<Term> monomial_terms(const Variables& variables, const MonomialsOptions& options) {
+  const std::vector<std::size_t> slots = used_slots(variables, options);
+  ExponentLister lister(slots.size(), options.min_degree, options.max_degree);
+  std::vector<Exponents> list = lister.list();
+  std::stable_sort(list.begin(), list.end(), [](const Exponents& a, const Exponents& b) {
+    return degree_and_size(a) < degree_and_size(b);
+  });
+  std::vector<Term> terms;
+  terms.reserve(list.size());
+  for (const Exponents& exponents : list) {
+    Exponents all(static_cast<std::size_t>(variables.count()), 0);
+    for (std::size_t i = 0; i < slots.size(); ++i) all[slots[i]] = exponents[i];
+    terms.push_back(Term::monomial(all, variables));
+  }
+  return terms;
+}
+
+}  // namespace
+
+std::vector<Term> Monomials::do_terms(const Variables& variables) const {
+  const Options& o = options();
+  if (o.min_degree > o.max_degree)
+    throw ConfigError("monomials.min_degree",
+                      "the lowest degree " + std::to_string(o.min_degree) +
+                          " is above the highest, " + std::to_string(o.max_degree),
+                      "give min_degree <= max_degree");
+  std::vector<Term> terms = monomial_terms(variables, o);
+  for (Term& term : parse_term_list("monomials.include", o.include, variables))
+    terms.push_back(std::move(term));
+  std::set<std::string> left_out;
+  for (const Term& term : parse_term_list("monomials.exclude", o.exclude, variables))
+    left_out.insert(term.name());
+  std::erase_if(terms, [&](const Term& term) { return left_out.contains(term.name()); });
+  return terms;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "cases.hpp"
+
+#include <cmath>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/config/variants.hpp"
+#include "lacuna/core/random.hpp"
+#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/dynamics/test_systems.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+constexpr double kStep = 0.05;  // Rossler time units; an orbit takes about 6
+
+template <class Interface>
+struct Named {
+  std::string label;
+  Stage<Interface> stage;
+};
+
+template <class Interface>
+std::vector<Named<Interface>> available(const Registry& registry) {
+  std::vector<Named<Interface>> stages;
+  for (const StageVariant& variant : variants(registry, Interface::kKind))
+    if (variant.unavailable.empty())
+      stages.push_back(
+          {variant.label,
+           Stage<Interface>(std::dynamic_pointer_cast<const Interface>(variant.stage))});
+  return stages;
+}
+
+void add_noise(Matrix& values, double noise, Random& random) {
+  for (Index k = 0; k < values.cols(); ++k) {
+    const double mean = values.col(k).mean();
+    const double deviation = std::sqrt((values.col(k).array() - mean).square().mean());
+    for (Index i = 0; i < values.rows(); ++i)
+      values(i, k) += noise * deviation * random.normal();
+  }
+}
+
+}  // namespace
+
+std::vector<Composition> all_compositions(const Registry& registry) {
+  const auto formulations = available<Formulation>(registry);
+  std::vector<Composition> all;
+  const auto compose = [&](const std::string& derivative,
+                           const Stage<Formulation>& formulation) {
+    for (const auto& filter : available<TermFilter>(registry))
+      for (const auto& regressor : available<Regressor>(registry))
+        for (const auto& pruner : available<TermPruner>(registry))
+          all.push_back({filter.label, regressor.label, pruner.label, derivative,
+                         Pipeline{.basis = Monomials{{.max_degree = 3}},
+                                  .formulation = formulation,
+                                  .filter = filter.stage,
+                                  .regressor = regressor.stage,
+                                  .pruner = pruner.stage}});
+  };
+  compose("exact", formulations.front().stage);
+  for (const auto& formulation : formulations) compose(formulation.label, formulation.stage);
+  return all;
+}
+
+std::vector<Condition> all_conditions() {
+  return {{1000, 0.0, 1}, {1000, 0.001, 3}, {1000, 0.01, 3},
+          {4000, 0.0, 1}, {4000, 0.001, 1}, {4000, 0.01, 1}};
+}
+
+Dataset noisy_record(const Condition& condition, std::uint64_t seed) {
+  const TestSystem& rossler = test_system("rossler");
+  const Vector times = sample_times(0.0, kStep, condition.samples);
+  const Solution orbit =
+      simulate(rossler.model, DormandPrince8Adaptive{}, rossler.start, times);
+
+  Trajectory trajectory{"rossler", times, orbit.states, Matrix(times.size(), 0), orbit.states};
+  CompiledModel model = rossler.model.compile();
+  for (Index i = 0; i < times.size(); ++i) {
+    const Vector x = orbit.states.row(i);
+    Vector rate(x.size());
+    model.evaluate(times[i], x.data(), nullptr, nullptr, rate.data());
+    trajectory.derivatives.row(i) = rate;
+  }
+  Random random(seed);
+  add_noise(trajectory.states, condition.noise, random);
+  add_noise(trajectory.derivatives, condition.noise, random);
+
+  Dataset record;
+  record.states = rossler.model.states();
+  record.trajectories.push_back(std::move(trajectory));
+  return record;
+}
+
+Dataset without_derivatives(Dataset record) {
+  for (Trajectory& trajectory : record.trajectories) trajectory.derivatives.resize(0, 0);
+  return record;
+}
+
+}  // namespace lacuna::benchmarks

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <set>
+
+#include "lacuna/core/atomic_file.hpp"
+#include "lacuna/core/text.hpp"
+#include "support/table.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+std::vector<double> collect(const Cell& cell, double (*value)(const Score&)) {
+  std::vector<double> values;
+  for (const Score& score : cell.scores) values.push_back(value(score));
+  return values;
+}
+
+double exact_rate(const Cell& cell) {
+  const auto exact = std::count_if(cell.scores.begin(), cell.scores.end(),
+                                   [](const Score& s) { return s.exact_structure; });
+  return static_cast<double>(exact) / static_cast<double>(cell.scores.size());
+}
+
+std::string sync_text(const Cell& cell) {
+  std::vector<double> values;
+  for (const Score& score : cell.scores)
+    if (score.sync) values.push_back(*score.sync);
+  if (values.size() < cell.scores.size()) return "diverged";
+  return format_number(100.0 * median(values), 3);
+}
+
+ResultTable full_table(const std::vector<Cell>& cells) {
+  ResultTable table{
+      {"filter", "regressor", "pruner", "derivative", "samples", "noise %", "draws",
+       "exact structure rate", "coefficient error", "sync error %", "time ms"},
+      {}};
+  for (const Cell& cell : cells)
+    table.rows.push_back(
+        {cell.composition->filter, cell.composition->regressor, cell.composition->pruner,
+         cell.composition->derivative, std::to_string(cell.condition.samples),
+         format_number(100.0 * cell.condition.noise), std::to_string(cell.condition.draws),
+         format_number(exact_rate(cell), 3),
+         format_number(
+             median(collect(cell, [](const Score& s) { return s.coefficient_error; })), 3),
+         sync_text(cell),
+         format_number(1e3 * median(collect(cell, [](const Score& s) { return s.seconds; })),
+                       3)});
+  return table;
+}
+
+/// What is pooled in the summary: one row for regressor and pruner, one column for derivative
+/// and noise; filters and numbers of samples are pooled.
+struct Summary {
+  std::vector<std::string> rows, columns;
+  std::map<std::pair<std::string, std::string>, std::vector<double>> rates;
+  std::map<std::string, std::vector<double>> milliseconds;
+};
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+Summary summarise(const std::vector<Cell>& cells) {
+  Summary summary;
+  for (const Cell& cell : cells) {
+    const std::string row = cell.composition->regressor + " + " + cell.composition->pruner;
+    const std::string column =
+        cell.composition->derivative + " " + format_number(100.0 * cell.condition.noise) + " %";
+    add_once(summary.rows, row);
+    add_once(summary.columns, column);
+    summary.rates[{row, column}].push_back(exact_rate(cell));
+    for (const Score& score : cell.scores)
+      summary.milliseconds[row].push_back(1e3 * score.seconds);
+  }
+  return summary;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+ResultTable summary_table(const Summary& summary) {
+  ResultTable table{{"regressor + pruner"}, {}};
+  table.header.insert(table.header.end(), summary.columns.begin(), summary.columns.end());
+  table.header.push_back("median time ms");
+  for (const std::string& row : summary.rows) {
+    std::vector<std::string> cells{row};
+    for (const std::string& column : summary.columns)
+      cells.push_back(format_number(100.0 * mean(summary.rates.at({row, column})), 3));
+    cells.push_back(format_number(median(summary.milliseconds.at(row)), 3));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string heat_map_data(const Summary& summary) {
+  std::string text;
+  for (const std::string& row : summary.rows) {
+    for (const std::string& column : summary.columns)
+      text += format_number(100.0 * mean(summary.rates.at({row, column})), 4) + " ";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string tics(const std::vector<std::string>& names) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    parts.push_back("\"" + names[i] + "\" " + std::to_string(i));
+  return "(" + join(parts, ", ") + ")";
+}
+
+std::string heat_map_script(const Summary& summary) {
+  const std::string height = std::to_string(160 + 24 * summary.rows.size());
+  return "set terminal svg size 900," + height + " font 'sans,12' background 'white'\n" +
+         "set output 'rossler.svg'\n"
+         "set title 'Rossler, 20 candidate terms: runs with exactly the true terms (%)'\n"
+         "set xtics rotate by 35 right " +
+         tics(summary.columns) + "\nset ytics " + tics(summary.rows) + "\nset yrange [" +
+         std::to_string(summary.rows.size()) +
+         "-0.5:-0.5]\nset xrange [-0.5:" + std::to_string(summary.columns.size()) + "-0.5]\n" +
+         "set cbrange [0:100]\nset palette defined (0 '#f7f7f7', 50 '#92c5de', 100 '#0571b0')\n"
+         "set tics scale 0\nunset key\nset colorbox\n"
+         "plot 'rossler.dat' matrix with image, \\\n"
+         "  'rossler.dat' matrix using 1:2:(sprintf('%.0f', $3)) with labels font ',10'\n";
+}
+
+}  // namespace
+
+void compare_coefficients(const OdeModel& found, const OdeModel& truth, Score& score) {
+  double error = 0.0, largest = 0.0;
+  score.exact_structure = true;
+  for (Index k = 0; k < truth.dimension(); ++k) {
+    std::set<std::string> terms, true_terms;
+    for (const auto& term : found.equations()[static_cast<std::size_t>(k)])
+      terms.insert(term.term.name());
+    for (const auto& term : truth.equations()[static_cast<std::size_t>(k)]) {
+      true_terms.insert(term.term.name());
+      largest = std::max(largest, std::abs(term.coefficient));
+    }
+    score.exact_structure = score.exact_structure && terms == true_terms;
+    terms.insert(true_terms.begin(), true_terms.end());
+    for (const std::string& term : terms)
+      error =
+          std::max(error, std::abs(found.coefficient(k, term) - truth.coefficient(k, term)));
+  }
+  score.coefficient_error = error / largest;
+}
+
+void write_report(const std::filesystem::path& folder, const std::vector<Cell>& cells,
+                  double seconds) {
+  const Summary summary = summarise(cells);
+  write_file_atomically(folder / "rossler.csv", full_table(cells).csv());
+  write_file_atomically(folder / "rossler.dat", heat_map_data(summary));
+  write_file_atomically(folder / "rossler.gp", heat_map_script(summary));
+  write_file_atomically(
+      folder / "rossler.md",
+      "Share of runs (%) with exactly the true terms; Rossler (a = b = 0.2, c = 5.7), h = "
+      "0.05, 20 "
+      "candidate terms.\nColumns: derivative and noise; filters and numbers of samples (1000, "
+      "4000) are pooled.\n\nMade by `study_rossler` on " +
+          today() + ", " + machine_description() + ", in " + format_number(seconds, 3) +
+          " s.\n\n" + summary_table(summary).markdown());
+  if (!render_with_gnuplot(folder / "rossler.gp"))
+    std::cerr << "no picture: gnuplot is not installed (package gnuplot-nox)\n";
+}
+
+}  // namespace lacuna::benchmarks

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "support/table.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "lacuna/core/text.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0)
+      return std::string(trim(line.substr(line.find(':') + 1)));
+  return "unknown processor";
+}
+
+std::string markdown_row(const std::vector<std::string>& cells) {
+  return "| " + join(cells, " | ") + " |\n";
+}
+
+}  // namespace
+
+std::string ResultTable::csv() const {
+  std::string text = join(header, ",") + "\n";
+  for (const auto& row : rows) text += join(row, ",") + "\n";
+  return text;
+}
+
+std::string ResultTable::markdown() const {
+  std::string text = markdown_row(header);
+  text += markdown_row(std::vector<std::string>(header.size(), "---"));
+  for (const auto& row : rows) text += markdown_row(row);
+  return text;
+}
+
+std::string machine_description() {
+  return processor_name() + ", " + std::to_string(std::thread::hardware_concurrency()) +
+         " cores, " + LACUNA_COMPILER;
+}
+
+std::string today() {
+  const std::time_t now =
+      std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  char text[16];
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
+bool render_with_gnuplot(const std::filesystem::path& script) {
+  const std::string command = "cd '" + script.parent_path().string() + "' && gnuplot '" +
+                              script.filename().string() + "' 2>/dev/null";
+  return std::system(command.c_str()) == 0;
+}
+
+}  // namespace lacuna::benchmarks

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lacuna::benchmarks {
+
+/// A table of text cells that is written as CSV and as Markdown.
+struct ResultTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+
+  std::string csv() const;
+  std::string markdown() const;
+};
+
+/// "Intel(R) ..., 2 cores, g++ 12.2.0": the machine and compiler a table was made with.
+std::string machine_description();
+
+/// Today as "2026-01-31".
+std::string today();
+
+/// Runs gnuplot on a script in its own folder.
+/// @return whether a picture was made; false where gnuplot is not installed or the script
+/// fails.
+bool render_with_gnuplot(const std::filesystem::path& script);
+
+}  // namespace lacuna::benchmarks

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lacuna/config/registry.hpp"
+#include "lacuna/pipeline/pipeline.hpp"
+
+namespace lacuna {
+
+/// What a user asks of a pipeline: a JSON document that overrides a preset stage by stage.
+///
+///   {"preset": "algorithm1", "tolerances": "paper",
+///    "basis": {"type": "monomials", "max_degree": 3},
+///    "differentiator": {"order": 6},
+///    "regressor": {"type": "irls-l1", "inner": "ceres"}}
+///
+/// A stage is an object, or just its name. With the type the preset has, or without a type, it
+/// keeps the preset's options and changes those given; another type starts at that type's
+/// defaults. `differentiator` is short for `formulation.differentiator`. Whatever is said later
+/// wins over what was said before.
+class Configuration {
+ public:
+  Configuration();
+  Configuration(const Configuration& other);
+  Configuration& operator=(const Configuration& other);
+  ~Configuration();
+
+  /// Takes over all that a JSON text says. @param source name for messages.
+  /// @throws ConfigError with line and column where it is not a JSON object.
+  void merge_text(std::string_view json, const std::string& source);
+
+  /// Reads a JSON file. @throws FileError, ConfigError.
+  void merge_file(const std::string& path);
+
+  /// Sets one value, "regressor.threshold=0.05", "regressor=stlsq"; the value is JSON, or else
+  /// text. @throws ConfigError when it is not PATH=VALUE.
+  void set(std::string_view assignment);
+
+  /// Names the preset to start from.
+  void set_preset(const std::string& name);
+
+  /// The monomial library up to a degree, with any options given for it before.
+  void set_degree(int degree);
+
+  /// The candidate terms outright, "sign(q_d1),1,F".
+  void set_terms(std::string_view list);
+
+  /// What was asked for, as JSON text.
+  std::string text() const;
+
+  /// The pipeline. @throws ConfigError naming the JSON path: an unknown key or name (with the
+  /// nearest known one), a value of the wrong type or out of range, a part that is unavailable.
+  Pipeline build(const Registry& registry) const;
+
+ private:
+  struct Document;
+  std::unique_ptr<Document> document_;
+};
+
+}  // namespace lacuna

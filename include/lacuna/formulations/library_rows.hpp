@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/data/trajectory.hpp"
+#include "lacuna/linear/row_source.hpp"
+#include "lacuna/model/term.hpp"
+
+namespace lacuna {
+
+/// Where a number of the linear problem is not finite.
+struct NonFiniteEntry {
+  std::string term;    ///< its name; empty when it is a target
+  std::string source;  ///< of the record
+  Index sample = 0;    ///< number in the record, from 0
+  double time = 0.0;
+  std::string values;  ///< what the variables of the term are there: "x = 0, y = 2"
+};
+
+/// Rows of Theta and dx/dt at the samples of all records, one after the other. Keeps the
+/// variables of each record (n x slots) and its targets (n x m); term values are made on
+/// demand.
+///
+/// A delayed variable is the record interpolated by cubics at t - T; the samples before the
+/// first t_0 + T are left out.
+class LibraryRows final : public RowSource {
+ public:
+  /// @param records with derivatives, in the variables of the library.
+  /// @throws DataError when no record is longer than the longest delay.
+  LibraryRows(const TermLibrary& library, const std::vector<Trajectory>& records);
+
+  Index rows() const override { return rows_; }
+  Index terms() const override { return library_.size(); }
+  Index targets() const override {
+    return static_cast<Index>(library_.variables.states.size());
+  }
+  std::unique_ptr<RowReader> open() const override;
+
+  /// The first entry of Theta or of the targets that is not finite, if there is one. One pass.
+  std::optional<NonFiniteEntry> find_non_finite() const;
+
+ private:
+  class Reader;
+
+  struct Block {
+    std::string source;
+    Index first_sample = 0;  ///< samples left out before the first row
+    Index first_row = 0;
+    Matrix slots;    ///< rows x slots
+    Matrix targets;  ///< rows x m
+  };
+
+  Block make_block(const Trajectory& record) const;
+  NonFiniteEntry describe(const Block& block, Index row, std::optional<Index> term) const;
+
+  TermLibrary library_;
+  Program program_;
+  double longest_delay_ = 0.0;
+  std::vector<Block> blocks_;
+  Index rows_ = 0;
+};
+
+}  // namespace lacuna

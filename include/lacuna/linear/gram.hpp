@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/core/types.hpp"
+#include "lacuna/linear/row_source.hpp"
+
+namespace lacuna {
+
+/// [Theta Y]' [Theta Y], (L + m) x (L + m), both triangles filled. One pass over the rows.
+Matrix fold_gram(const RowSource& rows, const RunContext& context = {});
+
+/// A Cholesky factor and whether it can be trusted.
+struct GramFactor {
+  Matrix triangle;          ///< R, upper triangular with non-negative diagonal
+  bool broke_down = false;  ///< a pivot among the first `terms` columns was lost to rounding
+};
+
+/// Cholesky factor R'R = D^-1 G D^-1 of a Gram matrix scaled to unit diagonal, D = sqrt(diag
+/// G). Columns that depend on earlier ones, and columns of zeros, get a row of zeros in R.
+/// @param terms columns that are looked at for a breakdown; columns of zeros do not count.
+GramFactor factor_gram(const Matrix& gram, Index terms);
+
+}  // namespace lacuna

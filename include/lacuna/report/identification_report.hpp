@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lacuna/pipeline/pipeline.hpp"
+#include "lacuna/report/sync_report.hpp"
+
+namespace lacuna {
+
+/// An identification and all that is told of it.
+struct IdentificationReport {
+  IdentificationResult result;
+  Pipeline pipeline;                    ///< what was used
+  std::string asked = "{}";             ///< the configuration asked for, JSON text
+  std::optional<SyncReport> sync = {};  ///< the verification against the record
+};
+
+/// For people: equations, coefficients with their standard errors, fit, noise, which terms were
+/// removed by what number, synchronisation, warnings.
+std::string format_text(const IdentificationReport& report);
+
+/// JSON text of the format "lacuna.identification/1"; the same report gives the same bytes.
+std::string format_json(const IdentificationReport& report);
+
+}  // namespace lacuna

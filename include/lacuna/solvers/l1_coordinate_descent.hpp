@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/core/options.hpp"
+#include "lacuna/stages/l1_solver.hpp"
+
+namespace lacuna {
+
+/// Options of CoordinateDescent.
+struct CoordinateDescentOptions {
+  static constexpr StageInfo kInfo{"coordinate-descent",
+                                   "Soft-thresholds one coefficient after the other.",
+                                   "Friedman, Hastie & Tibshirani, J. Stat. Softw. 33 (2010)"};
+
+  double tolerance = 1e-12;
+  int max_sweeps = 200000;
+
+  void describe(OptionVisitor& v) {
+    v.field({"tolerance", "", "Ends when the optimality conditions hold to this.", 1e-15, 1.0},
+            tolerance);
+    v.field({"max_sweeps", "", "Most passes over the coefficients.", 1.0, 1e9}, max_sweeps);
+  }
+};
+
+/// Cyclic coordinate descent in closed form,
+///   z_j <- S(z_j G_jj + (R'(c - R z))_j, p_j / 2) / G_jj,  G = R'R, S the soft threshold,
+/// ended by the optimality conditions (see l1_violation). After 1, 2, 4, ... sweeps the optimum
+/// is solved for exactly on the nonzero coefficients and taken if it fulfils them.
+class CoordinateDescent final : public Configured<L1Solver, CoordinateDescentOptions> {
+ public:
+  using Configured::Configured;
+
+ private:
+  L1Solution do_solve(const L1Problem& problem, const RunContext& context) const override;
+};
+
+}  // namespace lacuna

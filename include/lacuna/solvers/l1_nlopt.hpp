@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "lacuna/core/options.hpp"
+#include "lacuna/stages/l1_solver.hpp"
+
+namespace lacuna {
+
+/// Options of NloptL1.
+struct NloptL1Options {
+  static constexpr StageInfo kInfo{
+      "nlopt", "Sequential quadratic programming of NLopt on the split form z = p - q.",
+      "Johnson, The NLopt package; Kraft, DFVLR-FB 88-28 (1988)"};
+
+  int max_evaluations = 5000;
+
+  void describe(OptionVisitor& v) {
+    v.field({"max_evaluations", "", "Most evaluations of the objective.", 1.0, 1e9},
+            max_evaluations);
+  }
+};
+
+/// Splits the coefficients into parts that cannot be negative,
+///   min_{p,q >= 0} |c - R(p - q)|^2 + sum_j penalty_j (p_j + q_j),  z = p - q,
+/// which is smooth with bounds, and gives it to NLopt (SLSQP). The last point is made exact on
+/// its nonzero coefficients where the optimality conditions confirm it.
+class NloptL1 final : public Configured<L1Solver, NloptL1Options> {
+ public:
+  using Configured::Configured;
+
+  /// Why it cannot be used: "" or "built without NLopt".
+  static std::string unavailable();
+
+ private:
+  /// @throws ConfigError when built without NLopt.
+  L1Solution do_solve(const L1Problem& problem, const RunContext& context) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "lacuna/core/types.hpp"
+#include "lacuna/stages/l1_solver.hpp"
+
+namespace lacuna {
+
+/// How far z is from the optimum of min |c - R z|^2 + sum_j p_j |z_j|: the largest violation of
+///   |g_j| <= p_j where z_j = 0,  g_j = p_j sign(z_j) elsewhere,  g = 2 R'(c - R z),
+/// divided by 2 (|c| + |R||z|), so that rounding gives about 1e-16.
+double l1_violation(const L1Problem& problem, const Vector& z);
+
+/// The exact optimum when `guess` shows which coefficients are zero and the signs of the
+/// others: solves R_A'R_A z_A = R_A'c - sign(z_A) p_A / 2 and gives the result only if it
+/// fulfils the optimality conditions to rounding. Coefficients that are small against the
+/// largest are taken for zero or not, whichever fulfils them.
+std::optional<Vector> l1_polished(const L1Problem& problem, const Vector& guess);
+
+/// The solution to return from a solver's last point: polished where that succeeds.
+/// @param tolerance the violation up to which an unpolished point counts as converged.
+L1Solution l1_finished(const L1Problem& problem, const Vector& z, int iterations,
+                       double tolerance);
+
+}  // namespace lacuna

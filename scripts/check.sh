@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Sets up, builds with warnings as errors and runs all tests.
+# Usage: scripts/check.sh [PRESET]   (dev, asan-ubsan, tsan, coverage; default dev)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+preset=${1:-dev}
+
+scripts/setup.sh
+cmake --preset "$preset"
+cmake --build --preset "$preset"
+ctest --preset "$preset" -j "$(nproc)"

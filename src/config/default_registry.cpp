@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/bases/expressions.hpp"
+#include "lacuna/bases/fourier.hpp"
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/config/registry.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
+#include "lacuna/differentiators/savitzky_golay.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/filters/abm.hpp"
+#include "lacuna/filters/none.hpp"
+#include "lacuna/filters/svd_filter.hpp"
+#include "lacuna/formulations/strong_form.hpp"
+#include "lacuna/pruners/information_criterion.hpp"
+#include "lacuna/pruners/keep_all.hpp"
+#include "lacuna/pruners/minor_terms.hpp"
+#include "lacuna/pruners/sequential_thresholding.hpp"
+#include "lacuna/solvers/irls.hpp"
+#include "lacuna/solvers/irls_l1.hpp"
+#include "lacuna/solvers/l1_ceres.hpp"
+#include "lacuna/solvers/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/ols.hpp"
+#include "lacuna/solvers/stlsq.hpp"
+
+namespace lacuna {
+namespace {
+
+void add_formulations(Registry& registry) {
+  registry.add<Monomials>();
+  registry.add<Expressions>();
+  registry.add<Fourier>();
+  registry.add<FiniteDifferences>();
+  registry.add<SavitzkyGolay>();
+  registry.add<StrongForm>({.differentiator = FiniteDifferences{}});
+}
+
+void add_selection(Registry& registry) {
+  registry.add<Abm>();
+  registry.add<SvdFilter>();
+  registry.add<NoFilter>();
+  registry.add<MinorTerms>();
+  registry.add<SequentialThresholding>();
+  registry.add<InformationCriterion>();
+  registry.add<KeepAll>();
+}
+
+void add_solvers(Registry& registry) {
+  registry.add<CoordinateDescent>();
+  registry.add<CeresL1>();
+  registry.add<NloptL1>();
+  registry.add<Ols>();
+  registry.add<Irls>();
+  registry.add<IrlsL1>({.inner = CoordinateDescent{}});
+  registry.add<Stlsq>();
+}
+
+void add_integrators(Registry& registry) {
+  registry.add<Rk4>();
+  registry.add<Dopri5>();
+  registry.add<Dopri8>();
+  registry.add<Dopri87>();
+}
+
+}  // namespace
+
+Registry default_registry() {
+  Registry registry;
+  add_formulations(registry);
+  add_selection(registry);
+  add_solvers(registry);
+  add_integrators(registry);
+  return registry;
+}
+
+}  // namespace lacuna

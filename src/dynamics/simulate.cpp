@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/simulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+/// The orbit so far, for delayed states: points with slopes, cubic Hermite polynomials between.
+class OrbitHistory {
+ public:
+  void add(double t, const Vector& x, const Vector& slope) {
+    times_.push_back(t);
+    states_.push_back(x);
+    slopes_.push_back(slope);
+  }
+
+  bool empty() const noexcept { return times_.empty(); }
+
+  /// State k at time s, given that it is x at the present time t >= s.
+  double value(double s, Index k, double t, const double* x) const {
+    if (empty() || s >= t) return x[k];
+    if (s <= times_.front()) return states_.front()[k];
+    const auto after = std::upper_bound(times_.begin(), times_.end(), s) - times_.begin();
+    const auto i = static_cast<std::size_t>(after) - 1;
+    if (i + 1 == times_.size()) return straight(i, s, k, t, x);
+    return hermite(i, s, k);
+  }
+
+ private:
+  // Delays shorter than the distance of points look into the step that is being made.
+  double straight(std::size_t i, double s, Index k, double t, const double* x) const {
+    const double share = (s - times_[i]) / (t - times_[i]);
+    return states_[i][k] + share * (x[k] - states_[i][k]);
+  }
+
+  double hermite(std::size_t i, double s, Index k) const {
+    const double h = times_[i + 1] - times_[i], u = (s - times_[i]) / h, v = 1.0 - u;
+    return v * v * ((1.0 + 2.0 * u) * states_[i][k] + u * h * slopes_[i][k]) +
+           u * u * ((1.0 + 2.0 * v) * states_[i + 1][k] - v * h * slopes_[i + 1][k]);
+  }
+
+  std::vector<double> times_;
+  std::vector<Vector> states_, slopes_;
+};
+
+/// The model as a right-hand side, with its inputs and delayed variables.
+class Flow {
+ public:
+  Flow(const OdeModel& model, InputSignal inputs)
+      : compiled_(model.compile()),
+        signal_(inputs),
+        inputs_(static_cast<std::size_t>(compiled_.inputs())),
+        delayed_(compiled_.delays().size()) {}
+
+  void operator()(double t, const double* x, double* dxdt) {
+    for (std::size_t i = 0; i < delayed_.size(); ++i)
+      delayed_[i] = delayed(compiled_.delays()[i], t, x);
+    if (!inputs_.empty()) signal_(t, inputs_.data());
+    compiled_.evaluate(t, x, inputs_.data(), delayed_.data(), dxdt);
+  }
+
+  /// Notes that the orbit has reached x at t.
+  void reached(double t, const double* x) {
+    Vector state = Eigen::Map<const Vector>(x, compiled_.dimension()), slope = state;
+    (*this)(t, x, slope.data());
+    history_.add(t, state, slope);
+  }
+
+  bool at_start() const noexcept { return history_.empty(); }
+
+  bool has_delays() const noexcept { return !delayed_.empty(); }
+
+  double shortest_delay() const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const DelayedVariable& variable : compiled_.delays())
+      if (variable.delay > 0.0) shortest = std::min(shortest, variable.delay);
+    return shortest;
+  }
+
+ private:
+  double delayed(const DelayedVariable& variable, double t, const double* x) {
+    const double s = t - variable.delay;
+    if (variable.slot < compiled_.dimension()) return history_.value(s, variable.slot, t, x);
+    const Index input = variable.slot - compiled_.dimension();
+    if (input == compiled_.inputs()) return s;
+    signal_(s, inputs_.data());
+    return inputs_[static_cast<std::size_t>(input)];
+  }
+
+  CompiledModel compiled_;
+  InputSignal signal_;
+  std::vector<double> inputs_, delayed_;
+  OrbitHistory history_;
+};
+
+/// Advances in pieces that are short against the delays and notes the orbit after each.
+class NotingStepper final : public Stepper {
+ public:
+  NotingStepper(std::unique_ptr<Stepper> stepper, Flow& flow)
+      : stepper_(std::move(stepper)), flow_(flow), piece_(0.25 * flow.shortest_delay()) {}
+
+  IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) override {
+    if (flow_.at_start()) flow_.reached(t0, x);
+    const double begin = t0;
+    const double pieces = std::clamp(std::ceil((t1 - begin) / piece_), 1.0, kMostPieces);
+    for (double i = 1.0; i <= pieces; ++i) {
+      const double end = i == pieces ? t1 : begin + (t1 - begin) * (i / pieces);
+      const IntegrationStatus status = stepper_->advance(rhs, t0, end, x);
+      if (status != IntegrationStatus::Completed) return status;
+      flow_.reached(t0, x);
+    }
+    return IntegrationStatus::Completed;
+  }
+
+ private:
+  static constexpr double kMostPieces = 1000.0;
+  std::unique_ptr<Stepper> stepper_;
+  Flow& flow_;
+  double piece_;
+};
+
+/// An integrator whose steppers note the orbit for the delays of one flow.
+class NotingIntegrator final : public Integrator {
+ public:
+  NotingIntegrator(const Integrator& integrator, Flow& flow)
+      : integrator_(integrator), flow_(flow) {}
+
+  const StageInfo& info() const override { return integrator_.info(); }
+  void visit_options(OptionVisitor& v) const override { integrator_.visit_options(v); }
+  int order() const override { return integrator_.order(); }
+  std::unique_ptr<Stepper> make_stepper(Index dimension) const override {
+    return std::make_unique<NotingStepper>(integrator_.make_stepper(dimension), flow_);
+  }
+
+ private:
+  const Integrator& integrator_;
+  Flow& flow_;
+};
+
+std::vector<std::string> state_names(const OdeModel& model) {
+  std::vector<std::string> names;
+  for (const Quantity& state : model.states()) names.push_back(state.name);
+  return names;
+}
+
+void check_initial_state(const OdeModel& model, const Vector& x0) {
+  if (x0.size() == model.dimension()) return;
+  throw ArgumentError("simulate",
+                      "the initial state has " + std::to_string(x0.size()) +
+                          " values for a model of " + std::to_string(model.dimension()) +
+                          " states",
+                      "give one value per state");
+}
+
+}  // namespace
+
+Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
+                  const Vector& times, const RunContext& context) {
+  if (!model.inputs().empty())
+    throw ArgumentError("simulate", "the model has inputs (" + model.inputs()[0].name + ")",
+                        "give the inputs as a function of time or as a record");
+  return simulate(
+      model, integrator, x0, times, [](double, double*) {}, context);
+}
+
+Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
+                  const Vector& times, InputSignal inputs, const RunContext& context) {
+  check_initial_state(model, x0);
+  Flow flow(model, inputs);
+  Solution solution =
+      flow.has_delays() ? NotingIntegrator(integrator, flow).integrate(flow, x0, times, context)
+                        : integrator.integrate(flow, x0, times, context);
+  solution.message = end_message(solution.status, solution.end_time, solution.end_state,
+                                 state_names(model), model.time_unit());
+  return solution;
+}
+
+Vector sample_times(double t0, double h, Index n) {
+  Vector times(n);
+  for (Index i = 0; i < n; ++i) times[i] = t0 + static_cast<double>(i) * h;
+  return times;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/synchroniser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lacuna/dynamics/lagrange.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The part of a dataset that a model speaks of, in the order of its variables.
+std::vector<Index> columns_of(const std::vector<Quantity>& wanted,
+                              const std::vector<Quantity>& present, const std::string& role) {
+  std::vector<Index> columns;
+  for (const Quantity& quantity : wanted) {
+    const auto found = std::find_if(present.begin(), present.end(),
+                                    [&](const Quantity& q) { return q.name == quantity.name; });
+    if (found == present.end())
+      throw DataError("synchronisation",
+                      "the record has no " + role + " '" + quantity.name + "' of the model",
+                      "name the columns as in the model or choose them with the data options");
+    columns.push_back(found - present.begin());
+  }
+  return columns;
+}
+
+Matrix picked(const Matrix& matrix, const std::vector<Index>& columns) {
+  Matrix result(matrix.rows(), static_cast<Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    result.col(static_cast<Index>(i)) = matrix.col(columns[i]);
+  return result;
+}
+
+Dataset model_view(const OdeModel& model, const Dataset& record) {
+  const std::vector<Index> states = columns_of(model.states(), record.states, "state");
+  const std::vector<Index> inputs = columns_of(model.inputs(), record.inputs, "input");
+  Dataset view{.time_unit = record.time_unit,
+               .states = model.states(),
+               .inputs = model.inputs(),
+               .trajectories = {},
+               .rate_of = {},
+               .notes = {}};
+  for (const Trajectory& trajectory : record.trajectories)
+    view.trajectories.push_back({trajectory.source, trajectory.time,
+                                 picked(trajectory.states, states),
+                                 picked(trajectory.inputs, inputs), Matrix()});
+  return view;
+}
+
+void check_shapes(const OdeModel& model, const SyncOptions& options) {
+  const Index m = model.dimension();
+  if (options.coupling && (options.coupling->rows() != m || options.coupling->cols() != m))
+    throw ArgumentError("synchronisation, coupling",
+                        "K is not " + std::to_string(m) + " x " + std::to_string(m),
+                        "give one row and one column per state of the model");
+  if (options.start && options.start->size() != m)
+    throw ArgumentError("synchronisation, start",
+                        "it has " + std::to_string(options.start->size()) + " values for " +
+                            std::to_string(m) + " states",
+                        "give one value per state of the model");
+}
+
+void check_lengths(const Dataset& record, Index needed) {
+  if (record.trajectories.empty())
+    throw DataError("synchronisation", "the record has no trajectory", "give at least one");
+  for (const Trajectory& trajectory : record.trajectories) {
+    if (trajectory.samples() >= needed) continue;
+    throw DataError(trajectory.source,
+                    "it has " + std::to_string(trajectory.samples()) +
+                        " samples; to synchronise by this integrator needs " +
+                        std::to_string(needed),
+                    "use a longer record or an integrator of lower order");
+  }
+}
+
+/// States, inputs and time of a record as one signal: the variables in slot order.
+Matrix variables_of(const Trajectory& trajectory) {
+  Matrix all(trajectory.samples(), trajectory.states.cols() + trajectory.inputs.cols() + 1);
+  all << trajectory.states, trajectory.inputs, trajectory.time;
+  return all;
+}
+
+/// The slave: f(t, x) - K (x - x_m(t)).
+class Slave {
+ public:
+  Slave(const OdeModel& model, const Matrix& coupling, const Trajectory& trajectory,
+        LagrangeWindow window)
+      : compiled_(model.compile()),
+        variables_(variables_of(trajectory)),
+        drive_(trajectory.time, variables_, window),
+        past_(trajectory.time, variables_, window),
+        first_time_(trajectory.time[0]),
+        present_(static_cast<std::size_t>(variables_.cols())),
+        earlier_(present_.size()),
+        delayed_(compiled_.delays().size()) {
+    for (Index j = 0; j < coupling.cols(); ++j)
+      for (Index i = 0; i < coupling.rows(); ++i)
+        if (coupling(i, j) != 0.0) links_.push_back({i, j, coupling(i, j)});
+  }
+
+  void start_interval(Index n) {
+    drive_.select(n);
+    fresh_ = false;
+  }
+
+  void operator()(double t, const double* x, double* dxdt) {
+    look_up(t);
+    compiled_.evaluate(t, x, present_.data() + compiled_.dimension(), delayed_.data(), dxdt);
+    for (const Link& link : links_)
+      dxdt[link.row] -= link.strength * (x[link.column] - present_[slot(link.column)]);
+  }
+
+ private:
+  struct Link {
+    Index row, column;
+    double strength;
+  };
+
+  static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
+
+  // Stages at the same time see the same record.
+  void look_up(double t) {
+    if (fresh_ && t == time_) return;
+    drive_.evaluate(t, present_.data());
+    for (std::size_t i = 0; i < delayed_.size(); ++i)
+      delayed_[i] = past(compiled_.delays()[i], t);
+    time_ = t;
+    fresh_ = true;
+  }
+
+  double past(const DelayedVariable& variable, double t) {
+    const double s = std::max(t - variable.delay, first_time_);
+    past_.select(past_.interval_of(s));
+    past_.evaluate(s, earlier_.data());
+    return earlier_[slot(variable.slot)];
+  }
+
+  CompiledModel compiled_;
+  Matrix variables_;
+  LagrangeInterpolant drive_, past_;
+  double first_time_;
+  std::vector<double> present_, earlier_, delayed_;
+  std::vector<Link> links_;
+  double time_ = 0.0;
+  bool fresh_ = false;
+};
+
+/// One trajectory's run of the slave.
+struct Run {
+  Vector errors;
+  IntegrationStatus status = IntegrationStatus::Completed;
+  double end_time = 0.0;
+  Vector end_state;
+};
+
+Run follow(Slave& slave, const Trajectory& record, const Integrator& integrator,
+           const Vector& start, const RunContext& context) {
+  Run run{.errors = Vector(record.samples()), .end_time = record.time[0], .end_state = start};
+  const std::unique_ptr<Stepper> stepper = integrator.make_stepper(start.size());
+  run.errors[0] = (start - record.states.row(0).transpose()).norm();
+  for (Index n = 0; n + 1 < record.samples(); ++n) {
+    if (n % 4096 == 0)
+      context.report("synchronising",
+                     static_cast<double>(n) / static_cast<double>(record.samples()));
+    slave.start_interval(n);
+    run.status =
+        stepper->advance(slave, run.end_time, record.time[n + 1], run.end_state.data());
+    if (run.status != IntegrationStatus::Completed) {
+      run.errors.conservativeResize(n + 1);
+      break;
+    }
+    run.errors[n + 1] = (run.end_state - record.states.row(n + 1).transpose()).norm();
+  }
+  return run;
+}
+
+double largest_norm(const Dataset& record) {
+  double largest = 0.0;
+  for (const Trajectory& trajectory : record.trajectories)
+    largest =
+        std::max(largest, std::sqrt(trajectory.states.rowwise().squaredNorm().maxCoeff()));
+  return largest;
+}
+
+double median_of(std::vector<double> values) {
+  const std::size_t half = values.size() / 2;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+void add_statistics(const Dataset& record, SyncResult& result) {
+  std::vector<double> all;
+  for (const Vector& errors : result.errors)
+    all.insert(all.end(), errors.begin(), errors.end());
+  double sum = 0.0;
+  for (const double error : all) sum += error;
+  result.mean = sum / static_cast<double>(all.size());
+  result.median = median_of(std::move(all));
+  const double largest = largest_norm(record);
+  result.relative = largest > 0.0 ? result.mean / largest : 0.0;
+}
+
+/// Root mean square of the errors from one share of every trajectory to another.
+double rms_between(const std::vector<Vector>& errors, double from, double to) {
+  double squares = 0.0;
+  Index count = 0;
+  for (const Vector& e : errors) {
+    const double n = static_cast<double>(e.size());
+    const auto begin = static_cast<Index>(from * n), end = static_cast<Index>(to * n);
+    squares += e.segment(begin, end - begin).squaredNorm();
+    count += end - begin;
+  }
+  return std::sqrt(squares / static_cast<double>(std::max<Index>(count, 1)));
+}
+
+/// Root mean square distance of the samples from their mean.
+double spread(const Dataset& record) {
+  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(record.state_count());
+  for (const Trajectory& trajectory : record.trajectories)
+    mean += trajectory.states.colwise().sum();
+  mean /= static_cast<double>(record.samples());
+  double squares = 0.0;
+  for (const Trajectory& trajectory : record.trajectories)
+    squares += (trajectory.states.rowwise() - mean).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(record.samples()));
+}
+
+bool has_settled(const Dataset& record, const SyncResult& result) {
+  if (result.status != IntegrationStatus::Completed) return false;
+  const double own = spread(record);
+  const double late = rms_between(result.errors, 0.75, 1.0);
+  const double before = rms_between(result.errors, 0.25, 0.75);
+  const double rounding = 1e-12 * largest_norm(record);
+  return late <= rounding || (late <= 3.0 * before && late < 0.5 * own);
+}
+
+std::string divergence_message(const Trajectory& trajectory, const Run& run,
+                               const OdeModel& model, const std::string& time_unit) {
+  std::vector<std::string> names;
+  for (const Quantity& state : model.states()) names.push_back(state.name);
+  return trajectory.source + ": the slave " +
+         end_message(run.status, run.end_time, run.end_state, names, time_unit);
+}
+
+}  // namespace
+
+SyncResult synchronise(const OdeModel& model, const Dataset& record,
+                       const Integrator& integrator, const SyncOptions& options,
+                       const RunContext& context) {
+  check_shapes(model, options);
+  const LagrangeWindow window = LagrangeWindow::driving(integrator.order());
+  const Dataset view = model_view(model, record);
+  check_lengths(view, window.points);
+  SyncResult result;
+  result.coupling = options.coupling ? *options.coupling : default_coupling(view);
+  for (const Trajectory& trajectory : view.trajectories) {
+    Slave slave(model, result.coupling, trajectory, window);
+    const Vector start = options.start ? *options.start : trajectory.states.row(0).transpose();
+    Run run = follow(slave, trajectory, integrator, start, context);
+    if (run.status != IntegrationStatus::Completed && result.message.empty()) {
+      result.status = run.status;
+      result.message = divergence_message(trajectory, run, model, record.time_unit);
+    }
+    result.errors.push_back(std::move(run.errors));
+  }
+  add_statistics(view, result);
+  result.settled = has_settled(view, result);
+  return result;
+}
+
+}  // namespace lacuna

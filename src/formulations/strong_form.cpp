@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/formulations/strong_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/text.hpp"
+#include "lacuna/formulations/derived_record.hpp"
+#include "lacuna/formulations/library_rows.hpp"
+
+namespace lacuna {
+namespace {
+
+std::vector<std::string> target_names(const Variables& variables) {
+  std::vector<std::string> names;
+  for (const std::string& state : variables.states) names.push_back("d" + state + "/dt");
+  return names;
+}
+
+[[noreturn]] void throw_non_finite(const NonFiniteEntry& entry) {
+  const std::string where = entry.term.empty() ? "derivative" : "term '" + entry.term + "'";
+  const std::string source = entry.source.empty() ? "" : " of " + entry.source;
+  const std::string values = entry.values.empty() ? "" : ", " + entry.values;
+  throw DataError(where,
+                  "is not finite at sample " + std::to_string(entry.sample + 1) + source +
+                      " (t = " + format_number(entry.time, 8) + values + ")",
+                  "leave the term out or cut the record there");
+}
+
+/// rms over the record of the derivative of white noise of standard deviation 1: the root of
+/// the sum of squared responses to a unit impulse, as a mean over a few places of the impulse
+/// because on a grid that is not uniform, and near the ends, the place matters.
+double noise_gain(const Trajectory& record, const Differentiator& differentiator) {
+  const Index n = record.samples();
+  const Index places = std::min<Index>(n, 8);
+  double sum = 0.0;
+  for (Index i = 0; i < places; ++i) {
+    Matrix impulse = Matrix::Zero(n, 1);
+    impulse((2 * i + 1) * n / (2 * places), 0) = 1.0;
+    sum += differentiate_record(record, impulse, differentiator, 1).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(places));
+}
+
+}  // namespace
+
+LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrary& library,
+                                           const RunContext& context) const {
+  std::vector<Trajectory> records;
+  records.reserve(data.trajectories.size());
+  for (const Trajectory& record : data.trajectories) {
+    context.check_stop();
+    records.push_back(
+        with_derivatives(record, *options().differentiator, options().smooth_states));
+  }
+  const auto rows = std::make_shared<const LibraryRows>(library, records);
+  try {
+    return LeastSquaresSystem(rows, library.names(), target_names(library.variables), context);
+  } catch (const DataError&) {
+    // The system knows row numbers only; where and why is worth another pass.
+    if (const auto entry = rows->find_non_finite()) throw_non_finite(*entry);
+    throw;
+  }
+}
+
+std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,
+                                                  const Vector& state_noise) const {
+  const auto longest = std::max_element(
+      data.trajectories.begin(), data.trajectories.end(),
+      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
+  return state_noise * noise_gain(*longest, *options().differentiator);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/linear/gram.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "lacuna/linear/row_pass.hpp"
+#include "lacuna/linear/tile_kernels.hpp"
+
+namespace lacuna {
+namespace {
+
+Matrix symmetric(const Matrix& upper) { return upper.selfadjointView<Eigen::Upper>(); }
+
+Matrix unit_diagonal(const Matrix& gram) {
+  const Vector scale = gram.diagonal().unaryExpr(
+      [](double square) { return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0; });
+  return scale.asDiagonal() * gram * scale.asDiagonal();
+}
+
+}  // namespace
+
+Matrix fold_gram(const RowSource& rows, const RunContext& context) {
+  const Index columns = rows.terms() + rows.targets();
+  const Index padded = Scratch(1, columns).padded_columns();
+  std::vector<Matrix> slots(row_slots(rows.rows()).size(), Matrix::Zero(padded, padded));
+  for_each_tile(rows, context, "reading rows", [&](Index slot, Tile& tile) {
+    add_gram(tile.scratch(), tile.rows(), slots[static_cast<std::size_t>(slot)]);
+  });
+  Matrix total = Matrix::Zero(padded, padded);
+  for (const Matrix& slot : slots) total += slot;
+  return symmetric(total.topLeftCorner(columns, columns));
+}
+
+GramFactor factor_gram(const Matrix& gram, Index terms) {
+  const Index columns = gram.cols();
+  const double tolerance =
+      4.0 * static_cast<double>(columns) * std::numeric_limits<double>::epsilon();
+  GramFactor factor{unit_diagonal(gram).triangularView<Eigen::Upper>(), false};
+  Matrix& r = factor.triangle;
+  for (Index j = 0; j < columns; ++j) {
+    const bool zero = r(j, j) == 0.0;
+    for (Index i = 0; i < j; ++i) {
+      const double rest = r(i, j) - r.col(i).head(i).dot(r.col(j).head(i));
+      r(i, j) = r(i, i) > 0.0 ? rest / r(i, i) : 0.0;
+    }
+    const double pivot = r(j, j) - r.col(j).head(j).squaredNorm();
+    r(j, j) = pivot > tolerance ? std::sqrt(pivot) : 0.0;
+    factor.broke_down |= j < terms && !zero && r(j, j) == 0.0;
+  }
+  return factor;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/linear/least_squares_system.hpp"
+
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "lacuna/linear/factorise.hpp"
+#include "lacuna/linear/row_pass.hpp"
+#include "lacuna/linear/subproblem.hpp"
+
+namespace lacuna {
+namespace {
+
+void check_names(std::size_t names, Index columns, const std::string& what) {
+  if (static_cast<Index>(names) == columns) return;
+  throw ArgumentError(
+      "LeastSquaresSystem",
+      std::to_string(names) + " names for " + std::to_string(columns) + " " + what,
+      "give one name per column");
+}
+
+void check_coefficients(const Vector& h, const TermSet& active) {
+  if (h.size() == static_cast<Index>(active.size())) return;
+  throw ArgumentError("LeastSquaresSystem",
+                      std::to_string(h.size()) + " coefficients for " +
+                          std::to_string(active.size()) + " active terms",
+                      "give one coefficient per active term");
+}
+
+std::string column_name(const std::vector<std::string>& terms,
+                        const std::vector<std::string>& targets, Index column) {
+  const auto number = static_cast<std::size_t>(column);
+  return number < terms.size() ? "term '" + terms[number] + "'"
+                               : "target '" + targets[number - terms.size()] + "'";
+}
+
+// gradient_j += theta_j' r for the active terms.
+void add_gradient(const FittedEquation& equation, Tile& tile, Vector& gradient) {
+  const auto theta = tile.theta();
+  Vector residuals(tile.rows());
+  equation_residuals(equation, theta, tile.targets(), residuals);
+  for (std::size_t j = 0; j < equation.active.size(); ++j) {
+    gradient[static_cast<Index>(j)] += theta.col(equation.active[j]).dot(residuals);
+  }
+}
+
+}  // namespace
+
+LeastSquaresSystem::LeastSquaresSystem(std::shared_ptr<const RowSource> rows,
+                                       std::vector<std::string> term_names,
+                                       std::vector<std::string> target_names,
+                                       const RunContext& context, Folding folding)
+    : source_(std::move(rows)), folding_(folding) {
+  check_names(term_names.size(), source_->terms(), "terms");
+  check_names(target_names.size(), source_->targets(), "targets");
+  const auto name = [&](Index column) { return column_name(term_names, target_names, column); };
+  factor_ = std::make_shared<const Factor>(factorise(*source_, folding, name, context));
+  term_names_ = std::make_shared<const std::vector<std::string>>(std::move(term_names));
+  target_names_ = std::make_shared<const std::vector<std::string>>(std::move(target_names));
+}
+
+TermSet LeastSquaresSystem::all_terms() const {
+  TermSet all(static_cast<std::size_t>(terms()));
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
+Subproblem LeastSquaresSystem::subproblem(Index target, TermSet active) const {
+  return Subproblem(*factor_, target, std::move(active));
+}
+
+Subproblem LeastSquaresSystem::reweighted(const Subproblem& problem, const Vector& h,
+                                          const WeightFunction& weights,
+                                          const RunContext& context) const {
+  check_coefficients(h, problem.active());
+  const auto name = [&](Index column) {
+    const bool is_target = column == problem.size();
+    const Index all = is_target ? terms() + problem.target()
+                                : problem.active()[static_cast<std::size_t>(column)];
+    return column_name(*term_names_, *target_names_, all) + " times its weight";
+  };
+  const auto rows =
+      make_weighted_rows(*source_, {problem.target(), problem.active(), h}, weights);
+  const bool orthogonal = factor_->folding == Folding::Orthogonal;
+  const Folding folding = orthogonal ? Folding::Orthogonal : folding_;
+  const Factor factor = factorise(*rows, folding, name, context);
+  TermSet all(problem.active().size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return Subproblem(factor, 0, std::move(all)).renumbered(problem.target(), problem.active());
+}
+
+Vector LeastSquaresSystem::refined(const Subproblem& problem, const Vector& h,
+                                   const RunContext& context) const {
+  check_coefficients(h, problem.active());
+  const FittedEquation equation{problem.target(), problem.active(), h};
+  std::vector<Vector> slots(row_slots(rows()).size(), Vector::Zero(h.size()));
+  for_each_tile(*source_, context, "refining coefficients", [&](Index slot, Tile& tile) {
+    add_gradient(equation, tile, slots[static_cast<std::size_t>(slot)]);
+  });
+  Vector gradient = Vector::Zero(h.size());
+  for (const Vector& slot : slots) gradient += slot;
+  return h + problem.solve_normal(gradient);
+}
+
+Vector LeastSquaresSystem::residuals(Index target, const TermSet& active, const Vector& h,
+                                     const RunContext& context) const {
+  check_coefficients(h, active);
+  const FittedEquation equation{target, active, h};
+  Vector result(rows());
+  for_each_tile(*source_, context, "computing residuals", [&](Index, Tile& tile) {
+    equation_residuals(equation, tile.theta(), tile.targets(),
+                       result.segment(tile.first(), tile.rows()));
+  });
+  return result;
+}
+
+}  // namespace lacuna

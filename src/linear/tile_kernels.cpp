@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/linear/tile_kernels.hpp"
+
+#include <cmath>
+
+// The kernels are written once for vectors of W doubles. On x86-64 they are compiled for three
+// instruction sets and chosen when the program runs; elsewhere the compiler's default is used.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define LACUNA_KERNEL_DISPATCH 1
+#endif
+#define LACUNA_INLINE [[gnu::always_inline]] inline
+
+namespace lacuna {
+namespace {
+
+constexpr int kBlock = static_cast<int>(Scratch::kColumnPadding);
+
+struct TileView {
+  double* data;
+  Index stride;
+  Index rows;  // a multiple of Scratch::kRowPadding
+  Index columns;
+};
+
+template <int W>
+struct Lanes {
+  typedef double Type __attribute__((vector_size(sizeof(double) * W)));
+  typedef double Memory
+      __attribute__((vector_size(sizeof(double) * W), aligned(sizeof(double)), may_alias));
+};
+
+template <int W>
+LACUNA_INLINE const typename Lanes<W>::Memory& at(const double* address) {
+  return *reinterpret_cast<const typename Lanes<W>::Memory*>(address);
+}
+
+template <int W>
+LACUNA_INLINE typename Lanes<W>::Memory& at(double* address) {
+  return *reinterpret_cast<typename Lanes<W>::Memory*>(address);
+}
+
+template <class V>
+LACUNA_INLINE double sum(const V& value) {
+  double total = 0.0;
+  for (unsigned lane = 0; lane < sizeof(V) / sizeof(double); ++lane) total += value[lane];
+  return total;
+}
+
+// 3 x 3 inner products of columns.
+template <int W>
+LACUNA_INLINE void gram_block(const TileView& tile, const double* left, const double* right,
+                              double* gram, Index gram_stride) {
+  using V = typename Lanes<W>::Type;
+  V products[kBlock][kBlock] = {};
+  for (Index row = 0; row < tile.rows; row += W) {
+    const V a[kBlock] = {at<W>(left + row), at<W>(left + tile.stride + row),
+                         at<W>(left + 2 * tile.stride + row)};
+    for (int j = 0; j < kBlock; ++j) {
+      const V b = at<W>(right + j * tile.stride + row);
+      for (int i = 0; i < kBlock; ++i) products[j][i] += a[i] * b;
+    }
+  }
+  for (int j = 0; j < kBlock; ++j) {
+    for (int i = 0; i < kBlock; ++i) gram[j * gram_stride + i] += sum(products[j][i]);
+  }
+}
+
+template <int W>
+LACUNA_INLINE void gram_kernel(const TileView& tile, double* gram) {
+  for (Index j = 0; j < tile.columns; j += kBlock) {
+    for (Index i = 0; i <= j; i += kBlock) {
+      gram_block<W>(tile, tile.data + i * tile.stride, tile.data + j * tile.stride,
+                    gram + j * tile.columns + i, tile.columns);
+    }
+  }
+}
+
+// A Householder reflection I - v v' / scale with v = [head; column of the tile].
+struct Reflection {
+  const double* column;
+  double head;
+  double scale;
+  Index row;
+};
+
+// Applies a reflection to N columns: T_k -= w_k v with w_k = (head R_jk + v'T_k) / scale.
+template <int W, int N>
+LACUNA_INLINE void reflect(const TileView& tile, const Reflection& reflection, double* columns,
+                           double* triangle, Index height) {
+  using V = typename Lanes<W>::Type;
+  V even[N] = {};
+  V odd[N] = {};
+  for (Index row = 0; row < tile.rows; row += 2 * W) {
+    const V first = at<W>(reflection.column + row);
+    const V second = at<W>(reflection.column + row + W);
+    for (int k = 0; k < N; ++k) {
+      const double* column = columns + k * tile.stride + row;
+      even[k] += at<W>(column) * first;
+      odd[k] += at<W>(column + W) * second;
+    }
+  }
+  double weights[N];
+  for (int k = 0; k < N; ++k) {
+    double& entry = triangle[k * height + reflection.row];
+    weights[k] = (reflection.head * entry + sum(even[k]) + sum(odd[k])) / reflection.scale;
+    entry -= weights[k] * reflection.head;
+  }
+  for (Index row = 0; row < tile.rows; row += W) {
+    const V direction = at<W>(reflection.column + row);
+    for (int k = 0; k < N; ++k)
+      at<W>(columns + k * tile.stride + row) -= direction * weights[k];
+  }
+}
+
+template <int W>
+LACUNA_INLINE void reflect_rest(const TileView& tile, const Reflection& reflection,
+                                double* triangle) {
+  Index k = reflection.row + 1;
+  for (; k + 4 <= tile.columns; k += 4) {
+    reflect<W, 4>(tile, reflection, tile.data + k * tile.stride, triangle + k * tile.columns,
+                  tile.columns);
+  }
+  for (; k < tile.columns; ++k) {
+    reflect<W, 1>(tile, reflection, tile.data + k * tile.stride, triangle + k * tile.columns,
+                  tile.columns);
+  }
+}
+
+template <int W>
+LACUNA_INLINE double squared_norm(const double* column, Index rows) {
+  using V = typename Lanes<W>::Type;
+  V total = {};
+  for (Index row = 0; row < rows; row += W) {
+    const V value = at<W>(column + row);
+    total += value * value;
+  }
+  return sum(total);
+}
+
+template <int W>
+LACUNA_INLINE void triangle_kernel(const TileView& tile, double* triangle) {
+  for (Index j = 0; j < tile.columns; ++j) {
+    const double* column = tile.data + j * tile.stride;
+    const double tail = squared_norm<W>(column, tile.rows);
+    if (tail == 0.0) continue;
+    double& pivot = triangle[j * tile.columns + j];
+    const double length = std::sqrt(pivot * pivot + tail);
+    const double image = pivot > 0.0 ? -length : length;
+    const double head = pivot - image;
+    reflect_rest<W>(tile, {column, head, -image * head, j}, triangle);
+    pivot = image;
+  }
+}
+
+using GramKernel = void (*)(const TileView&, double*);
+using TriangleKernel = void (*)(const TileView&, double*);
+
+struct Kernels {
+  GramKernel gram;
+  TriangleKernel triangle;
+  std::string_view name;
+};
+
+void gram_generic(const TileView& tile, double* gram) { gram_kernel<2>(tile, gram); }
+void triangle_generic(const TileView& tile, double* r) { triangle_kernel<2>(tile, r); }
+
+#ifdef LACUNA_KERNEL_DISPATCH
+[[gnu::target("avx2,fma")]] void gram_avx2(const TileView& tile, double* gram) {
+  gram_kernel<4>(tile, gram);
+}
+[[gnu::target("avx2,fma")]] void triangle_avx2(const TileView& tile, double* r) {
+  triangle_kernel<4>(tile, r);
+}
+[[gnu::target("avx512f")]] void gram_avx512(const TileView& tile, double* gram) {
+  gram_kernel<8>(tile, gram);
+}
+[[gnu::target("avx512f")]] void triangle_avx512(const TileView& tile, double* r) {
+  triangle_kernel<8>(tile, r);
+}
+#endif
+
+Kernels choose_kernels() {
+#ifdef LACUNA_KERNEL_DISPATCH
+  if (__builtin_cpu_supports("avx512f")) return {gram_avx512, triangle_avx512, "avx512f"};
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    return {gram_avx2, triangle_avx2, "avx2"};
+  }
+#endif
+  return {gram_generic, triangle_generic, "generic"};
+}
+
+const Kernels& kernels() {
+  static const Kernels chosen = choose_kernels();
+  return chosen;
+}
+
+Index padded(Index rows) {
+  return (rows + Scratch::kRowPadding - 1) / Scratch::kRowPadding * Scratch::kRowPadding;
+}
+
+}  // namespace
+
+void add_gram(const Scratch& tile, Index rows, Matrix& gram) {
+  // The kernel takes a view that could be written to; this one only reads.
+  auto* data = const_cast<double*>(tile.data());
+  kernels().gram({data, tile.stride(), padded(rows), tile.padded_columns()}, gram.data());
+}
+
+void fold_triangle(Scratch& tile, Index rows, Matrix& triangle) {
+  kernels().triangle({tile.data(), tile.stride(), padded(rows), tile.columns()},
+                     triangle.data());
+}
+
+std::string_view kernel_instruction_set() { return kernels().name; }
+
+}  // namespace lacuna

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/model/ode_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/text.hpp"
+#include "operations.hpp"
+
+namespace lacuna {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
+  std::vector<std::string> names;
+  names.reserve(quantities.size());
+  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+  return names;
+}
+
+void check_name(const std::string& name, std::set<std::string>& taken) {
+  if (!is_identifier(name))
+    throw ModelError("model", "the name '" + name + "' is not an identifier",
+                     "use letters, digits and underscores, a letter first");
+  if (is_reserved(name) || name == "t")
+    throw ModelError("model", "the name '" + name + "' is a word of the formula language",
+                     "rename the state or input");
+  if (!taken.insert(name).second)
+    throw ModelError("model", "the name '" + name + "' is given twice",
+                     "give every state and input a name of its own");
+}
+
+void check_names(const Variables& variables) {
+  std::set<std::string> taken;
+  for (const std::string& name : variables.states) check_name(name, taken);
+  for (const std::string& name : variables.inputs) check_name(name, taken);
+}
+
+void check_counts(std::size_t states, std::size_t equations) {
+  if (states == 0) throw ModelError("model", "there are no states", "name at least one");
+  if (states == equations) return;
+  throw ModelError(
+      "model",
+      std::to_string(equations) + " equations for " + std::to_string(states) + " states",
+      "give one equation per state, in the order of the states");
+}
+
+Equation checked_equation(const Equation& equation, const std::string& state,
+                          const Variables& variables) {
+  const std::string where = "equation of " + state;
+  std::set<std::string> taken;
+  Equation checked;
+  for (const WeightedTerm& summand : equation) {
+    checked.push_back(summand);
+    checked.back().term = Term(summand.term.expression(), variables);
+    const std::string& name = checked.back().term.name();
+    if (!std::isfinite(summand.coefficient))
+      throw ModelError(
+          where, "the coefficient of '" + name + "' is " + format_number(summand.coefficient),
+          "coefficients are finite numbers");
+    if (!taken.insert(name).second)
+      throw ModelError(where, "the term '" + name + "' stands twice",
+                       "add the coefficients up in one term");
+  }
+  return checked;
+}
+
+const Equation& equation_at(const OdeModel& model, Index equation) {
+  if (equation < 0 || equation >= model.dimension())
+    throw ArgumentError(
+        "OdeModel", "there is no equation " + std::to_string(equation),
+        "equations are numbered from 0 to " + std::to_string(model.dimension() - 1));
+  return model.equations()[static_cast<std::size_t>(equation)];
+}
+
+}  // namespace
+
+OdeModel::OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
+                   std::vector<Equation> equations, std::string time_unit)
+    : states_(std::move(states)),
+      inputs_(std::move(inputs)),
+      equations_(std::move(equations)),
+      time_unit_(std::move(time_unit)) {
+  check_counts(states_.size(), equations_.size());
+  const Variables names = variables();
+  check_names(names);
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    equations_[i] = checked_equation(equations_[i], states_[i].name, names);
+}
+
+Variables OdeModel::variables() const { return {names_of(states_), names_of(inputs_)}; }
+
+Index OdeModel::state_index(const std::string& name) const {
+  const std::vector<std::string> names = names_of(states_);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw ModelError("model", "there is no state '" + name + "'",
+                     "the states are " + join(names, ", "));
+  return found - names.begin();
+}
+
+double OdeModel::coefficient(Index equation, const std::string& term) const {
+  for (const WeightedTerm& summand : equation_at(*this, equation))
+    if (summand.term.name() == term) return summand.coefficient;
+  return 0.0;
+}
+
+OdeModel OdeModel::with_term(Index equation, WeightedTerm summand) const {
+  equation_at(*this, equation);
+  std::vector<Equation> extended = equations_;
+  Equation& summands = extended[static_cast<std::size_t>(equation)];
+  summand.term = Term(summand.term.expression(), variables());
+  const auto same = std::find_if(summands.begin(), summands.end(),
+                                 [&](const WeightedTerm& w) { return w.term == summand.term; });
+  if (same == summands.end())
+    summands.push_back(std::move(summand));
+  else
+    *same = {same->term, same->coefficient + summand.coefficient};
+  return OdeModel(states_, inputs_, std::move(extended), time_unit_);
+}
+
+CompiledModel OdeModel::compile() const { return CompiledModel(*this); }
+
+}  // namespace lacuna

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/pipeline/pipeline.hpp"
+
+#include <cmath>
+
+#include "lacuna/core/text.hpp"
+#include "lacuna/data/noise.hpp"
+#include "lacuna/pipeline/interval.hpp"
+
+namespace lacuna {
+namespace {
+
+/// What all equations of a run share.
+struct Run {
+  const Dataset& data;
+  const Pipeline& pipeline;
+  const RunContext& context;
+  const TermLibrary& library;
+  const LeastSquaresSystem& system;
+  const FilterResult& filtered;
+};
+
+/// What is found out about one equation.
+struct EquationOutcome {
+  Equation equation;
+  EquationFit fit;
+  std::vector<TrailEntry> trail;
+  std::vector<std::string> warnings;
+};
+
+Variables variables_of(const Dataset& data) {
+  Variables variables;
+  for (const Quantity& state : data.states) variables.states.push_back(state.name);
+  for (const Quantity& input : data.inputs) variables.inputs.push_back(input.name);
+  return variables;
+}
+
+std::string stage_name(const StageInterface& stage, std::string_view kind) {
+  return std::string(kind) + " " + std::string(stage.info().name);
+}
+
+/// The fate of every candidate of one equation, in library order.
+class TrailWriter {
+ public:
+  TrailWriter(const Run& run, std::string equation) {
+    for (const Term& term : run.library.terms)
+      entries_.push_back({.equation = equation, .term = term.name()});
+  }
+
+  void removed(const std::vector<Removal>& removals, const std::string& stage) {
+    for (const Removal& removal : removals) {
+      TrailEntry& entry = at(removal.term);
+      entry.stage = stage;
+      entry.quantity = removal.quantity;
+      entry.value = removal.value;
+      entry.threshold = removal.threshold;
+      entry.step = removal.step;
+    }
+  }
+
+  void kept(Index term, double coefficient) {
+    at(term).kept = true;
+    at(term).quantity = "coefficient";
+    at(term).value = coefficient;
+  }
+
+  std::vector<TrailEntry> take() { return std::move(entries_); }
+
+ private:
+  TrailEntry& at(Index term) { return entries_[static_cast<std::size_t>(term)]; }
+  std::vector<TrailEntry> entries_;
+};
+
+/// dx_k/dt = x_j, which needs no fit.
+EquationOutcome identity(const Run& run, Index state, Index rate) {
+  const std::string name = run.data.states[static_cast<std::size_t>(state)].name;
+  const std::string other = run.data.states[static_cast<std::size_t>(rate)].name;
+  EquationOutcome outcome;
+  outcome.equation.push_back({Term::parse(other, run.library.variables), 1.0});
+  outcome.fit.equation = name;
+  outcome.fit.identity = true;
+  outcome.trail.push_back({.equation = name,
+                           .term = other,
+                           .kept = true,
+                           .quantity = "known identity",
+                           .value = 1.0});
+  return outcome;
+}
+
+EquationFit summarise(const Run& run, Index state, const Regression& regression) {
+  const double root_rows = std::sqrt(static_cast<double>(run.system.rows()));
+  EquationFit fit;
+  fit.equation = run.data.states[static_cast<std::size_t>(state)].name;
+  fit.rows = run.system.rows();
+  fit.residual_rms = regression.residual_norm / root_rows;
+  fit.target_rms = run.system.factor().target_norms[state] / root_rows;
+  fit.converged = regression.converged;
+  fit.iterations = regression.iterations;
+  return fit;
+}
+
+/// Variance of each coefficient; empty where there are no rows left to estimate it from.
+Vector coefficient_variances(const Run& run, Index state, const Regression& regression) {
+  const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
+  if (freedom <= 0) return {};
+  const double variance =
+      regression.residual_norm * regression.residual_norm / static_cast<double>(freedom);
+  return variance *
+         run.system.subproblem(state, regression.active).inverse_gram_diagonal().array();
+}
+
+WeightedTerm weighted_term(const Run& run, const Regression& regression,
+                           const Vector& variances, Index position) {
+  const auto place = static_cast<std::size_t>(position);
+  const auto term = static_cast<std::size_t>(regression.active[place]);
+  WeightedTerm summand{run.library.terms[term], regression.coefficients[position]};
+  if (variances.size() == 0 || !std::isfinite(variances[position])) return summand;
+  const double error = std::sqrt(variances[position]);
+  const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
+  const double reach = student_quantile_975(static_cast<double>(freedom)) * error;
+  summand.standard_error = error;
+  summand.ci95 = {summand.coefficient - reach, summand.coefficient + reach};
+  return summand;
+}
+
+void write_equation(const Run& run, Index state, const Regression& regression,
+                    EquationOutcome& outcome, TrailWriter& trail) {
+  const Vector variances = coefficient_variances(run, state, regression);
+  for (Index i = 0; i < static_cast<Index>(regression.active.size()); ++i) {
+    outcome.equation.push_back(weighted_term(run, regression, variances, i));
+    const WeightedTerm& summand = outcome.equation.back();
+    trail.kept(regression.active[static_cast<std::size_t>(i)], summand.coefficient);
+    if (variances.size() > 0 && !summand.standard_error)
+      outcome.warnings.push_back("d" + outcome.fit.equation +
+                                 "/dt: the data do not determine " + "the coefficient of " +
+                                 summand.term.name());
+  }
+  if (outcome.equation.empty())
+    outcome.warnings.push_back("d" + outcome.fit.equation + "/dt: no term was found");
+  if (!regression.converged)
+    outcome.warnings.push_back("d" + outcome.fit.equation + "/dt: the regression did not " +
+                               "converge in " + std::to_string(regression.iterations) +
+                               " iterations");
+}
+
+EquationOutcome fit_equation(const Run& run, Index state) {
+  const Regressor& regressor = *run.pipeline.regressor;
+  const TermPruner& pruner = *run.pipeline.pruner;
+  const std::string name = run.data.states[static_cast<std::size_t>(state)].name;
+  TrailWriter trail(run, name);
+  trail.removed(run.filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
+
+  const PruneResult pruned =
+      pruner.prune(run.system, state, run.filtered.kept, regressor, run.context);
+  trail.removed(pruned.removed, stage_name(pruner, TermPruner::kKind));
+
+  const Regression regression = regressor.fit(
+      run.system, run.system.subproblem(state, pruned.kept), Effort::Final, run.context);
+  trail.removed(regression.removed, stage_name(regressor, Regressor::kKind));
+
+  EquationOutcome outcome;
+  outcome.fit = summarise(run, state, regression);
+  write_equation(run, state, regression, outcome, trail);
+  outcome.trail = trail.take();
+  return outcome;
+}
+
+/// Holds the residuals against what measurement noise alone makes of the targets.
+void compare_with_noise(const Run& run, IdentificationResult& result) {
+  const std::optional<Vector> floor =
+      run.pipeline.formulation->target_noise(run.data, result.noise);
+  if (!floor) return;
+  for (std::size_t k = 0; k < result.fit.size(); ++k) {
+    EquationFit& fit = result.fit[k];
+    const double noise = (*floor)[static_cast<Index>(k)];
+    if (fit.identity) continue;
+    fit.noise_floor = noise;
+    if (noise <= 0.0) continue;
+    fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
+    if (*fit.fits_to_noise) continue;
+    result.warnings.push_back("d" + fit.equation + "/dt: the residual (rms " +
+                              format_number(fit.residual_rms, 3) + ") is " +
+                              format_number(fit.residual_rms / noise, 2) +
+                              " times what measurement noise explains");
+  }
+}
+
+template <class T>
+void append(std::vector<T>& target, std::vector<T> more) {
+  target.insert(target.end(), std::make_move_iterator(more.begin()),
+                std::make_move_iterator(more.end()));
+}
+
+IdentificationResult run_equations(const Run& run) {
+  std::vector<Equation> equations;
+  std::vector<EquationOutcome> outcomes;
+  const Index states = run.data.state_count();
+  for (Index k = 0; k < states; ++k) {
+    run.context.report("fitting equations",
+                       static_cast<double>(k) / static_cast<double>(states));
+    const std::optional<Index> rate = run.data.rate_state(k);
+    outcomes.push_back(rate ? identity(run, k, *rate) : fit_equation(run, k));
+    equations.push_back(outcomes.back().equation);
+  }
+  IdentificationResult result{
+      OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit),
+      estimate_noise(run.data),
+      {},
+      {},
+      {}};
+  for (EquationOutcome& outcome : outcomes) {
+    result.fit.push_back(std::move(outcome.fit));
+    append(result.trail, std::move(outcome.trail));
+    append(result.warnings, std::move(outcome.warnings));
+  }
+  compare_with_noise(run, result);
+  return result;
+}
+
+}  // namespace
+
+IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
+                              const RunContext& context) {
+  check_dataset(data);
+  const TermLibrary library = pipeline.basis->library(variables_of(data));
+  context.report("reading rows", 0.0);
+  const LeastSquaresSystem system = pipeline.formulation->assemble(data, library, context);
+  context.report("filtering terms", 0.0);
+  const FilterResult filtered = pipeline.filter->filter(system, context);
+  IdentificationResult result =
+      run_equations({data, pipeline, context, library, system, filtered});
+  context.report("fitting equations", 1.0);
+  return result;
+}
+
+}  // namespace lacuna

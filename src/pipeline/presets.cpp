@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/pipeline/presets.hpp"
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
+#include "lacuna/differentiators/savitzky_golay.hpp"
+#include "lacuna/filters/abm.hpp"
+#include "lacuna/filters/none.hpp"
+#include "lacuna/formulations/strong_form.hpp"
+#include "lacuna/pruners/information_criterion.hpp"
+#include "lacuna/pruners/keep_all.hpp"
+#include "lacuna/pruners/minor_terms.hpp"
+#include "lacuna/solvers/ols.hpp"
+#include "lacuna/solvers/stlsq.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Algorithm 1 with its tolerances as published.
+Pipeline published_algorithm1() {
+  return {.basis = Monomials{},
+          .formulation = StrongForm{{.differentiator = FiniteDifferences{{.order = 4}}}},
+          .filter = Abm{{.tolerances = AbmOptions::Tolerances::Paper, .eps = 1e-5}},
+          .regressor = Ols{},
+          .pruner = MinorTerms{{.tolerances = MinorTermsOptions::Tolerances::Paper,
+                                .criterion = MinorTermsOptions::Criterion::Contribution,
+                                .eta = 1e-5}}};
+}
+
+}  // namespace
+
+Pipeline algorithm1(Tolerances tolerances) {
+  if (tolerances == Tolerances::Paper) return published_algorithm1();
+  return {.basis = Monomials{},
+          .formulation = StrongForm{{.differentiator = FiniteDifferences{}}},
+          .filter = Abm{},
+          .regressor = Ols{},
+          .pruner = MinorTerms{}};
+}
+
+Pipeline sindy() {
+  return {.basis = Monomials{},
+          .formulation = StrongForm{{.differentiator = FiniteDifferences{}}},
+          .filter = NoFilter{},
+          .regressor = Stlsq{},
+          .pruner = KeepAll{}};
+}
+
+Pipeline robust() {
+  return {.basis = Monomials{},
+          .formulation = StrongForm{{.differentiator = SavitzkyGolay{}}},
+          .filter = Abm{},
+          .regressor = Ols{},
+          .pruner = InformationCriterion{}};
+}
+
+const std::vector<Preset>& presets() {
+  static const std::vector<Preset> all = {
+      {"algorithm1",
+       "ABM, then minor terms deleted from each equation while the fit stays good.",
+       "Karimov et al., Nonlinear Dynamics 111 (2023) 871, Algorithm 1", algorithm1, true},
+      {"robust", "Smoothed derivatives and an information criterion, for noisy records.",
+       "Savitzky & Golay 1964; Schwarz 1978", [](Tolerances) { return robust(); }},
+      {"sindy", "Sequentially thresholded least squares over all monomials.",
+       "Brunton, Proctor & Kutz, PNAS 113 (2016) 3932", [](Tolerances) { return sindy(); }},
+  };
+  return all;
+}
+
+Pipeline preset(const std::string& name, Tolerances tolerances) {
+  std::vector<std::string> known;
+  for (const Preset& entry : presets()) {
+    known.push_back(entry.name);
+    if (entry.name != name) continue;
+    if (tolerances == Tolerances::Paper && !entry.has_paper_tolerances)
+      throw ConfigError("preset " + name, "it has no paper tolerances",
+                        "leave out \"tolerances\" or take the preset algorithm1");
+    return entry.make(tolerances);
+  }
+  throw ConfigError("preset", "there is no preset called '" + name + "'",
+                    suggestion(name, known));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/identification_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "lacuna/model/model_file.hpp"
+#include "lacuna/report/stage_json.hpp"
+#include "sync_json.hpp"
+
+namespace lacuna {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json noise_to_json(const IdentificationResult& result) {
+  Json noise = Json::object();
+  for (Index k = 0; k < result.noise.size(); ++k)
+    noise[result.model.states()[static_cast<std::size_t>(k)].name] = result.noise[k];
+  return noise;
+}
+
+Json entry_to_json(const TrailEntry& entry) {
+  Json json{{"equation", entry.equation}, {"term", entry.term}, {"kept", entry.kept}};
+  if (!entry.kept) json["removed_by"] = entry.stage;
+  json["quantity"] = entry.quantity;
+  json["value"] = entry.value;
+  if (entry.kept) return json;
+  json["threshold"] = entry.threshold;
+  json["step"] = entry.step;
+  return json;
+}
+
+template <class T>
+Json optional_to_json(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json fit_to_json(const EquationFit& fit) {
+  if (fit.identity) return {{"equation", fit.equation}, {"identity", true}};
+  Json json{{"equation", fit.equation}, {"identity", false}, {"rows", fit.rows}};
+  json["residual"] = fit.residual_rms;
+  json["target"] = fit.target_rms;
+  json["noise_floor"] = optional_to_json(fit.noise_floor);
+  json["fits_to_noise"] = optional_to_json(fit.fits_to_noise);
+  json["converged"] = fit.converged;
+  json["iterations"] = fit.iterations;
+  return json;
+}
+
+template <class T, class Convert>
+Json list_to_json(const std::vector<T>& values, Convert convert) {
+  Json list = Json::array();
+  for (const T& value : values) list.push_back(convert(value));
+  return list;
+}
+
+}  // namespace
+
+std::string format_json(const IdentificationReport& report) {
+  const IdentificationResult& result = report.result;
+  Json json;
+  json["format"] = "lacuna.identification/1";
+  json["model"] = Json::parse(format_model(result.model));
+  json["noise"] = noise_to_json(result);
+  json["pipeline"] = {{"asked", Json::parse(report.asked)},
+                      {"used", Json::parse(format_pipeline(report.pipeline))}};
+  json["trail"] = list_to_json(result.trail, entry_to_json);
+  json["fit"] = list_to_json(result.fit, fit_to_json);
+  json["sync"] = report.sync ? sync_to_json(*report.sync) : Json(nullptr);
+  json["warnings"] = result.warnings;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace lacuna

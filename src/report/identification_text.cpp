@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <sstream>
+
+#include "lacuna/core/text.hpp"
+#include "lacuna/report/identification_report.hpp"
+
+namespace lacuna {
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+
+std::string indented(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, result;
+  while (std::getline(lines, line)) result += "  " + line + "\n";
+  return result;
+}
+
+std::string error_text(const WeightedTerm& summand) {
+  return summand.standard_error ? format_number(*summand.standard_error, 2) : "-";
+}
+
+std::string coefficient_table(const OdeModel& model) {
+  std::string table = "  " + padded("equation", 12) + padded("term", 20) +
+                      padded("coefficient", 16) + "standard error\n";
+  for (std::size_t k = 0; k < model.equations().size(); ++k)
+    for (const WeightedTerm& summand : model.equations()[k])
+      table += "  " + padded("d" + model.states()[k].name + "/dt", 12) +
+               padded(summand.term.name(), 20) +
+               padded(format_number(summand.coefficient, 8), 16) + error_text(summand) + "\n";
+  return table;
+}
+
+std::string fit_line(const EquationFit& fit) {
+  std::string line = "  d" + fit.equation + "/dt: ";
+  if (fit.identity) return line + "known without a fit\n";
+  line += "residual rms " + format_number(fit.residual_rms, 3) + " of " +
+          format_number(fit.target_rms, 3) + ", " + std::to_string(fit.rows) + " rows";
+  if (fit.noise_floor)
+    line += ", measurement noise alone gives " + format_number(*fit.noise_floor, 2);
+  if (fit.fits_to_noise) line += *fit.fits_to_noise ? ": fits to the noise" : ": does not fit";
+  return line + "\n";
+}
+
+std::string noise_text(const IdentificationResult& result) {
+  std::vector<std::string> parts;
+  for (Index k = 0; k < result.noise.size(); ++k) {
+    const Quantity& state = result.model.states()[static_cast<std::size_t>(k)];
+    parts.push_back(state.name + " " + format_number(result.noise[k], 2) +
+                    (state.unit.empty() ? "" : " " + state.unit));
+  }
+  return "  " + join(parts, ", ") + "\n";
+}
+
+/// "  dx/dt: 20 candidates, 2 kept" and a line per stage that removed some.
+std::string trail_of(const std::vector<TrailEntry>& trail, const std::string& equation) {
+  std::map<std::string, std::vector<std::string>> removed;
+  std::size_t candidates = 0, kept = 0;
+  for (const TrailEntry& entry : trail) {
+    if (entry.equation != equation) continue;
+    ++candidates;
+    if (entry.kept) {
+      ++kept;
+      continue;
+    }
+    removed[entry.stage + ", " + entry.quantity + " against " +
+            format_number(entry.threshold, 3)]
+        .push_back(entry.term + " (step " + std::to_string(entry.step) + ": " +
+                   format_number(entry.value, 3) + ")");
+  }
+  std::string text = "  d" + equation + "/dt: " + std::to_string(candidates) + " candidates, " +
+                     std::to_string(kept) + " kept\n";
+  for (const auto& [stage, terms] : removed)
+    text += "    removed by " + stage + ": " + join(terms, ", ") + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string format_text(const IdentificationReport& report) {
+  const IdentificationResult& result = report.result;
+  std::ostringstream out;
+  out << "Equations\n"
+      << indented(to_text(result.model)) << "\nCoefficients [state unit / "
+      << result.model.time_unit() << "]\n"
+      << coefficient_table(result.model) << "\nFit\n";
+  for (const EquationFit& fit : result.fit) out << fit_line(fit);
+  out << "\nMeasurement noise (standard deviation)\n" << noise_text(result) << "\nTerms\n";
+  for (const EquationFit& fit : result.fit)
+    if (!fit.identity) out << trail_of(result.trail, fit.equation);
+  if (report.sync) out << "\n" << format_text(*report.sync);
+  if (!result.warnings.empty()) out << "\nWarnings\n";
+  for (const std::string& warning : result.warnings) out << "  " << warning << "\n";
+  return out.str();
+}
+
+}  // namespace lacuna

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/stages/formulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "lacuna/core/text.hpp"
+
+namespace lacuna {
+namespace {
+
+std::string state_place(const Dataset& data, Index state) {
+  return "state '" + data.states[static_cast<std::size_t>(state)].name + "'";
+}
+
+void check_variables(const Dataset& data, const Variables& variables) {
+  const auto same = [](const std::vector<Quantity>& quantities,
+                       const std::vector<std::string>& names) {
+    return std::equal(
+        quantities.begin(), quantities.end(), names.begin(), names.end(),
+        [](const Quantity& q, const std::string& name) { return q.name == name; });
+  };
+  if (same(data.states, variables.states) && same(data.inputs, variables.inputs)) return;
+  throw ArgumentError("formulation",
+                      "the term library is made for other variables than the data",
+                      "make it for the states and inputs of the dataset");
+}
+
+/// Whether values differ by no more than rounding of their own size.
+bool is_constant(double low, double high) {
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  return high - low <= kRounding * std::max(std::abs(low), std::abs(high));
+}
+
+void check_state_varies(const Dataset& data, Index state) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Trajectory& trajectory : data.trajectories) {
+    low = std::min(low, trajectory.states.col(state).minCoeff());
+    high = std::max(high, trajectory.states.col(state).maxCoeff());
+  }
+  if (!is_constant(low, high)) return;
+  throw DataError(state_place(data, state),
+                  "is constant (" + format_number(low, 6) + ") in all " +
+                      std::to_string(data.samples()) + " samples",
+                  "leave it out with --states or check the sensor");
+}
+
+/// Whether dx/dt is zero at every sample: as given, or because no record shows a change.
+bool rate_is_zero(const Dataset& data, Index state) {
+  return std::all_of(
+      data.trajectories.begin(), data.trajectories.end(), [&](const Trajectory& t) {
+        if (t.has_derivatives()) return (t.derivatives.col(state).array() == 0.0).all();
+        return is_constant(t.states.col(state).minCoeff(), t.states.col(state).maxCoeff());
+      });
+}
+
+void check_state_moves(const Dataset& data, Index state) {
+  if (data.rate_state(state) || !rate_is_zero(data, state)) return;
+  const std::string& name = data.states[static_cast<std::size_t>(state)].name;
+  throw DataError(state_place(data, state), "its derivative is zero throughout",
+                  "give '" + name + "' as an input, leave it out, or check the derivatives");
+}
+
+void check_row_count(const LeastSquaresSystem& system) {
+  if (system.rows() >= system.terms()) return;
+  throw DataError("data",
+                  std::to_string(system.rows()) + " rows do not determine " +
+                      std::to_string(system.terms()) + " candidate terms",
+                  "give a longer record or fewer terms, e.g. a lower degree");
+}
+
+}  // namespace
+
+LeastSquaresSystem Formulation::assemble(const Dataset& data, const TermLibrary& library,
+                                         const RunContext& context) const {
+  context.check_stop();
+  check_dataset(data);
+  check_variables(data, library.variables);
+  for (Index state = 0; state < data.state_count(); ++state) {
+    check_state_varies(data, state);
+    check_state_moves(data, state);
+  }
+  LeastSquaresSystem system = do_assemble(data, library, context);
+  check_row_count(system);
+  return system;
+}
+
+std::optional<Vector> Formulation::target_noise(const Dataset& data,
+                                                const Vector& state_noise) const {
+  check_dataset(data);
+  const bool usable = state_noise.size() == data.state_count() && state_noise.allFinite() &&
+                      (state_noise.array() >= 0.0).all();
+  if (!usable)
+    throw ArgumentError("target noise", "the noise of the states is not one number per state",
+                        "give one finite standard deviation, 0 or more, for each state");
+  const bool given = std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                                 [](const Trajectory& t) { return t.has_derivatives(); });
+  if (given) return std::nullopt;
+  return do_target_noise(data, state_noise);
+}
+
+}  // namespace lacuna

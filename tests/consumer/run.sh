@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Installs lacuna into a folder of its own, builds the consumer against the package, runs it.
+# Usage: run.sh BUILD_DIRECTORY WORK_DIRECTORY CXX_COMPILER
+set -euo pipefail
+build=$1 work=$2 compiler=$3
+source=$(cd "$(dirname "$0")" && pwd)
+
+rm -rf "$work"
+cmake --install "$build" --prefix "$work/prefix" >/dev/null
+cmake -S "$source" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release >/dev/null
+cmake --build "$work/build" >/dev/null
+"$work/build/consumer" | grep -q 'dx/dt = -2\*x'
+"$work/prefix/bin/lacuna" --version

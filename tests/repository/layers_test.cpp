@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Who may include whom: the layers of docs/architecture.md, read from the #include lines.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "repository/source_tree.hpp"
+
+namespace lacuna::repository {
+namespace {
+
+using Allowed = std::map<std::string, std::set<std::string>>;
+
+const std::set<std::string> kConcrete = {"formulations", "differentiators", "bases",
+                                         "filters",      "solvers",         "pruners"};
+
+/// Folders each folder may include, besides itself.
+Allowed allowed_includes() {
+  Allowed allowed;
+  allowed["core"] = {};
+  allowed["data"] = {"core"};
+  allowed["model"] = {"core", "data"};
+  allowed["linear"] = {"core", "data", "model"};
+  allowed["stages"] = {"core", "data", "model", "linear"};
+  for (const std::string& folder : kConcrete)
+    allowed[folder] = {"core", "data", "model", "linear", "stages"};
+  allowed["pipeline"] = {"core", "data", "model", "linear", "stages"};
+  allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
+  allowed["dynamics"] = {"core", "data", "model"};
+  allowed["report"] = allowed["pipeline"];
+  allowed["report"].insert({"pipeline", "dynamics"});
+  allowed["config"] = allowed["report"];
+  allowed["config"].insert("report");
+  allowed["cli"] = allowed["config"];
+  allowed["cli"].insert("config");
+  return allowed;
+}
+
+/// "linear" for include/lacuna/linear/..., src/linear/...; "solvers" for solvers/...
+std::string folder_of(const std::filesystem::path& path) {
+  std::vector<std::string> parts;
+  for (const auto& part : path) parts.push_back(part.string());
+  if (parts[0] == "include") return parts[2];
+  return parts[0] == "src" ? parts[1] : parts[0];
+}
+
+/// "linear/factor" from `#include "lacuna/linear/factor.hpp"`; empty for other lines.
+std::string included_header(const std::string& line) {
+  const std::string start = "#include \"lacuna/";
+  if (line.rfind(start, 0) != 0) return "";
+  return line.substr(start.size(), line.rfind(".hpp") - start.size());
+}
+
+const std::vector<std::string> kLibrary = {"include", "src", "bases", "solvers"};
+
+TEST(Layers, IncludesPointDownwards) {
+  const Allowed allowed = allowed_includes();
+  for (const SourceFile& file : sources_below(kLibrary)) {
+    const std::string folder = folder_of(file.path);
+    ASSERT_TRUE(allowed.contains(folder)) << file.path << " lies in no known layer";
+    for (const std::string& line : file.lines) {
+      const std::string header = included_header(line);
+      if (header.empty()) continue;
+      const std::string other = header.substr(0, header.find('/'));
+      EXPECT_TRUE(other == folder || allowed.at(folder).contains(other))
+          << file.path << " must not include " << header;
+    }
+  }
+}
+
+TEST(Layers, PipelineReachesConcreteStagesOnlyInPresets) {
+  for (const SourceFile& file : sources_below(kLibrary)) {
+    if (folder_of(file.path) != "pipeline" || file.path.stem() == "presets") continue;
+    for (const std::string& line : file.lines) {
+      const std::string header = included_header(line);
+      EXPECT_FALSE(kConcrete.contains(header.substr(0, header.find('/'))))
+          << file.path << ": " << line;
+    }
+  }
+}
+
+TEST(Layers, NoConcreteStageIncludesAnother) {
+  std::set<std::string> stage_headers;
+  for (const SourceFile& file : sources_below("include")) {
+    if (!kConcrete.contains(folder_of(file.path))) continue;
+    for (const std::string& line : file.lines)
+      if (line.find("public Configured<") != std::string::npos)
+        stage_headers.insert(folder_of(file.path) + "/" + file.path.stem().string());
+  }
+  ASSERT_FALSE(stage_headers.empty());
+  for (const SourceFile& file : sources_below(kLibrary)) {
+    const std::string folder = folder_of(file.path);
+    if (!kConcrete.contains(folder)) continue;
+    for (const std::string& line : file.lines) {
+      const std::string header = included_header(line);
+      if (!stage_headers.contains(header)) continue;
+      std::string stem = file.path.stem().string();
+      if (const auto absent = stem.find("no_"); absent != std::string::npos)
+        stem.erase(absent, 3);
+      EXPECT_EQ(header, folder + "/" + stem) << file.path;
+    }
+  }
+}
+
+TEST(Layers, PublicHeadersNeedOnlyEigenAndTheStandardLibrary) {
+  const std::set<std::string> banned = {"<nlohmann", "<CLI",  "<ceres",
+                                        "<nlopt",    "<zlib", "<fmt"};
+  for (const SourceFile& file : sources_below("include"))
+    for (const std::string& line : file.lines)
+      for (const std::string& name : banned)
+        EXPECT_EQ(line.find("#include " + name), std::string::npos)
+            << file.path << ": " << line;
+}
+
+}  // namespace
+}  // namespace lacuna::repository

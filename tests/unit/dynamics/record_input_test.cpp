@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/record_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+Trajectory sine(Index n, double h) {
+  Trajectory trajectory;
+  trajectory.time = Vector::LinSpaced(n, 0.0, h * static_cast<double>(n - 1));
+  trajectory.inputs.resize(n, 2);
+  trajectory.inputs.col(0) = trajectory.time.array().sin();
+  trajectory.inputs.col(1) = trajectory.time.array().cos();
+  return trajectory;
+}
+
+double worst_error(RecordInput input, double end) {
+  double worst = 0.0;
+  for (double t = 0.0; t <= end; t += 0.0137) {
+    double u[2];
+    input(t, u);
+    worst = std::max({worst, std::abs(u[0] - std::sin(t)), std::abs(u[1] - std::cos(t))});
+  }
+  return worst;
+}
+
+TEST(RecordInput, IsCubicUnlessToldOtherwise) {
+  const double coarse = worst_error(RecordInput(sine(51, 0.2)), 10.0);
+  const double fine = worst_error(RecordInput(sine(101, 0.1)), 10.0);
+  EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.4);
+}
+
+TEST(RecordInput, TwoPointsAreAStraightLine) {
+  RecordInput input(Vector{{0.0, 1.0, 3.0}}, Vector{{0.0, 2.0, 0.0}}, 2);
+  double u = 0.0;
+  input(0.25, &u);
+  EXPECT_DOUBLE_EQ(u, 0.5);
+  input(2.0, &u);
+  EXPECT_DOUBLE_EQ(u, 1.0);
+}
+
+TEST(RecordInput, OnePointHoldsTheLastSample) {
+  RecordInput input(Vector{{0.0, 1.0, 3.0}}, Vector{{5.0, 6.0, 7.0}}, 1);
+  double u = 0.0;
+  input(0.99, &u);
+  EXPECT_EQ(u, 5.0);
+  input(1.0, &u);
+  EXPECT_EQ(u, 6.0);
+  input(3.0, &u);
+  EXPECT_EQ(u, 7.0);
+}
+
+TEST(RecordInput, EndsHoldOutsideOfTheRecord) {
+  RecordInput input(sine(51, 0.2));
+  double u[2];
+  input(-3.0, u);
+  EXPECT_EQ(u[1], 1.0);
+  input(99.0, u);
+  EXPECT_DOUBLE_EQ(u[0], std::sin(10.0));
+}
+
+TEST(RecordInput, CopiesDoNotShareSamples) {
+  auto original = std::make_unique<RecordInput>(sine(51, 0.2));
+  RecordInput copy(*original);
+  original.reset();
+  double u[2];
+  copy(1.0, u);
+  EXPECT_NEAR(u[0], std::sin(1.0), 1e-4);
+}
+
+}  // namespace
+}  // namespace lacuna

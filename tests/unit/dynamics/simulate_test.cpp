@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/simulate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/dynamics/record_input.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+
+namespace lacuna {
+namespace {
+
+// One state x with input u: dx/dt = sum of the given terms.
+OdeModel scalar_model(const std::vector<std::pair<std::string, double>>& terms,
+                      bool with_input = true) {
+  const std::vector<Quantity> inputs =
+      with_input ? std::vector<Quantity>{{"u", "V"}} : std::vector<Quantity>{};
+  Variables variables{{"x"}, {}};
+  if (with_input) variables.inputs = {"u"};
+  Equation equation;
+  for (const auto& [term, coefficient] : terms)
+    equation.push_back({Term::parse(term, variables), coefficient, {}, {}});
+  return OdeModel({{"x", "V"}}, inputs, {equation}, "ms");
+}
+
+TEST(Simulate, FollowsTheModel) {
+  const OdeModel decay = scalar_model({{"x", -2.0}}, false);
+  const Solution solution =
+      simulate(decay, Dopri87{}, Vector{{3.0}}, sample_times(1.0, 0.5, 5));
+  ASSERT_EQ(solution.states.rows(), 5);
+  for (Index i = 0; i < 5; ++i)
+    EXPECT_NEAR(solution.states(i, 0), 3.0 * std::exp(-static_cast<double>(i)), 1e-11);
+}
+
+TEST(Simulate, InputsDriveTheModel) {
+  const OdeModel model = scalar_model({{"u", 1.0}});
+  const auto cosine = [](double t, double* u) { *u = std::cos(t); };
+  const Solution solution =
+      simulate(model, Dopri5{}, Vector{{0.0}}, sample_times(0.0, 0.5, 20), cosine);
+  for (Index i = 0; i < 20; ++i)
+    EXPECT_NEAR(solution.states(i, 0), std::sin(solution.time[i]), 1e-8);
+}
+
+TEST(Simulate, RecordedInputsDriveTheModel) {
+  const OdeModel model = scalar_model({{"u", 1.0}});
+  const Vector time = sample_times(0.0, 0.05, 101);
+  RecordInput input(time, time.array().cos().matrix());
+  const Solution solution = simulate(model, Rk4{}, Vector{{0.0}}, time, input);
+  EXPECT_NEAR(solution.states(100, 0), std::sin(5.0), 1e-6);
+}
+
+TEST(Simulate, TimeIsAVariable) {
+  const OdeModel model = scalar_model({{"t", 2.0}}, false);
+  const Solution solution = simulate(model, Rk4{}, Vector{{0.0}}, sample_times(0.0, 0.5, 7));
+  EXPECT_NEAR(solution.states(6, 0), 9.0, 1e-12);
+}
+
+// dx/dt = -x(t-1) with x = 1 before 0, by the method of steps.
+double delayed_decay(double t) {
+  double value = 1.0 - t;
+  if (t > 1.0) value += std::pow(t - 1.0, 2) / 2.0;
+  if (t > 2.0) value -= std::pow(t - 2.0, 3) / 6.0;
+  if (t > 3.0) value += std::pow(t - 3.0, 4) / 24.0;
+  return value;
+}
+
+TEST(Simulate, DelayedStatesComeFromTheOrbit) {
+  const OdeModel model = scalar_model({{"delay(x,1)", -1.0}}, false);
+  for (const double h : {0.1, 0.5, 2.0}) {  // also steps longer than the delay
+    const auto samples = static_cast<Index>(4.0 / h) + 1;
+    const Solution solution =
+        simulate(model, Rk4{}, Vector{{1.0}}, sample_times(0.0, h, samples));
+    for (Index i = 0; i < samples; ++i)
+      EXPECT_NEAR(solution.states(i, 0), delayed_decay(solution.time[i]), 1e-4)
+          << "t = " << solution.time[i] << ", h = " << h;
+  }
+}
+
+TEST(Simulate, TinyDelayIsNearlyNone) {
+  const OdeModel model = scalar_model({{"delay(x,1e-7)", -1.0}}, false);
+  const Solution solution = simulate(model, Rk4{}, Vector{{1.0}}, sample_times(0.0, 0.5, 5));
+  ASSERT_EQ(solution.status, IntegrationStatus::Completed);
+  EXPECT_NEAR(solution.states(4, 0), std::exp(-2.0), 1e-5);
+}
+
+TEST(Simulate, DelayedInputsAreTheEarlierSignal) {
+  const OdeModel model = scalar_model({{"delay(u,0.25)", 1.0}});
+  const auto cosine = [](double t, double* u) { *u = std::cos(t); };
+  const Solution solution =
+      simulate(model, Dopri8{}, Vector{{0.0}}, sample_times(0.0, 0.1, 11), cosine);
+  EXPECT_NEAR(solution.states(10, 0), std::sin(0.75) + std::sin(0.25), 1e-9);
+}
+
+TEST(Simulate, DivergenceNamesStatesAndUnit) {
+  const OdeModel model = scalar_model({{"x^2", 1.0}}, false);
+  const Solution solution =
+      simulate(model, Dopri5{}, Vector{{1.0}}, sample_times(0.0, 0.1, 30));
+  EXPECT_EQ(solution.status, IntegrationStatus::Diverged);
+  EXPECT_THAT(solution.message, testing::MatchesRegex("diverged at t = 1 ms with x = .*"));
+}
+
+TEST(Simulate, ArgumentsAreChecked) {
+  const OdeModel driven = scalar_model({{"u", 1.0}});
+  const OdeModel free = scalar_model({{"x", 1.0}}, false);
+  const Vector times = sample_times(0.0, 0.1, 3);
+  EXPECT_THROW(simulate(driven, Rk4{}, Vector{{0.0}}, times), ArgumentError);
+  EXPECT_THROW(simulate(free, Rk4{}, Vector{{0.0, 0.0}}, times), ArgumentError);
+}
+
+TEST(SampleTimes, DoNotAccumulateRounding) {
+  const Vector times = sample_times(1.0, 0.1, 100001);
+  EXPECT_EQ(times[0], 1.0);
+  EXPECT_EQ(times[100000], 10001.0);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/synchroniser.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/dynamics/measurement.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/dynamics/test_systems.hpp"
+
+namespace lacuna {
+namespace {
+
+Matrix couple_first(Index m) {
+  Matrix coupling = Matrix::Zero(m, m);
+  coupling(0, 0) = 1.0;
+  return coupling;
+}
+
+// A record on the attractor: the start is where the system is after 100 time units.
+Dataset record_on_attractor(const std::string& name, const Integrator& integrator, double h,
+                            Index n) {
+  const TestSystem& system = test_system(name);
+  const Solution before =
+      simulate(system.model, Dopri8{}, system.start, sample_times(0.0, 0.05, 2001));
+  return record_of(system.model, integrator, before.end_state, h, n);
+}
+
+void expect_within_quarter(double value, double reference, const char* what) {
+  EXPECT_NEAR(value, reference, 0.25 * reference) << what;
+}
+
+SyncResult as_in_the_article(const std::string& name, const Dataset& record) {
+  return synchronise(test_system(name).model, record, Rk4{}, {.coupling = couple_first(3)});
+}
+
+TEST(Synchroniser, TrueRosslerEquationsStayNearTheirOrbit) {
+  const Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), 0.1, 10000);
+  const SyncResult result = as_in_the_article("rossler", record);
+  expect_within_quarter(result.mean, 8.6e-4, "mean");
+  expect_within_quarter(result.relative, 3.6e-5, "relative");
+  EXPECT_TRUE(result.settled);
+}
+
+TEST(Synchroniser, TwoRungeKuttaModelsDifferByTheInterpolationOnly) {
+  const Dataset coarse = record_on_attractor("rossler", Rk4{}, 0.1, 10000);
+  const SyncResult at_tenth = as_in_the_article("rossler", coarse);
+  expect_within_quarter(at_tenth.median, 7.8e-5, "median at h = 0.1");
+  expect_within_quarter(at_tenth.relative, 9.8e-6, "relative at h = 0.1");
+  const Dataset fine = record_on_attractor("rossler", Rk4{}, 0.01, 10000);
+  const SyncResult at_hundredth = as_in_the_article("rossler", fine);
+  expect_within_quarter(at_hundredth.median, 8.3e-9, "median at h = 0.01");
+}
+
+TEST(Synchroniser, Tl072ModelStaysNearItsOrbit) {
+  const Dataset record = record_on_attractor("tl072", Dopri8({.substeps = 4}), 0.1, 10000);
+  const SyncResult result = as_in_the_article("tl072", record);
+  expect_within_quarter(result.median, 1.9e-5, "median");
+  expect_within_quarter(result.mean, 1.3e-4, "mean");
+  expect_within_quarter(result.relative, 3.1e-5, "relative");
+}
+
+TEST(Synchroniser, MethodsOfHigherOrderStayNearer) {
+  const Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), 0.1, 2000);
+  const OdeModel& model = test_system("rossler").model;
+  const double fourth = synchronise(model, record, Rk4{}).median;
+  const double fifth = synchronise(model, record, Dopri5{}).median;
+  const double eighth = synchronise(model, record, Dopri8{}).median;
+  EXPECT_LT(fifth, fourth);
+  EXPECT_LT(eighth, 1e-2 * fifth);
+}
+
+TEST(Synchroniser, StatisticsAreThoseOfTheErrors) {
+  const Dataset record = record_on_attractor("lorenz", Dopri8{}, 0.01, 501);
+  const SyncResult result = synchronise(test_system("lorenz").model, record, Rk4{});
+  ASSERT_EQ(result.errors.size(), 1u);
+  Vector errors = result.errors[0];
+  ASSERT_EQ(errors.size(), 501);
+  EXPECT_EQ(errors[0], 0.0);
+  std::sort(errors.begin(), errors.end());
+  EXPECT_DOUBLE_EQ(result.median, errors[250]);
+  EXPECT_NEAR(result.mean, errors.mean(), 1e-15);
+  const double largest = record.trajectories[0].states.rowwise().norm().maxCoeff();
+  EXPECT_DOUBLE_EQ(result.relative, result.mean / largest);
+}
+
+TEST(Synchroniser, WrongStartIsForgotten) {
+  const Dataset record = record_on_attractor("lorenz", Dopri8{}, 0.01, 2000);
+  const Vector start = record.trajectories[0].states.row(0).transpose().array() + 5.0;
+  const SyncResult result =
+      synchronise(test_system("lorenz").model, record, Rk4{}, {.coupling = {}, .start = start});
+  EXPECT_NEAR(result.errors[0][0], 5.0 * std::sqrt(3.0), 1e-9);
+  EXPECT_LT(result.errors[0][1999], 1e-3);
+  EXPECT_TRUE(result.settled);
+}
+
+TEST(Synchroniser, UncoupledChaosDoesNotSettle) {
+  const Dataset record = record_on_attractor("lorenz", Dopri8{}, 0.01, 8000);
+  const Matrix none = Matrix::Zero(3, 3);
+  const SyncResult result =
+      synchronise(test_system("lorenz").model, record, Rk4{}, {.coupling = none});
+  EXPECT_FALSE(result.settled);
+  EXPECT_EQ(result.status, IntegrationStatus::Completed);
+}
+
+TEST(Synchroniser, FullMatrixMixesStates) {
+  // In y the slave is driven by the error of x only: K has its entry at (y, x).
+  const Dataset record = record_on_attractor("lorenz", Dopri8{}, 0.01, 3000);
+  Matrix coupling = Matrix::Zero(3, 3);
+  coupling(1, 0) = 30.0;
+  const Vector start = record.trajectories[0].states.row(0).transpose().array() + 1.0;
+  const OdeModel& model = test_system("lorenz").model;
+  const SyncResult mixed = synchronise(model, record, Rk4{}, {coupling, start});
+  EXPECT_TRUE(mixed.settled);
+  EXPECT_LT(mixed.median, 1e-4);
+  EXPECT_FALSE(synchronise(model, record, Rk4{}, {coupling.transpose(), start}).settled);
+}
+
+Dataset driven_record(double h, Index n) {
+  const Vector time = sample_times(0.0, h, n);
+  Dataset record;
+  record.states = {{"spare", ""}, {"x", "V"}};
+  record.inputs = {{"other", ""}, {"u", "V"}};
+  Matrix states(n, 2), inputs(n, 2);
+  states << Vector::Zero(n), time.array().sin().matrix();
+  inputs << Vector::Ones(n), time.array().cos().matrix();
+  record.trajectories = {{"a.csv", time, states, inputs, Matrix()}};
+  return record;
+}
+
+OdeModel integrator_model(const std::string& term) {
+  const Variables variables{{"x"}, {"u"}};
+  return OdeModel({{"x", "V"}}, {{"u", "V"}}, {{{Term::parse(term, variables), 1.0, {}, {}}}});
+}
+
+TEST(Synchroniser, FindsItsColumnsByNameAndInterpolatesInputs) {
+  const SyncResult result = synchronise(integrator_model("u"), driven_record(0.05, 400), Rk4{});
+  EXPECT_LT(result.errors[0].maxCoeff(), 1e-6);
+  EXPECT_GT(result.errors[0].maxCoeff(), 0.0);
+}
+
+TEST(Synchroniser, UnevenSamplingIsNoObstacle) {
+  Dataset record = driven_record(0.05, 400);
+  Trajectory& run = record.trajectories[0];
+  for (Index i = 0; i < 400; ++i) {
+    run.time[i] += 0.02 * std::sin(static_cast<double>(i));
+    run.states(i, 1) = std::sin(run.time[i]);
+    run.inputs(i, 1) = std::cos(run.time[i]);
+  }
+  const SyncResult result = synchronise(integrator_model("u"), record, Rk4{});
+  EXPECT_LT(result.errors[0].maxCoeff(), 3e-6);
+}
+
+TEST(Synchroniser, DelayedVariablesAreThoseOfTheRecord) {
+  const OdeModel model = integrator_model("delay(u,0.3)");
+  Dataset record = driven_record(0.05, 400);
+  Trajectory& run = record.trajectories[0];
+  run.states.col(1) = (run.time.array() - 0.3).sin();
+  const SyncResult result = synchronise(model, record, Rk4{});
+  EXPECT_LT(result.errors[0].tail(300).maxCoeff(), 1e-5);
+}
+
+TEST(Synchroniser, DivergenceIsReportedWithPlace) {
+  const OdeModel model = integrator_model("exp(x^2)*1000");
+  const SyncResult result = synchronise(model, driven_record(0.05, 400), Rk4{});
+  EXPECT_EQ(result.status, IntegrationStatus::Diverged);
+  EXPECT_FALSE(result.settled);
+  EXPECT_LT(result.errors[0].size(), 400);
+  EXPECT_THAT(result.message,
+              testing::MatchesRegex("a.csv: the slave diverged at t = .* s with "
+                                    "x = .*"));
+}
+
+TEST(Synchroniser, MissingColumnsAndWrongShapesAreErrors) {
+  const OdeModel model = integrator_model("u");
+  Dataset record = driven_record(0.05, 400);
+  EXPECT_THROW(synchronise(model, record, Rk4{}, {.coupling = couple_first(2)}), ArgumentError);
+  EXPECT_THROW(synchronise(model, record, Rk4{}, {.coupling = {}, .start = Vector::Zero(2)}),
+               ArgumentError);
+  EXPECT_THROW(synchronise(model, driven_record(0.05, 3), Rk4{}), DataError);
+  record.inputs[1].name = "v";
+  EXPECT_THROW(synchronise(model, record, Rk4{}), DataError);
+  record.states[1].name = "y";
+  EXPECT_THROW(synchronise(model, record, Rk4{}), DataError);
+}
+
+}  // namespace
+}  // namespace lacuna
