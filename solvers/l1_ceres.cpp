@@ -3,6 +3,7 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,15 @@ namespace lacuna {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Steps after which a run is ended and the next one started.
+constexpr int kStepsPerRun = 40;
+
+/// z = u^2 - v^2.
+Vector merged(const Vector& uv) {
+  const Index k = uv.size() / 2;
+  return uv.head(k).cwiseAbs2() - uv.tail(k).cwiseAbs2();
+}
 
 /// Residuals [c - R(u^2 - v^2); sqrt(p) u; sqrt(p) v] of the parameters [u; v].
 class SquaredForm final : public ceres::CostFunction {
@@ -56,10 +66,8 @@ class Watch final : public ceres::IterationCallback {
     if (context_.stop.stop_requested()) return ceres::SOLVER_ABORT;
     if (step.iteration < next_check_) return ceres::SOLVER_CONTINUE;
     next_check_ = 2 * step.iteration;
-    const Index k = uv_.size() / 2;
-    const Vector z = uv_.head(k).cwiseAbs2() - uv_.tail(k).cwiseAbs2();
-    return l1_polished(problem_, z) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                    : ceres::SOLVER_CONTINUE;
+    return l1_polished(problem_, merged(uv_)) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                              : ceres::SOLVER_CONTINUE;
   }
 
  private:
@@ -86,11 +94,11 @@ Vector split_roots(const Vector& z) {
   return uv;
 }
 
-ceres::Solver::Options solver_options(int max_iterations, ceres::IterationCallback* watch) {
+ceres::Solver::Options solver_options(ceres::IterationCallback* watch) {
   ceres::Solver::Options options;
   options.logging_type = ceres::SILENT;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = max_iterations;
+  options.max_num_iterations = kStepsPerRun;
   options.function_tolerance = 0.0;
   options.gradient_tolerance = 1e-16;
   options.parameter_tolerance = 1e-15;
@@ -98,6 +106,17 @@ ceres::Solver::Options solver_options(int max_iterations, ceres::IterationCallba
   options.update_state_every_iteration = true;
   options.callbacks.push_back(watch);
   return options;
+}
+
+/// One run from uv, which is left at the last point.
+/// @return the number of steps, at least 1.
+int minimise(const L1Problem& problem, Vector& uv, const RunContext& context) {
+  Watch watch(problem, uv, context);
+  ceres::Problem model;
+  model.AddResidualBlock(new SquaredForm(problem), nullptr, uv.data());  // owned by model
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver_options(&watch), &model, &summary);
+  return std::max(summary.num_successful_steps, 1);
 }
 
 }  // namespace
@@ -109,15 +128,17 @@ L1Solution CeresL1::do_solve(const L1Problem& problem, const RunContext& context
   const double norm = problem.target.norm();
   if (norm == 0.0 || k == 0) return {Vector::Zero(k), 0, true};
   const L1Problem unit = normalised(problem, norm);
-  Vector uv = split_roots(unit.start);
-  Watch watch(unit, uv, context);
-  ceres::Problem model;
-  model.AddResidualBlock(new SquaredForm(unit), nullptr, uv.data());  // owned by model
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(options().max_iterations, &watch), &model, &summary);
-  context.check_stop();
-  const Vector z = uv.head(k).cwiseAbs2() - uv.tail(k).cwiseAbs2();
-  return l1_finished(problem, norm * z, summary.num_successful_steps, 1e-12);
+  L1Solution solution{unit.start, 0, false};
+  // Roots that have become small grow again only slowly where the optimum wants them, so a run
+  // is ended early and the next starts from the same point with all roots away from zero.
+  while (!solution.converged && solution.iterations < options().max_iterations) {
+    Vector uv = split_roots(solution.coefficients);
+    const int steps = minimise(unit, uv, context);
+    context.check_stop();
+    solution = l1_finished(unit, merged(uv), solution.iterations + steps, 1e-12);
+  }
+  solution.coefficients *= norm;
+  return solution;
 }
 
 }  // namespace lacuna

@@ -25,7 +25,8 @@ std::string position_text(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t start = before.rfind('\n');
-  const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
+  const std::size_t column =
+      before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
@@ -171,7 +172,8 @@ void Configuration::set(std::string_view assignment) {
 void Configuration::set_preset(const std::string& name) { document_->root["preset"] = name; }
 
 void Configuration::set_degree(int degree) {
-  merge_text(Json{{"basis", {{"type", "monomials"}, {"max_degree", degree}}}}.dump(), "--degree");
+  merge_text(Json{{"basis", {{"type", "monomials"}, {"max_degree", degree}}}}.dump(),
+             "--degree");
 }
 
 void Configuration::set_terms(std::string_view list) {

@@ -148,8 +148,9 @@ std::optional<std::string> asked_name(const Json& given, const std::string& path
 
 }  // namespace
 
-std::shared_ptr<const StageInterface> read_stage(const Registry& registry, std::string_view kind,
-                                                 const Json& given, const std::string& path,
+std::shared_ptr<const StageInterface> read_stage(const Registry& registry,
+                                                 std::string_view kind, const Json& given,
+                                                 const std::string& path,
                                                  const StageInterface& present) {
   const std::string present_name(present.info().name);
   const std::string name = asked_name(given, path).value_or(present_name);

@@ -52,11 +52,13 @@ class OptionReader final : public OptionVisitor {
   std::vector<std::string> known_;
 };
 
-/// Makes the stage that `given` describes: a name, or an object of an optional "type" and options.
+/// Makes the stage that `given` describes: a name, or an object of an optional "type" and
+/// options.
 /// @param present the stage to change: with its type or without a type its options are kept.
 /// @throws ConfigError naming the JSON path.
-std::shared_ptr<const StageInterface> read_stage(const Registry& registry, std::string_view kind,
-                                                 const Json& given, const std::string& path,
+std::shared_ptr<const StageInterface> read_stage(const Registry& registry,
+                                                 std::string_view kind, const Json& given,
+                                                 const std::string& path,
                                                  const StageInterface& present);
 
 }  // namespace lacuna

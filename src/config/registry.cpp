@@ -63,10 +63,9 @@ void Registry::add_entry(RegistryEntry entry) {
       entries_.begin(), entries_.end(), entry,
       [](const RegistryEntry& a, const RegistryEntry& b) { return key(a) < key(b); });
   if (place != entries_.end() && key(*place) == key(entry))
-    throw ConfigError(
-        std::string(entry.kind),
-        "the name '" + std::string(entry.info.name) + "' is registered already",
-        "give the part another name");
+    throw ConfigError(std::string(entry.kind),
+                      "the name '" + std::string(entry.info.name) + "' is registered already",
+                      "give the part another name");
   entries_.insert(place, std::move(entry));
 }
 

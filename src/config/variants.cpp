@@ -40,7 +40,8 @@ struct Filling {
 
 std::vector<std::string> nested_kinds(const RegistryEntry& entry) {
   std::vector<std::string> kinds;
-  NestedVisitor visitor([&](std::string_view kind, StagePointer&) { kinds.emplace_back(kind); });
+  NestedVisitor visitor(
+      [&](std::string_view kind, StagePointer&) { kinds.emplace_back(kind); });
   entry.make(visitor);
   return kinds;
 }
@@ -63,7 +64,8 @@ std::vector<Filling> extended(const std::vector<Filling>& fillings,
 
 StageVariant make_variant(const RegistryEntry& entry, const Filling& filling) {
   StageVariant variant{std::string(entry.info.name), nullptr, entry.unavailable};
-  if (!filling.labels.empty()) variant.label += "[" + join(filling.labels, ",") + "]";
+  if (!filling.labels.empty())
+    variant.label.append("[").append(join(filling.labels, ",")).append("]");
   if (variant.unavailable.empty()) variant.unavailable = filling.unavailable;
   if (!variant.unavailable.empty()) return variant;
   std::size_t next = 0;

@@ -52,14 +52,16 @@ class LibraryRows::Reader final : public RowReader {
   explicit Reader(const LibraryRows& source) : source_(source) {}
 
   void read(Index first, Eigen::Ref<Matrix> theta, Eigen::Ref<Matrix> targets) override {
-    Index done = 0;
-    for (const Block& block : source_.blocks_) {
-      const Index skip = first + done - block.first_row;
-      const Index count = std::min(theta.rows() - done, block.slots.rows() - skip);
-      if (skip < 0 || count <= 0) continue;
-      source_.program_.evaluate(block.slots.middleRows(skip, count),
+    auto block = std::upper_bound(
+        source_.blocks_.begin(), source_.blocks_.end(), first,
+        [](Index row, const Block& candidate) { return row < candidate.first_row; });
+    --block;
+    for (Index done = 0; done < theta.rows(); ++block) {
+      const Index skip = first + done - block->first_row;
+      const Index count = std::min(theta.rows() - done, block->slots.rows() - skip);
+      source_.program_.evaluate(block->slots.middleRows(skip, count),
                                 theta.middleRows(done, count), workspace_);
-      targets.middleRows(done, count) = block.targets.middleRows(skip, count);
+      targets.middleRows(done, count) = block->targets.middleRows(skip, count);
       done += count;
     }
   }

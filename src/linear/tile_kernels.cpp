@@ -25,16 +25,18 @@ struct TileView {
 template <int W>
 struct Lanes {
   typedef double Type __attribute__((vector_size(sizeof(double) * W)));
+  typedef double Memory
+      __attribute__((vector_size(sizeof(double) * W), aligned(sizeof(double)), may_alias));
 };
 
-template <class V>
-LACUNA_INLINE void load(V& value, const double* from) {
-  __builtin_memcpy(&value, from, sizeof(V));
+template <int W>
+LACUNA_INLINE const typename Lanes<W>::Memory& at(const double* address) {
+  return *reinterpret_cast<const typename Lanes<W>::Memory*>(address);
 }
 
-template <class V>
-LACUNA_INLINE void store(const V& value, double* to) {
-  __builtin_memcpy(to, &value, sizeof(V));
+template <int W>
+LACUNA_INLINE typename Lanes<W>::Memory& at(double* address) {
+  return *reinterpret_cast<typename Lanes<W>::Memory*>(address);
 }
 
 template <class V>
@@ -51,11 +53,10 @@ LACUNA_INLINE void gram_block(const TileView& tile, const double* left, const do
   using V = typename Lanes<W>::Type;
   V products[kBlock][kBlock] = {};
   for (Index row = 0; row < tile.rows; row += W) {
-    V a[kBlock];
-    for (int i = 0; i < kBlock; ++i) load(a[i], left + i * tile.stride + row);
+    const V a[kBlock] = {at<W>(left + row), at<W>(left + tile.stride + row),
+                         at<W>(left + 2 * tile.stride + row)};
     for (int j = 0; j < kBlock; ++j) {
-      V b;
-      load(b, right + j * tile.stride + row);
+      const V b = at<W>(right + j * tile.stride + row);
       for (int i = 0; i < kBlock; ++i) products[j][i] += a[i] * b;
     }
   }
@@ -90,17 +91,12 @@ LACUNA_INLINE void reflect(const TileView& tile, const Reflection& reflection, d
   V even[N] = {};
   V odd[N] = {};
   for (Index row = 0; row < tile.rows; row += 2 * W) {
-    V first;
-    V second;
-    load(first, reflection.column + row);
-    load(second, reflection.column + row + W);
+    const V first = at<W>(reflection.column + row);
+    const V second = at<W>(reflection.column + row + W);
     for (int k = 0; k < N; ++k) {
-      V a;
-      V b;
-      load(a, columns + k * tile.stride + row);
-      load(b, columns + k * tile.stride + row + W);
-      even[k] += a * first;
-      odd[k] += b * second;
+      const double* column = columns + k * tile.stride + row;
+      even[k] += at<W>(column) * first;
+      odd[k] += at<W>(column + W) * second;
     }
   }
   double weights[N];
@@ -110,14 +106,9 @@ LACUNA_INLINE void reflect(const TileView& tile, const Reflection& reflection, d
     entry -= weights[k] * reflection.head;
   }
   for (Index row = 0; row < tile.rows; row += W) {
-    V direction;
-    load(direction, reflection.column + row);
-    for (int k = 0; k < N; ++k) {
-      V value;
-      load(value, columns + k * tile.stride + row);
-      value -= direction * weights[k];
-      store(value, columns + k * tile.stride + row);
-    }
+    const V direction = at<W>(reflection.column + row);
+    for (int k = 0; k < N; ++k)
+      at<W>(columns + k * tile.stride + row) -= direction * weights[k];
   }
 }
 
@@ -140,8 +131,7 @@ LACUNA_INLINE double squared_norm(const double* column, Index rows) {
   using V = typename Lanes<W>::Type;
   V total = {};
   for (Index row = 0; row < rows; row += W) {
-    V value;
-    load(value, column + row);
+    const V value = at<W>(column + row);
     total += value * value;
   }
   return sum(total);

@@ -43,6 +43,7 @@ Expression times(const Expression& a, const Expression& b) {
   if (is_value(a, 0.0) || is_value(b, 0.0)) return number(0.0);
   if (is_value(a, 1.0)) return b;
   if (is_value(b, 1.0)) return a;
+  if (is_value(a, -1.0)) return negated(b);
   return folded(Operation::Multiply, {a, b});
 }
 

@@ -2,7 +2,6 @@
 #include "lacuna/pipeline/pipeline.hpp"
 
 #include <cmath>
-#include <map>
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
@@ -132,8 +131,9 @@ void write_equation(const Run& run, Index state, const Regression& regression,
     const WeightedTerm& summand = outcome.equation.back();
     trail.kept(regression.active[static_cast<std::size_t>(i)], summand.coefficient);
     if (variances.size() > 0 && !summand.standard_error)
-      outcome.warnings.push_back("d" + outcome.fit.equation + "/dt: the data do not determine " +
-                                 "the coefficient of " + summand.term.name());
+      outcome.warnings.push_back("d" + outcome.fit.equation +
+                                 "/dt: the data do not determine " + "the coefficient of " +
+                                 summand.term.name());
   }
   if (outcome.equation.empty())
     outcome.warnings.push_back("d" + outcome.fit.equation + "/dt: no term was found");
@@ -204,7 +204,10 @@ IdentificationResult run_equations(const Run& run) {
   }
   IdentificationResult result{
       OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit),
-      estimate_noise(run.data)};
+      estimate_noise(run.data),
+      {},
+      {},
+      {}};
   for (EquationOutcome& outcome : outcomes) {
     result.fit.push_back(std::move(outcome.fit));
     append(result.trail, std::move(outcome.trail));

@@ -57,7 +57,8 @@ Pipeline robust() {
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
-      {"algorithm1", "ABM, then minor terms deleted from each equation while the fit stays good.",
+      {"algorithm1",
+       "ABM, then minor terms deleted from each equation while the fit stays good.",
        "Karimov et al., Nonlinear Dynamics 111 (2023) 871, Algorithm 1", algorithm1, true},
       {"robust", "Smoothed derivatives and an information criterion, for noisy records.",
        "Savitzky & Golay 1964; Schwarz 1978", [](Tolerances) { return robust(); }},

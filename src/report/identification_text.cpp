@@ -25,9 +25,8 @@ std::string error_text(const WeightedTerm& summand) {
 }
 
 std::string coefficient_table(const OdeModel& model) {
-  std::string table =
-      "  " + padded("equation", 12) + padded("term", 20) + padded("coefficient", 16) +
-      "standard error\n";
+  std::string table = "  " + padded("equation", 12) + padded("term", 20) +
+                      padded("coefficient", 16) + "standard error\n";
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k])
       table += "  " + padded("d" + model.states()[k].name + "/dt", 12) +
@@ -73,8 +72,8 @@ std::string trail_of(const std::vector<TrailEntry>& trail, const std::string& eq
         .push_back(entry.term + " (step " + std::to_string(entry.step) + ": " +
                    format_number(entry.value, 3) + ")");
   }
-  std::string text = "  d" + equation + "/dt: " + std::to_string(candidates) +
-                     " candidates, " + std::to_string(kept) + " kept\n";
+  std::string text = "  d" + equation + "/dt: " + std::to_string(candidates) + " candidates, " +
+                     std::to_string(kept) + " kept\n";
   for (const auto& [stage, terms] : removed)
     text += "    removed by " + stage + ": " + join(terms, ", ") + "\n";
   return text;

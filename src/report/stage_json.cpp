@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lacuna/core/options.hpp"
+
 namespace lacuna {
 namespace {
 

@@ -16,7 +16,8 @@ namespace lacuna {
 struct RegistryEntry {
   std::string_view kind;  ///< "regressor"
   StageInfo info;
-  std::string unavailable;  ///< why it cannot be used here: "built without Ceres"; empty: it can
+  std::string
+      unavailable;  ///< why it cannot be used here: "built without Ceres"; empty: it can
 
   /// Makes the stage with options that the visitor may change while it sees them.
   std::function<std::shared_ptr<const StageInterface>(OptionVisitor& visitor)> make;

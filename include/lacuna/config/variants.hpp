@@ -14,11 +14,11 @@ namespace lacuna {
 struct StageVariant {
   std::string label;  ///< "ols", "irls-l1[ceres]", "strong[savitzky-golay]"
   std::shared_ptr<const StageInterface> stage;  ///< empty when it is unavailable
-  std::string unavailable;                      ///< why: "built without Ceres"; empty: it is there
+  std::string unavailable;  ///< why: "built without Ceres"; empty: it is there
 };
 
-/// Every registered part of a kind with default options; where an option is itself a stage, once
-/// for each registered stage of that kind. In the order of the registry.
+/// Every registered part of a kind with default options; where an option is itself a stage,
+/// once for each registered stage of that kind. In the order of the registry.
 /// @throws ConfigError when there is no such kind.
 std::vector<StageVariant> variants(const Registry& registry, std::string_view kind);
 

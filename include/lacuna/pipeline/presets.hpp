@@ -39,7 +39,8 @@ Pipeline algorithm1(Tolerances tolerances = Tolerances::Repaired);
 /// thresholded least squares (Brunton, Proctor & Kutz, PNAS 113 (2016) 3932).
 Pipeline sindy();
 
-/// For noisy records: smoothing derivatives and backward elimination by an information criterion.
+/// For noisy records: smoothing derivatives and backward elimination by an information
+/// criterion.
 Pipeline robust();
 
 }  // namespace lacuna

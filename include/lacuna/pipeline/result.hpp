@@ -15,7 +15,7 @@ struct TrailEntry {
   std::string equation;  ///< name of the state
   std::string term;
   bool kept = false;
-  std::string stage = {};     ///< who removed it: "filter abm", "pruner minor-terms"; "" when kept
+  std::string stage = {};  ///< who removed it: "filter abm", "pruner minor-terms"; "" when kept
   std::string quantity = {};  ///< what was looked at
   double value = 0.0;         ///< what it was (when kept: the coefficient)
   double threshold = 0.0;     ///< what it was held against
@@ -36,7 +36,7 @@ struct EquationFit {
   /// Whether the residual is not above twice the noise floor; nothing when that is not known.
   std::optional<bool> fits_to_noise = {};
 
-  bool converged = true;      ///< of the final regression
+  bool converged = true;  ///< of the final regression
   int iterations = 0;
 };
 

@@ -12,9 +12,9 @@ namespace lacuna {
 /// An identification and all that is told of it.
 struct IdentificationReport {
   IdentificationResult result;
-  Pipeline pipeline;                     ///< what was used
-  std::string asked = "{}";              ///< the configuration asked for, JSON text
-  std::optional<SyncReport> sync = {};   ///< the verification against the record
+  Pipeline pipeline;                    ///< what was used
+  std::string asked = "{}";             ///< the configuration asked for, JSON text
+  std::optional<SyncReport> sync = {};  ///< the verification against the record
 };
 
 /// For people: equations, coefficients with their standard errors, fit, noise, which terms were

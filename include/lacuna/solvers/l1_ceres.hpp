@@ -14,7 +14,7 @@ struct CeresL1Options {
       "ceres", "Levenberg-Marquardt of Ceres on the smooth form z = u^2 - v^2.",
       "Agarwal, Mierle et al., Ceres Solver"};
 
-  int max_iterations = 500;
+  int max_iterations = 5000;
 
   void describe(OptionVisitor& v) {
     v.field({"max_iterations", "", "Most Levenberg-Marquardt steps.", 1.0, 1e6},

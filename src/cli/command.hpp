@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "lacuna/cli/cli.hpp"
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/model/ode_model.hpp"
+
+namespace lacuna::cli {
+
+/// What a command works with besides its own options.
+struct Session {
+  const Registry& registry;
+  CliStreams streams;
+  std::stop_token stop;
+};
+
+/// A declared subcommand and what it does when it is chosen; gives the exit status.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int(const Session&)> run;
+};
+
+Command declare_identify(CLI::App& root);
+Command declare_simulate(CLI::App& root);
+Command declare_sync(CLI::App& root);
+Command declare_list(CLI::App& root);
+Command declare_describe(CLI::App& root);
+
+/// Options that every computing command has.
+struct RunOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::string progress = "auto";
+};
+
+void declare_run_options(CLI::App& app, RunOptions& options);
+
+/// The run context of a command, with progress on standard error where that is wanted.
+RunContext make_context(const Session& session, const RunOptions& options);
+
+/// Ends the line that progress was shown on.
+void finish_progress(const Session& session, const RunOptions& options);
+
+/// Writes text to a file, whole or not at all, or to standard output for "-".
+void write_output(const Session& session, const std::string& path, const std::string& text);
+
+/// A model file, or a test system by its name when there is no such file.
+OdeModel load_model(const std::string& path);
+
+}  // namespace lacuna::cli

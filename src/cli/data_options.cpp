@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "data_options.hpp"
+
+#include "lacuna/core/options.hpp"
+#include "lacuna/core/text.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+/// Finds the first nested differentiator.
+class DifferentiatorFinder final : public OptionVisitor {
+ public:
+  void field(const FieldInfo&, double&) override {}
+  void field(const FieldInfo&, int&) override {}
+  void field(const FieldInfo&, bool&) override {}
+  void field(const FieldInfo&, std::string&) override {}
+  void field(const FieldInfo&, std::optional<double>&) override {}
+  void field(const FieldInfo&, std::optional<int>&) override {}
+  void field(const FieldInfo&, std::vector<std::string>&) override {}
+
+  std::shared_ptr<const Differentiator> found;
+
+ protected:
+  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
+  void nested_stage(const FieldInfo&, std::string_view,
+                    std::shared_ptr<const StageInterface>& stage) override {
+    if (!found) found = std::dynamic_pointer_cast<const Differentiator>(stage);
+  }
+};
+
+ColumnRoles common_roles(const DataOptions& options) {
+  ColumnRoles roles;
+  roles.time = options.time;
+  roles.step = options.step;
+  roles.trajectory = options.trajectory;
+  return roles;
+}
+
+std::vector<std::string> list_of(const std::string& text) {
+  return text.empty() ? std::vector<std::string>{} : split_list(text);
+}
+
+}  // namespace
+
+void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
+  app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
+      ->type_name("NAME");
+  app.add_option("--dt", options.step,
+                 "Sampling step, in the time unit of the record; then no column is the time")
+      ->type_name("H");
+  app.add_option("--trajectory", options.trajectory,
+                 "Column that numbers the records in one file")
+      ->type_name("NAME");
+  if (!choose_columns) return;
+  app.add_option("--states", options.states,
+                 "State columns [default: all without another role]")
+      ->type_name("a,b,c");
+  app.add_option("--inputs", options.inputs, "Input columns [default: none]")->type_name("u,v");
+  app.add_option("--derivatives", options.derivatives,
+                 "Columns that hold the derivatives, in the order of the states")
+      ->type_name("da,db,dc");
+  app.add_option("--embed", options.embed,
+                 "Only q is measured of a system of order N: its derivatives become the states "
+                 "q_d1, ...; -1 adds the integral. May be given more than once")
+      ->type_name("q=N");
+}
+
+Dataset read_data(const DataOptions& options) {
+  ColumnRoles roles = common_roles(options);
+  roles.states = list_of(options.states);
+  roles.inputs = list_of(options.inputs);
+  roles.derivatives = list_of(options.derivatives);
+  return read_dataset(options.paths, roles);
+}
+
+std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options) {
+  std::vector<EmbeddingOrder> orders;
+  for (const std::string& text : options.embed) {
+    for (const std::string& part : split_list(text)) {
+      const std::size_t equals = part.find('=');
+      const auto order = equals == std::string::npos
+                             ? std::nullopt
+                             : parse_number(trim(std::string_view(part).substr(equals + 1)));
+      if (!order || std::abs(*order) > 10.0 || *order != std::round(*order))
+        throw ConfigError("--embed " + part, "this is not NAME=ORDER",
+                          "write e.g. --embed q=2, with a whole number from -10 to 10");
+      orders.push_back({std::string(trim(part.substr(0, equals))), static_cast<int>(*order)});
+    }
+  }
+  return orders;
+}
+
+Stage<Differentiator> differentiator_of(const StageInterface& stage) {
+  DifferentiatorFinder finder;
+  stage.visit_options(finder);
+  if (!finder.found)
+    throw ConfigError("--embed",
+                      "'" + std::string(stage.info().name) + "' has no differentiator",
+                      "choose a formulation that has one, e.g. --set formulation=strong");
+  return Stage<Differentiator>(finder.found);
+}
+
+}  // namespace lacuna::cli

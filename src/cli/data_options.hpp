@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/data/read.hpp"
+#include "lacuna/formulations/embedding.hpp"
+#include "lacuna/model/ode_model.hpp"
+
+namespace lacuna::cli {
+
+/// Where the data are and what their columns mean; the same options in every command.
+struct DataOptions {
+  std::vector<std::string> paths;
+  std::optional<std::string> time, trajectory;
+  std::optional<double> step;
+  std::string states, inputs, derivatives;
+  std::vector<std::string> embed;
+};
+
+/// Options that name columns. @param choose_columns whether states, inputs and derivatives can
+/// be chosen, which a command that has a model leaves to the model.
+void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns);
+
+/// The record that the options describe, as measured.
+Dataset read_data(const DataOptions& options);
+
+/// "q=2" as an embedding. @throws ConfigError when it is not NAME=ORDER.
+std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options);
+
+/// The record in the variables of a model, in its order. States without a column are
+/// reconstructed where the model defines them (equation `q` is the single term `v`: v = dq/dt).
+/// @throws DataError naming a state or an input that is neither there nor defined.
+Dataset read_data_for(const OdeModel& model, const DataOptions& options,
+                      const Differentiator& differentiator);
+
+/// The differentiator inside a stage. @throws ConfigError when it has none.
+Stage<Differentiator> differentiator_of(const StageInterface& stage);
+
+}  // namespace lacuna::cli

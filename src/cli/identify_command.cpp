@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "command.hpp"
+#include "data_options.hpp"
+#include "lacuna/config/configuration.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/model/model_file.hpp"
+#include "lacuna/report/identification_report.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+struct Options {
+  DataOptions data;
+  RunOptions run;
+  std::optional<std::string> preset, config, terms;
+  std::optional<int> degree;
+  std::vector<std::string> assignments;
+  std::optional<std::string> model_out, json;
+  std::string integrator = "rk4";
+};
+
+void declare_pipeline_options(CLI::App& app, Options& options) {
+  app.add_option("--preset", options.preset,
+                 "Composition of stages to start from: algorithm1, robust, sindy "
+                 "[default: algorithm1]")
+      ->type_name("NAME");
+  app.add_option("--config", options.config, "JSON file that overrides the preset by stages")
+      ->type_name("FILE");
+  app.add_option("--degree", options.degree, "Monomials up to this degree [default: 3]")
+      ->type_name("D");
+  app.add_option("--terms", options.terms, "Candidate terms outright, e.g. \"sign(q_d1),1,F\"")
+      ->type_name("LIST");
+  app.add_option("--set", options.assignments,
+                 "One value of the configuration, e.g. regressor.threshold=0.05; repeatable")
+      ->type_name("PATH=VALUE");
+}
+
+void declare_output_options(CLI::App& app, Options& options) {
+  app.add_option("--model-out", options.model_out, "Save the model (lacuna.model/1)")
+      ->type_name("FILE");
+  app.add_option("--json", options.json,
+                 "Write the whole result as JSON; - for standard output")
+      ->type_name("FILE|-");
+  app.add_option("--integrator", options.integrator, "Method of the verification")
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+Configuration make_configuration(const Options& options) {
+  Configuration configuration;
+  if (options.config) configuration.merge_file(*options.config);
+  if (options.preset) configuration.set_preset(*options.preset);
+  if (options.degree) configuration.set_degree(*options.degree);
+  if (options.terms) configuration.set_terms(*options.terms);
+  for (const std::string& assignment : options.assignments) configuration.set(assignment);
+  return configuration;
+}
+
+Dataset load(const Options& options, const Pipeline& pipeline) {
+  const Dataset data = read_data(options.data);
+  const std::vector<EmbeddingOrder> orders = embedding_orders(options.data);
+  if (orders.empty()) return data;
+  return embed(data, orders, *differentiator_of(*pipeline.formulation));
+}
+
+/// Drives the model with the record itself. Not being able to is a warning, not a failure.
+void verify(IdentificationReport& report, const Dataset& data, const Integrator& integrator,
+            const RunContext& context) {
+  std::vector<std::string>& warnings = report.result.warnings;
+  try {
+    SyncResult sync = synchronise(report.result.model, data, integrator, {}, context);
+    if (sync.status != IntegrationStatus::Completed)
+      warnings.push_back("synchronisation with the record failed: " + sync.message);
+    else if (!sync.settled)
+      warnings.push_back("synchronisation with the record did not settle");
+    report.sync = SyncReport{std::move(sync), data.states, data.time_unit, false,
+                             std::string(integrator.info().name)};
+  } catch (const DataError& error) {
+    warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
+  }
+}
+
+bool found_a_model(const IdentificationResult& result) {
+  for (std::size_t k = 0; k < result.fit.size(); ++k)
+    if (!result.fit[k].identity && !result.model.equations()[k].empty()) return true;
+  return false;
+}
+
+void write_results(const Session& session, const Options& options,
+                   const IdentificationReport& report) {
+  if (options.model_out) write_model(*options.model_out, report.result.model);
+  if (options.json) write_output(session, *options.json, format_json(report));
+  if (options.json != "-") session.streams.out << format_text(report);
+}
+
+int identify_command(const Session& session, const Options& options) {
+  const Configuration configuration = make_configuration(options);
+  const Pipeline pipeline = configuration.build(session.registry);
+  const auto integrator = session.registry.make<Integrator>(options.integrator);
+  const RunContext context = make_context(session, options.run);
+  context.report("reading data", 0.0);
+  const Dataset data = load(options, pipeline);
+
+  IdentificationReport report{identify(data, pipeline, context), pipeline,
+                              configuration.text()};
+  report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
+                                data.notes.end());
+  verify(report, data, *integrator, context);
+  finish_progress(session, options.run);
+  write_results(session, options, report);
+  if (found_a_model(report.result)) return 0;
+  session.streams.err << "lacuna: error: no equation was found: no candidate term explains a "
+                         "derivative; try other terms (--degree, --terms) or --preset robust\n";
+  return 1;
+}
+
+}  // namespace
+
+Command declare_identify(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = root.add_subcommand(
+      "identify", "Find the equations of motion in measured data and verify them");
+  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      ->required();
+  declare_column_options(*app, options->data, true);
+  declare_pipeline_options(*app, *options);
+  declare_output_options(*app, *options);
+  declare_run_options(*app, options->run);
+  return {app,
+          [options](const Session& session) { return identify_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <memory>
+
+#include "command.hpp"
+#include "data_options.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/data/write.hpp"
+#include "lacuna/dynamics/record_input.hpp"
+#include "lacuna/dynamics/simulate.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+struct Options {
+  std::string model;
+  std::string x0;
+  double t_start = 0.0, t_end = 0.0, step = 0.0;
+  std::optional<std::string> output, input_data, input_time;
+  std::string integrator = "dopri5";
+  RunOptions run;
+};
+
+Vector parse_start(const OdeModel& model, const std::string& text) {
+  const std::vector<std::string> parts = split_list(text);
+  if (static_cast<Index>(parts.size()) != model.dimension())
+    throw ConfigError("--x0 " + text,
+                      std::to_string(parts.size()) + " numbers for " +
+                          std::to_string(model.dimension()) + " states",
+                      "give one number per state, in the order of the model");
+  Vector start(model.dimension());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto number = parse_number(parts[i]);
+    if (!number || !std::isfinite(*number))
+      throw ConfigError("--x0 " + text, "'" + parts[i] + "' is not a number", "give a number");
+    start[static_cast<Index>(i)] = *number;
+  }
+  return start;
+}
+
+Vector parse_times(const Options& options) {
+  const double span = options.t_end - options.t_start;
+  if (!(options.step > 0.0) || !(span > 0.0) || !std::isfinite(span / options.step))
+    throw ConfigError("--dt, --t-end", "the step and the duration must be above 0",
+                      "give --t-end later than --t-start and --dt above 0");
+  if (span / options.step > 1e9)
+    throw ConfigError("--dt, --t-end", "this asks for more than 1e9 samples",
+                      "take a longer --dt or an earlier --t-end");
+  const auto steps = static_cast<Index>(std::floor(span / options.step * (1.0 + 1e-12) + 1e-9));
+  return sample_times(options.t_start, options.step, steps + 1);
+}
+
+/// The first record of the input file in the inputs of the model.
+Trajectory read_inputs(const OdeModel& model, const Options& options) {
+  if (!options.input_data)
+    throw ConfigError("--input-data", "the model has inputs but no record of them is given",
+                      "give a file with a column for each input");
+  ColumnRoles roles;
+  roles.time = options.input_time;
+  for (const Quantity& input : model.inputs()) roles.states.push_back(input.name);
+  Trajectory record = read_dataset({*options.input_data}, roles).trajectories.front();
+  record.inputs = record.states;
+  return record;
+}
+
+Solution run(const OdeModel& model, const Integrator& integrator, const Options& options,
+             const RunContext& context) {
+  const Vector start = parse_start(model, options.x0);
+  const Vector times = parse_times(options);
+  if (model.inputs().empty()) return simulate(model, integrator, start, times, context);
+  RecordInput inputs(read_inputs(model, options));
+  return simulate(model, integrator, start, times, inputs, context);
+}
+
+Dataset as_dataset(const OdeModel& model, Solution orbit) {
+  Dataset data;
+  data.time_unit = model.time_unit();
+  data.states = model.states();
+  Trajectory trajectory;
+  trajectory.source = "simulation";
+  trajectory.inputs = Matrix(orbit.time.size(), 0);
+  trajectory.time = std::move(orbit.time);
+  trajectory.states = std::move(orbit.states);
+  data.trajectories.push_back(std::move(trajectory));
+  return data;
+}
+
+int simulate_command(const Session& session, const Options& options) {
+  const OdeModel model = load_model(options.model);
+  const auto integrator = session.registry.make<Integrator>(options.integrator);
+  const RunContext context = make_context(session, options.run);
+  Solution orbit = run(model, *integrator, options, context);
+  finish_progress(session, options.run);
+  if (orbit.status != IntegrationStatus::Completed) {
+    session.streams.err << "lacuna: error: " << orbit.message
+                        << "; nothing was written, end earlier or start elsewhere\n";
+    return 1;
+  }
+  const Dataset data = as_dataset(model, std::move(orbit));
+  if (options.output)
+    write_csv(*options.output, data);
+  else
+    session.streams.out << format_csv(data);
+  return 0;
+}
+
+void declare_options(CLI::App& app, Options& options) {
+  app.add_option("MODEL", options.model, "Model file, or the name of a test system")
+      ->required();
+  app.add_option("--x0", options.x0, "Start: one number per state, in the order of the model")
+      ->type_name("v1,v2,...")
+      ->required();
+  app.add_option("--t-start", options.t_start, "First time, in the model's time unit")
+      ->capture_default_str();
+  app.add_option("--t-end", options.t_end, "Last time, in the model's time unit")->required();
+  app.add_option("--dt", options.step, "Step of the output, in the model's time unit")
+      ->required();
+  app.add_option("-o,--output", options.output, "CSV file [default: standard output]")
+      ->type_name("FILE");
+  app.add_option("--integrator", options.integrator, "Method; see `lacuna list integrator`")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--input-data", options.input_data,
+                 "Record with a column for each input of the model")
+      ->type_name("FILE");
+  app.add_option("--time", options.input_time, "Time column of the input record")
+      ->type_name("NAME");
+  declare_run_options(app, options.run);
+}
+
+}  // namespace
+
+Command declare_simulate(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = root.add_subcommand("simulate", "Solve a model from a given start");
+  declare_options(*app, *options);
+  return {app,
+          [options](const Session& session) { return simulate_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna {
+
+/// One number inside an item of a NumPy array.
+struct NpyField {
+  std::string name;        ///< empty in arrays that are not structured
+  char kind = 'f';         ///< f float, i signed, u unsigned (also b, truth values)
+  std::size_t size = 8;    ///< bytes
+  std::size_t offset = 0;  ///< of its first byte in the item
+  bool big_endian = false;
+};
+
+/// What stands in front of the numbers of a .npy file; its sizes fit the file.
+struct NpyHeader {
+  std::vector<NpyField> fields;  ///< one, or the named fields of a structured type
+  bool structured = false;
+  std::size_t item_size = 8;  ///< bytes of an item with all its fields
+  bool fortran_order = false;
+  std::size_t rows = 0;
+  std::size_t columns = 1;     ///< of an array that is not structured
+  std::size_t data_begin = 0;  ///< offset of the numbers in the file
+};
+
+/// Reads the header (format versions 1 to 3) and checks it against the size of the file.
+/// @throws DataError naming source and what is not supported or does not fit.
+NpyHeader parse_npy_header(std::string_view bytes, const std::string& source);
+
+}  // namespace lacuna

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "strict_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/text.hpp"
+
+namespace lacuna {
+namespace {
+
+using nlohmann::json;
+
+/// Follows the parser and knows the path it is at; remembers the first repeated key.
+class KeyWatcher {
+ public:
+  void see(json::parse_event_t event, const json& parsed) {
+    switch (event) {
+      case json::parse_event_t::object_start:
+      case json::parse_event_t::array_start:
+        next_element();
+        levels_.push_back({event == json::parse_event_t::array_start, 0, {}, {}});
+        break;
+      case json::parse_event_t::object_end:
+      case json::parse_event_t::array_end:
+        levels_.pop_back();
+        break;
+      case json::parse_event_t::value:
+        next_element();
+        break;
+      case json::parse_event_t::key:
+        see_key(parsed.get<std::string>());
+        break;
+    }
+  }
+
+  /// Path of the first key that stands twice in its object.
+  const std::optional<std::string>& repeated() const { return repeated_; }
+
+ private:
+  struct Level {
+    bool is_array;
+    std::size_t count;
+    std::string key;
+    std::set<std::string> keys;
+  };
+
+  void next_element() {
+    if (!levels_.empty() && levels_.back().is_array) ++levels_.back().count;
+  }
+
+  void see_key(std::string key) {
+    levels_.back().key = key;
+    if (!levels_.back().keys.insert(std::move(key)).second && !repeated_) repeated_ = path();
+  }
+
+  std::string path() const {
+    std::string text = "$";
+    for (const Level& level : levels_) {
+      if (level.is_array)
+        text.append("[").append(std::to_string(level.count - 1)).append("]");
+      else
+        text.append(".").append(level.key);
+    }
+    return text;
+  }
+
+  std::vector<Level> levels_;
+  std::optional<std::string> repeated_;
+};
+
+/// "source:line:column" of a byte, counted from 1.
+std::string position_text(std::string_view text, std::size_t byte, const std::string& source) {
+  const std::string_view before =
+      text.substr(0, std::min(text.size(), byte > 0 ? byte - 1 : 0));
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const std::size_t line_start = before.rfind('\n');
+  const std::size_t column =
+      before.size() - (line_start == std::string_view::npos ? 0 : line_start + 1) + 1;
+  return source + ":" + std::to_string(line) + ":" + std::to_string(column);
+}
+
+std::string syntax_problem(std::string_view text, std::size_t byte) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return "the file is empty";
+  if (byte > text.size()) return "the JSON text ends too early";
+  return "not valid JSON";
+}
+
+std::string type_text(const json& value) {
+  return value.is_null() ? "null" : std::string("a JSON ") + value.type_name();
+}
+
+}  // namespace
+
+json parse_strict_json(std::string_view text, const std::string& source) {
+  KeyWatcher watcher;
+  json parsed;
+  try {
+    parsed = json::parse(text, [&](int, json::parse_event_t event, json& value) {
+      watcher.see(event, value);
+      return true;
+    });
+  } catch (const json::parse_error& error) {
+    throw ModelError(position_text(text, error.byte, source), syntax_problem(text, error.byte),
+                     "check quotes, commas and brackets there");
+  } catch (const json::exception&) {
+    throw ModelError(source, "a number is out of the range of a double",
+                     "use a smaller exponent");
+  }
+  if (watcher.repeated())
+    throw ModelError(source + ": " + *watcher.repeated(), "the key stands twice in its object",
+                     "remove one of them");
+  return parsed;
+}
+
+void JsonPlace::expect_keys(std::initializer_list<std::string_view> known) const {
+  if (!value_->is_object())
+    fail("an object is expected here, not " + type_text(*value_), "write {...}");
+  const std::vector<std::string> names(known.begin(), known.end());
+  for (const auto& [key, value] : value_->items())
+    if (std::find(names.begin(), names.end(), key) == names.end())
+      fail("unknown key '" + key + "'", suggestion(key, names));
+}
+
+JsonPlace JsonPlace::at(const std::string& key) const {
+  std::optional<JsonPlace> member = find(key);
+  if (!member) fail("the key '" + key + "' is missing", "add it");
+  return *std::move(member);
+}
+
+std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
+  const auto found = value_->find(key);
+  if (found == value_->end()) return std::nullopt;
+  return JsonPlace(*found, source_, path_ + "." + key);
+}
+
+std::size_t JsonPlace::size() const {
+  if (!value_->is_array())
+    fail("an array is expected here, not " + type_text(*value_), "write [...]");
+  return value_->size();
+}
+
+JsonPlace JsonPlace::at(std::size_t index) const {
+  return JsonPlace((*value_)[index], source_, path_ + "[" + std::to_string(index) + "]");
+}
+
+std::string JsonPlace::text() const {
+  if (!value_->is_string())
+    fail("a string is expected here, not " + type_text(*value_), "put it in quotes");
+  return value_->get<std::string>();
+}
+
+double JsonPlace::number() const {
+  if (!value_->is_number())
+    fail("a number is expected here, not " + type_text(*value_), "write it without quotes");
+  return value_->get<double>();
+}
+
+void JsonPlace::fail(const std::string& problem, const std::string& remedy,
+                     const std::string& detail) const {
+  throw ModelError(source_ + ": " + path_ + detail, problem, remedy);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/bases/monomials.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
+
+const Variables kXyz{{"x", "y", "z"}, {}};
+const Variables kDriven{{"x"}, {"u"}};
+
+std::vector<std::string> names(const MonomialsOptions& options, const Variables& variables) {
+  return Monomials{options}.library(variables).names();
+}
+
+TEST(Monomials, AreInDegreeLexicographicOrder) {
+  EXPECT_THAT(names({.max_degree = 2}, kXyz),
+              ElementsAre("1", "x", "y", "z", "x^2", "x*y", "x*z", "y^2", "y*z", "z^2"));
+}
+
+TEST(Monomials, CountIsTheBinomialCoefficient) {
+  EXPECT_EQ(names({.max_degree = 3}, kXyz).size(), 20u);
+  EXPECT_EQ(names({.max_degree = 5}, kXyz).size(), 56u);
+}
+
+TEST(Monomials, LowestDegreeAboveZeroLeavesLowerTermsOut) {
+  EXPECT_THAT(names({.min_degree = 2, .max_degree = 2}, kXyz),
+              ElementsAre("x^2", "x*y", "x*z", "y^2", "y*z", "z^2"));
+}
+
+TEST(Monomials, NegativeDegreesAllowNegativePowers) {
+  const Variables two{{"x", "y"}, {}};
+  EXPECT_THAT(names({.min_degree = -1, .max_degree = 1}, two),
+              ElementsAre("x^-1", "y^-1", "1", "x*y^-1", "x^-1*y", "x", "y"));
+}
+
+TEST(Monomials, NegativePartIsLimitedByTheLowestDegree) {
+  const Variables two{{"x", "y"}, {}};
+  EXPECT_THAT(names({.min_degree = -1, .max_degree = 0}, two), Not(Contains("x^-1*y^-1")));
+  EXPECT_THAT(names({.min_degree = -2, .max_degree = 0}, two), Contains("x^-1*y^-1"));
+  EXPECT_THAT(names({.min_degree = -2, .max_degree = 0}, two), Not(Contains("x^-2*y^-1")));
+}
+
+TEST(Monomials, TermsEvaluateAsNamed) {
+  const TermLibrary library = Monomials{{.min_degree = -1, .max_degree = 2}}.library(kDriven);
+  const Program program = library.compile();
+  Program::Workspace workspace;
+  std::vector<double> out(static_cast<std::size_t>(library.size()));
+  const double x = 1.3, u = -0.7, slots[] = {x, u, 9.0};
+  program.evaluate(slots, out.data(), workspace);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const std::vector<int>& e = *library.terms[i].exponents();
+    EXPECT_NEAR(out[i], std::pow(x, e[0]) * std::pow(u, e[1]), 1e-14)
+        << library.terms[i].name();
+  }
+}
+
+TEST(Monomials, InputsAndTimeAreFurtherVariables) {
+  EXPECT_THAT(names({.max_degree = 1}, kDriven), ElementsAre("1", "x", "u"));
+  EXPECT_THAT(names({.max_degree = 1, .with_inputs = false}, kDriven), ElementsAre("1", "x"));
+  EXPECT_THAT(names({.max_degree = 1, .with_time = true}, kDriven),
+              ElementsAre("1", "x", "u", "t"));
+  EXPECT_THAT(names({.max_degree = 1, .with_inputs = false, .with_time = true}, kDriven),
+              ElementsAre("1", "x", "t"));
+}
+
+TEST(Monomials, IncludeAddsAndExcludeRemoves) {
+  EXPECT_THAT(names({.max_degree = 1, .include = {"sin(x)", "x"}, .exclude = {"u"}}, kDriven),
+              ElementsAre("1", "x", "sin(x)"));
+}
+
+TEST(Monomials, ExcludedTermsMayBeWrittenInAnyWay) {
+  EXPECT_THAT(names({.max_degree = 2, .exclude = {"y*x"}}, kXyz), Not(Contains("x*y")));
+}
+
+TEST(Monomials, UnknownVariableNamesTheEntry) {
+  try {
+    names({.include = {"x", "sin(q)"}}, kXyz);
+    FAIL();
+  } catch (const ModelError& error) {
+    EXPECT_NE(error.where().find("monomials.include[1]"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("q"), std::string::npos);
+  }
+  EXPECT_THROW(names({.exclude = {"w"}}, kXyz), ModelError);
+}
+
+TEST(Monomials, DegreesOutOfOrderAreRefused) {
+  EXPECT_THROW(names({.min_degree = 3, .max_degree = 2}, kXyz), ConfigError);
+  EXPECT_THROW(Monomials({.max_degree = 21}), ConfigError);
+}
+
+TEST(Monomials, NoTermLeftIsRefused) {
+  EXPECT_THROW(names({.max_degree = 0, .exclude = {"1"}}, kXyz), ConfigError);
+}
+
+TEST(Monomials, TooManyTermsAreRefusedBeforeTheyAreMade) {
+  const Variables many{{"a", "b", "c", "d", "e", "f", "g", "h"}, {}};
+  EXPECT_THROW(names({.max_degree = 20}, many), ConfigError);
+}
+
+}  // namespace
+}  // namespace lacuna

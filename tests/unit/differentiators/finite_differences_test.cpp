@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/differentiators/finite_differences.hpp"
+
+#include <gtest/gtest.h>
+
+#include "grids.hpp"
+
+namespace lacuna {
+namespace {
+
+Vector derivative_of_sine(const Vector& time, int k) {
+  return (time.array() + 0.5 * M_PI * k).sin();
+}
+
+/// Largest error of the k-th derivative of sin over the rows [first, first + count).
+double sine_error(int order, int k, const Vector& time, Index first, Index count) {
+  const Matrix values = time.array().sin();
+  const Vector found = FiniteDifferences{{.order = order}}.differentiate(time, values, k);
+  return (found - derivative_of_sine(time, k)).segment(first, count).cwiseAbs().maxCoeff();
+}
+
+constexpr Index kSamples = 64;
+
+/// Starts where the error term behind the leading one of the first row vanishes.
+Vector grid_of_step(double step, int k) {
+  return uniform_grid(kSamples, step * (kSamples - 1)).array() +
+         (k % 2 == 1 ? 0.0 : 0.5 * M_PI);
+}
+
+/// Order of accuracy as measured with two steps, of the inner rows or of the first one.
+double measured_order(int order, int k, bool boundary, double step) {
+  const auto error = [&](double h) {
+    return boundary ? sine_error(order, k, grid_of_step(h, k), 0, 1)
+                    : sine_error(order, k, grid_of_step(h, k), order, kSamples - 2 * order);
+  };
+  return std::log2(error(step) / error(0.5 * step));
+}
+
+class FiniteDifferencesOrder : public testing::TestWithParam<int> {};
+
+// Steps are chosen so that errors lie above rounding for every order.
+TEST_P(FiniteDifferencesOrder, ConvergesInside) {
+  const double step = 0.05 * GetParam();
+  EXPECT_NEAR(measured_order(GetParam(), 1, false, step), GetParam(), 0.35);
+  EXPECT_NEAR(measured_order(GetParam(), 2, false, step), GetParam(), 0.35);
+  EXPECT_NEAR(measured_order(GetParam(), 3, false, step), GetParam(), 0.35);
+}
+
+TEST_P(FiniteDifferencesOrder, ConvergesAtTheBoundary) {
+  const double step = 0.02 * GetParam();
+  EXPECT_NEAR(measured_order(GetParam(), 1, true, step), GetParam(), 0.6);
+  EXPECT_NEAR(measured_order(GetParam(), 2, true, step), GetParam(), 0.9);
+}
+
+TEST_P(FiniteDifferencesOrder, IsExactForPolynomials) {
+  const FiniteDifferences method{{.order = GetParam()}};
+  for (const Vector& time : {uniform_grid(40, 1.5), jittered_grid(40, 1.5)}) {
+    for (int k = 1; k <= 3; ++k) {
+      const int degree = GetParam() + k - 1;
+      const Matrix found = method.differentiate(time, polynomial(time, degree), k);
+      const double rounding = 1e-13 * std::pow(30.0, k) * GetParam() * GetParam();
+      EXPECT_LT(relative_error(found, polynomial(time, degree, k)), rounding) << k;
+    }
+  }
+}
+
+TEST_P(FiniteDifferencesOrder, ConvergesOnAJitteredGrid) {
+  const int order = GetParam();
+  const auto error = [&](double end) {
+    return sine_error(order, 1, jittered_grid(kSamples, end), 0, kSamples);
+  };
+  const double end = 1.5 * order;
+  EXPECT_GT(std::log2(error(end) / error(0.5 * end)), order - 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Even, FiniteDifferencesOrder, testing::Values(2, 4, 6, 8, 10));
+
+TEST(FiniteDifferences, OrderZeroGivesTheValues) {
+  const Vector time = jittered_grid(12, 1.0);
+  const Matrix values = Matrix::Random(12, 3);
+  EXPECT_EQ(FiniteDifferences{}.differentiate(time, values, 0), values);
+}
+
+TEST(FiniteDifferences, DifferentiatesEachColumn) {
+  const Vector time = uniform_grid(30, 2.0);
+  Matrix values(30, 2);
+  values << time, time.cwiseAbs2();
+  const Matrix found = FiniteDifferences{}.differentiate(time, values);
+  EXPECT_LT((found.col(0).array() - 1.0).abs().maxCoeff(), 1e-12);
+  EXPECT_LT((found.col(1) - 2.0 * time).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(FiniteDifferences, DerivativeScalesWithTheUnitOfTime) {
+  const Vector time = uniform_grid(64, 6.0);
+  const Matrix values = time.array().sin();
+  const Matrix slow = FiniteDifferences{}.differentiate(time, values, 2);
+  const Matrix fast = FiniteDifferences{}.differentiate(1e-4 * time, values, 2);
+  EXPECT_LT((1e-8 * fast - slow).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(FiniteDifferences, NeedsOrderPlusDerivativeSamples) {
+  const FiniteDifferences method{{.order = 6}};
+  const Vector seven = uniform_grid(7, 1.0);
+  EXPECT_NO_THROW(method.differentiate(seven, Matrix(seven), 1));
+  try {
+    method.differentiate(seven, Matrix(seven), 2);
+    FAIL();
+  } catch (const DataError& error) {
+    EXPECT_NE(error.problem().find("at least 8 samples"), std::string::npos) << error.what();
+  }
+}
+
+TEST(FiniteDifferences, OddOrderIsRefused) {
+  EXPECT_THROW(FiniteDifferences({.order = 3}), ConfigError);
+  EXPECT_THROW(FiniteDifferences({.order = 0}), ConfigError);
+}
+
+}  // namespace
+}  // namespace lacuna

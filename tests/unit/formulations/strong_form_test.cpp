@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/formulations/strong_form.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/random.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
+#include "lacuna/differentiators/savitzky_golay.hpp"
+#include "lacuna/linear/subproblem.hpp"
+#include "records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::ElementsAre;
+
+TermLibrary library_of(const std::vector<std::string>& texts) {
+  TermLibrary library{{{"x", "v"}, {"u"}}, {}};
+  for (const std::string& text : texts)
+    library.terms.push_back(Term::parse(text, library.variables));
+  return library;
+}
+
+StrongForm with_differences(int order = 8) {
+  return StrongForm{{.differentiator = FiniteDifferences{{.order = order}}}};
+}
+
+/// Message of the DataError that assembling raises.
+std::string problem_with(const Dataset& data, const TermLibrary& library) {
+  try {
+    with_differences().assemble(data, library);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(StrongForm, FindsAnOscillatorsCoefficients) {
+  const auto system =
+      with_differences().assemble(oscillation_data(), library_of({"x", "v", "u"}));
+  EXPECT_EQ(system.rows(), 400);
+  EXPECT_THAT(system.target_names(), ElementsAre("dx/dt", "dv/dt"));
+  const Vector first = system.subproblem(0, {0, 1, 2}).solve();
+  const Vector second = system.subproblem(1, {0, 1, 2}).solve();
+  EXPECT_LT((first - Eigen::Vector3d(0, 1, 0)).norm(), 1e-8);
+  EXPECT_LT((second - Eigen::Vector3d(-4, 0, 0)).norm(), 1e-8);
+}
+
+TEST(StrongForm, GivenDerivativesAreTheTargets) {
+  Dataset data = oscillation_data();
+  give_derivatives(data.trajectories[0]);
+  data.trajectories[0].derivatives.col(1) *= 2.0;
+  const auto system =
+      StrongForm{{.differentiator = SavitzkyGolay{{.window = 51, .degree = 2}}}}.assemble(
+          data, library_of({"x", "v"}));
+  EXPECT_LT((system.subproblem(1, {0, 1}).solve() - Eigen::Vector2d(-8, 0)).norm(), 1e-12);
+}
+
+TEST(StrongForm, SmoothingOfStatesCanBeTurnedOff) {
+  const Stage<Differentiator> wide = SavitzkyGolay{{.window = 51, .degree = 2}};
+  const Dataset data = oscillation_data();
+  const auto norm = [&](bool smooth) {
+    const StrongForm form{{.differentiator = wide, .smooth_states = smooth}};
+    return form.assemble(data, library_of({"x"})).factor().column_norms[0];
+  };
+  EXPECT_NEAR(norm(false), data.trajectories[0].states.col(0).norm(), 1e-10);
+  EXPECT_GT(std::abs(norm(true) - norm(false)), 1e-6);
+}
+
+TEST(StrongForm, TermThatIsNotFiniteIsNamedWithItsSample) {
+  const std::string problem = problem_with(oscillation_data(), library_of({"v", "x^-1"}));
+  EXPECT_NE(problem.find("term 'x^-1'"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("sample 1 of run.csv (t = 0, x = 0)"), std::string::npos) << problem;
+}
+
+TEST(StrongForm, NoiseOfTheTargetIsTheNoiseOfDifferences) {
+  const Dataset data = oscillation_data();
+  const auto noise = with_differences(2).target_noise(data, Eigen::Vector2d(1e-3, 2e-3));
+  ASSERT_TRUE(noise);
+  // (x[i+1] - x[i-1]) / (2 h) has the variance sigma^2 / (2 h^2).
+  EXPECT_NEAR((*noise)[0], 1e-3 / (std::sqrt(2.0) * 0.01), 1e-6);
+  EXPECT_NEAR((*noise)[1], 2.0 * (*noise)[0], 1e-12);
+}
+
+TEST(StrongForm, NoiseOfTheTargetIsMeasuredOnAnyGrid) {
+  Dataset data = oscillation_data(4000);
+  Vector& time = data.trajectories[0].time;
+  Random random(11);
+  for (Index i = 1; i + 1 < time.size(); ++i) time[i] += random.uniform(-0.001, 0.001);
+  const StrongForm form = with_differences(4);
+  const Vector expected = *form.target_noise(data, Eigen::Vector2d(1.0, 1.0));
+  Matrix noise(time.size(), 1);
+  for (Index i = 0; i < time.size(); ++i) noise(i, 0) = random.normal();
+  const Matrix rate = FiniteDifferences{{.order = 4}}.differentiate(time, noise);
+  EXPECT_NEAR(rate.norm() / std::sqrt(static_cast<double>(time.size())) / expected[0], 1.0,
+              0.1);
+}
+
+TEST(StrongForm, NoiseOfGivenDerivativesIsNotKnown) {
+  Dataset data = oscillation_data();
+  give_derivatives(data.trajectories[0]);
+  EXPECT_FALSE(with_differences().target_noise(data, Eigen::Vector2d(1.0, 1.0)));
+}
+
+TEST(StrongForm, RecordTooShortForTheDifferentiatorIsNamed) {
+  const std::string problem = problem_with(oscillation_data(7), library_of({"x"}));
+  EXPECT_NE(problem.find("run.csv"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("at least 9 samples and has 7"), std::string::npos) << problem;
+}
+
+}  // namespace
+}  // namespace lacuna

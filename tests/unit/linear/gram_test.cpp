@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/linear/gram.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+TEST(FoldGram, IsTheProductOverAllSlots) {
+  const Matrix theta = Matrix::Random(70'001, 5);
+  const Matrix targets = Matrix::Random(70'001, 2);
+  Matrix all(70'001, 7);
+  all << theta, targets;
+  const Matrix expected = all.transpose() * all;
+  const Matrix gram = fold_gram(*make_row_source(theta, targets));
+  EXPECT_LT((gram - expected).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(gram, gram.transpose());
+}
+
+TEST(FoldGram, OfNoRowsIsZero) {
+  EXPECT_TRUE(fold_gram(*make_row_source(Matrix(0, 2), Matrix(0, 1))).isZero(0.0));
+}
+
+TEST(FactorGram, ReproducesTheScaledGram) {
+  const Matrix values = Matrix::Random(100, 6) * Vector::LinSpaced(6, 1.0, 1e4).asDiagonal();
+  const Matrix gram = values.transpose() * values;
+  const GramFactor factor = factor_gram(gram, 6);
+  const Vector norms = gram.diagonal().cwiseSqrt();
+  const Matrix scaled = factor.triangle * norms.asDiagonal();
+  EXPECT_FALSE(factor.broke_down);
+  EXPECT_LT((scaled.transpose() * scaled - gram).norm(), 1e-13 * gram.norm());
+  EXPECT_TRUE(factor.triangle.isUpperTriangular(0.0));
+}
+
+TEST(FactorGram, SaysWhenColumnsDepend) {
+  Matrix values = Matrix::Random(100, 4);
+  values.col(2) = values.col(0) - 3.0 * values.col(1);
+  const GramFactor factor = factor_gram(values.transpose() * values, 3);
+  EXPECT_TRUE(factor.broke_down);
+  EXPECT_TRUE(factor.triangle.row(2).isZero(0.0));
+  EXPECT_TRUE(factor.triangle.allFinite());
+}
+
+TEST(FactorGram, TakesColumnsOfZerosAndExactTargets) {
+  Matrix values = Matrix::Random(100, 4);
+  values.col(1).setZero();
+  values.col(3) = values.col(0);
+  const GramFactor factor = factor_gram(values.transpose() * values, 3);
+  EXPECT_FALSE(factor.broke_down);
+  EXPECT_TRUE(factor.triangle.col(1).isZero(0.0));
+  EXPECT_TRUE(factor.triangle.allFinite());
+}
+
+}  // namespace
+}  // namespace lacuna

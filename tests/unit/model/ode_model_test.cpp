@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/model/ode_model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "lacuna/core/error.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Variables kVariables{{"x", "v"}, {"u"}};
+
+WeightedTerm summand(const std::string& text, double coefficient) {
+  return {Term::parse(text, kVariables), coefficient};
+}
+
+OdeModel oscillator() {
+  return OdeModel(
+      {{"x", "m"}, {"v", "m/s"}}, {{"u", "N"}},
+      {{summand("v", 1.0)}, {summand("x", -4.0), summand("x^3", -0.5), summand("u", 2.0)}},
+      "ms");
+}
+
+std::string message(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(OdeModel, HoldsWhatItWasGiven) {
+  const OdeModel model = oscillator();
+  EXPECT_EQ(model.dimension(), 2);
+  EXPECT_EQ(model.variables(), kVariables);
+  EXPECT_EQ(model.time_unit(), "ms");
+  EXPECT_EQ(model.state_index("v"), 1);
+  EXPECT_EQ(model.coefficient(1, "x^3"), -0.5);
+  EXPECT_EQ(model.coefficient(0, "x^3"), 0.0);
+}
+
+TEST(OdeModel, TermsGetCanonicalNamesInItsOwnVariables) {
+  const Variables other{{"v", "x"}, {}};
+  const OdeModel model({{"x", ""}, {"v", ""}}, {}, {{{Term::parse("v*x", other), 1.0}}, {}});
+  EXPECT_EQ(model.equations()[0][0].term.name(), "x*v");
+}
+
+TEST(OdeModel, AnUnknownStateOrEquationIsNamed) {
+  EXPECT_THAT(message([] { oscillator().state_index("w"); }),
+              HasSubstr("there is no state 'w'; the states are x, v"));
+  EXPECT_THROW(oscillator().coefficient(2, "x"), ArgumentError);
+  EXPECT_THROW(oscillator().coefficient(-1, "x"), ArgumentError);
+  EXPECT_THROW(oscillator().with_term(2, summand("x", 1.0)), ArgumentError);
+}
+
+TEST(OdeModel, WithTermAppendsOrAddsUp) {
+  const OdeModel more = oscillator().with_term(1, summand("v", -0.1));
+  EXPECT_EQ(more.equations()[1].size(), 4u);
+  EXPECT_EQ(more.coefficient(1, "v"), -0.1);
+  WeightedTerm change = summand("x*x*x", 0.2);
+  change.standard_error = 0.01;
+  const OdeModel changed = oscillator().with_term(1, change);
+  EXPECT_EQ(changed.equations()[1].size(), 3u);
+  EXPECT_EQ(changed.coefficient(1, "x^3"), -0.3);
+  EXPECT_FALSE(changed.equations()[1][1].standard_error);
+  EXPECT_EQ(changed.time_unit(), "ms");
+}
+
+TEST(OdeModel, RejectsBadNames) {
+  const auto named = [](const std::string& state, const std::string& input) {
+    return message([&] { OdeModel({{state, ""}}, {{input, ""}}, {{}}); });
+  };
+  EXPECT_EQ(named("x", "u"), "no error");
+  EXPECT_THAT(named("x", "x"), HasSubstr("'x' is given twice"));
+  EXPECT_THAT(named("x y", "u"), HasSubstr("'x y' is not an identifier"));
+  EXPECT_THAT(named("t", "u"), HasSubstr("'t' is a word of the formula language"));
+  EXPECT_THAT(named("x", "sin"), HasSubstr("'sin' is a word of the formula language"));
+}
+
+TEST(OdeModel, RejectsEquationsThatDoNotFit) {
+  const std::vector<Quantity> x{{"x", ""}};
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(message([&] { OdeModel({}, {}, {}); }), HasSubstr("there are no states"));
+  EXPECT_THAT(message([&] {
+                OdeModel(x, {}, {{}, {}});
+              }),
+              HasSubstr("2 equations for 1 states"));
+  EXPECT_THAT(message([&] { OdeModel(x, {}, {{summand("x", kNan)}}); }),
+              HasSubstr("equation of x: the coefficient of 'x' is nan"));
+  EXPECT_THAT(message([&] { OdeModel(x, {}, {{summand("v", 1.0)}}); }),
+              HasSubstr("unknown name 'v'"));
+  EXPECT_THAT(message([&] {
+                OdeModel(x, {}, {{summand("x*x", 1.0), summand("x^2", 1.0)}});
+              }),
+              HasSubstr("equation of x: the term 'x^2' stands twice"));
+}
+
+}  // namespace
+}  // namespace lacuna
