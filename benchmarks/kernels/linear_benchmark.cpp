@@ -33,7 +33,7 @@ LeastSquaresSystem random_system(Index rows, Index terms, Folding folding) {
 }
 
 void label(benchmark::State& state) {
-  state.SetLabel(std::string(kernel_instruction_set()));
+  state.SetLabel(std::string(name_of(best_instruction_set())));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
