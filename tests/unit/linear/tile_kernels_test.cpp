@@ -49,7 +49,8 @@ TEST_P(TileKernels, TriangleIsThatOfTheStackedRows) {
   }
   const Matrix reference = values.householderQr().matrixQR().topRows(columns);
   const Matrix expected = reference.triangularView<Eigen::Upper>();
-  EXPECT_LT((unique_triangle(triangle) - unique_triangle(expected)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((unique_triangle(triangle) - unique_triangle(expected)).cwiseAbs().maxCoeff(),
+            1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Columns, TileKernels, ::testing::Values(1, 2, 3, 4, 5, 7, 11, 23, 60));
