@@ -19,7 +19,10 @@ LeastSquaresSystem system_of(const Matrix& theta, const Vector& target, Folding 
 }
 
 double best_residual(const Matrix& theta, const Vector& y) {
-  return (y - theta * theta.colPivHouseholderQr().solve(y)).norm();
+  Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition;
+  decomposition.setThreshold(1e-10);
+  decomposition.compute(theta);
+  return (y - theta * decomposition.solve(y)).norm();
 }
 
 // x^2 + y^2 = 1 on the data, and x twice.
@@ -79,11 +82,7 @@ TEST_P(DependentTerms, EliminationMakesTheOthersDetermined) {
   problem.remove(0);
   const Matrix rest = theta.rightCols(4);
   const Vector expected = rest.colPivHouseholderQr().solve(target);
-  if (GetParam() == Folding::Gram) {
-    EXPECT_TRUE(problem.solve().allFinite());
-  } else {
-    EXPECT_LT((problem.solve() - expected).norm(), 1e-11 * expected.norm());
-  }
+  EXPECT_LT((problem.solve() - expected).norm(), 1e-11 * expected.norm());
 }
 
 TEST_P(DependentTerms, ColumnsOfZerosGetZero) {
