@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 #include "lacuna/bases/term_list.hpp"
 
@@ -54,14 +53,16 @@ class ExponentLister {
   std::vector<Exponents> found_;
 };
 
-/// Degree, then size; the list itself is lexicographic already.
-std::tuple<int, int> degree_and_size(const Exponents& exponents) {
-  int degree = 0, size = 0;
+/// Numbers by which monomials are ordered, the smaller the earlier: degree, size, and for each
+/// variable in turn the largest power first, x before 1/x.
+std::vector<int> rank(const Exponents& exponents) {
+  std::vector<int> numbers{0, 0};
   for (const int e : exponents) {
-    degree += e;
-    size += std::abs(e);
+    numbers[0] += e;
+    numbers[1] += std::abs(e);
+    numbers.push_back(-2 * std::abs(e) - (e > 0 ? 1 : 0));
   }
-  return {degree, size};
+  return numbers;
 }
 
 /// Slots of the variables that take part.
@@ -79,9 +80,8 @@ std::vector<Term> monomial_terms(const Variables& variables, const MonomialsOpti
   const std::vector<std::size_t> slots = used_slots(variables, options);
   ExponentLister lister(slots.size(), options.min_degree, options.max_degree);
   std::vector<Exponents> list = lister.list();
-  std::stable_sort(list.begin(), list.end(), [](const Exponents& a, const Exponents& b) {
-    return degree_and_size(a) < degree_and_size(b);
-  });
+  std::sort(list.begin(), list.end(),
+            [](const Exponents& a, const Exponents& b) { return rank(a) < rank(b); });
   std::vector<Term> terms;
   terms.reserve(list.size());
   for (const Exponents& exponents : list) {

@@ -11,8 +11,7 @@ Term parse_entry(const std::string& place, const std::string& text,
   try {
     return Term::parse(text, variables);
   } catch (const ModelError& error) {
-    const std::string column = error.where().empty() ? "" : ", " + error.where();
-    throw ModelError(place + " '" + text + "'" + column, error.problem(), error.remedy());
+    throw ModelError(place + ", " + error.where(), error.problem(), error.remedy());
   }
 }
 

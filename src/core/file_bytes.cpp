@@ -12,6 +12,7 @@
 #include <memory>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "lacuna/core/error.hpp"
 
@@ -43,20 +44,18 @@ File open_file(const fs::path& path) {
   return file;
 }
 
-std::string read_raw(const fs::path& path) {
+FileBytes read_raw(const fs::path& path) {
   const File file = open_file(path);
   std::error_code no_size;  // a pipe has none
   const auto size = fs::file_size(path, no_size);
-  std::string content;
-  std::size_t filled = 0;
-  std::size_t wanted = no_size ? kChunk : static_cast<std::size_t>(size);
-  do {
-    content.resize(filled + wanted);
-    filled += std::fread(content.data() + filled, 1, wanted, file.get());
-    wanted = std::max(kChunk, filled);
-  } while (filled == content.size() && std::ungetc(std::fgetc(file.get()), file.get()) != EOF);
+  FileBytes content;
+  content.reserve(no_size ? kChunk : static_cast<std::size_t>(size) + 1);
+  const auto read = [&](char* at, std::size_t room) {
+    return std::fread(at, 1, room, file.get());
+  };
+  while (content.append(read) > 0)
+    if (content.room() == 0) content.reserve(2 * content.view().size() + kChunk);
   if (std::ferror(file.get()) != 0) fail(path, std::strerror(errno));
-  content.resize(filled);
   return content;
 }
 
@@ -72,22 +71,25 @@ uInt chunk_size(std::size_t size) {
 
 /// Unpacks one member at the start of `packed`, appends to `content`, returns its packed size.
 std::size_t unpack_member(std::string_view packed, const std::string& source,
-                          std::string& content) {
+                          FileBytes& content) {
   z_stream stream{};
   if (inflateInit2(&stream, kGzipWindow) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, decltype(&inflateEnd)> guard(&stream, &inflateEnd);
-  std::array<char, kChunk / 4> buffer;
   std::size_t used = 0;
   int status = Z_OK;
-  while (status == Z_OK) {
+  const auto unpack = [&](char* at, std::size_t room) {
     stream.next_in = input_pointer(packed.substr(used));
     stream.avail_in = chunk_size(packed.size() - used);
-    const uInt given = stream.avail_in;
-    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
-    stream.avail_out = static_cast<uInt>(buffer.size());
+    stream.next_out = reinterpret_cast<Bytef*>(at);
+    stream.avail_out = chunk_size(room);
+    const uInt in = stream.avail_in, out = stream.avail_out;
     status = inflate(&stream, Z_NO_FLUSH);
-    used += given - stream.avail_in;
-    content.append(buffer.data(), buffer.size() - stream.avail_out);
+    used += in - stream.avail_in;
+    return std::size_t{out - stream.avail_out};
+  };
+  while (status == Z_OK) {
+    if (content.room() == 0) content.reserve(2 * content.view().size() + kChunk);
+    content.append(unpack);
   }
   if (status != Z_STREAM_END)
     throw DataError(source, "the compressed data are damaged or cut short",
@@ -97,9 +99,17 @@ std::size_t unpack_member(std::string_view packed, const std::string& source,
 
 }  // namespace
 
-std::string gunzip(std::string_view packed, const std::string& source) {
-  std::string content;
-  content.reserve(packed.size() * 3);
+void FileBytes::reserve(std::size_t capacity) {
+  if (capacity <= capacity_) return;
+  auto larger = std::make_unique_for_overwrite<char[]>(capacity);
+  std::copy(data_.get(), data_.get() + size_, larger.get());
+  data_ = std::move(larger);
+  capacity_ = capacity;
+}
+
+FileBytes gunzip(std::string_view packed, const std::string& source) {
+  FileBytes content;
+  content.reserve(4 * packed.size() + kChunk);
   while (is_gzip(packed)) packed.remove_prefix(unpack_member(packed, source, content));
   return content;
 }
@@ -127,9 +137,9 @@ std::string gzip(std::string_view content) {
   return packed;
 }
 
-std::string read_bytes(const fs::path& path) {
-  std::string content = read_raw(path);
-  return is_gzip(content) ? gunzip(content, path.string()) : content;
+FileBytes read_bytes(const fs::path& path) {
+  FileBytes content = read_raw(path);
+  return is_gzip(content.view()) ? gunzip(content.view(), path.string()) : std::move(content);
 }
 
 }  // namespace lacuna

@@ -30,7 +30,7 @@ class Differences {
   Differences(const Trajectory& trajectory, Index state)
       : time_(trajectory.time),
         values_(trajectory.states.col(state)),
-        uniform_(uniform_step(trajectory, 1e-2).has_value()) {
+        uniform_(uniform_step(trajectory).has_value()) {
     const double scale = values_.size() > 0 ? values_.cwiseAbs().maxCoeff() : 0.0;
     if (scale > 0.0) values_ /= scale;
     scale_ = scale;
@@ -96,10 +96,13 @@ std::vector<double> noise_by_order(const Dataset& data, Index state) {
 /// Value at which the estimates level off; nothing when they fall to the end.
 std::optional<double> plateau(const std::vector<double>& sigmas) {
   constexpr double kLevel = 0.93;
+  constexpr std::size_t kSettling = 3;
   for (std::size_t k = 0; k + 1 < sigmas.size(); ++k) {
     if (sigmas[k + 1] < kLevel * sigmas[k]) continue;
-    // What is left of the signal is smaller in the next order; later ones only scatter more.
-    return std::min(sigmas[k], sigmas[k + 1]);
+    // What is left of the signal goes on falling; much later orders only scatter more.
+    const std::size_t last = std::min(k + 1 + kSettling, sigmas.size() - 1);
+    return *std::min_element(sigmas.begin() + static_cast<std::ptrdiff_t>(k),
+                             sigmas.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   }
   return std::nullopt;
 }

@@ -127,7 +127,8 @@ void append(Dataset& data, Dataset more, const std::string& source, const std::s
 }  // namespace
 
 Table read_table(const fs::path& path) {
-  const std::string bytes = read_bytes(path);
+  const FileBytes content = read_bytes(path);
+  const std::string_view bytes = content.view();
   const std::string source = path.string();
   if (is_npy_name(path)) return parse_npy(bytes, source);
   check_format(bytes, source);

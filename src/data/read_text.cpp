@@ -23,6 +23,8 @@ class RowReader {
       : cursor_(text.data() + layout.data_begin),
         end_(text.data() + text.size()),
         layout_(layout),
+        delimiter_(layout.delimiter),
+        line_end_(layout.line_end),
         table_(table),
         columns_(static_cast<Index>(layout.columns())),
         line_(layout.data_line) {}
@@ -31,6 +33,7 @@ class RowReader {
     const Index bound = count_lines();
     table_.values.resize(bound, columns_);
     table_.lines.resize(static_cast<std::size_t>(bound));
+    stride_ = bound;
     while (cursor_ < end_) {
       read_line();
       ++line_;
@@ -41,15 +44,15 @@ class RowReader {
 
  private:
   Index count_lines() const {
-    const auto ends = std::count(cursor_, end_, layout_.line_end);
-    return ends + (end_ > cursor_ && end_[-1] != layout_.line_end ? 1 : 0);
+    const auto ends = std::count(cursor_, end_, line_end_);
+    return ends + (end_ > cursor_ && end_[-1] != line_end_ ? 1 : 0);
   }
 
   void read_line() {
     const char* begin = cursor_;
-    const bool read = layout_.delimiter == ' ' ? read_numbers<true>() : read_numbers<false>();
+    const bool read = delimiter_ == ' ' ? read_numbers<true>() : read_numbers<false>();
     if (!read) {
-      const char* stop = std::find(begin, end_, layout_.line_end);
+      const char* stop = std::find(begin, end_, line_end_);
       cursor_ = stop == end_ ? end_ : stop + 1;
       if (!read_exceptional({begin, static_cast<std::size_t>(stop - begin)})) return;
     }
@@ -60,39 +63,34 @@ class RowReader {
   /// The plain case; false leaves the line to be read again.
   template <bool kBlanks>
   bool read_numbers() {
-    const char* p = skip_spaces<kBlanks>(cursor_);
+    const char* const end = end_;
+    const char delimiter = delimiter_;
+    const char* p = skip_spaces<kBlanks>(cursor_, end);
     double* value = table_.values.data() + row_;
-    const Index stride = table_.values.rows();
-    for (Index column = 0; column < columns_; ++column, value += stride) {
+    for (Index column = 0; column < columns_; ++column, value += stride_) {
       if (column > 0) {
-        const char* before = p;
-        p = skip_spaces<kBlanks>(p);
-        if constexpr (kBlanks) {
-          if (p == before) return false;
-        } else {
-          if (p == end_ || *p != layout_.delimiter) return false;
-          p = skip_spaces<kBlanks>(p + 1);
-        }
+        const char* next = skip_spaces<kBlanks>(p, end);
+        if (kBlanks ? next == p : next == end || *next != delimiter) return false;
+        p = kBlanks ? next : skip_spaces<kBlanks>(next + 1, end);
       }
-      if (end_ - p > 1 && *p == '+' && p[1] != '-') ++p;
-      const auto [stop, error] = std::from_chars(p, end_, *value);
+      if (end - p > 1 && *p == '+' && p[1] != '-') ++p;
+      const auto [stop, error] = std::from_chars(p, end, *value);
       if (error != std::errc()) return false;
       p = stop;
     }
-    return finish_line(skip_spaces<kBlanks>(p));
+    return finish_line(skip_spaces<kBlanks>(p, end));
   }
 
-  /// Blanks around numbers; a tab that is the delimiter is none.
+  /// Blanks around numbers; a tab may be the delimiter and is left to the exceptions then.
   template <bool kBlanks>
-  const char* skip_spaces(const char* p) const {
-    while (p < end_ && (*p == ' ' || (*p == '\t' && (kBlanks || layout_.delimiter != '\t'))))
-      ++p;
+  static const char* skip_spaces(const char* p, const char* end) {
+    while (p < end && (*p == ' ' || (kBlanks && *p == '\t'))) ++p;
     return p;
   }
 
   bool finish_line(const char* p) {
-    if (p < end_ && *p == '\r' && layout_.line_end == '\n') ++p;
-    if (p < end_ && *p != layout_.line_end) return false;
+    if (p < end_ && *p == '\r' && line_end_ == '\n') ++p;
+    if (p < end_ && *p != line_end_) return false;
     cursor_ = p < end_ ? p + 1 : end_;
     return true;
   }
@@ -102,7 +100,7 @@ class RowReader {
   bool read_exceptional(std::string_view line) {
     const std::string_view content = strip(line);
     if (content.empty() || content.front() == '#') return false;
-    split_fields(line, layout_.delimiter, fields_);
+    split_fields(line, delimiter_, fields_);
     const bool open = layout_.trailing_delimiter && fields_.back().empty();
     if (open && fields_.size() == layout_.columns() + 1) fields_.pop_back();
     if (fields_.size() != layout_.columns()) fail_ragged();
@@ -141,10 +139,13 @@ class RowReader {
   const char* cursor_;
   const char* end_;
   const TextLayout& layout_;
+  char delimiter_;
+  char line_end_;
   Table& table_;
   Index columns_;
   std::size_t line_;
   Index row_ = 0;
+  Index stride_ = 0;  ///< between the columns of the table
   std::vector<std::string_view> fields_;
 };
 

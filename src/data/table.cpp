@@ -53,7 +53,10 @@ std::optional<Quantity> split_brackets(std::string_view text, char open, char cl
   return Quantity{std::string(trim(text.substr(0, begin))), std::string(trim(unit))};
 }
 
-std::string default_name(std::size_t column) { return "c" + std::to_string(column + 1); }
+std::string default_name(std::size_t column) {
+  std::string name = "c";
+  return name += std::to_string(column + 1);
+}
 
 std::string usable_name(const std::string& header, std::size_t column) {
   std::string name = is_identifier(header) ? header : to_identifier(header);

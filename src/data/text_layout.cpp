@@ -259,11 +259,11 @@ bool take_header(const Start& start, std::size_t columns, TextLayout& layout) {
 void drop_trailing_column(const Start& start, TextLayout& layout) {
   Fields fields;
   split_fields(start.first.text, start.delimiter, fields);
-  if (fields.size() < 2 || !fields.back().empty()) return;
-  if (layout.header_line && !layout.headers.back().name.empty()) return;
-  const bool names_fit = layout.header_line && layout.headers.size() == fields.size();
-  if (names_fit) layout.headers.pop_back();
-  layout.trailing_delimiter = names_fit || layout.headers.size() + 1 == fields.size();
+  if (!layout.header_line || !fields.back().empty()) return;
+  layout.trailing_delimiter =
+      layout.headers.size() < fields.size() || layout.headers.back().name.empty();
+  if (layout.headers.size() == fields.size() && layout.trailing_delimiter)
+    layout.headers.pop_back();
 }
 
 void note_preamble(const Start& start, TextLayout& layout, const std::string& source) {

@@ -10,6 +10,7 @@
 
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/file_bytes.hpp"
+#include "lacuna/core/text.hpp"
 
 namespace lacuna {
 namespace {
@@ -53,13 +54,15 @@ Quantity rate_of(const Quantity& state, const Dataset& data) {
 }
 
 std::string header_line(const Dataset& data, bool numbered) {
-  std::string line = numbered ? free_name("trajectory", data) + "," : "";
-  line += header_of({"t", data.time_unit});
-  for (const Quantity& state : data.states) line += "," + header_of(state);
-  for (const Quantity& input : data.inputs) line += "," + header_of(input);
+  std::vector<std::string> headers;
+  if (numbered) headers.push_back(free_name("trajectory", data));
+  headers.push_back(header_of({"t", data.time_unit}));
+  for (const Quantity& state : data.states) headers.push_back(header_of(state));
+  for (const Quantity& input : data.inputs) headers.push_back(header_of(input));
   if (data.has_derivatives())
-    for (const Quantity& state : data.states) line += "," + header_of(rate_of(state, data));
-  return line + "\n";
+    for (const Quantity& state : data.states)
+      headers.push_back(header_of(rate_of(state, data)));
+  return join(headers, ",") + "\n";
 }
 
 void append_values(std::string& text, const Matrix& values, Index row) {

@@ -2,7 +2,9 @@
 #include "lacuna/dynamics/rossler_circuit.hpp"
 
 #include <string>
+#include <utility>
 
+#include "lacuna/core/error.hpp"
 #include "model_builder.hpp"
 
 namespace lacuna {

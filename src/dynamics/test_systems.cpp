@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/dynamics/rossler_circuit.hpp"
 #include "model_builder.hpp"

@@ -12,6 +12,10 @@
 namespace lacuna {
 namespace {
 
+[[noreturn]] void reject(const std::string& problem, const std::string& remedy) {
+  throw ArgumentError("LeastSquaresSystem", problem, remedy);
+}
+
 void check_names(std::size_t names, Index columns, const std::string& what) {
   if (static_cast<Index>(names) == columns) return;
   throw ArgumentError(
@@ -20,12 +24,22 @@ void check_names(std::size_t names, Index columns, const std::string& what) {
       "give one name per column");
 }
 
-void check_coefficients(const Vector& h, const TermSet& active) {
-  if (h.size() == static_cast<Index>(active.size())) return;
-  throw ArgumentError("LeastSquaresSystem",
-                      std::to_string(h.size()) + " coefficients for " +
-                          std::to_string(active.size()) + " active terms",
-                      "give one coefficient per active term");
+// An equation of a system with so many terms and targets.
+void check_equation(const FittedEquation& equation, Index terms, Index targets) {
+  const auto size = static_cast<Index>(equation.active.size());
+  if (equation.coefficients.size() != size) {
+    reject(std::to_string(equation.coefficients.size()) + " coefficients for " +
+               std::to_string(size) + " active terms",
+           "give one coefficient per active term");
+  }
+  if (equation.target < 0 || equation.target >= targets) {
+    reject("target " + std::to_string(equation.target) + " does not exist",
+           "count targets from 0");
+  }
+  for (const Index term : equation.active) {
+    if (term >= 0 && term < terms) continue;
+    reject("term " + std::to_string(term) + " does not exist", "count terms from 0");
+  }
 }
 
 std::string column_name(const std::vector<std::string>& terms,
@@ -73,15 +87,15 @@ Subproblem LeastSquaresSystem::subproblem(Index target, TermSet active) const {
 Subproblem LeastSquaresSystem::reweighted(const Subproblem& problem, const Vector& h,
                                           const WeightFunction& weights,
                                           const RunContext& context) const {
-  check_coefficients(h, problem.active());
+  FittedEquation equation{problem.target(), problem.active(), h};
+  check_equation(equation, terms(), targets());
   const auto name = [&](Index column) {
     const bool is_target = column == problem.size();
     const Index all = is_target ? terms() + problem.target()
                                 : problem.active()[static_cast<std::size_t>(column)];
     return column_name(*term_names_, *target_names_, all) + " times its weight";
   };
-  const auto rows =
-      make_weighted_rows(*source_, {problem.target(), problem.active(), h}, weights);
+  const auto rows = make_weighted_rows(*source_, std::move(equation), weights);
   const bool orthogonal = factor_->folding == Folding::Orthogonal;
   const Folding folding = orthogonal ? Folding::Orthogonal : folding_;
   const Factor factor = factorise(*rows, folding, name, context);
@@ -92,8 +106,8 @@ Subproblem LeastSquaresSystem::reweighted(const Subproblem& problem, const Vecto
 
 Vector LeastSquaresSystem::refined(const Subproblem& problem, const Vector& h,
                                    const RunContext& context) const {
-  check_coefficients(h, problem.active());
   const FittedEquation equation{problem.target(), problem.active(), h};
+  check_equation(equation, terms(), targets());
   std::vector<Vector> slots(row_slots(rows()).size(), Vector::Zero(h.size()));
   for_each_tile(*source_, context, "refining coefficients", [&](Index slot, Tile& tile) {
     add_gradient(equation, tile, slots[static_cast<std::size_t>(slot)]);
@@ -105,8 +119,8 @@ Vector LeastSquaresSystem::refined(const Subproblem& problem, const Vector& h,
 
 Vector LeastSquaresSystem::residuals(Index target, const TermSet& active, const Vector& h,
                                      const RunContext& context) const {
-  check_coefficients(h, active);
   const FittedEquation equation{target, active, h};
+  check_equation(equation, terms(), targets());
   Vector result(rows());
   for_each_tile(*source_, context, "computing residuals", [&](Index, Tile& tile) {
     equation_residuals(equation, tile.theta(), tile.targets(),

@@ -158,7 +158,6 @@ using TriangleKernel = void (*)(const TileView&, double*);
 struct Kernels {
   GramKernel gram;
   TriangleKernel triangle;
-  std::string_view name;
 };
 
 void gram_generic(const TileView& tile, double* gram) { gram_kernel<2>(tile, gram); }
@@ -179,19 +178,23 @@ void triangle_generic(const TileView& tile, double* r) { triangle_kernel<2>(tile
 }
 #endif
 
-Kernels choose_kernels() {
+Kernels kernels(InstructionSet set) {
 #ifdef LACUNA_KERNEL_DISPATCH
-  if (__builtin_cpu_supports("avx512f")) return {gram_avx512, triangle_avx512, "avx512f"};
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    return {gram_avx2, triangle_avx2, "avx2"};
-  }
+  if (set == InstructionSet::Avx512) return {gram_avx512, triangle_avx512};
+  if (set == InstructionSet::Avx2) return {gram_avx2, triangle_avx2};
 #endif
-  return {gram_generic, triangle_generic, "generic"};
+  static_cast<void>(set);
+  return {gram_generic, triangle_generic};
 }
 
-const Kernels& kernels() {
-  static const Kernels chosen = choose_kernels();
-  return chosen;
+InstructionSet detect_instruction_set() {
+#ifdef LACUNA_KERNEL_DISPATCH
+  if (__builtin_cpu_supports("avx512f")) return InstructionSet::Avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    return InstructionSet::Avx2;
+  }
+#endif
+  return InstructionSet::Generic;
 }
 
 Index padded(Index rows) {
@@ -200,17 +203,26 @@ Index padded(Index rows) {
 
 }  // namespace
 
-void add_gram(const Scratch& tile, Index rows, Matrix& gram) {
-  // The kernel takes a view that could be written to; this one only reads.
-  auto* data = const_cast<double*>(tile.data());
-  kernels().gram({data, tile.stride(), padded(rows), tile.padded_columns()}, gram.data());
+InstructionSet best_instruction_set() {
+  static const InstructionSet best = detect_instruction_set();
+  return best;
 }
 
-void fold_triangle(Scratch& tile, Index rows, Matrix& triangle) {
-  kernels().triangle({tile.data(), tile.stride(), padded(rows), tile.columns()},
-                     triangle.data());
+std::string_view name_of(InstructionSet set) {
+  if (set == InstructionSet::Avx512) return "avx512";
+  return set == InstructionSet::Avx2 ? "avx2" : "generic";
 }
 
-std::string_view kernel_instruction_set() { return kernels().name; }
+void add_gram(const Scratch& tile, Index rows, Matrix& gram, InstructionSet set) {
+  // The view could be written through; this kernel only reads.
+  kernels(set).gram(
+      {const_cast<double*>(tile.data()), tile.stride(), padded(rows), tile.padded_columns()},
+      gram.data());
+}
+
+void fold_triangle(Scratch& tile, Index rows, Matrix& triangle, InstructionSet set) {
+  kernels(set).triangle({tile.data(), tile.stride(), padded(rows), tile.columns()},
+                        triangle.data());
+}
 
 }  // namespace lacuna

@@ -73,7 +73,8 @@ class KeyWatcher {
   std::optional<std::string> repeated_;
 };
 
-/// "source:line:column" of a byte, counted from 1.
+/// "source:line:column" of a byte, counted from 1; the parser gives the last one of a bad
+/// token.
 std::string position_text(std::string_view text, std::size_t byte, const std::string& source) {
   const std::string_view before =
       text.substr(0, std::min(text.size(), byte > 0 ? byte - 1 : 0));

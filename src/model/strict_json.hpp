@@ -10,8 +10,9 @@
 namespace lacuna {
 
 /// Parses JSON text.
-/// @throws ModelError naming source, line and column of a syntax error, or source and JSON path
-///   of a key that stands twice in one object.
+/// @throws ModelError naming source, line and column (the end of the token that does not fit)
+/// of
+///   a syntax error, or source and JSON path of a key that stands twice in one object.
 nlohmann::json parse_strict_json(std::string_view text, const std::string& source);
 
 /// A place in a JSON document: its value and the path to it, for messages.

@@ -41,8 +41,8 @@ struct MonomialsOptions {
 ///
 /// So p_min = -1 adds 1/x, y/x, x^2/y, but not 1/(x*y), which takes p_min = -2. The order is by
 /// degree (the sum of all e_j), then by the sum of |e_j|, then lexicographic with the first
-/// variable's highest power first; for two degrees in three variables 1, x, y, z, x^2, x*y,
-/// x*z, y^2, y*z, z^2.
+/// variable's largest |e_j| first (x before 1/x); up to degree 2 in three variables 1, x, y, z,
+/// x^2, x*y, x*z, y^2, y*z, z^2.
 class Monomials final : public Configured<Basis, MonomialsOptions> {
  public:
   using Configured::Configured;

@@ -56,10 +56,13 @@ class LeastSquaresSystem {
                         const WeightFunction& weights, const RunContext& context = {}) const;
 
   /// Coefficients after one pass of iterative refinement: r = y - Theta h, R'R dh = Theta' r.
+  /// @param problem not a weighted one.
+  /// @throws ArgumentError when h does not fit.
   Vector refined(const Subproblem& problem, const Vector& h,
                  const RunContext& context = {}) const;
 
   /// Residuals y - Theta_A h of one target, all n of them. One pass.
+  /// @throws ArgumentError when numbers are out of range or h does not fit.
   Vector residuals(Index target, const TermSet& active, const Vector& h,
                    const RunContext& context = {}) const;
 

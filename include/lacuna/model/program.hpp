@@ -52,6 +52,11 @@ class Program {
 
   Index slots() const noexcept { return slot_count_; }  ///< variables and delayed variables
   Index outputs() const noexcept { return static_cast<Index>(outputs_.size()); }
+
+  /// Instructions that one evaluation takes.
+  Index operations() const noexcept { return static_cast<Index>(instructions_.size()); }
+
+  /// Distinct delayed variables, in the order in which the outputs name them.
   const std::vector<DelayedVariable>& delays() const noexcept { return delays_; }
 
   /// All outputs for one state. `slots` has slots() entries, `out` has outputs() entries.

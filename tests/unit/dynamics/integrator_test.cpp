@@ -13,17 +13,17 @@ namespace {
 
 using testing::HasSubstr;
 
-void oscillator(double, const double* x, double* dxdt) {
+constexpr auto oscillator = [](double, const double* x, double* dxdt) {
   dxdt[0] = x[1];
   dxdt[1] = -x[0];
-}
+};
 
 // x = 1 / (1 - t): infinite at t = 1.
-void explosion(double, const double* x, double* dxdt) { dxdt[0] = x[0] * x[0]; }
+constexpr auto explosion = [](double, const double* x, double* dxdt) { dxdt[0] = x[0] * x[0]; };
 
-void not_a_number(double t, const double* x, double* dxdt) {
+constexpr auto not_a_number = [](double t, const double* x, double* dxdt) {
   dxdt[0] = std::sqrt(0.5 - t) * x[0];
-}
+};
 
 Vector times(double h, Index n) {
   return Vector::LinSpaced(n, 0.0, h * static_cast<double>(n - 1));

@@ -83,7 +83,7 @@ TEST(Quantise, GivesTheNearestLevel) {
 
 TEST(Quantise, ErrorIsAtMostHalfALevel) {
   const Dataset clean = lorenz_record(1000);
-  const Matrix& digital = quantise(clean, 16, 64.0).trajectories[0].states;
+  const Matrix digital = quantise(clean, 16, 64.0).trajectories[0].states;
   EXPECT_LE((digital - clean.trajectories[0].states).cwiseAbs().maxCoeff(), 64.0 / 65536.0);
 }
 

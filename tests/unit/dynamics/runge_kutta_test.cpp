@@ -10,10 +10,10 @@ namespace lacuna {
 namespace {
 
 // A nonlinear, time-dependent problem with the solution x = (exp(sin t), cos t).
-void problem(double t, const double* x, double* dxdt) {
+constexpr auto problem = [](double t, const double* x, double* dxdt) {
   dxdt[0] = x[0] * x[1] + 0.5 * (x[1] - std::cos(t)) * x[0];
   dxdt[1] = -std::sin(t);
-}
+};
 
 Vector exact(double t) { return Vector{{std::exp(std::sin(t)), std::cos(t)}}; }
 
@@ -43,7 +43,7 @@ TEST(RungeKutta, ErrorFallsWithTheOrder) {
 }
 
 TEST(RungeKutta, EmbeddedSolutionsHaveTheirOrder) {
-  EXPECT_NEAR(measured_order(embedded_of(dormand_prince_54()), 60), 4.0, 0.25);
+  EXPECT_NEAR(measured_order(embedded_of(dormand_prince_54()), 400), 4.0, 0.25);
   EXPECT_NEAR(measured_order(embedded_of(prince_dormand_87()), 14), 7.0, 0.6);
 }
 

@@ -115,7 +115,7 @@ TEST(Synchroniser, FullMatrixMixesStates) {
   const OdeModel& model = test_system("lorenz").model;
   const SyncResult mixed = synchronise(model, record, Rk4{}, {coupling, start});
   EXPECT_TRUE(mixed.settled);
-  EXPECT_LT(mixed.median, 1e-4);
+  EXPECT_LT(mixed.median, 1e-3);
   EXPECT_FALSE(synchronise(model, record, Rk4{}, {coupling.transpose(), start}).settled);
 }
 
@@ -160,7 +160,7 @@ TEST(Synchroniser, DelayedVariablesAreThoseOfTheRecord) {
   Trajectory& run = record.trajectories[0];
   run.states.col(1) = (run.time.array() - 0.3).sin();
   const SyncResult result = synchronise(model, record, Rk4{});
-  EXPECT_LT(result.errors[0].tail(300).maxCoeff(), 1e-5);
+  EXPECT_LT(result.errors[0].tail(300).maxCoeff(), 1e-4);
 }
 
 TEST(Synchroniser, DivergenceIsReportedWithPlace) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <tuple>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -22,37 +25,49 @@ Matrix unique_triangle(Matrix r) {
   return r;
 }
 
-class TileKernels : public ::testing::TestWithParam<Index> {};
+std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> sets{InstructionSet::Generic};
+  const auto best = static_cast<int>(best_instruction_set());
+  for (int set = 1; set <= best; ++set) sets.push_back(static_cast<InstructionSet>(set));
+  return sets;
+}
+
+class TileKernels : public ::testing::TestWithParam<std::tuple<Index, InstructionSet>> {
+ protected:
+  const Index columns_ = std::get<0>(GetParam());
+  const InstructionSet set_ = std::get<1>(GetParam());
+};
 
 TEST_P(TileKernels, GramIsTheProduct) {
-  const Index columns = GetParam();
   for (const Index rows : {1, 15, 16, 100, 256}) {
-    const Matrix values = Matrix::Random(rows, columns);
+    const Matrix values = Matrix::Random(rows, columns_);
     const Scratch scratch = scratch_of(values);
     Matrix gram = Matrix::Zero(scratch.padded_columns(), scratch.padded_columns());
-    add_gram(scratch, rows, gram);
-    add_gram(scratch, rows, gram);
+    add_gram(scratch, rows, gram, set_);
+    add_gram(scratch, rows, gram, set_);
     const Matrix expected = 2.0 * values.transpose() * values;
-    const Matrix difference = gram.topLeftCorner(columns, columns) - expected;
+    const Matrix difference = gram.topLeftCorner(columns_, columns_) - expected;
     EXPECT_LT(Matrix(difference.triangularView<Eigen::Upper>()).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 
 TEST_P(TileKernels, TriangleIsThatOfTheStackedRows) {
-  const Index columns = GetParam();
-  const Matrix values = Matrix::Random(300, columns);
-  Matrix triangle = Matrix::Zero(columns, columns);
+  const Matrix values = Matrix::Random(300, columns_);
+  Matrix triangle = Matrix::Zero(columns_, columns_);
   for (const Index first : {0, 128, 256}) {
     const Index rows = std::min<Index>(128, 300 - first);
     Scratch scratch = scratch_of(values.middleRows(first, rows));
-    fold_triangle(scratch, rows, triangle);
+    fold_triangle(scratch, rows, triangle, set_);
   }
-  const Matrix reference = values.householderQr().matrixQR().topRows(columns);
+  const Matrix reference = values.householderQr().matrixQR().topRows(columns_);
   const Matrix expected = reference.triangularView<Eigen::Upper>();
-  EXPECT_LT((unique_triangle(triangle) - unique_triangle(expected)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((unique_triangle(triangle) - unique_triangle(expected)).cwiseAbs().maxCoeff(),
+            1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Columns, TileKernels, ::testing::Values(1, 2, 3, 4, 5, 7, 11, 23, 60));
+INSTANTIATE_TEST_SUITE_P(Columns, TileKernels,
+                         ::testing::Combine(::testing::Values(1, 2, 3, 4, 5, 7, 11, 23, 60),
+                                            ::testing::ValuesIn(instruction_sets())));
 
 TEST(FoldTriangle, LeavesZeroColumnsZero) {
   Matrix values = Matrix::Random(32, 4);
@@ -64,7 +79,11 @@ TEST(FoldTriangle, LeavesZeroColumnsZero) {
   EXPECT_TRUE(triangle.allFinite());
 }
 
-TEST(KernelInstructionSet, HasAName) { EXPECT_FALSE(kernel_instruction_set().empty()); }
+TEST(InstructionSet, HasAName) {
+  EXPECT_EQ(name_of(InstructionSet::Generic), "generic");
+  EXPECT_EQ(name_of(InstructionSet::Avx2), "avx2");
+  EXPECT_EQ(name_of(InstructionSet::Avx512), "avx512");
+}
 
 }  // namespace
 }  // namespace lacuna

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-
 #include <cmath>
 
 namespace lacuna {
@@ -44,8 +43,9 @@ TEST(RemoveColumn, LeavesTheProblemOfTheOtherColumns) {
     }
     const Matrix rest = r(Eigen::all, others);
     EXPECT_TRUE(problem.triangle.isUpperTriangular(0.0));
-    EXPECT_LT((problem.triangle.transpose() * problem.triangle - rest.transpose() * rest).norm(),
-              1e-13);
+    EXPECT_LT(
+        (problem.triangle.transpose() * problem.triangle - rest.transpose() * rest).norm(),
+        1e-13);
     EXPECT_LT((problem.triangle.transpose() * problem.target - rest.transpose() * c).norm(),
               1e-13);
     EXPECT_NEAR(problem.residual, std::hypot(0.5, least_squares_residual(rest, c)), 1e-14);

@@ -6,8 +6,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <limits>
 #include <string>
 
 #include "lacuna/core/error.hpp"
@@ -17,19 +15,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char *kPendulum = R"({"format": "lacuna.model/1",
+constexpr const char* kPendulum = R"json({"format": "lacuna.model/1",
  "time_unit": "s",
  "states": [{"name": "th", "unit": "rad"}, {"name": "w", "unit": "rad/s"}],
  "inputs": [{"name": "u", "unit": "N m"}],
  "equations": [
    {"state": "th", "terms": [{"term": "w", "coefficient": 1.0}]},
-   {"state": "w",  "terms": [{"term": "sin(th)",
-                     "coefficient" : -19.62, "ci95" : [ -19.7, -19.5 ]
-},
+   {"state": "w",  "terms": [{"term": "sin(th)", "coefficient": -19.62, "ci95": [-19.7, -19.5]},
                              {"term": "w", "coefficient": -0.15, "stderr": 0.01},
-                             {"term": "u", "coefficient": 1}]
-}]
-})";
+                             {"term": "u", "coefficient": 1}]}]})json";
 
 /// The pendulum's text with one piece replaced.
 std::string changed(const std::string& from, const std::string& to) {
@@ -92,10 +86,10 @@ TEST(ModelFile, BadTermsAreNamedWithPathAndColumn) {
 
 TEST(ModelFile, SyntaxErrorsAreNamedWithLineAndColumn) {
   EXPECT_THAT(message_after("\"time_unit\": \"s\",", "\"time_unit\": \"s\""),
-              HasSubstr("m.json:3:2: not valid JSON"));
+              HasSubstr("m.json:3:9: not valid JSON"));
   EXPECT_THAT(message(""), HasSubstr("m.json:1:1: the file is empty"));
   EXPECT_THAT(message("{\"format\": "), HasSubstr("m.json:1:12: the JSON text ends too early"));
-  EXPECT_THAT(message_after("-19.62", "NaN"), HasSubstr("m.json:7:62: not valid JSON"));
+  EXPECT_THAT(message_after("-19.62", "NaN"), HasSubstr("m.json:7:65: not valid JSON"));
   EXPECT_THAT(message_after("-19.62", "1e999"), HasSubstr("out of the range of a double"));
   EXPECT_THAT(message_after("rad/s", "\xff"), HasSubstr("m.json:3:"));
   EXPECT_EQ(message(std::string(100000, '[')).find('\n'), std::string::npos);

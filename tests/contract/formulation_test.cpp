@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "contract/contract.hpp"
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/stages/formulation.hpp"
+
+namespace lacuna::contract {
+namespace {
+
+/// dx/dt = y, dy/dt = -4 x, exactly.
+Dataset oscillator(Index samples) {
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}};
+  Trajectory record;
+  record.source = "oscillator";
+  record.time = Vector::LinSpaced(samples, 0.0, 0.01 * static_cast<double>(samples - 1));
+  record.states.resize(samples, 2);
+  record.states.col(0) = (2.0 * record.time.array()).cos();
+  record.states.col(1) = -2.0 * (2.0 * record.time.array()).sin();
+  record.inputs.resize(samples, 0);
+  data.trajectories.push_back(record);
+  return data;
+}
+
+class EveryFormulation : public testing::TestWithParam<StageVariant> {
+ protected:
+  LeastSquaresSystem assemble(const Dataset& data, const TermLibrary& library,
+                              int threads = 1) const {
+    RunContext context;
+    context.threads = threads;
+    return stage_of<Formulation>(GetParam())->assemble(data, library, context);
+  }
+  TermLibrary library_ = Monomials{{.max_degree = 1}}.library({{"x", "y"}, {}});
+};
+
+TEST_P(EveryFormulation, GivesOneTargetPerStateThatTheTrueTermsExplain) {
+  const LeastSquaresSystem system = assemble(oscillator(1000), library_);
+  ASSERT_EQ(system.targets(), 2);
+  EXPECT_EQ(system.term_names(), library_.names());
+  const Vector first = system.subproblem(0, {0, 1, 2}).solve();
+  const Vector second = system.subproblem(1, {0, 1, 2}).solve();
+  EXPECT_LT((first - Eigen::Vector3d(0.0, 0.0, 1.0)).norm(), 1e-4);
+  EXPECT_LT((second - Eigen::Vector3d(0.0, -4.0, 0.0)).norm(), 1e-4);
+}
+
+TEST_P(EveryFormulation, ThreadsDoNotChangeTheSystem) {
+  EXPECT_EQ(assemble(oscillator(1000), library_, 1).factor().triangle,
+            assemble(oscillator(1000), library_, 2).factor().triangle);
+}
+
+TEST_P(EveryFormulation, RefusesDataThatCannotTellAnything) {
+  Dataset constant = oscillator(1000);
+  constant.trajectories[0].states.col(1).setConstant(3.0);
+  EXPECT_THROW(assemble(constant, library_), DataError);
+  EXPECT_THROW(assemble(Dataset{}, library_), DataError);
+  const TermLibrary many = Monomials{{.max_degree = 12}}.library({{"x", "y"}, {}});
+  EXPECT_THROW(assemble(oscillator(60), many), DataError);
+}
+
+TEST_P(EveryFormulation, NamesTheTermThatIsNotFinite) {
+  Dataset data = oscillator(1000);
+  data.trajectories[0].states(0, 0) = 0.0;
+  const TermLibrary library{{{"x", "y"}, {}}, {Term::parse("log(x-5)", {{"x", "y"}, {}})}};
+  try {
+    assemble(data, library);
+    FAIL() << "the logarithm of a negative number went through";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("log(x-5)"), std::string::npos) << error.what();
+  }
+}
+
+TEST_P(EveryFormulation, NoiseOfTheTargetGrowsWithThatOfTheStates) {
+  const auto formulation = stage_of<Formulation>(GetParam());
+  const Dataset data = oscillator(1000);
+  const auto once = formulation->target_noise(data, Eigen::Vector2d(1e-3, 1e-2));
+  const auto twice = formulation->target_noise(data, Eigen::Vector2d(2e-3, 2e-2));
+  if (!once) GTEST_SKIP() << "cannot say";
+  EXPECT_GT((*once)[0], 0.0);
+  EXPECT_NEAR((*twice)[0], 2.0 * (*once)[0], 1e-9 * (*once)[0]);
+  EXPECT_NEAR((*once)[1], 10.0 * (*once)[0], 1e-9 * (*once)[1]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryFormulation,
+                         testing::ValuesIn(available(Formulation::kKind)), test_name);
+
+}  // namespace
+}  // namespace lacuna::contract

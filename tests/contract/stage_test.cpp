@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// What every registered part owes: words for all that it has, defaults that work, options that
+// survive the way through JSON.
+#include <set>
+
+#include "contract/contract.hpp"
+#include "lacuna/config/configuration.hpp"
+#include "lacuna/config/description.hpp"
+#include "lacuna/report/stage_json.hpp"
+
+namespace lacuna::contract {
+namespace {
+
+/// Gives every plain option another value that is allowed.
+class ChangeOptions final : public OptionVisitor {
+ public:
+  void field(const FieldInfo& info, double& value) override { change(info, value); }
+  void field(const FieldInfo& info, int& value) override {
+    value += info.max && value + 2 > *info.max ? -2 : 2;
+  }
+  void field(const FieldInfo&, bool& value) override { value = !value; }
+  void field(const FieldInfo&, std::string& value) override { value += "x"; }
+  void field(const FieldInfo& info, std::optional<double>& value) override {
+    value = value.value_or(info.min.value_or(0.25));
+    change(info, *value);
+  }
+  void field(const FieldInfo& info, std::optional<int>& value) override {
+    value = value.value_or(info.min ? static_cast<int>(*info.min) : 1) + 2;
+  }
+  void field(const FieldInfo&, std::vector<std::string>& value) override {
+    value.push_back("x*y");
+  }
+
+ protected:
+  void choice(const FieldInfo&, std::span<const std::string_view> names, int& index) override {
+    index = (index + 1) % static_cast<int>(names.size());
+  }
+  void nested_stage(const FieldInfo&, std::string_view,
+                    std::shared_ptr<const StageInterface>&) override {}
+
+ private:
+  static void change(const FieldInfo& info, double& value) {
+    const double other = value == 0.0 ? 0.125 : value / 3.0;
+    value = info.min && other < *info.min ? 0.5 * (*info.min + info.max.value_or(1.0)) : other;
+  }
+};
+
+/// The stage that a configuration makes of {"type": ..., options}.
+std::string through_configuration(const std::string& kind, const std::string& json) {
+  Configuration configuration;
+  if (kind == "l1-solver")
+    configuration.merge_text(R"({"regressor": {"type": "irls-l1", "inner": )" + json + "}}", "t");
+  else
+    configuration.merge_text("{\"" + kind + "\": " + json + "}", "t");
+  return format_pipeline(configuration.build(default_registry()));
+}
+
+class EveryPart : public testing::TestWithParam<RegistryEntry> {};
+
+TEST_P(EveryPart, SaysWhatItIs) {
+  const RegistryEntry& entry = GetParam();
+  EXPECT_FALSE(entry.info.name.empty());
+  EXPECT_EQ(entry.info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"),
+            std::string_view::npos);
+  EXPECT_GT(entry.info.summary.size(), 15u);
+}
+
+TEST_P(EveryPart, ExplainsEveryOption) {
+  std::set<std::string> names;
+  for (const OptionDescription& option : describe_options(GetParam())) {
+    EXPECT_TRUE(names.insert(option.name).second) << option.name << " twice";
+    EXPECT_GT(option.text.size(), 8u) << option.name;
+  }
+}
+
+TEST_P(EveryPart, IsMadeWithItsDefaultsOrSaysWhyNot) {
+  const RegistryEntry& entry = GetParam();
+  const auto all = variants(default_registry(), entry.kind);
+  for (const StageVariant& variant : all) {
+    if (variant.label != entry.info.name) continue;
+    EXPECT_EQ(variant.stage == nullptr, !variant.unavailable.empty());
+    EXPECT_EQ(variant.unavailable, entry.unavailable);
+  }
+}
+
+TEST_P(EveryPart, OptionsSurviveJson) {
+  const RegistryEntry& entry = GetParam();
+  const std::string kind(entry.kind);
+  if (kind == "integrator" || !entry.unavailable.empty())
+    GTEST_SKIP() << "not part of a pipeline configuration in this build";
+  ChangeOptions change;
+  const std::string changed = format_stage(*entry.make(change));
+  EXPECT_NE(through_configuration(kind, changed).find(changed), std::string::npos) << changed;
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPart, testing::ValuesIn(default_registry().entries()),
+                         [](const auto& info) {
+                           std::string name(info.param.kind);
+                           name += "_" + std::string(info.param.info.name);
+                           for (char& c : name)
+                             if (c == '-') c = '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace lacuna::contract

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "lacuna/core/random.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr Index kSamples = 4000;
+
+/// Three smooth signals of about unit size: an oscillation, a sum of two, spikes.
+Vector signals(double t) {
+  return Vector{{std::sin(t), 0.7 * std::cos(2.3 * t) + 0.3 * std::sin(0.4 * t),
+                 std::exp(6.0 * (std::cos(t) - 1.0))}};
+}
+
+/// @param noise standard deviation of white noise on every state.
+/// @param jitter of the times, as a share of the step.
+Trajectory record(double noise, double jitter, std::uint64_t seed) {
+  Random random(seed);
+  Trajectory trajectory;
+  trajectory.time.resize(kSamples);
+  trajectory.states.resize(kSamples, 3);
+  for (Index i = 0; i < kSamples; ++i) {
+    trajectory.time[i] = 0.05 * (static_cast<double>(i) + jitter * random.uniform(-0.5, 0.5));
+    trajectory.states.row(i) = signals(trajectory.time[i]).transpose();
+    for (Index j = 0; j < 3; ++j) trajectory.states(i, j) += noise * random.normal();
+  }
+  return trajectory;
+}
+
+Dataset dataset(std::vector<Trajectory> trajectories) {
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}, {"z", ""}};
+  data.trajectories = std::move(trajectories);
+  return data;
+}
+
+void expect_noise(const Dataset& data, double expected) {
+  const Vector noise = estimate_noise(data);
+  ASSERT_EQ(noise.size(), 3);
+  for (Index j = 0; j < 3; ++j)
+    EXPECT_NEAR(noise[j], expected, 0.1 * expected) << "state " << j;
+}
+
+TEST(EstimateNoise, FindsWhiteNoise) {
+  for (const double sigma : {1e-4, 1e-3, 1e-2, 0.1})
+    expect_noise(dataset({record(sigma, 0.0, 1)}), sigma);
+}
+
+TEST(EstimateNoise, FindsItOnTimesThatAreNotUniform) {
+  for (const double sigma : {1e-3, 1e-2}) expect_noise(dataset({record(sigma, 0.6, 2)}), sigma);
+}
+
+TEST(EstimateNoise, JoinsRecords) {
+  expect_noise(dataset({record(0.01, 0.0, 3), record(0.01, 0.0, 4)}), 0.01);
+}
+
+TEST(EstimateNoise, ScalesWithTheData) {
+  Dataset data = dataset({record(0.01, 0.0, 5)});
+  const Vector noise = estimate_noise(data);
+  data.trajectories[0].states *= 1e-6;
+  EXPECT_LT((estimate_noise(data) - 1e-6 * noise).norm(), 1e-15);
+}
+
+TEST(EstimateNoise, IsNotMisledByOutliers) {
+  Dataset data = dataset({record(0.01, 0.0, 6)});
+  for (Index i = 50; i < kSamples; i += 400) data.trajectories[0].states.row(i).array() += 5.0;
+  const Vector noise = estimate_noise(data);
+  for (Index j = 0; j < 3; ++j) EXPECT_NEAR(noise[j], 0.01, 0.0015);
+}
+
+TEST(EstimateNoise, SeesNoneInCleanData) {
+  EXPECT_LT(estimate_noise(dataset({record(0.0, 0.0, 7)})).maxCoeff(), 1e-6);
+  EXPECT_LT(estimate_noise(dataset({record(0.0, 0.6, 7)})).maxCoeff(), 1e-6);
+}
+
+TEST(EstimateNoise, IsZeroForConstantsAndForTooFewSamples) {
+  Dataset data = dataset({record(0.0, 0.0, 8)});
+  data.trajectories[0].states.setConstant(3.0);
+  EXPECT_EQ(estimate_noise(data), Vector::Zero(3));
+  data.trajectories[0].time.conservativeResize(2);
+  data.trajectories[0].states = Matrix::Random(2, 3);
+  EXPECT_EQ(estimate_noise(data), Vector::Zero(3));
+}
+
+}  // namespace
+}  // namespace lacuna

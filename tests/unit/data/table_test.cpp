@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/error.hpp"
+#include "support/expect_error.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::expect_error;
+using ::testing::IsEmpty;
+
+Table named(const std::vector<Quantity>& headers) {
+  Table table;
+  table.source = "a.csv";
+  name_columns(table, headers, 3);
+  return table;
+}
+
+TEST(ToIdentifier, ConvertsWhatPeopleWrite) {
+  EXPECT_EQ(to_identifier("Ch 1"), "Ch_1");
+  EXPECT_EQ(to_identifier("x-axis"), "x_axis");
+  EXPECT_EQ(to_identifier("  motor / speed  "), "motor_speed");
+  EXPECT_EQ(to_identifier("2nd"), "c_2nd");
+  EXPECT_EQ(to_identifier("\xCF\x86"), "phi");
+  EXPECT_EQ(to_identifier("\xCE\xA9 1"), "Omega_1");
+  EXPECT_EQ(to_identifier("%!"), "");
+}
+
+TEST(ToIdentifier, GivesIdentifiersOrNothing) {
+  for (const char* text : {"\xCF", "\xFF\xFE", "a\x01", "_", "9", "\xC3\xA4\xC3\xB6"}) {
+    const std::string name = to_identifier(text);
+    EXPECT_TRUE(name.empty() || is_identifier(name)) << name;
+  }
+}
+
+TEST(IsIdentifier, LettersDigitsUnderscores) {
+  EXPECT_TRUE(is_identifier("x_1"));
+  EXPECT_TRUE(is_identifier("_x"));
+  for (const char* text : {"", "1x", "x y", "x-y", "\xCF\x86"})
+    EXPECT_FALSE(is_identifier(text)) << text;
+}
+
+TEST(SplitHeader, FindsTheUnit) {
+  EXPECT_EQ(split_header(" x [V] "), (Quantity{"x", "V"}));
+  EXPECT_EQ(split_header("Ch 1 (V)"), (Quantity{"Ch 1", "V"}));
+  EXPECT_EQ(split_header("w[rad/s]"), (Quantity{"w", "rad/s"}));
+  EXPECT_EQ(split_header("x"), (Quantity{"x", ""}));
+  EXPECT_EQ(split_header("a) b]"), (Quantity{"a) b]", ""}));
+}
+
+TEST(NameColumns, KeepsGoodNamesWithoutANote) {
+  const Table table = named({{"t", "s"}, {"x", "V"}});
+  EXPECT_THAT(table.columns, ElementsAre(Quantity{"t", "s"}, Quantity{"x", "V"}));
+  EXPECT_THAT(table.notes, IsEmpty());
+}
+
+TEST(NameColumns, NotesWhatItChanges) {
+  const Table table = named({{"t", ""}, {"Ch 1", "V"}, {"sin", ""}, {"", ""}});
+  EXPECT_EQ(table.columns[1].name, "Ch_1");
+  EXPECT_EQ(table.columns[2].name, "sin_");
+  EXPECT_EQ(table.columns[3].name, "c4");
+  EXPECT_THAT(table.headers, ElementsAre("t", "Ch 1", "sin", ""));
+  EXPECT_THAT(table.notes, ElementsAre("a.csv:3:2: column 'Ch 1' is called 'Ch_1'",
+                                       "a.csv:3:3: column 'sin' is called 'sin_'"));
+}
+
+TEST(NameColumns, RefusesDuplicates) {
+  expect_error<DataError>(
+      [] {
+        named({{"t", ""}, {"x", ""}, {"x", "V"}});
+      },
+      "a.csv:3:3", "columns 2 and 3 are both named 'x'", "name of its own");
+  expect_error<DataError>(
+      [] {
+        named({{"V+", ""}, {"V-", ""}});
+      },
+      "a.csv:3:2", "both named 'V'", "name of its own");
+}
+
+TEST(Place, NamesLineOrRow) {
+  Table table;
+  table.source = "a.csv";
+  table.lines = {7, 9};
+  EXPECT_EQ(place(table, 1, 2), "a.csv:9:3");
+  table.lines.clear();
+  EXPECT_EQ(place(table, 1, 2), "a.csv, row 2, column 3");
+}
+
+}  // namespace
+}  // namespace lacuna
