@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/table.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/split.hpp"
 #include "lacuna/data/text_field.hpp"

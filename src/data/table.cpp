@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
 
 namespace lacuna {
@@ -15,11 +16,6 @@ namespace {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-
-/// The words of the expression language; data lies below it and cannot ask it.
-constexpr std::array<std::string_view, 21> kReserved{
-    "sin",  "cos",  "tan", "asin", "acos", "atan",  "tanh", "exp", "log", "sqrt", "abs",
-    "sign", "step", "min", "max",  "clip", "delay", "pi",   "t",   "inf", "nan"};
 
 /// Greek alphabet in the order of Unicode, from U+0391 and U+03B1 on.
 constexpr std::array<std::string_view, 25> kGreek{
@@ -91,14 +87,6 @@ std::string place(const Table& table, Index row, Index column) {
   if (index < table.lines.size())
     return table.source + ":" + std::to_string(table.lines[index]) + ":" + number;
   return table.source + ", row " + std::to_string(row + 1) + ", column " + number;
-}
-
-bool is_identifier(std::string_view text) {
-  return !text.empty() && !is_digit(text[0]) && std::all_of(text.begin(), text.end(), is_word);
-}
-
-bool is_reserved_name(std::string_view name) {
-  return std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
 }
 
 std::string to_identifier(std::string_view text) {

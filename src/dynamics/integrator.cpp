@@ -81,8 +81,11 @@ Solution Integrator::integrate(RightHandSide rhs, const Vector& x0, const Vector
   const std::unique_ptr<Stepper> stepper = make_stepper(x0.size());
   Vector x = x0, last = x0;
   double t = times[0], last_time = t;
+  const Index stride = times.size() / 100 + 1;
   for (Index i = 1; i < times.size(); ++i) {
-    context.report("integrating", static_cast<double>(i) / static_cast<double>(times.size()));
+    if (i % stride == 0)
+      context.report("integrating", static_cast<double>(i) / static_cast<double>(times.size()));
+    context.check_stop();
     solution.status = stepper->advance(rhs, t, times[i], x.data());
     if (beyond(x, bound)) {
       solution.status = IntegrationStatus::Diverged;

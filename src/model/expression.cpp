@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
 #include "operations.hpp"
 
@@ -40,7 +41,7 @@ void check_name(const std::string& name) {
   if (!is_identifier(name))
     throw ModelError("variable '" + name + "'", "the name is not an identifier",
                      "use letters, digits and underscores, a letter first");
-  if (is_reserved(name))
+  if (is_reserved_name(name) && name != "t")
     throw ModelError("variable '" + name + "'", "the name is a word of the formula language",
                      "choose another name");
 }

@@ -10,6 +10,7 @@
 #include "formula_error.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
 #include "operations.hpp"
 #include "strict_json.hpp"
@@ -31,7 +32,7 @@ void check_quantity_name(const JsonPlace& place, const std::string& name,
   if (!is_identifier(name))
     place.fail("the name '" + name + "' is not an identifier",
                "use letters, digits and underscores, a letter first");
-  if (is_reserved(name) || name == "t")
+  if (is_reserved_name(name))
     place.fail("the name '" + name + "' is a word of the formula language", "choose another");
   if (!taken.insert(name).second)
     place.fail("the name '" + name + "' is given twice",

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
 #include "operations.hpp"
 
@@ -24,7 +25,7 @@ void check_name(const std::string& name, std::set<std::string>& taken) {
   if (!is_identifier(name))
     throw ModelError("model", "the name '" + name + "' is not an identifier",
                      "use letters, digits and underscores, a letter first");
-  if (is_reserved(name) || name == "t")
+  if (is_reserved_name(name))
     throw ModelError("model", "the name '" + name + "' is a word of the formula language",
                      "rename the state or input");
   if (!taken.insert(name).second)

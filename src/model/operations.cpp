@@ -56,12 +56,6 @@ struct ApplyOnce {
   }
 };
 
-bool is_letter(char c) noexcept {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool is_letter_or_digit(char c) noexcept { return is_letter(c) || (c >= '0' && c <= '9'); }
-
 }  // namespace
 
 int arity(Operation operation) noexcept {
@@ -87,15 +81,6 @@ std::vector<std::string> function_names() {
   std::vector<std::string> names;
   for (const Function& function : kFunctions) names.emplace_back(function.name);
   return names;
-}
-
-bool is_identifier(std::string_view name) noexcept {
-  return !name.empty() && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(), is_letter_or_digit);
-}
-
-bool is_reserved(std::string_view name) noexcept {
-  return name == "pi" || function_named(name).has_value();
 }
 
 double apply_operation(Operation operation, const std::array<double, 3>& operands) noexcept {

@@ -24,12 +24,6 @@ std::optional<Operation> function_named(std::string_view name) noexcept;
 /// Names of all functions.
 std::vector<std::string> function_names();
 
-/// Letters, digits and underscores, not beginning with a digit.
-bool is_identifier(std::string_view name) noexcept;
-
-/// Whether a name belongs to the language: functions and `pi`.
-bool is_reserved(std::string_view name) noexcept;
-
 /// The value of one operation; NaN outside its domain.
 double apply_operation(Operation operation, const std::array<double, 3>& operands) noexcept;
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formula_error.hpp"
+#include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/model/expression.hpp"
 #include "operations.hpp"

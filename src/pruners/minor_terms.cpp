@@ -1,20 +1,112 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/pruners/minor_terms.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "lacuna/pruners/elimination.hpp"
 
 namespace lacuna {
 namespace {
 
-/// The largest acceptable |residual|.
-double residual_limit(const MinorTermsOptions& options, const Elimination& full) {
-  const double eta = options.effective_eta();
-  if (options.tolerances == MinorTermsOptions::Tolerances::Paper)
-    return eta * static_cast<double>(full.rows());
-  const double floor = options.resolution * (full.target_norm() + full.contributions().sum());
-  return (1.0 + eta) * full.residual_norm() + floor;
+using Criterion = MinorTermsOptions::Criterion;
+
+Index next_position(const Elimination& state, Criterion criterion) {
+  return smallest(criterion == Criterion::Residual ? state.losses() : state.contributions());
+}
+
+Removal removal(Index term, double residual, double limit, std::size_t step) {
+  return {term, "|residual| without the term", residual, limit, static_cast<int>(step)};
+}
+
+/// The published procedure.
+PruneResult prune_up_to(double limit, Elimination state, const RunContext& context) {
+  PruneResult result;
+  while (state.size() > 0) {
+    context.check_stop();
+    const Index position = next_position(state, Criterion::Contribution);
+    Elimination next = state.without({position});
+    if (!(next.residual_norm() <= limit)) break;
+    result.removed.push_back(removal(state.active()[static_cast<std::size_t>(position)],
+                                     next.residual_norm(), limit, result.removed.size() + 1));
+    state = std::move(next);
+  }
+  result.kept = state.active();
+  return result;
+}
+
+/// An elimination down to no term.
+struct Path {
+  std::vector<Index> terms;       ///< in the order in which they left, L
+  std::vector<double> residuals;  ///< r_0 .. r_L
+  double rounding = 0.0;          ///< below this residuals mean nothing
+};
+
+Path walk(Elimination state, const MinorTermsOptions& options, const RunContext& context) {
+  Path path;
+  path.rounding = options.resolution * (state.target_norm() + state.contributions().sum());
+  path.residuals.push_back(state.residual_norm());
+  while (state.size() > 0) {
+    context.check_stop();
+    const Index position = next_position(state, options.criterion);
+    path.terms.push_back(state.active()[static_cast<std::size_t>(position)]);
+    state = state.without({position});
+    path.residuals.push_back(state.residual_norm());
+  }
+  return path;
+}
+
+/// How the excess over the residual of all terms grows along a path.
+class Growth {
+ public:
+  Growth(const Path& path, double eta) : path_(path) {
+    const double smallest_normal = std::sqrt(std::numeric_limits<double>::min());
+    base_ = std::max({path.residuals.front(), path.rounding, smallest_normal});
+    threshold_ = std::max(eta * (2.0 + eta), 1e-12);
+  }
+
+  /// D_k / r^2.
+  double excess(std::size_t k) const {
+    const double ratio = path_.residuals[k] / base_;
+    return std::max(ratio * ratio - 1.0, threshold_);
+  }
+
+  /// g_k: of dropping the term number k of the path.
+  double gain(std::size_t k) const { return std::log(excess(k + 1) / excess(k)); }
+
+  double largest_gain() const {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < path_.terms.size(); ++k) largest = std::max(largest, gain(k));
+    return largest;
+  }
+
+  /// The residual after step k from which on its gain would have been `gain`.
+  double residual_of_gain(std::size_t k, double gain) const {
+    return base_ * std::sqrt(1.0 + excess(k) * std::exp(gain));
+  }
+
+ private:
+  const Path& path_;
+  double base_;
+  double threshold_;
+};
+
+/// The number of terms to drop, with the reason for each.
+PruneResult cut(const Path& path, const MinorTermsOptions& options) {
+  const Growth growth(path, options.effective_eta());
+  // Gains below 1e-9 are rounding: a path that never rises has no true term.
+  const double decisive = std::max(options.jump * growth.largest_gain(), 1e-9);
+  PruneResult result;
+  std::size_t dropped = 0;
+  for (; dropped < path.terms.size() && growth.gain(dropped) < decisive; ++dropped)
+    result.removed.push_back(removal(path.terms[dropped], path.residuals[dropped + 1],
+                                     growth.residual_of_gain(dropped, decisive), dropped + 1));
+  result.kept.assign(path.terms.begin() + static_cast<std::ptrdiff_t>(dropped),
+                     path.terms.end());
+  std::sort(result.kept.begin(), result.kept.end());
+  return result;
 }
 
 }  // namespace
@@ -22,22 +114,11 @@ double residual_limit(const MinorTermsOptions& options, const Elimination& full)
 PruneResult MinorTerms::do_prune(const LeastSquaresSystem& system, Index target,
                                  const TermSet& active, const Regressor& regressor,
                                  const RunContext& context) const {
-  const bool by_loss = options().criterion == MinorTermsOptions::Criterion::Residual;
-  Elimination state(system, target, active, regressor, context);
-  const double limit = residual_limit(options(), state);
-  PruneResult result;
-  while (state.size() > 0) {
-    context.check_stop();
-    const Index position = smallest(by_loss ? state.losses() : state.contributions());
-    Elimination next = state.without({position});
-    if (!(next.residual_norm() <= limit)) break;
-    result.removed.push_back({state.active()[static_cast<std::size_t>(position)],
-                              "|residual| without the term", next.residual_norm(), limit,
-                              static_cast<int>(result.removed.size()) + 1});
-    state = std::move(next);
-  }
-  result.kept = state.active();
-  return result;
+  Elimination full(system, target, active, regressor, context);
+  if (options().tolerances == MinorTermsOptions::Tolerances::Relative)
+    return cut(walk(std::move(full), options(), context), options());
+  const double limit = options().effective_eta() * static_cast<double>(system.rows());
+  return prune_up_to(limit, std::move(full), context);
 }
 
 }  // namespace lacuna

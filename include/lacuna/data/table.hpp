@@ -33,13 +33,6 @@ struct Table {
 /// counted from 1; row and column count from 0 here.
 std::string place(const Table& table, Index row, Index column);
 
-/// Whether a text is an identifier: a letter or underscore, then letters, digits, underscores.
-bool is_identifier(std::string_view text);
-
-/// Whether a name is a word of the expression language (`sin`, `pi`, `t`, ...), so that no
-/// state and no input can have it.
-bool is_reserved_name(std::string_view name);
-
 /// The identifier nearest to a header text: Greek letters become their names, every run of
 /// other characters an underscore; "c_" goes in front of a digit. Empty when nothing remains.
 /// "Ch 1" gives "Ch_1", "\u03c6" gives "phi", "2nd" gives "c_2nd".

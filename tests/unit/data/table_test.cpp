@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/names.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {
@@ -36,13 +37,6 @@ TEST(ToIdentifier, GivesIdentifiersOrNothing) {
     const std::string name = to_identifier(text);
     EXPECT_TRUE(name.empty() || is_identifier(name)) << name;
   }
-}
-
-TEST(IsIdentifier, LettersDigitsUnderscores) {
-  EXPECT_TRUE(is_identifier("x_1"));
-  EXPECT_TRUE(is_identifier("_x"));
-  for (const char* text : {"", "1x", "x y", "x-y", "\xCF\x86"})
-    EXPECT_FALSE(is_identifier(text)) << text;
 }
 
 TEST(SplitHeader, FindsTheUnit) {

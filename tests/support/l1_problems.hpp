@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
+#pragma once
 
 #include <Eigen/QR>
-
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include "lacuna/core/random.hpp"
-#include "lacuna/solvers/l1_ceres.hpp"
-#include "lacuna/solvers/l1_coordinate_descent.hpp"
-#include "lacuna/solvers/l1_nlopt.hpp"
-#include "lacuna/solvers/l1_optimality.hpp"
+#include "lacuna/stages/l1_solver.hpp"
 
-namespace lacuna {
-namespace {
+namespace lacuna::testing {
 
-Matrix random_matrix(Random& random, Index rows, Index columns) {
+/// Independent standard normal entries.
+inline Matrix random_matrix(Random& random, Index rows, Index columns) {
   Matrix a(rows, columns);
   for (Index j = 0; j < columns; ++j)
     for (Index i = 0; i < rows; ++i) a(i, j) = random.normal();
@@ -23,7 +20,7 @@ Matrix random_matrix(Random& random, Index rows, Index columns) {
 }
 
 /// Columns with singular values from 1 down to 1/condition, then scaled to unit norm.
-Matrix ill_conditioned(Random& random, Index k, double condition) {
+inline Matrix ill_conditioned(Random& random, Index k, double condition) {
   const Matrix q1 = random_matrix(random, k, k).householderQr().householderQ();
   const Matrix q2 = random_matrix(random, k, k).householderQr().householderQ();
   Vector singular(k);
@@ -35,7 +32,7 @@ Matrix ill_conditioned(Random& random, Index k, double condition) {
 }
 
 /// k = 2..20, conditions 1 to 1e3, penalties from 1e-6 of the one that leaves nothing to 0.9.
-L1Problem random_problem(std::uint64_t seed) {
+inline L1Problem random_l1_problem(std::uint64_t seed) {
   Random random(seed);
   const auto k = static_cast<Index>(2 + random.below(19));
   const Matrix a = ill_conditioned(random, k, std::pow(10.0, random.uniform(0.0, 3.0)));
@@ -45,36 +42,16 @@ L1Problem random_problem(std::uint64_t seed) {
   Vector z(k);
   for (Index i = 0; i < k; ++i) z[i] = random.uniform() < 0.4 ? 10.0 * random.normal() : 0.0;
   problem.target = problem.triangle * z + 0.1 * random_matrix(random, k, 1);
-  const double largest = 2.0 * (problem.triangle.transpose() * problem.target).cwiseAbs().maxCoeff();
+  const double largest =
+      2.0 * (problem.triangle.transpose() * problem.target).cwiseAbs().maxCoeff();
   problem.penalty.setConstant(k, largest * std::pow(10.0, random.uniform(-6.0, -0.05)));
   problem.start = problem.triangle.triangularView<Eigen::Upper>().solve(problem.target);
   return problem;
 }
 
-double difference(const Vector& a, const Vector& b) {
+/// Largest difference relative to the largest entry of a.
+inline double relative_difference(const Vector& a, const Vector& b) {
   return (a - b).cwiseAbs().maxCoeff() / std::max(a.cwiseAbs().maxCoeff(), 1e-300);
 }
 
-class L1Agreement : public testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(L1Agreement, SolversFindTheSameOptimum) {
-  const L1Problem problem = random_problem(GetParam());
-  const L1Solution reference = CoordinateDescent().solve(problem);
-  EXPECT_TRUE(reference.converged);
-  EXPECT_LE(l1_violation(problem, reference.coefficients), 1e-12);
-  if (CeresL1::unavailable().empty()) {
-    const L1Solution other = CeresL1().solve(problem);
-    EXPECT_TRUE(other.converged);
-    EXPECT_LE(difference(reference.coefficients, other.coefficients), 1e-6);
-  }
-  if (NloptL1::unavailable().empty()) {
-    const L1Solution other = NloptL1().solve(problem);
-    EXPECT_TRUE(other.converged);
-    EXPECT_LE(difference(reference.coefficients, other.coefficients), 1e-6);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Random, L1Agreement, testing::Range<std::uint64_t>(1, 101));
-
-}  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::testing

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/random.hpp"
+#include "lacuna/linear/least_squares_system.hpp"
+
+namespace lacuna::testing {
+
+/// Random columns, three of ten with a coefficient (1: 2, 4: -1, 7: 0.5), normal noise, and
+/// gross errors of one sign in a share of the rows.
+inline LeastSquaresSystem sparse_problem(Index rows, double noise, double outliers,
+                                         std::uint64_t seed = 5) {
+  Random random(seed);
+  Matrix theta(rows, 10);
+  Matrix y(rows, 1);
+  for (Index i = 0; i < rows; ++i) {
+    for (Index j = 0; j < 10; ++j) theta(i, j) = random.normal();
+    y(i, 0) = 2.0 * theta(i, 1) - theta(i, 4) + 0.5 * theta(i, 7) + noise * random.normal();
+    if (random.uniform() < outliers) y(i, 0) += 20.0 + 30.0 * theta(i, 0) * theta(i, 0);
+  }
+  std::vector<std::string> names;
+  for (int j = 0; j < 10; ++j) names.push_back("t" + std::to_string(j));
+  return {make_row_source(std::move(theta), std::move(y)), names, {"y"}};
+}
+
+/// The coefficients of sparse_problem.
+inline Vector sparse_truth() {
+  Vector h = Vector::Zero(10);
+  h[1] = 2.0;
+  h[4] = -1.0;
+  h[7] = 0.5;
+  return h;
+}
+
+}  // namespace lacuna::testing

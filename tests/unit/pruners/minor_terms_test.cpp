@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/pruners/minor_terms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/pruner_checks.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::rossler_10000;
+
+TEST(MinorTerms, FindsRosslersSevenTermsAndTheirCoefficients) {
+  const auto& data = rossler_10000();
+  const auto system = testing::monomial_system(data.states, data.derivatives, 3);
+  const std::map<std::string, double> truth[3] = {{{"010", -1.0}, {"001", -1.0}},
+                                                  {{"100", 1.0}, {"010", 0.2}},
+                                                  {{"000", 0.2}, {"001", -5.7}, {"101", 1.0}}};
+  for (Index k = 0; k < 3; ++k) {
+    const PruneResult result = MinorTerms().prune(system, k, system.all_terms(), Ols());
+    const Regression fit = Ols().fit(system, system.subproblem(k, result.kept));
+    ASSERT_EQ(fit.active.size(), truth[k].size());
+    const auto names = testing::names_of(system, fit.active);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      EXPECT_NEAR(fit.coefficients[static_cast<Index>(i)], truth[k].at(names[i]), 1e-10);
+  }
+}
+
+TEST(MinorTerms, FindsThemIn35And56Candidates) {
+  testing::expect_rossler_terms(MinorTerms(), rossler_10000().derivatives, 4);
+  testing::expect_rossler_terms(MinorTerms(), rossler_10000().derivatives, 5);
+}
+
+TEST(MinorTerms, DoesNotDependOnHowDataAreWritten) {
+  for (const double noise : {0.0, 1e-3, 1e-2}) {
+    const Matrix noisy = testing::with_noise(rossler_10000().derivatives, noise, 3);
+    for (const auto& r : testing::rewritings())
+      testing::expect_rossler_terms(MinorTerms(), noisy, 3, r);
+  }
+}
+
+TEST(MinorTerms, SaysWhenAndWhyTermsLeft) {
+  const auto& data = rossler_10000();
+  const auto system =
+      testing::monomial_system(data.states, testing::with_noise(data.derivatives, 1e-3, 3), 2);
+  const PruneResult result = MinorTerms().prune(system, 0, system.all_terms(), Ols());
+  ASSERT_EQ(result.removed.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(result.removed[i].step, static_cast<int>(i) + 1);
+    EXPECT_LT(result.removed[i].value, result.removed[i].threshold);
+  }
+}
+
+TEST(MinorTerms, WithoutJumpEveryGrowthBeyondEtaCounts) {
+  const auto& data = rossler_10000();
+  const auto system =
+      testing::monomial_system(data.states, testing::with_noise(data.derivatives, 1e-2, 3), 2);
+  MinorTermsOptions options;
+  options.jump = 0.0;
+  options.eta = 0.05;
+  const PruneResult result = MinorTerms(options).prune(system, 2, system.all_terms(), Ols());
+  const double full = system.subproblem(2, system.all_terms()).residual_norm();
+  const Subproblem kept = system.subproblem(2, result.kept);
+  EXPECT_LE(kept.residual_norm(), 1.05 * full);
+  for (Index i = 0; i < kept.size(); ++i) {
+    Subproblem fewer = kept;
+    fewer.remove(i);
+    EXPECT_GT(fewer.residual_norm(), 1.05 * full);
+  }
+}
+
+TEST(MinorTerms, PaperTolerancesBoundTheResidualPerRow) {
+  const auto& data = rossler_10000();
+  const auto system =
+      testing::monomial_system(data.states, testing::with_noise(data.derivatives, 1e-4, 3), 3);
+  MinorTermsOptions options;
+  options.tolerances = MinorTermsOptions::Tolerances::Paper;
+  testing::expect_rossler_terms(MinorTerms(options), rossler_10000().derivatives, 3);
+  const PruneResult found = MinorTerms(options).prune(system, 0, system.all_terms(), Ols());
+  EXPECT_EQ(found.kept.size(), 2u);
+  for (const Removal& gone : found.removed) EXPECT_DOUBLE_EQ(gone.threshold, 0.1);
+  options.eta = 1e-9;  // already the fit of all terms is worse
+  const PruneResult nothing = MinorTerms(options).prune(system, 0, system.all_terms(), Ols());
+  EXPECT_TRUE(nothing.removed.empty());
+}
+
+TEST(MinorTerms, SurvivesOddProblems) { testing::expect_survives_odd_problems(MinorTerms()); }
+
+}  // namespace
+}  // namespace lacuna

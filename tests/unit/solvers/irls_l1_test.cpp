@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/solvers/irls_l1.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/solvers/irls.hpp"
+#include "lacuna/solvers/l1_ceres.hpp"
+#include "lacuna/solvers/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1_nlopt.hpp"
+#include "support/sparse_problem.hpp"
+#include "support/stage_invariance.hpp"
+
+namespace lacuna {
+namespace {
+
+Regression fit_with(const LeastSquaresSystem& system, IrlsL1Options options) {
+  return IrlsL1(std::move(options)).fit(system, system.subproblem(0, system.all_terms()));
+}
+
+TEST(IrlsL1, FindsTheSparseSetAmongOutliers) {
+  const auto system = testing::sparse_problem(2000, 0.05, 0.1);
+  const Regression fit = fit_with(system, {.inner = CoordinateDescent(), .alpha = 0.05});
+  EXPECT_TRUE(fit.converged);
+  EXPECT_EQ(fit.active, (TermSet{1, 4, 7}));
+  EXPECT_EQ(fit.removed.size(), 7u);
+  for (const Removal& gone : fit.removed) EXPECT_LE(gone.value, gone.threshold * (1.0 + 1e-9));
+}
+
+TEST(IrlsL1, WithoutPenaltyIsIrls) {
+  const auto system = testing::sparse_problem(500, 0.05, 0.1);
+  const Regression fit = fit_with(system, {.inner = CoordinateDescent(), .alpha = 0.0});
+  const Regression irls = Irls().fit(system, system.subproblem(0, system.all_terms()));
+  EXPECT_TRUE(fit.coefficients.isApprox(irls.coefficients, 1e-6));
+}
+
+TEST(IrlsL1, LeavesNothingFromPenaltyOneOn) {
+  const auto system = testing::sparse_problem(500, 0.05, 0.0);
+  const Regression fit = fit_with(system, {.inner = CoordinateDescent(), .alpha = 1.001});
+  EXPECT_TRUE(fit.active.empty());
+  EXPECT_NEAR(fit.residual_norm, system.factor().target_norms[0], 1e-9);
+}
+
+TEST(IrlsL1, InnerSolversAgree) {
+  const auto system = testing::sparse_problem(500, 0.05, 0.1);
+  std::vector<Stage<L1Solver>> solvers{CoordinateDescent()};
+  if (CeresL1::unavailable().empty()) solvers.push_back(CeresL1());
+  if (NloptL1::unavailable().empty()) solvers.push_back(NloptL1());
+  const Regression reference = fit_with(system, {.inner = solvers[0], .alpha = 0.02});
+  for (const auto& solver : solvers) {
+    const Regression fit = fit_with(system, {.inner = solver, .alpha = 0.02});
+    ASSERT_EQ(fit.active, reference.active) << solver->info().name;
+    EXPECT_TRUE(fit.coefficients.isApprox(reference.coefficients, 1e-6));
+  }
+}
+
+TEST(IrlsL1, PaperPenaltyIsRaw) {
+  // One column of ones, all residuals below delta: the weights are 1 / delta and
+  // min n / delta (y - h)^2 + alpha |h| has its minimum at y - alpha delta / (2 n).
+  const LeastSquaresSystem system(
+      make_row_source(Matrix::Ones(4, 1), Matrix::Constant(4, 1, 2.0)), {"1"}, {"y"});
+  const Regression fit = fit_with(system, {.inner = CoordinateDescent(),
+                                           .alpha = 0.8,
+                                           .tolerances = IrlsL1Options::Tolerances::Paper,
+                                           .delta = 1.0});
+  EXPECT_NEAR(fit.coefficients[0], 2.0 - 0.8 / 8.0, 1e-12);
+}
+
+TEST(IrlsL1, DoesNotDependOnHowDataAreWritten) {
+  const auto& data = testing::rossler_10000();
+  const Matrix states = data.states.topRows(2000);
+  const Matrix noisy = testing::with_noise(data.derivatives.topRows(2000), 0.01, 3);
+  const IrlsL1 regressor({.inner = CoordinateDescent(), .alpha = 1e-3});
+  const auto fit_of = [&](const testing::Rewriting& r) {
+    const auto system = testing::rewritten(states, noisy, 2, r);
+    const Index target = testing::new_target(1, r);
+    const Regression fit = regressor.fit(system, system.subproblem(target, system.all_terms()));
+    return testing::shares(system, target, fit.active, fit.coefficients, r);
+  };
+  for (const auto& r : testing::rewritings()) {
+    SCOPED_TRACE(r.name);
+    testing::expect_same_shares(fit_of({"same"}), fit_of(r), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/solvers/stlsq.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/sparse_problem.hpp"
+#include "support/stage_invariance.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::rossler_10000;
+
+TEST(Stlsq, FindsRosslersEquations) {
+  const auto system =
+      testing::monomial_system(rossler_10000().states, rossler_10000().derivatives, 3);
+  for (Index k = 0; k < 3; ++k) {
+    const Regression fit = Stlsq().fit(system, system.subproblem(k, system.all_terms()));
+    EXPECT_THAT(testing::names_of(system, fit.active),
+                ::testing::UnorderedElementsAreArray(
+                    testing::rossler_terms()[static_cast<std::size_t>(k)]));
+    EXPECT_EQ(fit.removed.size() + fit.active.size(), 20u);
+  }
+}
+
+TEST(Stlsq, RawThresholdRemovesSmallCoefficients) {
+  const auto system = testing::sparse_problem(500, 0.05, 0.0);
+  StlsqOptions options;
+  options.scale = StlsqOptions::Scale::Coefficient;
+  options.threshold = 0.7;
+  const Regression fit = Stlsq(options).fit(system, system.subproblem(0, system.all_terms()));
+  EXPECT_EQ(fit.active, (TermSet{1, 4}));
+  for (const Removal& gone : fit.removed) {
+    EXPECT_LT(gone.value, 0.7);
+    EXPECT_EQ(gone.quantity, "|h|");
+  }
+}
+
+TEST(Stlsq, RidgeChoosesTermsButLeavesNoBias) {
+  const auto system = testing::sparse_problem(500, 0.0, 0.0);
+  StlsqOptions options;
+  options.alpha = 1.0;
+  options.threshold = 0.1;
+  const Regression fit = Stlsq(options).fit(system, system.subproblem(0, system.all_terms()));
+  ASSERT_EQ(fit.active, (TermSet{1, 4, 7}));
+  EXPECT_TRUE(fit.coefficients.isApprox(Eigen::Vector3d(2.0, -1.0, 0.5), 1e-12));
+  options.threshold = 0.15;  // 0.22 without the penalty, about half of it with it
+  const Regression fewer = Stlsq(options).fit(system, system.subproblem(0, system.all_terms()));
+  EXPECT_EQ(fewer.active, (TermSet{1, 4}));
+}
+
+TEST(Stlsq, MayRemoveEverything) {
+  const LeastSquaresSystem system(make_row_source(Matrix::Ones(5, 1), Matrix::Zero(5, 1)),
+                                  {"1"}, {"y"});
+  const Regression fit = Stlsq().fit(system, system.subproblem(0, {0}));
+  EXPECT_TRUE(fit.active.empty());
+  EXPECT_EQ(fit.coefficients.size(), 0);
+  EXPECT_EQ(fit.residual_norm, 0.0);
+}
+
+TEST(Stlsq, DoesNotDependOnHowDataAreWritten) {
+  const Matrix noisy = testing::with_noise(rossler_10000().derivatives, 0.001, 3);
+  const auto fit_of = [&](const testing::Rewriting& r) {
+    const auto system = testing::rewritten(rossler_10000().states, noisy, 2, r);
+    const Index target = testing::new_target(2, r);
+    const Regression fit = Stlsq().fit(system, system.subproblem(target, system.all_terms()));
+    return testing::shares(system, target, fit.active, fit.coefficients, r);
+  };
+  for (const auto& r : testing::rewritings()) {
+    SCOPED_TRACE(r.name);
+    testing::expect_same_shares(fit_of({"same"}), fit_of(r), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace lacuna
