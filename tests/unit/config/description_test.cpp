@@ -23,7 +23,9 @@ TEST(Description, ListsOptionsWithTypeRangeAndDefault) {
 }
 
 TEST(Description, ShowsPresentValuesOfAStage) {
-  const auto options = describe_options(Stlsq{{.threshold = 0.125}});
+  StlsqOptions present;
+  present.threshold = 0.125;
+  const auto options = describe_options(Stlsq(present));
   EXPECT_EQ(options[0].value, "0.125");
   EXPECT_EQ(options[1].type, "one of contribution, coefficient");
 }

@@ -81,9 +81,9 @@ TEST(OptionReader, AListMayBeWrittenAsOneText) {
 
 TEST(OptionReader, RefusesOtherTypes) {
   const std::vector<std::array<std::string, 2>> wrong = {
-      {"number", "true"},      {"number", "null"},   {"whole", "1.5"}, {"whole", "1e300"},
-      {"flag", "1"},           {"text", "3"},        {"list", "[1]"},  {"colour", "1"},
-      {"maybe_number", "[]"},  {"maybe_whole", "\"x\""}};
+      {"number", "true"},     {"number", "null"},      {"whole", "1.5"}, {"whole", "1e300"},
+      {"flag", "1"},          {"text", "3"},           {"list", "[1]"},  {"colour", "1"},
+      {"maybe_number", "[]"}, {"maybe_whole", "\"x\""}};
   for (const auto& [name, value] : wrong)
     expect_error<ConfigError>([&] { read(", \"" + name + "\": " + value); }, "$.basis." + name,
                               "is not", "give");

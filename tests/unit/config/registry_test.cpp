@@ -32,7 +32,9 @@ class Absent final : public Configured<Regressor, AbsentOptions> {
 
 Registry small_registry() {
   Registry registry;
-  registry.add<Stlsq>({.threshold = 0.3});
+  StlsqOptions options;
+  options.threshold = 0.3;
+  registry.add<Stlsq>(options);
   registry.add<Ols>();
   registry.add<Absent>();
   return registry;

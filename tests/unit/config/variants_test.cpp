@@ -42,8 +42,8 @@ TEST(Variants, HaveAStageUnlessTheySayWhyNot) {
 }
 
 TEST(Variants, UnknownKindSuggestsTheNearest) {
-  testing::expect_error<ConfigError>([] { variants(default_registry(), "prunner"); }, "registry",
-                                     "prunner", "pruner");
+  testing::expect_error<ConfigError>([] { variants(default_registry(), "prunner"); },
+                                     "registry", "prunner", "pruner");
 }
 
 }  // namespace

@@ -43,10 +43,11 @@ void expect_scaled_model(const OdeModel& found, const OdeModel& original, double
   for (Index k = 0; k < original.dimension(); ++k) {
     const auto equation = static_cast<std::size_t>(k);
     ASSERT_EQ(found.equations()[equation].size(), original.equations()[equation].size())
-        << to_text(found) << "\n" << to_text(original);
+        << to_text(found) << "\n"
+        << to_text(original);
     for (const WeightedTerm& term : original.equations()[equation]) {
-      const double expected = term.coefficient *
-                              std::pow(state_scale, 1.0 - degree(term.term)) / time_scale;
+      const double expected =
+          term.coefficient * std::pow(state_scale, 1.0 - degree(term.term)) / time_scale;
       EXPECT_NEAR(found.coefficient(k, term.term.name()), expected, 1e-7 * std::abs(expected))
           << term.term.name() << " in equation " << k;
     }
@@ -99,10 +100,11 @@ TEST_P(Invariance, OrderOfTheVariablesDoesNotMatter) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Records, Invariance, ::testing::Values(0, 1, 2), [](const auto& info) {
-  const char* names[] = {"ExactDerivatives", "Sampled", "Noisy"};
-  return std::string(names[info.param]);
-});
+std::string record_name(const ::testing::TestParamInfo<int>& record) {
+  return record.param == 0 ? "ExactDerivatives" : record.param == 1 ? "Sampled" : "Noisy";
+}
+
+INSTANTIATE_TEST_SUITE_P(Records, Invariance, ::testing::Values(0, 1, 2), record_name);
 
 }  // namespace
 }  // namespace lacuna

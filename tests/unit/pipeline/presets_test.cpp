@@ -49,8 +49,7 @@ SyncResult paper_setting(int order) {
   const Dataset record = testing::without_derivatives(
       record_of(rossler.model, Dopri87{}, rossler.start, 0.1, 10000));
   Pipeline pipeline = algorithm1(Tolerances::Paper);
-  pipeline.formulation =
-      StrongForm{{.differentiator = FiniteDifferences{{.order = order}}}};
+  pipeline.formulation = StrongForm{{.differentiator = FiniteDifferences{{.order = order}}}};
   const IdentificationResult result = identify(record, pipeline);
   Matrix coupling = Matrix::Zero(3, 3);
   coupling(0, 0) = 1.0;

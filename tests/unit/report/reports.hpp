@@ -31,13 +31,23 @@ inline IdentificationReport sample_report() {
                  "ms");
   IdentificationResult result{std::move(model), Eigen::Vector2d(0.003, 0.0), {}, {}, {}};
   result.fit = {{.equation = "x", .identity = true},
-                {.equation = "y", .rows = 100, .residual_rms = 0.1, .target_rms = 2.0,
-                 .noise_floor = 0.09, .fits_to_noise = true, .iterations = 1}};
+                {.equation = "y",
+                 .rows = 100,
+                 .residual_rms = 0.1,
+                 .target_rms = 2.0,
+                 .noise_floor = 0.09,
+                 .fits_to_noise = true,
+                 .iterations = 1}};
   result.trail = {
       {.equation = "x", .term = "y", .kept = true, .quantity = "known identity", .value = 1.0},
       {.equation = "y", .term = "x", .kept = true, .quantity = "coefficient", .value = -2.0},
-      {.equation = "y", .term = "x^2", .stage = "pruner minor-terms", .quantity = "residual",
-       .value = 0.11, .threshold = 0.12, .step = 3}};
+      {.equation = "y",
+       .term = "x^2",
+       .stage = "pruner minor-terms",
+       .quantity = "residual",
+       .value = 0.11,
+       .threshold = 0.12,
+       .step = 3}};
   result.warnings = {"be careful"};
   return {std::move(result), algorithm1(), R"({"preset":"algorithm1"})", sample_sync()};
 }
