@@ -87,9 +87,9 @@ std::string trail_of(const std::vector<TrailEntry>& trail, const std::string& eq
     ++candidates;
     if (!entry.kept) removed.push_back(entry);
   }
+  const std::size_t kept = candidates - removed.size();
   return "  d" + equation + "/dt: " + std::to_string(candidates) + " candidates, " +
-         std::to_string(candidates - removed.size()) + " kept\n" +
-         removals_of(std::move(removed));
+         std::to_string(kept) + " kept\n" + removals_of(std::move(removed));
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The built program from end to end: the journey of a newcomer, interrupts, the shipped record.
+#include "integration/program.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace lacuna::testing {
+namespace {
+
+TEST(Program, IdentifiesSavesSimulatesAndSynchronises) {
+  const TemporaryFolder folder;
+  const std::string orbit = folder.file("o.csv"), model = folder.file("m.json");
+  EXPECT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.005 -o " + orbit).status,
+            0);
+  EXPECT_EQ(run_program("identify " + orbit + " --degree 2 --model-out " + model).status, 0);
+  const CommandResult sync = run_program("sync " + model + " " + orbit + " --json -");
+  EXPECT_LT(nlohmann::json::parse(sync.out)["relative"].get<double>(), 1e-3);
+  EXPECT_EQ(run_program("simulate " + model + " --x0 1,1,20 --t-end 1 --dt 0.1").status, 0);
+}
+
+TEST(Program, IdentifiesTheShippedRecord) {
+  const std::string record = std::string(LACUNA_SOURCE_DIR) + "/data/tl072_record.csv.gz";
+  if (!std::filesystem::exists(record)) GTEST_SKIP() << "the record is not there";
+  const CommandResult result = run_program("identify " + record + " --json -");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_LT(json["sync"]["relative"].get<double>(), 0.01);
+  EXPECT_EQ(json["model"]["time_unit"], "tau");
+  EXPECT_NEAR(json["noise"]["x"].get<double>(), 1e-3, 2e-4);
+}
+
+TEST(Program, SameInputSameBytes) {
+  const TemporaryFolder folder;
+  const std::string orbit = folder.file("o.csv");
+  run_program("simulate rossler --x0 1,1,0 --t-end 100 --dt 0.05 -o " + orbit);
+  const std::string once = run_program("identify " + orbit + " --json -").out;
+  EXPECT_EQ(run_program("identify " + orbit + " --json - --threads 2").out, once);
+}
+
+TEST(Program, AnInterruptIsStatus130AndLeavesNoFile) {
+  const TemporaryFolder folder;
+  const std::string orbit = folder.file("o.csv");
+  const CommandResult result = run_program(
+      "simulate lorenz --x0 1,1,20 --t-end 300000 --dt 0.01 --integrator dopri87 -o " + orbit,
+      "timeout --preserve-status -s INT 0.3");
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_THAT(result.err, ::testing::HasSubstr("interrupted"));
+  EXPECT_EQ(folder.count(), 0);
+}
+
+}  // namespace
+}  // namespace lacuna::testing

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "unit/cli/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::CommandResult;
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::Records;
+using testing::run_command;
+
+nlohmann::json identify(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "identify");
+  arguments.insert(arguments.end(), {"--json", "-"});
+  const CommandResult result = run_command(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  return nlohmann::json::parse(result.out);
+}
+
+std::size_t term_count(const nlohmann::json& result, std::size_t equation) {
+  return result["model"]["equations"][equation]["terms"].size();
+}
+
+TEST(IdentifyCommand, ShowsEquationsTrailAndSynchronisation) {
+  const Records records;
+  const auto result = run_command({"identify", records.rossler()});
+  EXPECT_EQ(result.status, 0);
+  for (const char* part : {"dx/dt = ", "x*z", "Terms", "removed by pruner minor-terms",
+                           "Synchronisation", "from the record's own time scale"})
+    EXPECT_THAT(result.out, HasSubstr(part));
+}
+
+TEST(IdentifyCommand, FindsRosslerInItsOrbit) {
+  const Records records;
+  const auto result = identify({records.rossler()});
+  EXPECT_EQ(result["format"], "lacuna.identification/1");
+  EXPECT_EQ(term_count(result, 0) + term_count(result, 1) + term_count(result, 2), 7u);
+  EXPECT_LT(result["sync"]["relative"].get<double>(), 1e-3);
+  EXPECT_EQ(result["trail"].size(), 60u);
+}
+
+TEST(IdentifyCommand, SavesTheModelItShows) {
+  const Records records;
+  const std::string model = records.folder().file("m.json");
+  const std::string json = records.folder().file("r.json");
+  const auto result =
+      run_command({"identify", records.rossler(), "--model-out", model, "--json", json});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("Equations"));
+  const auto saved = nlohmann::json::parse(records.folder().read("m.json"));
+  EXPECT_EQ(saved, nlohmann::json::parse(records.folder().read("r.json"))["model"]);
+  EXPECT_EQ(run_command({"sync", model, records.rossler()}).status, 0);
+}
+
+TEST(IdentifyCommand, SameInputSameBytesWhateverTheThreads) {
+  const Records records;
+  const auto once = run_command({"identify", records.rossler(), "--json", "-"});
+  const auto twice =
+      run_command({"identify", records.rossler(), "--json", "-", "--threads", "2"});
+  EXPECT_EQ(once.out, twice.out);
+}
+
+TEST(IdentifyCommand, ConfigurationComesFromPresetFileAndArguments) {
+  const Records records;
+  const std::string file = records.folder().write(
+      "c.json", R"({"preset": "robust", "regressor": {"type": "stlsq", "threshold": 0.2}})");
+  const auto result = identify({records.rossler(), "--config", file, "--preset", "sindy",
+                                "--degree", "2", "--set", "regressor.threshold=0.05"});
+  EXPECT_EQ(result["pipeline"]["asked"]["preset"], "sindy");
+  const auto used = result["pipeline"]["used"];
+  EXPECT_EQ(used["filter"]["type"], "none");
+  EXPECT_EQ(used["basis"]["max_degree"], 2);
+  EXPECT_EQ(used["regressor"]["threshold"], 0.05);
+}
+
+TEST(IdentifyCommand, EmbedsAMeasuredQuantity) {
+  const Records records;
+  const auto result =
+      identify({records.oscillator(), "--states", "x", "--inputs", "u", "--embed", "x=2",
+                "--terms", "x,x_d1,u", "--set", "differentiator=savitzky-golay"});
+  const auto equations = result["model"]["equations"];
+  EXPECT_EQ(equations[0]["terms"][0]["term"], "x_d1");
+  ASSERT_EQ(equations[1]["state"], "x_d1");
+  std::map<std::string, double> found;
+  for (const auto& term : equations[1]["terms"])
+    found[term["term"].get<std::string>()] = term["coefficient"].get<double>();
+  EXPECT_NEAR(found["x"], -4.0, 0.02);
+  EXPECT_NEAR(found["u"], 1.0, 0.02);
+  EXPECT_LT(result["sync"]["relative"].get<double>(), 0.01);
+}
+
+TEST(IdentifyCommand, ADivergingVerificationIsAWarning) {
+  const Records records;
+  const auto result = identify({records.rossler(), "--terms", "x^3,y^3,z^3"});
+  EXPECT_FALSE(result["warnings"].empty());
+}
+
+TEST(IdentifyCommand, NoModelIsStatus1) {
+  const Records records;
+  const auto result = run_command({"identify", records.rossler(), "--set", "regressor=stlsq",
+                                   "--set", "regressor.threshold=1e6", "--json", "-"});
+  expect_failure(result, 1, {"no equation was found"});
+  EXPECT_FALSE(nlohmann::json::parse(result.out)["warnings"].empty());
+}
+
+TEST(IdentifyCommand, BadEmbeddingsAreNamed) {
+  const Records records;
+  for (const char* bad : {"x", "x=two", "x=1.5", "x=99"})
+    expect_failure(run_command({"identify", records.oscillator(), "--embed", bad}), 2,
+                   {"--embed", bad, "q=2"});
+  expect_failure(run_command({"identify", records.oscillator(), "--embed", "w=2"}), 2, {"'w'"});
+}
+
+}  // namespace
+}  // namespace lacuna

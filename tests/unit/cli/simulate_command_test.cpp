@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "unit/cli/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::Records;
+using testing::run_command;
+
+TEST(SimulateCommand, WritesTheOrbitAsCsv) {
+  const auto result = run_command(
+      {"simulate", "van-der-pol", "--x0", "0.5,-1", "--t-end", "0.3", "--dt", "0.1"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 5) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("\n0,0.5,-1\n"));
+  EXPECT_THAT(result.out, HasSubstr("\n0.3"));
+}
+
+TEST(SimulateCommand, AgreesAcrossIntegrators) {
+  const auto orbit = [](const std::string& name) {
+    const auto result = run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "0.02",
+                                     "--dt", "0.01", "--integrator", name});
+    return result.out.substr(result.out.rfind('\n', result.out.size() - 2), 12);
+  };
+  EXPECT_EQ(orbit("dopri5"), orbit("dopri87"));
+}
+
+TEST(SimulateCommand, DrivesModelsWithARecordOfTheirInputs) {
+  const Records records;
+  const auto result =
+      run_command({"simulate", records.oscillator_model(), "--x0", "1,0.333333333", "--t-end",
+                   "5", "--dt", "5", "--input-data", records.oscillator()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const double x = std::stod(result.out.substr(result.out.find("\n5,") + 3));
+  EXPECT_NEAR(x, std::cos(10.0) + std::sin(5.0) / 3.0, 1e-4);
+}
+
+TEST(SimulateCommand, InputsThatAreMissingAreAskedFor) {
+  const Records records;
+  expect_failure(run_command({"simulate", records.oscillator_model(), "--x0", "1,0", "--t-end",
+                              "1", "--dt", "0.1"}),
+                 2, {"--input-data", "each input"});
+}
+
+TEST(SimulateCommand, DivergenceIsStatus1AndWritesNothing) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "grow.json", R"({"format": "lacuna.model/1", "time_unit": "s", "states": [{"name": "x"}],
+          "inputs": [], "equations": [{"state": "x", "terms": [{"term": "x^2",
+          "coefficient": 1.0}]}]})");
+  const std::string out = records.folder().file("orbit.csv");
+  expect_failure(
+      run_command({"simulate", model, "--x0", "1", "--t-end", "3", "--dt", "0.1", "-o", out}),
+      1, {"t = ", "nothing was written"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(SimulateCommand, BadStartsAndTimesAreNamed) {
+  expect_failure(
+      run_command({"simulate", "lorenz", "--x0", "1,1", "--t-end", "1", "--dt", "1"}), 2,
+      {"--x0 1,1", "2 numbers for 3 states"});
+  expect_failure(
+      run_command({"simulate", "lorenz", "--x0", "1,1,a", "--t-end", "1", "--dt", "1"}), 2,
+      {"'a' is not a number"});
+  expect_failure(
+      run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt", "0"}), 2,
+      {"--dt", "above 0"});
+  expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt",
+                              "0.1", "--integrator", "rk5"}),
+                 2, {"rk5", "rk4"});
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "unit/cli/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::Records;
+using testing::run_command;
+
+TEST(SyncCommand, MeasuresTheTruthAgainstItsOwnOrbit) {
+  const Records records;
+  const auto result =
+      run_command({"sync", "rossler", records.rossler(), "--coupling", "x=1", "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["format"], "lacuna.sync/1");
+  EXPECT_LT(json["relative"].get<double>(), 1e-4);
+  EXPECT_EQ(json["coupling"][0][0], 1.0);
+  EXPECT_EQ(json["coupling"][1][1], 0.0);
+  EXPECT_EQ(json["coupling_source"], "given");
+}
+
+TEST(SyncCommand, StatesTheCouplingItTookFromTheRecord) {
+  const Records records;
+  const auto result = run_command({"sync", "rossler", records.rossler()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("from the record's own time scale"));
+}
+
+TEST(SyncCommand, DivergenceIsStatus1) {
+  const Records records;
+  const auto result =
+      run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-50,y=-50,z=-50"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("--coupling"));
+  EXPECT_THAT(result.out, HasSubstr("t = "));
+}
+
+TEST(SyncCommand, BadCouplingsAreNamed) {
+  const Records records;
+  for (const char* bad : {"x", "x=strong", "q=1"})
+    expect_failure(run_command({"sync", "rossler", records.rossler(), "--coupling", bad}), 2,
+                   {});
+}
+
+}  // namespace
+}  // namespace lacuna
