@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "lacuna/core/text.hpp"
 
 namespace lacuna {
 namespace {
@@ -38,6 +39,29 @@ void describe_program(CLI::App& app) {
   app.require_subcommand(1);
 }
 
+/// Names of all commands, or of all options of a command.
+std::vector<std::string> known_words(CLI::App& app, bool options) {
+  std::vector<std::string> words;
+  if (options) {
+    for (const CLI::Option* option : app.get_options()) words.push_back(option->get_name());
+  } else {
+    for (const CLI::App* command : app.get_subcommands({}))
+      words.push_back(command->get_name());
+  }
+  return words;
+}
+
+/// "did you mean ...?" for the first word that was not expected; empty when there is none.
+std::string hint(CLI::App& app, CLI::App& command) {
+  for (const std::string& word : command.remaining(true)) {
+    const bool option = word.rfind("-", 0) == 0;
+    const auto near = nearest_name(word, known_words(option ? command : app, option));
+    if (near) return "'" + word + "': did you mean '" + *near + "'? ";
+    return "'" + word + "' is not known; ";
+  }
+  return "";
+}
+
 /// Reads the arguments. @return exit status when there is nothing more to do.
 std::optional<int> parse(CLI::App& app, int argc, const char* const* argv,
                          const CliStreams& streams) {
@@ -47,9 +71,10 @@ std::optional<int> parse(CLI::App& app, int argc, const char* const* argv,
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error, streams.out, streams.err);
     const auto chosen = app.get_subcommands();
-    const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    return fail(streams, std::string("command line: ") + error.what() + "; see `lacuna" +
-                             command + " --help`");
+    CLI::App& command = chosen.empty() ? app : *chosen.front();
+    const std::string name = chosen.empty() ? "lacuna" : "lacuna " + command.get_name();
+    return fail(streams, std::string("command line: ") + error.what() + "; " +
+                             hint(app, command) + "see `" + name + " --help`");
   }
 }
 

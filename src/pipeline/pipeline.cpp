@@ -165,23 +165,31 @@ EquationOutcome fit_equation(const Run& run, Index state) {
   return outcome;
 }
 
-/// Holds the residuals against what measurement noise alone makes of the targets.
-void compare_with_noise(const Run& run, IdentificationResult& result) {
+/// Holds the residual against what measurement noise alone makes of the target.
+void compare_with_noise(double noise, EquationFit& fit, std::vector<std::string>& warnings) {
+  fit.noise_floor = noise;
+  if (noise <= 0.0) return;
+  fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
+  if (*fit.fits_to_noise) return;
+  warnings.push_back("d" + fit.equation + "/dt: the residual (rms " +
+                     format_number(fit.residual_rms, 3) + ") is " +
+                     format_number(fit.residual_rms / noise, 2) +
+                     " times what measurement noise explains");
+}
+
+/// Judges every fitted equation, by the noise where it is known.
+void judge_fits(const Run& run, IdentificationResult& result) {
+  constexpr double kPoorFit = 0.1;
   const std::optional<Vector> floor =
       run.pipeline.formulation->target_noise(run.data, result.noise);
-  if (!floor) return;
   for (std::size_t k = 0; k < result.fit.size(); ++k) {
     EquationFit& fit = result.fit[k];
-    const double noise = (*floor)[static_cast<Index>(k)];
     if (fit.identity) continue;
-    fit.noise_floor = noise;
-    if (noise <= 0.0) continue;
-    fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
-    if (*fit.fits_to_noise) continue;
-    result.warnings.push_back("d" + fit.equation + "/dt: the residual (rms " +
-                              format_number(fit.residual_rms, 3) + ") is " +
-                              format_number(fit.residual_rms / noise, 2) +
-                              " times what measurement noise explains");
+    if (floor) compare_with_noise((*floor)[static_cast<Index>(k)], fit, result.warnings);
+    if (!fit.fits_to_noise && fit.residual_rms > kPoorFit * fit.target_rms)
+      result.warnings.push_back("d" + fit.equation + "/dt: the terms leave " +
+                                format_number(100.0 * fit.residual_rms / fit.target_rms, 2) +
+                                " % of the derivative unexplained");
   }
 }
 
@@ -213,7 +221,7 @@ IdentificationResult run_equations(const Run& run) {
     append(result.trail, std::move(outcome.trail));
     append(result.warnings, std::move(outcome.warnings));
   }
-  compare_with_noise(run, result);
+  judge_fits(run, result);
   return result;
 }
 

@@ -9,7 +9,8 @@ using ::testing::HasSubstr;
 using testing::run_command;
 
 TEST(DescribeCommand, ShowsOptionsOfEveryPart) {
-  for (const RegistryEntry& entry : default_registry().entries()) {
+  const Registry registry = default_registry();
+  for (const RegistryEntry& entry : registry.entries()) {
     const auto result = run_command({"describe", std::string(entry.info.name)});
     EXPECT_EQ(result.status, 0);
     EXPECT_THAT(result.out, HasSubstr("(" + std::string(entry.kind) + ")"));

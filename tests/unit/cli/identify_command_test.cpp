@@ -12,6 +12,7 @@ using testing::expect_failure;
 using ::testing::HasSubstr;
 using testing::Records;
 using testing::run_command;
+using testing::TemporaryFolder;
 
 nlohmann::json identify(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "identify");
@@ -94,9 +95,17 @@ TEST(IdentifyCommand, EmbedsAMeasuredQuantity) {
 }
 
 TEST(IdentifyCommand, ADivergingVerificationIsAWarning) {
-  const Records records;
-  const auto result = identify({records.rossler(), "--terms", "x^3,y^3,z^3"});
-  EXPECT_FALSE(result["warnings"].empty());
+  const TemporaryFolder folder;
+  std::string text = "t,x,dx\n";
+  for (int i = 0; i < 30; ++i) {
+    const int x = i * i % 11;
+    text +=
+        std::to_string(i) + "," + std::to_string(x) + "," + std::to_string(x * x * x) + "\n";
+  }
+  const auto result =
+      identify({folder.write("d.csv", text), "--states", "x", "--derivatives", "dx"});
+  EXPECT_EQ(result["sync"]["status"], "diverged");
+  EXPECT_THAT(result["warnings"].dump(), HasSubstr("synchronisation with the record failed"));
 }
 
 TEST(IdentifyCommand, NoModelIsStatus1) {

@@ -10,7 +10,8 @@ using testing::run_command;
 
 TEST(ListCommand, ShowsEveryPart) {
   const std::string out = run_command({"list"}).out;
-  for (const RegistryEntry& entry : default_registry().entries())
+  const Registry registry = default_registry();
+  for (const RegistryEntry& entry : registry.entries())
     EXPECT_THAT(out, HasSubstr("  " + std::string(entry.info.name) + " "));
   for (const char* name : {"algorithm1", "robust", "sindy", "lorenz", "tl072"})
     EXPECT_THAT(out, HasSubstr("  " + std::string(name) + " "));

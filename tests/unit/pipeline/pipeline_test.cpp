@@ -156,6 +156,14 @@ TEST(Identify, HoldsResidualsAgainstTheMeasurementNoise) {
   EXPECT_GT(bad.fit[2].residual_rms, good.fit[2].residual_rms);
 }
 
+TEST(Identify, WarnsOfAPoorFitWhereTheNoiseIsNotKnown) {
+  const Dataset data = random_points(test_system("lorenz").model, 60, 5.0, 1);
+  const IdentificationResult result = identify(data, linear_fit());
+  EXPECT_FALSE(result.fit[1].fits_to_noise.has_value());
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings[0].find("unexplained"), std::string::npos);
+}
+
 TEST(Identify, DoesNotDependOnThreads) {
   RunContext two;
   two.threads = 2;
