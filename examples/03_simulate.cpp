@@ -2,7 +2,7 @@
 // A model written by hand, simulated, and its orbit written as a record.
 #include <iostream>
 
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 
 int main() {
@@ -14,7 +14,7 @@ int main() {
 
   const Vector start = Eigen::Vector2d(2.0, 0.0);
   const Solution orbit =
-      simulate(model, DormandPrince5{}, start, sample_times(0.0, 0.01, 1001));
+      simulate(model, Dopri5{}, start, sample_times(0.0, 0.01, 1001));
   std::cout << to_text(model) << "\nafter " << orbit.end_time
             << " s: th = " << orbit.end_state[0] << " rad, w = " << orbit.end_state[1]
             << " rad/s\n";

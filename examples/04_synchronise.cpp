@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "lacuna/data/read.hpp"
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/synchroniser.hpp"
 #include "lacuna/dynamics/test_systems.hpp"
 
@@ -11,7 +11,7 @@ int main() {
   using namespace lacuna;
   const Dataset record = read_dataset({"data/tl072_record.csv.gz"});
   for (const char* name : {"tl072", "rossler-adjusted"}) {
-    const SyncResult sync = synchronise(test_system(name).model, record, RungeKutta4{});
+    const SyncResult sync = synchronise(test_system(name).model, record, Rk4{});
     std::cout << name << ": relative mean synchronisation error " << 100.0 * sync.relative
               << " %\n";
   }

@@ -288,10 +288,12 @@ TextLayout find_layout(std::string_view text, const std::string& source) {
   layout.delimiter = start.delimiter;
   layout.data_begin = start.first.offset;
   layout.data_line = start.first.number;
-  const std::size_t columns = kind_of(start.first.text, start.delimiter).fields;
-  const bool open_end = strip(start.first.text).back() == start.delimiter;
+  Fields fields;
+  split_fields(start.first.text, start.delimiter, fields);
+  const std::size_t columns = fields.size();
+  const bool open_end = columns > 1 && fields.back().empty();
   const bool named = take_header(start, columns, layout) ||
-                     (open_end && columns > 1 && take_header(start, columns - 1, layout));
+                     (open_end && take_header(start, columns - 1, layout));
   if (!named) {
     check_line_before(start, columns, source);
     layout.headers.assign(columns, Quantity{});

@@ -11,8 +11,8 @@
 namespace lacuna {
 namespace {
 
-/// The step h of a uniform grid: no time stamp is further than h/1000 from t_0 + i h. Stamps are
-/// often rounded to a few digits, which must not count, while a drifting clock must.
+/// The step h of a uniform grid: no time stamp is further than h/1000 from t_0 + i h. Stamps
+/// are often rounded to a few digits, which must not count, while a drifting clock must.
 std::optional<double> common_step(const Vector& time) {
   constexpr double kTolerance = 1e-3;
   const Index last = time.size() - 1;

@@ -16,7 +16,7 @@ std::vector<Index> columns_of(const std::vector<Quantity>& wanted,
                                     [&](const Quantity& q) { return q.name == quantity.name; });
     if (found == present.end())
       throw DataError("record",
-                      "the record has no " + role + " '" + quantity.name + "' of the model",
+                      "it has no " + role + " '" + quantity.name + "', which the model has",
                       "name the columns as in the model or choose them with the data options");
     columns.push_back(found - present.begin());
   }

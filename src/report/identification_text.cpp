@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <map>
+#include <algorithm>
 #include <sstream>
+#include <tuple>
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/report/identification_report.hpp"
@@ -56,27 +57,39 @@ std::string noise_text(const IdentificationResult& result) {
   return "  " + join(parts, ", ") + "\n";
 }
 
-/// "  dx/dt: 20 candidates, 2 kept" and a line per stage that removed some.
+/// "  2. x^2 0.0703 (limit 0.0849)".
+std::string removal_line(const TrailEntry& entry) {
+  return "      " + std::to_string(entry.step) + ". " + padded(entry.term, 16) + " " +
+         padded(format_number(entry.value, 3), 10) + " limit " +
+         format_number(entry.threshold, 3) + "\n";
+}
+
+/// Removed terms of one equation, stage by stage, in the order of removal.
+std::string removals_of(std::vector<TrailEntry> removed) {
+  std::stable_sort(removed.begin(), removed.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.stage, a.step) < std::tie(b.stage, b.step);
+  });
+  std::string text, heading;
+  for (const TrailEntry& entry : removed) {
+    const std::string stage = "    removed by " + entry.stage + ", " + entry.quantity + ":\n";
+    if (stage != heading) text += stage;
+    heading = stage;
+    text += removal_line(entry);
+  }
+  return text;
+}
+
 std::string trail_of(const std::vector<TrailEntry>& trail, const std::string& equation) {
-  std::map<std::string, std::vector<std::string>> removed;
-  std::size_t candidates = 0, kept = 0;
+  std::vector<TrailEntry> removed;
+  std::size_t candidates = 0;
   for (const TrailEntry& entry : trail) {
     if (entry.equation != equation) continue;
     ++candidates;
-    if (entry.kept) {
-      ++kept;
-      continue;
-    }
-    removed[entry.stage + ", " + entry.quantity + " against " +
-            format_number(entry.threshold, 3)]
-        .push_back(entry.term + " (step " + std::to_string(entry.step) + ": " +
-                   format_number(entry.value, 3) + ")");
+    if (!entry.kept) removed.push_back(entry);
   }
-  std::string text = "  d" + equation + "/dt: " + std::to_string(candidates) + " candidates, " +
-                     std::to_string(kept) + " kept\n";
-  for (const auto& [stage, terms] : removed)
-    text += "    removed by " + stage + ": " + join(terms, ", ") + "\n";
-  return text;
+  return "  d" + equation + "/dt: " + std::to_string(candidates) + " candidates, " +
+         std::to_string(candidates - removed.size()) + " kept\n" +
+         removals_of(std::move(removed));
 }
 
 }  // namespace

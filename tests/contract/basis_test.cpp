@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/stages/basis.hpp"
+
 #include <set>
 
 #include "contract/contract.hpp"
-#include "lacuna/stages/basis.hpp"
 
 namespace lacuna::contract {
 namespace {

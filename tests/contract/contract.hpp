@@ -56,7 +56,8 @@ inline Matrix good_columns() {
 }
 
 /// A system over the given columns with the target Theta h plus noise.
-inline LeastSquaresSystem system_over(const Matrix& theta, double noise = 0.0, int threads = 1) {
+inline LeastSquaresSystem system_over(const Matrix& theta, double noise = 0.0,
+                                      int threads = 1) {
   Random random(11);
   Matrix target = theta.leftCols(kTerms) * true_coefficients();
   for (Index i = 0; i < target.rows(); ++i) target(i, 0) += noise * random.normal();

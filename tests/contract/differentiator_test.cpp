@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "contract/contract.hpp"
 #include "lacuna/stages/differentiator.hpp"
+
+#include "contract/contract.hpp"
 
 namespace lacuna::contract {
 namespace {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/integrator.hpp"
+
 #include <cmath>
 
 #include "contract/contract.hpp"
-#include "lacuna/dynamics/integrator.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 
 namespace lacuna::contract {
 namespace {
 
-void oscillator(double, const double* x, double* dxdt) {
+const auto oscillator = [](double, const double* x, double* dxdt) {
   dxdt[0] = x[1];
   dxdt[1] = -x[0];
-}
+};
 
 class EveryIntegrator : public testing::TestWithParam<StageVariant> {
  protected:
@@ -21,7 +22,8 @@ class EveryIntegrator : public testing::TestWithParam<StageVariant> {
   double error(Index steps) const {
     const double end = 4.0 * std::acos(-1.0);
     const Vector times = sample_times(0.0, end / static_cast<double>(steps), steps + 1);
-    const Solution orbit = integrator()->integrate(oscillator, Eigen::Vector2d(1.0, 0.0), times);
+    const Solution orbit =
+        integrator()->integrate(oscillator, Eigen::Vector2d(1.0, 0.0), times);
     EXPECT_EQ(orbit.status, IntegrationStatus::Completed) << orbit.message;
     return (orbit.end_state - Eigen::Vector2d(1.0, 0.0)).norm();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What every registered part owes: words for all that it has, defaults that work, options that
 // survive the way through JSON.
+#include <algorithm>
 #include <set>
 
 #include "contract/contract.hpp"
@@ -49,7 +50,8 @@ class ChangeOptions final : public OptionVisitor {
 std::string through_configuration(const std::string& kind, const std::string& json) {
   Configuration configuration;
   if (kind == "l1-solver")
-    configuration.merge_text(R"({"regressor": {"type": "irls-l1", "inner": )" + json + "}}", "t");
+    configuration.merge_text(R"({"regressor": {"type": "irls-l1", "inner": )" + json + "}}",
+                             "t");
   else
     configuration.merge_text("{\"" + kind + "\": " + json + "}", "t");
   return format_pipeline(configuration.build(default_registry()));
@@ -93,14 +95,14 @@ TEST_P(EveryPart, OptionsSurviveJson) {
   EXPECT_NE(through_configuration(kind, changed).find(changed), std::string::npos) << changed;
 }
 
+std::string part_name(const testing::TestParamInfo<RegistryEntry>& part) {
+  std::string name = std::string(part.param.kind) + "_" + std::string(part.param.info.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPart, testing::ValuesIn(default_registry().entries()),
-                         [](const auto& info) {
-                           std::string name(info.param.kind);
-                           name += "_" + std::string(info.param.info.name);
-                           for (char& c : name)
-                             if (c == '-') c = '_';
-                           return name;
-                         });
+                         part_name);
 
 }  // namespace
 }  // namespace lacuna::contract

@@ -6,7 +6,7 @@
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/config/variants.hpp"
 #include "lacuna/core/random.hpp"
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/dynamics/test_systems.hpp"
 
@@ -72,7 +72,7 @@ Dataset noisy_record(const Condition& condition, std::uint64_t seed) {
   const TestSystem& rossler = test_system("rossler");
   const Vector times = sample_times(0.0, kStep, condition.samples);
   const Solution orbit =
-      simulate(rossler.model, DormandPrince8Adaptive{}, rossler.start, times);
+      simulate(rossler.model, Dopri87{}, rossler.start, times);
 
   Trajectory trajectory{"rossler", times, orbit.states, Matrix(times.size(), 0), orbit.states};
   CompiledModel model = rossler.model.compile();

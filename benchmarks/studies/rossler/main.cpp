@@ -12,7 +12,7 @@
 #include "cases.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/synchroniser.hpp"
 #include "lacuna/dynamics/test_systems.hpp"
 #include "report.hpp"
@@ -29,7 +29,7 @@ Score score(const Composition& composition, const Dataset& noisy, const Dataset&
   Score score;
   score.seconds = time.count();
   compare_coefficients(result.model, test_system("rossler").model, score);
-  const SyncResult sync = synchronise(result.model, clean, RungeKutta4{});
+  const SyncResult sync = synchronise(result.model, clean, Rk4{});
   if (sync.status == IntegrationStatus::Completed) score.sync = sync.relative;
   return score;
 }

@@ -14,13 +14,13 @@ namespace lacuna {
 /// time is the column `t`, `time` or the first one, every other column is a state.
 /// A column is named as in the dataset ("Ch_1") or as in the file's header ("Ch 1").
 struct ColumnRoles {
-  std::optional<std::string> time;  ///< name of the time column
-  std::optional<double> step;       ///< sampling step h; then no column is the time
-  std::vector<std::string> states;  ///< empty: all that have no other role
-  std::vector<std::string> inputs;
-  std::vector<std::string>
-      derivatives;  ///< columns that hold dx/dt, in the order of the states
-  std::optional<std::string> trajectory;  ///< column that numbers the records in one file
+  std::optional<std::string> time = {};  ///< name of the time column
+  std::optional<double> step = {};       ///< sampling step h; then no column is the time
+  std::vector<std::string> states = {};  ///< empty: all that have no other role
+  std::vector<std::string> inputs = {};
+  /// Columns that hold dx/dt, in the order of the states.
+  std::vector<std::string> derivatives = {};
+  std::optional<std::string> trajectory = {};  ///< column that numbers the records in one file
 };
 
 /// Numbers of the columns that play the roles.

@@ -34,10 +34,10 @@ struct StencilRule {
 
 /// Applies the rule to every column at every sample.
 ///
-/// On a uniform grid (no time stamp off by more than 1e-3 of the step, so that rounded stamps are
-/// uniform) the weights of the inner rows are computed once; near the ends and on other grids each row has weights of its own, from the
-/// `width` samples nearest in number. Derivatives are sums of differences of samples, so that a
-/// constant gives exactly 0.
+/// On a uniform grid (no time stamp off by more than 1e-3 of the step, so that rounded stamps
+/// are uniform) the weights of the inner rows are computed once; near the ends and on other
+/// grids each row has weights of its own, from the `width` samples nearest in number.
+/// Derivatives are sums of differences of samples, so that a constant gives exactly 0.
 /// @throws DataError when there are fewer than `width` samples.
 Matrix apply_stencil(const StencilRule& rule, const Vector& time,
                      const Eigen::Ref<const Matrix>& values);

@@ -24,7 +24,7 @@ struct AbmOptions {
   static constexpr std::array<std::string_view, 2> kTolerances{"relative", "paper"};
 
   Tolerances tolerances = Tolerances::Relative;
-  std::optional<double> eps;
+  std::optional<double> eps = {};
 
   /// eps, or the default of the chosen tolerances.
   double effective_eps() const {

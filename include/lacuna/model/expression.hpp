@@ -34,8 +34,8 @@ inline constexpr int kMaxExpressionDepth = 2400;
 
 /// A formula in named variables: an immutable value, cheap to copy.
 ///
-/// The language: numbers, `pi`, `+ - * / ^` (`^` binds tightest and to the right, then the sign),
-/// parentheses, `sin cos tan asin acos atan tanh exp log sqrt abs sign min max step(x)`
+/// The language: numbers, `pi`, `+ - * / ^` (`^` binds tightest and to the right, then the
+/// sign), parentheses, `sin cos tan asin acos atan tanh exp log sqrt abs sign min max step(x)`
 /// `clip(x,lo,hi)`, `delay(x,T)` with a constant T >= 0. A delay of a formula is stored as the
 /// formula of its delayed variables, so that only variables are ever delayed.
 ///
@@ -101,7 +101,7 @@ Expression parse_expression(std::string_view text, std::span<const std::string> 
 /// min, max and clip select a branch with step. A delayed variable counts as another variable.
 Expression differentiate(const Expression& expression, std::string_view variable);
 
-/// The operations, without any simplification: `a + b` is Expression::make(Operation::Add, {a, b}).
+/// The operations, without any simplification: `a + b` is make(Operation::Add, {a, b}).
 Expression operator+(const Expression& a, const Expression& b);
 Expression operator-(const Expression& a, const Expression& b);
 Expression operator*(const Expression& a, const Expression& b);

@@ -11,8 +11,9 @@ namespace lacuna {
 
 /// Reads a model from JSON text of the format "lacuna.model/1".
 /// @param source name for messages.
-/// @throws ModelError naming source and JSON path ("m.json: $.equations[1].terms[0].term, column
-///   3"): not JSON, another format, a missing or unknown key, an unknown name in a term.
+/// @throws ModelError naming source and JSON path ("m.json: $.equations[1].terms[0].term,
+///   column 3") or line and column: not JSON, another format, a missing or unknown key, an
+///   unknown name in a term.
 OdeModel parse_model(std::string_view json, const std::string& source);
 
 /// Reads a model file. @throws FileError when it cannot be read; ModelError as parse_model.

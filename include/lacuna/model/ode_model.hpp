@@ -32,8 +32,8 @@ class OdeModel {
   /// Terms get their canonical names in this model's variables.
   /// @throws ModelError when there is no state, when names repeat, are not identifiers or are
   ///   words of the formula language, when the number of equations is not the number of states,
-  ///   when a term stands twice in an equation or uses an unknown name, or when a coefficient is
-  ///   not finite.
+  ///   when a term stands twice in an equation or uses an unknown name, or when a coefficient
+  ///   is not finite.
   OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
            std::vector<Equation> equations, std::string time_unit = "s");
 

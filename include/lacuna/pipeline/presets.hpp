@@ -32,15 +32,16 @@ const std::vector<Preset>& presets();
 Pipeline preset(const std::string& name, Tolerances tolerances = Tolerances::Repaired);
 
 /// Algorithm 1 of Karimov et al. 2023: monomials of degree 0..3, strong form with finite
-/// differences, ABM, then per equation delMinorTerms.
+/// differences, ABM, then per equation delMinorTerms; refits by least squares. Repaired: order
+/// 8 and tolerances relative to the residual; paper: order 4 and raw tolerances.
 Pipeline algorithm1(Tolerances tolerances = Tolerances::Repaired);
 
 /// SINDy: monomials of degree 0..3, strong form with finite differences, sequentially
 /// thresholded least squares (Brunton, Proctor & Kutz, PNAS 113 (2016) 3932).
 Pipeline sindy();
 
-/// For noisy records: smoothing derivatives and backward elimination by an information
-/// criterion.
+/// For noisy records: Algorithm 1 on signals and derivatives smoothed by Savitzky-Golay
+/// polynomials.
 Pipeline robust();
 
 }  // namespace lacuna

@@ -31,7 +31,7 @@ struct MinorTermsOptions {
 
   Tolerances tolerances = Tolerances::Relative;
   Criterion criterion = Criterion::Residual;
-  std::optional<double> eta;
+  std::optional<double> eta = {};
   double jump = 0.4;
   double resolution = 1e-11;
 

@@ -24,7 +24,7 @@ struct IrlsOptions {
   static constexpr std::array<std::string_view, 2> kTolerances{"relative", "paper"};
 
   Tolerances tolerances = Tolerances::Relative;
-  std::optional<double> delta;
+  std::optional<double> delta = {};
   double tolerance = 1e-8;
   int max_iterations = 100;
 

@@ -25,7 +25,7 @@ struct StlsqOptions {
 
   double threshold = 0.01;
   Scale scale = Scale::Contribution;
-  std::optional<double> alpha;
+  std::optional<double> alpha = {};
   int max_iterations = 100;
 
   void describe(OptionVisitor& v) {

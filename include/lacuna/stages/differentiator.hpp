@@ -11,8 +11,8 @@ class Differentiator : public StageInterface {
  public:
   static constexpr std::string_view kKind = "differentiator";
 
-  /// The k-th derivative of every column; k = 0 gives what the method takes for the signal itself
-  /// (smoothed where it smooths).
+  /// The k-th derivative of every column; k = 0 gives what the method takes for the signal
+  /// itself (smoothed where it smooths).
   /// @param time n, strictly increasing, uniform or not; @param values n x m.
   /// @return n x m, in units of the values per time unit to the k.
   /// @throws DataError when there are fewer samples than the method needs, saying how many;

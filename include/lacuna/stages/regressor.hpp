@@ -20,8 +20,8 @@ enum class Effort {
 
 /// Coefficients of one equation.
 struct Regression {
-  TermSet active;              ///< terms with a coefficient; a sparse method may have dropped some
-  Vector coefficients;         ///< one per active term, in the units of the data
+  TermSet active;       ///< terms with a coefficient; a sparse method may have dropped some
+  Vector coefficients;  ///< one per active term, in the units of the data
   double residual_norm = 0.0;  ///< |y - Theta_A h|, unweighted
   bool converged = true;
   int iterations = 0;

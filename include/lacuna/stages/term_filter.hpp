@@ -16,8 +16,8 @@ struct FilterResult {
   std::vector<Removal> removed;
 };
 
-/// Plug point: removes candidate terms that vanish on the data or that the others express, without
-/// looking at any target.
+/// Plug point: removes candidate terms that vanish on the data or that the others express,
+/// without looking at any target.
 class TermFilter : public StageInterface {
  public:
   static constexpr std::string_view kKind = "filter";

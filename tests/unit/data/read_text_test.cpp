@@ -67,7 +67,9 @@ TEST(ReadText, ReadsDecimalCommasAndQuotes) {
 }
 
 TEST(ReadText, ReadsLinesThatEndInADelimiter) {
-  EXPECT_EQ(parse("t,x,y,\n0,1,2,\n3,4,5,\n").values, matrix_2x3(0, 1, 2, 3, 4, 5));
+  for (const std::string text : {"t,x,y,\n0,1,2,\n3,4,5,\n", "t,x,y\r\n0,1,2,\r\n3,4,5,\r\n",
+                                 "t\tx\ty\n0\t1\t2\t\n3\t4\t5\t\n"})
+    EXPECT_EQ(parse(text).values, matrix_2x3(0, 1, 2, 3, 4, 5)) << text;
 }
 
 TEST(ReadText, NamesColumnsWithoutAHeader) {

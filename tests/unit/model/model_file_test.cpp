@@ -62,8 +62,10 @@ TEST(ModelFile, ReadsEveryField) {
 
 TEST(ModelFile, OptionalPartsMayBeMissing) {
   const OdeModel model = parse_model(
-      R"({"format": "lacuna.model/1", "description": "two tanks", "states": [{"name": "a"}, {"name": "b"}],
-          "equations": [{"state": "b", "terms": []}, {"state": "a", "terms": [{"term": "1", "coefficient": 2}]}]})",
+      R"({"format": "lacuna.model/1", "description": "two tanks",
+          "states": [{"name": "a"}, {"name": "b"}],
+          "equations": [{"state": "b", "terms": []},
+                        {"state": "a", "terms": [{"term": "1", "coefficient": 2}]}]})",
       "m.json");
   EXPECT_TRUE(model.inputs().empty());
   EXPECT_EQ(model.time_unit(), "s");
