@@ -16,7 +16,9 @@ Regression Irls::do_fit(const LeastSquaresSystem& system, const Subproblem& prob
   rule.tolerance =
       effort == Effort::Final ? options().tolerance : std::max(options().tolerance, 1e-5);
   rule.max_iterations = options().max_iterations;
-  const auto solve = [](const Subproblem& weighted, const Vector&) { return weighted.solve(); };
+  const auto solve = [](const Subproblem& weighted, const Vector&, const WeightFunction&) {
+    return weighted.solve();
+  };
   const ReweightingOutcome found = reweight(system, problem, rule, solve, context);
   return {problem.active(), found.coefficients, problem.residual_norm(found.coefficients),
           found.converged, found.iterations};

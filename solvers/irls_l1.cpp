@@ -30,20 +30,23 @@ void drop_zeros(const Vector& h, const Vector& gradient, const Vector& penalty,
   result.coefficients = Eigen::Map<const Vector>(kept.data(), static_cast<Index>(kept.size()));
 }
 
+/// a / b, 0 where b is.
+Vector quotient(const Vector& a, const Vector& b) {
+  return (b.array() > 0.0).select(a.array() / b.array(), 0.0);
+}
+
 }  // namespace
 
-L1Problem IrlsL1::inner_problem(const Subproblem& weighted, const Vector& h) const {
-  const Vector& norms = weighted.column_norms();
-  L1Problem inner{weighted.triangle(), weighted.projected_target(), Vector(norms.size()),
-                  h.cwiseProduct(norms)};
-  if (options().tolerances == IrlsL1Options::Tolerances::Relative) {
-    const Vector gradient = 2.0 * inner.triangle.transpose() * inner.target;
-    inner.penalty.setConstant(options().alpha * gradient.cwiseAbs().maxCoeff());
-  } else {
-    for (Index j = 0; j < norms.size(); ++j)
-      inner.penalty[j] = norms[j] > 0.0 ? options().alpha / norms[j] : 0.0;
-  }
-  return inner;
+Vector IrlsL1::penalties(const LeastSquaresSystem& system, const Subproblem& problem,
+                         const WeightFunction& weights, const RunContext& context) const {
+  const Index k = problem.size();
+  if (options().tolerances == IrlsL1Options::Tolerances::Paper)
+    return Vector::Constant(k, options().alpha);
+  const Subproblem null = system.reweighted(problem, Vector::Zero(k), weights, context);
+  const Vector gradient = 2.0 * null.column_norms().cwiseProduct(null.triangle().transpose() *
+                                                                 null.projected_target());
+  const Vector& norms = problem.column_norms();
+  return options().alpha * quotient(gradient, norms).cwiseAbs().maxCoeff() * norms;
 }
 
 Regression IrlsL1::do_fit(const LeastSquaresSystem& system, const Subproblem& problem,
@@ -57,16 +60,17 @@ Regression IrlsL1::do_fit(const LeastSquaresSystem& system, const Subproblem& pr
   Vector gradient = Vector::Zero(problem.size());
   Vector penalty = gradient;
   bool inner_converged = true;
-  const auto solve = [&](const Subproblem& weighted, const Vector& h) {
-    const L1Problem inner = inner_problem(weighted, h);
-    const L1Solution found = options().inner->solve(inner, context);
-    inner_converged = found.converged;
-    penalty = inner.penalty;
-    gradient =
-        2.0 * inner.triangle.transpose() * (inner.target - inner.triangle * found.coefficients);
+  const auto solve = [&](const Subproblem& weighted, const Vector& h,
+                         const WeightFunction& weights) {
     const Vector& norms = weighted.column_norms();
-    return Vector(
-        (norms.array() > 0.0).select(found.coefficients.array() / norms.array(), 0.0));
+    penalty = quotient(penalties(system, problem, weights, context), norms);
+    const L1Problem inner{weighted.triangle(), weighted.projected_target(), penalty,
+                          h.cwiseProduct(norms)};
+    const L1Solution solution = options().inner->solve(inner, context);
+    inner_converged = solution.converged;
+    gradient = 2.0 * inner.triangle.transpose() *
+               (inner.target - inner.triangle * solution.coefficients);
+    return quotient(solution.coefficients, norms);
   };
   const ReweightingOutcome found = reweight(system, problem, rule, solve, context);
   Regression result{problem.active(), found.coefficients,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "lacuna/solvers/l1_optimality.hpp"
 
@@ -14,68 +13,101 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Steps after which a run is ended and the next one started.
-constexpr int kStepsPerRun = 40;
+/// Steps after which mu falls even if the minimum is not reached.
+constexpr int kStepsPerMu = 50;
 
-/// z = u^2 - v^2.
-Vector merged(const Vector& uv) {
-  const Index k = uv.size() / 2;
-  return uv.head(k).cwiseAbs2() - uv.tail(k).cwiseAbs2();
-}
-
-/// Residuals [c - R(u^2 - v^2); sqrt(p) u; sqrt(p) v] of the parameters [u; v].
-class SquaredForm final : public ceres::CostFunction {
+/// sqrt(2) (c - R z): Ceres minimises half of the squares.
+class LinearForm final : public ceres::CostFunction {
  public:
-  explicit SquaredForm(const L1Problem& problem)
-      : problem_(problem), root_(problem.penalty.cwiseSqrt()) {
-    const auto k = static_cast<int>(root_.size());
-    set_num_residuals(3 * k);
-    mutable_parameter_block_sizes()->push_back(2 * k);
+  explicit LinearForm(const L1Problem& problem) : problem_(problem) {
+    const auto k = static_cast<int>(problem.target.size());
+    set_num_residuals(k);
+    mutable_parameter_block_sizes()->push_back(k);
   }
 
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const Index k = root_.size();
-    const Eigen::Map<const Vector> u(parameters[0], k);
-    const Eigen::Map<const Vector> v(parameters[0] + k, k);
-    Eigen::Map<Vector> r(residuals, 3 * k);
-    r.head(k) = problem_.target - problem_.triangle * (u.cwiseAbs2() - v.cwiseAbs2());
-    r.segment(k, k) = root_.cwiseProduct(u);
-    r.tail(k) = root_.cwiseProduct(v);
-    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    Eigen::Map<RowMajor> j(jacobians[0], 3 * k, 2 * k);
-    j.setZero();
-    j.topLeftCorner(k, k) = -2.0 * problem_.triangle * u.asDiagonal();
-    j.topRightCorner(k, k) = 2.0 * problem_.triangle * v.asDiagonal();
-    j.bottomRows(2 * k).diagonal() << root_, root_;
+  bool Evaluate(double const* const* z, double* residuals, double** jacobians) const override {
+    const Index k = problem_.target.size();
+    const double root = std::sqrt(2.0);
+    Eigen::Map<Vector>(residuals, k) =
+        root * (problem_.target - problem_.triangle * Eigen::Map<const Vector>(z[0], k));
+    if (jacobians != nullptr && jacobians[0] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[0], k, k) = -root * problem_.triangle;
     return true;
   }
 
  private:
   const L1Problem& problem_;
-  Vector root_;
 };
 
-/// Ends the minimisation when the run is to end, or as soon as the optimum is known exactly.
-class Watch final : public ceres::IterationCallback {
+/// One coefficient, z_j.
+class Coordinate final : public ceres::CostFunction {
  public:
-  Watch(const L1Problem& problem, const Vector& uv, const RunContext& context)
-      : problem_(problem), uv_(uv), context_(context) {}
+  Coordinate(Index j, Index k) : j_(j), k_(k) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(k));
+  }
 
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
-    if (context_.stop.stop_requested()) return ceres::SOLVER_ABORT;
-    if (step.iteration < next_check_) return ceres::SOLVER_CONTINUE;
-    next_check_ = 2 * step.iteration;
-    return l1_polished(problem_, merged(uv_)) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                              : ceres::SOLVER_CONTINUE;
+  bool Evaluate(double const* const* z, double* residuals, double** jacobians) const override {
+    residuals[0] = z[0][j_];
+    if (jacobians != nullptr && jacobians[0] != nullptr)
+      Eigen::Map<Vector>(jacobians[0], k_) = Vector::Unit(k_, j_);
+    return true;
   }
 
  private:
-  const L1Problem& problem_;
-  const Vector& uv_;
-  const RunContext& context_;
-  int next_check_ = 4;
+  Index j_;
+  Index k_;
 };
+
+/// Loss whose half is penalty * mu (sqrt(1 + z^2 / mu^2) - 1).
+ceres::LossFunction* smoothed_magnitude(double penalty, double mu) {
+  return new ceres::ScaledLoss(new ceres::SoftLOneLoss(mu), penalty / mu,
+                               ceres::TAKE_OWNERSHIP);
+}
+
+/// Ends a minimisation when the run is to end.
+class StopWatch final : public ceres::IterationCallback {
+ public:
+  explicit StopWatch(const RunContext& context) : context_(context) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return context_.stop.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const RunContext& context_;
+};
+
+ceres::Solver::Options solver_options(int max_steps, ceres::IterationCallback* watch) {
+  ceres::Solver::Options options;
+  options.logging_type = ceres::SILENT;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = max_steps;
+  options.function_tolerance = 1e-15;
+  options.gradient_tolerance = 1e-15;
+  options.parameter_tolerance = 1e-13;
+  options.num_threads = 1;
+  options.callbacks.push_back(watch);
+  return options;
+}
+
+/// Minimises the smoothed problem from z, which is left at the last point.
+/// @return the number of steps, at least 1.
+int minimise(const L1Problem& problem, double mu, int max_steps, Vector& z,
+             const RunContext& context) {
+  const Index k = z.size();
+  ceres::Problem model;  // owns the functions
+  model.AddResidualBlock(new LinearForm(problem), nullptr, z.data());
+  for (Index j = 0; j < k; ++j)
+    if (problem.penalty[j] > 0.0)
+      model.AddResidualBlock(new Coordinate(j, k), smoothed_magnitude(problem.penalty[j], mu),
+                             z.data());
+  StopWatch watch(context);
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver_options(max_steps, &watch), &model, &summary);
+  context.check_stop();
+  return std::max(static_cast<int>(summary.iterations.size()), 1);
+}
 
 /// The problem with |c| = 1, so that Ceres' tolerances mean the same for every unit.
 L1Problem normalised(L1Problem problem, double norm) {
@@ -83,40 +115,6 @@ L1Problem normalised(L1Problem problem, double norm) {
   problem.penalty /= norm;
   problem.start /= norm;
   return problem;
-}
-
-/// [u; v] of a first guess; away from zero, where the form has a saddle.
-Vector split_roots(const Vector& z) {
-  const Vector parts = z.cwiseAbs().array().max(1e-3 * (1.0 + z.cwiseAbs().maxCoeff()));
-  Vector uv(2 * z.size());
-  uv << (0.5 * (parts + z)).cwiseMax(0.01 * parts).cwiseSqrt(),
-      (0.5 * (parts - z)).cwiseMax(0.01 * parts).cwiseSqrt();
-  return uv;
-}
-
-ceres::Solver::Options solver_options(ceres::IterationCallback* watch) {
-  ceres::Solver::Options options;
-  options.logging_type = ceres::SILENT;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = kStepsPerRun;
-  options.function_tolerance = 0.0;
-  options.gradient_tolerance = 1e-16;
-  options.parameter_tolerance = 1e-15;
-  options.num_threads = 1;
-  options.update_state_every_iteration = true;
-  options.callbacks.push_back(watch);
-  return options;
-}
-
-/// One run from uv, which is left at the last point.
-/// @return the number of steps, at least 1.
-int minimise(const L1Problem& problem, Vector& uv, const RunContext& context) {
-  Watch watch(problem, uv, context);
-  ceres::Problem model;
-  model.AddResidualBlock(new SquaredForm(problem), nullptr, uv.data());  // owned by model
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(&watch), &model, &summary);
-  return std::max(summary.num_successful_steps, 1);
 }
 
 }  // namespace
@@ -128,14 +126,17 @@ L1Solution CeresL1::do_solve(const L1Problem& problem, const RunContext& context
   const double norm = problem.target.norm();
   if (norm == 0.0 || k == 0) return {Vector::Zero(k), 0, true};
   const L1Problem unit = normalised(problem, norm);
-  L1Solution solution{unit.start, 0, false};
-  // Roots that have become small grow again only slowly where the optimum wants them, so a run
-  // is ended early and the next starts from the same point with all roots away from zero.
-  while (!solution.converged && solution.iterations < options().max_iterations) {
-    Vector uv = split_roots(solution.coefficients);
-    const int steps = minimise(unit, uv, context);
-    context.check_stop();
-    solution = l1_finished(unit, merged(uv), solution.iterations + steps, 1e-12);
+  Vector z = unit.start;
+  L1Solution solution{z, 0, false};
+  const double scale = std::max(0.1, z.cwiseAbs().maxCoeff());
+  // A slower descent of mu where the fast one lost the minimum on its way.
+  for (const double factor : {0.1, 0.3, 0.6}) {
+    for (double mu = scale; mu > 1e-12 * scale; mu *= factor) {
+      const int left = options().max_iterations - solution.iterations;
+      if (solution.converged || left <= 0) break;
+      const int steps = minimise(unit, mu, std::min(left, kStepsPerMu), z, context);
+      solution = l1_finished(unit, z, solution.iterations + steps, 1e-12);
+    }
   }
   solution.coefficients *= norm;
   return solution;

@@ -46,9 +46,8 @@ ReweightingOutcome reweight(const LeastSquaresSystem& system, const Subproblem& 
       median = std::min(median, median_of_magnitudes(system.residuals(
                                     problem.target(), problem.active(), h, context)));
     const double delta = rule.relative ? rule.delta * std::max(median, floor) : rule.delta;
-    const Subproblem weighted =
-        system.reweighted(problem, h, weights_of(delta, rule.relative), context);
-    const Vector next = solve(weighted, h);
+    const WeightFunction weights = weights_of(delta, rule.relative);
+    const Vector next = solve(system.reweighted(problem, h, weights, context), h, weights);
     outcome.converged = relative_change(problem, h, next) <= rule.tolerance;
     h = next;
     ++outcome.iterations;

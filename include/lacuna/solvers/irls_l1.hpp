@@ -63,9 +63,11 @@ struct IrlsL1Options {
 /// L1Solver in triangular form with columns scaled to unit norm, z_j = h_j |sqrt(W) e_j|.
 ///
 /// Paper tolerances: alpha multiplies |h_j| as printed, so it depends on n, units and time
-/// scale. Relative ones: every |z_j| has the penalty alpha * 2 max_j |(sqrt(W) e_j)' sqrt(W) y|
-/// / |sqrt(W) e_j|, which is what makes all coefficients zero at alpha = 1, whatever n and the
-/// units are. Terms whose coefficient is zero leave the active set and are reported.
+/// scale. Relative ones: |h_j| |e_j| has the penalty alpha * 2 max_j |e_j' W y| / |e_j| with
+/// the weights W of the residuals y, which is the smallest that leaves no term for the present
+/// delta: alpha = 1 leaves none, whatever n and the units are. For given delta the problem is
+/// convex and every iteration lowers the objective. Terms whose coefficient is zero leave the
+/// active set and are reported.
 class IrlsL1 final : public Configured<Regressor, IrlsL1Options> {
  public:
   /// @throws ConfigError when an option is out of its range.
@@ -75,8 +77,9 @@ class IrlsL1 final : public Configured<Regressor, IrlsL1Options> {
   Regression do_fit(const LeastSquaresSystem& system, const Subproblem& problem, Effort effort,
                     const RunContext& context) const override;
 
-  /// The inner problem of given weights, scaled.
-  L1Problem inner_problem(const Subproblem& weighted, const Vector& h) const;
+  /// Penalty on every |h_j|.
+  Vector penalties(const LeastSquaresSystem& system, const Subproblem& problem,
+                   const WeightFunction& weights, const RunContext& context) const;
 };
 
 }  // namespace lacuna

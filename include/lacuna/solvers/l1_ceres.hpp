@@ -11,10 +11,10 @@ namespace lacuna {
 /// Options of CeresL1.
 struct CeresL1Options {
   static constexpr StageInfo kInfo{
-      "ceres", "Levenberg-Marquardt of Ceres on the smooth form z = u^2 - v^2.",
+      "ceres", "Levenberg-Marquardt of Ceres on smoothed penalties, ever less smooth.",
       "Agarwal, Mierle et al., Ceres Solver"};
 
-  int max_iterations = 5000;
+  int max_iterations = 2000;
 
   void describe(OptionVisitor& v) {
     v.field({"max_iterations", "", "Most Levenberg-Marquardt steps.", 1.0, 1e6},
@@ -22,10 +22,12 @@ struct CeresL1Options {
   }
 };
 
-/// Makes the l1 problem a smooth nonlinear least-squares problem of the same minimum,
-///   min_{u,v} |c - R(u^2 - v^2)|^2 + sum_j p_j (u_j^2 + v_j^2),  z = u^2 - v^2 entry by entry,
-/// which has no local minima besides the global one, and gives it to Ceres. The last point is
-/// made exact on its nonzero coefficients where the optimality conditions confirm it.
+/// Follows the minimum of the smooth convex problem
+///   min_z |c - R z|^2 + sum_j p_j mu (sqrt(1 + z_j^2 / mu^2) - 1)
+/// as mu falls from the size of the first guess to 1e-12 of it: the penalties are Ceres'
+/// SoftLOneLoss, which tends to p_j |z_j|, and every minimum is the start of the next. After
+/// each the optimum of the l1 problem is solved for exactly on the coefficients that are not
+/// small, and taken where the optimality conditions confirm it.
 class CeresL1 final : public Configured<L1Solver, CeresL1Options> {
  public:
   using Configured::Configured;

@@ -23,8 +23,10 @@ struct ReweightingOutcome {
   int iterations = 0;
 };
 
-/// Solves a weighted problem, given the coefficients so far.
-using WeightedSolve = FunctionRef<Vector(const Subproblem& weighted, const Vector& h)>;
+/// Solves a weighted problem, given the coefficients so far and the weights as a function of
+/// residuals.
+using WeightedSolve = FunctionRef<Vector(const Subproblem& weighted, const Vector& h,
+                                         const WeightFunction& weights)>;
 
 /// Iteratively reweighted fitting from the least-squares solution (7) on: after each solution
 /// rows get the weights w_i = 1 / max(delta, |y_i - E_i h|), (8) of Karimov et al. 2023.

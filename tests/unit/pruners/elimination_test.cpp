@@ -12,8 +12,8 @@ namespace {
 class EliminationTest : public ::testing::Test {
  protected:
   const LeastSquaresSystem system_ = testing::sparse_problem(200, 0.1, 0.0);
-  const Ols ols_;
-  const RunContext context_;
+  const Ols ols_ = Ols();
+  const RunContext context_ = {};
   const Elimination full_{system_, 0, system_.all_terms(), ols_, context_};
 };
 

@@ -9,7 +9,9 @@ namespace lacuna {
 namespace {
 
 ReweightingOutcome plain(const LeastSquaresSystem& system, const ReweightingRule& rule) {
-  const auto solve = [](const Subproblem& weighted, const Vector&) { return weighted.solve(); };
+  const auto solve = [](const Subproblem& weighted, const Vector&, const WeightFunction&) {
+    return weighted.solve();
+  };
   return reweight(system, system.subproblem(0, system.all_terms()), rule, solve, {});
 }
 
