@@ -4,12 +4,25 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "lacuna/config/variants.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/linear/least_squares_system.hpp"
+
+namespace lacuna {
+
+/// Names of parameters in the output of the tests.
+inline void PrintTo(const StageVariant& variant, std::ostream* out) { *out << variant.label; }
+inline void PrintTo(const RegistryEntry& entry, std::ostream* out) {
+  *out << entry.kind << " " << entry.info.name;
+}
+
+}  // namespace lacuna
 
 namespace lacuna::contract {
 
