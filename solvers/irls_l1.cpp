@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "lacuna/solvers/l1_optimality.hpp"
 #include "lacuna/solvers/reweighting.hpp"
 
 namespace lacuna {
@@ -33,6 +36,15 @@ void drop_zeros(const Vector& h, const Vector& gradient, const Vector& penalty,
 /// a / b, 0 where b is.
 Vector quotient(const Vector& a, const Vector& b) {
   return (b.array() > 0.0).select(a.array() / b.array(), 0.0);
+}
+
+/// Once the weights have settled, the zeros and signs of the last pass are mostly those of the
+/// next: then the optimality conditions accept the exact solve and the inner solver is not
+/// needed.
+L1Solution solved(const L1Problem& problem, const L1Solver& solver, const RunContext& context) {
+  if (std::optional<Vector> same_signs = l1_polished(problem, problem.start))
+    return {std::move(*same_signs), 0, true};
+  return solver.solve(problem, context);
 }
 
 }  // namespace
@@ -66,7 +78,7 @@ Regression IrlsL1::do_fit(const LeastSquaresSystem& system, const Subproblem& pr
     penalty = quotient(penalties(system, problem, weights, context), norms);
     const L1Problem inner{weighted.triangle(), weighted.projected_target(), penalty,
                           h.cwiseProduct(norms)};
-    const L1Solution solution = options().inner->solve(inner, context);
+    const L1Solution solution = solved(inner, *options().inner, context);
     inner_converged = solution.converged;
     gradient = 2.0 * inner.triangle.transpose() *
                (inner.target - inner.triangle * solution.coefficients);
