@@ -49,10 +49,10 @@ Vector merged(const std::vector<double>& pq) {
   return Eigen::Map<const Vector>(pq.data(), k) - Eigen::Map<const Vector>(pq.data() + k, k);
 }
 
-/// One run from pq, which is left at the best point. SLSQP gives up with "roundoff limited"
+/// One run from pq, which is left at the best point. It may give up with "roundoff limited"
 /// near the optimum, which is an outcome like any other.
 int minimise(SplitForm& form, std::vector<double>& pq, int max_evaluations) {
-  nlopt::opt method(nlopt::LD_SLSQP, static_cast<unsigned>(pq.size()));
+  nlopt::opt method(nlopt::LD_LBFGS, static_cast<unsigned>(pq.size()));
   method.set_lower_bounds(0.0);
   method.set_min_objective(call, &form);
   method.set_xtol_rel(1e-15);

@@ -11,8 +11,8 @@ namespace lacuna {
 /// Options of NloptL1.
 struct NloptL1Options {
   static constexpr StageInfo kInfo{
-      "nlopt", "Sequential quadratic programming of NLopt on the split form z = p - q.",
-      "Johnson, The NLopt package; Kraft, DFVLR-FB 88-28 (1988)"};
+      "nlopt", "Limited-memory BFGS of NLopt on the split form z = p - q.",
+      "Johnson, The NLopt package; Nocedal, Math. Comput. 35 (1980) 773"};
 
   int max_evaluations = 5000;
 
@@ -24,7 +24,7 @@ struct NloptL1Options {
 
 /// Splits the coefficients into parts that cannot be negative,
 ///   min_{p,q >= 0} |c - R(p - q)|^2 + sum_j penalty_j (p_j + q_j),  z = p - q,
-/// which is smooth with bounds, and gives it to NLopt (SLSQP). The last point is made exact on
+/// which is smooth with bounds, and gives it to NLopt (L-BFGS). The last point is made exact on
 /// its nonzero coefficients where the optimality conditions confirm it.
 class NloptL1 final : public Configured<L1Solver, NloptL1Options> {
  public:
