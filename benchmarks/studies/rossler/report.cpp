@@ -114,10 +114,14 @@ std::string heat_map_data(const Summary& summary) {
   return text;
 }
 
+/// Labels of an axis; gnuplot reads them as formats, in which a percent sign is doubled.
 std::string tics(const std::vector<std::string>& names) {
   std::vector<std::string> parts;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    parts.push_back("\"" + names[i] + "\" " + std::to_string(i));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::string label;
+    for (const char c : names[i]) label += c == '%' ? std::string("%%") : std::string(1, c);
+    parts.push_back("\"" + label + "\" " + std::to_string(i));
+  }
   return "(" + join(parts, ", ") + ")";
 }
 
