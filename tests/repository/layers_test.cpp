@@ -29,10 +29,13 @@ Allowed allowed_includes() {
   allowed["pipeline"] = {"core", "data", "model", "linear", "stages"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
   allowed["dynamics"] = {"core", "data", "model"};
-  allowed["report"] = allowed["pipeline"];
-  allowed["report"].insert({"pipeline", "dynamics"});
+  allowed["discrepancy"] = allowed["pipeline"];
+  allowed["discrepancy"].insert({"pipeline", "dynamics"});
+  allowed["effects"] = {"core", "data", "model", "discrepancy"};
+  allowed["report"] = allowed["discrepancy"];
+  allowed["report"].insert("discrepancy");
   allowed["config"] = allowed["report"];
-  allowed["config"].insert("report");
+  allowed["config"].insert({"report", "effects"});
   allowed["cli"] = allowed["config"];
   allowed["cli"].insert("config");
   return allowed;
