@@ -5,7 +5,7 @@
 #include "lacuna/data/read.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/synchroniser.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 int main() {
   using namespace lacuna;

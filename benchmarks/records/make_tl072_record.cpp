@@ -4,7 +4,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/write.hpp"
-#include "lacuna/dynamics/shipped_record.hpp"
+#include "lacuna/systems/shipped_record.hpp"
 
 int main(int argc, char** argv) {
   try {

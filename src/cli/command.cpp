@@ -7,8 +7,8 @@
 #include <iostream>
 
 #include "lacuna/core/atomic_file.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
 #include "lacuna/model/model_file.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna::cli {
 namespace {

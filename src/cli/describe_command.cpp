@@ -4,9 +4,9 @@
 #include "command.hpp"
 #include "lacuna/config/description.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "lacuna/report/stage_json.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna::cli {
 namespace {

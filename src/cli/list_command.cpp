@@ -4,8 +4,8 @@
 
 #include "command.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
 #include "lacuna/pipeline/presets.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "lacuna/dynamics/lagrange.hpp"
 #include "lacuna/dynamics/model_view.hpp"
+#include "lacuna/numerics/lagrange.hpp"
 
 namespace lacuna {
 namespace {

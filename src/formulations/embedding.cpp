@@ -8,7 +8,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/formulations/derived_record.hpp"
-#include "lacuna/formulations/local_cubic.hpp"
+#include "lacuna/numerics/local_cubic.hpp"
 
 namespace lacuna {
 namespace {

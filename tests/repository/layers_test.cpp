@@ -20,21 +20,27 @@ const std::set<std::string> kConcrete = {"formulations", "differentiators", "bas
 Allowed allowed_includes() {
   Allowed allowed;
   allowed["core"] = {};
-  allowed["data"] = {"core"};
-  allowed["model"] = {"core", "data"};
-  allowed["linear"] = {"core", "data", "model"};
-  allowed["stages"] = {"core", "data", "model", "linear"};
+  allowed["numerics"] = {"core"};
+  allowed["data"] = {"core", "numerics"};
+  allowed["model"] = {"core", "numerics", "data"};
+  allowed["linear"] = {"core", "numerics", "data", "model"};
+  allowed["stages"] = {"core", "numerics", "data", "model", "linear"};
   for (const std::string& folder : kConcrete)
-    allowed[folder] = {"core", "data", "model", "linear", "stages"};
-  allowed["pipeline"] = {"core", "data", "model", "linear", "stages"};
+    allowed[folder] = {"core", "numerics", "data", "model", "linear", "stages"};
+  allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
-  allowed["dynamics"] = {"core", "data", "model"};
-  allowed["report"] = allowed["pipeline"];
-  allowed["report"].insert({"pipeline", "dynamics"});
+  allowed["dynamics"] = {"core", "numerics", "data", "model"};
+  allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
+  allowed["attractor"] = {"core", "numerics", "data", "model", "dynamics"};
+  allowed["discrepancy"] = allowed["pipeline"];
+  allowed["discrepancy"].insert({"pipeline", "dynamics"});
+  allowed["effects"] = {"core", "data", "model", "discrepancy"};
+  allowed["report"] = allowed["discrepancy"];
+  allowed["report"].insert("discrepancy");
   allowed["config"] = allowed["report"];
-  allowed["config"].insert("report");
+  allowed["config"].insert({"report", "effects"});
   allowed["cli"] = allowed["config"];
-  allowed["cli"].insert("config");
+  allowed["cli"].insert({"config", "systems", "attractor"});
   return allowed;
 }
 

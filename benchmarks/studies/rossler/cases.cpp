@@ -8,7 +8,7 @@
 #include "lacuna/core/random.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -71,8 +71,7 @@ std::vector<Condition> all_conditions() {
 Dataset noisy_record(const Condition& condition, std::uint64_t seed) {
   const TestSystem& rossler = test_system("rossler");
   const Vector times = sample_times(0.0, kStep, condition.samples);
-  const Solution orbit =
-      simulate(rossler.model, Dopri87{}, rossler.start, times);
+  const Solution orbit = simulate(rossler.model, Dopri87{}, rossler.start, times);
 
   Trajectory trajectory{"rossler", times, orbit.states, Matrix(times.size(), 0), orbit.states};
   CompiledModel model = rossler.model.compile();

@@ -14,7 +14,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/synchroniser.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/test_systems.hpp"
 #include "report.hpp"
 
 namespace lacuna::benchmarks {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lacuna/data/trajectory.hpp"
-#include "lacuna/dynamics/lagrange.hpp"
+#include "lacuna/numerics/lagrange.hpp"
 
 namespace lacuna {
 

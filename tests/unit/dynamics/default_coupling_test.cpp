@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "lacuna/dynamics/measurement.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/dynamics/synchroniser.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/measurement.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna {
 namespace {

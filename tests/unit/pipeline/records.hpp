@@ -7,10 +7,10 @@
 #include <string>
 
 #include "lacuna/core/random.hpp"
-#include "lacuna/dynamics/measurement.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
 #include "lacuna/pipeline/pipeline.hpp"
+#include "lacuna/systems/measurement.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna::testing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/formulations/local_cubic.hpp"
+#include "lacuna/numerics/local_cubic.hpp"
 
 #include <gtest/gtest.h>
 

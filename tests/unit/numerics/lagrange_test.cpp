@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/lagrange.hpp"
+#include "lacuna/numerics/lagrange.hpp"
 
 #include <gtest/gtest.h>
 

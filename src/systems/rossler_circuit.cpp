@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/rossler_circuit.hpp"
+#include "lacuna/systems/rossler_circuit.hpp"
 
 #include <string>
 #include <utility>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/rossler_circuit.hpp"
+#include "lacuna/systems/rossler_circuit.hpp"
 
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna {
 namespace {

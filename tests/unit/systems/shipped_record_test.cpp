@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/shipped_record.hpp"
+#include "lacuna/systems/shipped_record.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/measurement.hpp"
+#include "lacuna/systems/measurement.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/measurement.hpp"
+#include "lacuna/systems/measurement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/shipped_record.hpp"
+#include "lacuna/systems/shipped_record.hpp"
 
 #include <cmath>
 
-#include "lacuna/dynamics/measurement.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/measurement.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna {
 namespace {

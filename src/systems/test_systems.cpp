@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/test_systems.hpp"
+#include "lacuna/systems/test_systems.hpp"
 
 #include <algorithm>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/rossler_circuit.hpp"
+#include "lacuna/systems/rossler_circuit.hpp"
 #include "model_builder.hpp"
 #include "tl072_model.hpp"
 
