@@ -6,6 +6,9 @@
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/differentiators/savitzky_golay.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/effects/friction.hpp"
+#include "lacuna/effects/lag.hpp"
+#include "lacuna/effects/offset.hpp"
 #include "lacuna/filters/abm.hpp"
 #include "lacuna/filters/none.hpp"
 #include "lacuna/filters/svd_filter.hpp"
@@ -62,6 +65,12 @@ void add_integrators(Registry& registry) {
   registry.add<Dopri87>();
 }
 
+void add_effects(Registry& registry) {
+  registry.add<ConstantOffset>();
+  registry.add<CoulombFriction>();
+  registry.add<Lag>();
+}
+
 }  // namespace
 
 Registry default_registry() {
@@ -70,6 +79,7 @@ Registry default_registry() {
   add_selection(registry);
   add_solvers(registry);
   add_integrators(registry);
+  add_effects(registry);
   return registry;
 }
 
