@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -57,12 +58,15 @@ ResultTable full_table(const std::vector<Cell>& cells) {
   return table;
 }
 
+/// Synchronisation error of a model that diverged: ranks last in a median.
+constexpr double kDiverged = std::numeric_limits<double>::infinity();
+
 /// What is pooled in the summary: one row for regressor and pruner, one column for derivative
 /// and noise; filters and numbers of samples are pooled.
 struct Summary {
   std::vector<std::string> rows, columns;
   std::map<std::pair<std::string, std::string>, std::vector<double>> rates;
-  std::map<std::string, std::vector<double>> milliseconds;
+  std::map<std::string, std::vector<double>> milliseconds, coefficient_errors, sync_errors;
 };
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
@@ -78,8 +82,11 @@ Summary summarise(const std::vector<Cell>& cells) {
     add_once(summary.rows, row);
     add_once(summary.columns, column);
     summary.rates[{row, column}].push_back(exact_rate(cell));
-    for (const Score& score : cell.scores)
+    for (const Score& score : cell.scores) {
       summary.milliseconds[row].push_back(1e3 * score.seconds);
+      summary.coefficient_errors[row].push_back(score.coefficient_error);
+      summary.sync_errors[row].push_back(100.0 * score.sync.value_or(kDiverged));
+    }
   }
   return summary;
 }
@@ -93,12 +100,15 @@ double mean(const std::vector<double>& values) {
 ResultTable summary_table(const Summary& summary) {
   ResultTable table{{"regressor + pruner"}, {}};
   table.header.insert(table.header.end(), summary.columns.begin(), summary.columns.end());
-  table.header.push_back("median time ms");
+  for (const char* name : {"coefficient error", "sync error %", "time ms"})
+    table.header.push_back(name);
   for (const std::string& row : summary.rows) {
     std::vector<std::string> cells{row};
     for (const std::string& column : summary.columns)
       cells.push_back(format_number(100.0 * mean(summary.rates.at({row, column})), 3));
-    cells.push_back(format_number(median(summary.milliseconds.at(row)), 3));
+    for (const auto* values :
+         {&summary.coefficient_errors, &summary.sync_errors, &summary.milliseconds})
+      cells.push_back(format_number(median(values->at(row)), 3));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -126,18 +136,25 @@ std::string tics(const std::vector<std::string>& names) {
 }
 
 std::string heat_map_script(const Summary& summary) {
-  const std::string height = std::to_string(160 + 24 * summary.rows.size());
-  return "set terminal svg size 900," + height + " font 'sans,12' background 'white'\n" +
-         "set output 'rossler.svg'\n"
+  const std::size_t rows = summary.rows.size(), columns = summary.columns.size();
+  const std::size_t width = 520 + 60 * columns, height = 260 + 24 * rows;
+  const auto share = [](double part, std::size_t whole) {
+    return std::to_string(part / static_cast<double>(whole));
+  };
+  return "set terminal svg size " + std::to_string(width) + "," + std::to_string(height) +
+         " font 'sans,12' background 'white'\nset output 'rossler.svg'\n"
          "set title 'Rossler, 20 candidate terms: runs with exactly the true terms (%)'\n"
-         "set xtics rotate by 35 right " +
-         tics(summary.columns) + "\nset ytics " + tics(summary.rows) + "\nset yrange [" +
-         std::to_string(summary.rows.size()) +
-         "-0.5:-0.5]\nset xrange [-0.5:" + std::to_string(summary.columns.size()) + "-0.5]\n" +
-         "set cbrange [0:100]\nset palette defined (0 '#f7f7f7', 50 '#92c5de', 100 '#0571b0')\n"
+         "set lmargin at screen " +
+         share(390.0, width) + "\nset rmargin at screen 1-" + share(100.0, width) +
+         "\nset bmargin at screen " + share(200.0, height) + "\nset tmargin at screen 1-" +
+         share(40.0, height) + "\nset xtics rotate by 35 right " + tics(summary.columns) +
+         "\nset ytics " + tics(summary.rows) + "\nset yrange [" + std::to_string(rows) +
+         "-0.5:-0.5]\nset xrange [-0.5:" + std::to_string(columns) +
+         "-0.5]\nset cbrange [0:100]\n"
+         "set palette defined (0 '#f7f7f7', 50 '#92c5de', 100 '#4393c3')\n"
          "set tics scale 0\nunset key\nset colorbox\n"
          "plot 'rossler.dat' matrix with image, \\\n"
-         "  'rossler.dat' matrix using 1:2:(sprintf('%.0f', $3)) with labels font ',10'\n";
+         "  'rossler.dat' matrix using 1:2:(sprintf('%.0f', $3)) with labels font ',11'\n";
 }
 
 }  // namespace
@@ -173,7 +190,8 @@ void write_report(const std::filesystem::path& folder, const std::vector<Cell>& 
       "Share of runs (%) with exactly the true terms; Rossler (a = b = 0.2, c = 5.7), h = "
       "0.05, 20 "
       "candidate terms.\nColumns: derivative and noise; filters and numbers of samples (1000, "
-      "4000) are pooled.\n\nMade by `study_rossler` on " +
+      "4000) are pooled. Errors and time: medians over all runs of a row.\n\nMade by "
+      "`study_rossler` on " +
           today() + ", " + machine_description() + ", in " + format_number(seconds, 3) +
           " s.\n\n" + summary_table(summary).markdown());
   if (!render_with_gnuplot(folder / "rossler.gp"))

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/effect.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "lacuna/core/error.hpp"
+
+namespace lacuna {
+namespace {
+
+[[noreturn]] void fail(const Candidate& candidate, const std::string& problem) {
+  throw ModelError("effect " + candidate.effect, "'" + candidate.form + "': " + problem,
+                   "mend the effect's candidates");
+}
+
+/// Names that the formulas of a candidate may use, shape parameters not among them.
+std::set<std::string> known_names(const Candidate& candidate, const Scope& scope) {
+  const std::vector<std::string> names = scope.model.variables().names();
+  std::set<std::string> known(names.begin(), names.end());
+  for (const MemoryState& memory : candidate.memory)
+    if (!known.insert(memory.name).second)
+      fail(candidate, "'" + memory.name + "' is a name of the model already");
+  for (const ShapeParameter& shape : candidate.shapes)
+    if (known.contains(shape.name))
+      fail(candidate, "'" + shape.name + "' is a name of the model already");
+  return known;
+}
+
+void check_formula(const Candidate& candidate, const std::string& text,
+                   const std::set<std::string>& known) {
+  const Vector& start = candidate.starts.front();
+  const Expression bound =
+      bind_formula(candidate, text, {start.data(), static_cast<std::size_t>(start.size())});
+  for (const std::string& name : bound.variables())
+    if (!known.contains(name)) fail(candidate, "there is no variable '" + name + "'");
+}
+
+void check_start(const Candidate& candidate, const Vector& start) {
+  if (start.size() != static_cast<Index>(candidate.shapes.size()))
+    fail(candidate, "a starting point has another number of entries than there are shapes");
+  for (std::size_t i = 0; i < candidate.shapes.size(); ++i) {
+    const ShapeParameter& shape = candidate.shapes[i];
+    const double value = start[static_cast<Index>(i)];
+    if (!(shape.low <= value && value <= shape.high))
+      fail(candidate, "the starting point leaves the range of '" + shape.name + "'");
+    if (shape.logarithmic && shape.low <= 0.0)
+      fail(candidate, "'" + shape.name + "' is logarithmic and reaches 0");
+  }
+}
+
+void check_candidate(const Candidate& candidate, const Scope& scope) {
+  if (candidate.starts.empty()) fail(candidate, "there is no starting point");
+  for (const Vector& start : candidate.starts) check_start(candidate, start);
+  const std::set<std::string> known = known_names(candidate, scope);
+  check_formula(candidate, candidate.form, known);
+  for (const MemoryState& memory : candidate.memory) {
+    check_formula(candidate, memory.rate, known);
+    check_formula(candidate, memory.start, known);
+  }
+}
+
+}  // namespace
+
+std::vector<Candidate> Effect::candidates(const Scope& scope, Index equation) const {
+  if (equation < 0 || equation >= scope.model.dimension())
+    throw ArgumentError("effect " + std::string(info().name),
+                        "there is no equation " + std::to_string(equation),
+                        "give a number below " + std::to_string(scope.model.dimension()));
+  std::vector<Candidate> result = do_candidates(scope, equation);
+  for (Candidate& candidate : result) {
+    candidate.effect = info().name;
+    candidate.equation = equation;
+    if (candidate.shapes.empty() && candidate.starts.empty())
+      candidate.starts.emplace_back(Vector(0));
+    check_candidate(candidate, scope);
+  }
+  return result;
+}
+
+}  // namespace lacuna
