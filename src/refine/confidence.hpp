@@ -5,10 +5,6 @@
 
 namespace lacuna {
 
-/// The 97.5 % quantile of Student's t with `freedom` degrees of freedom (Cornish and Fisher's
-/// expansion about the normal quantile; good to three digits from 3 degrees on).
-double student_quantile_975(double freedom);
-
 /// Low and high ends of 95 % intervals, P x 2.
 Matrix intervals95(const Vector& values, const Vector& standard_errors, double freedom);
 

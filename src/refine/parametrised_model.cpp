@@ -28,8 +28,8 @@ void check_coefficients(const OdeModel& model, const std::vector<FreeCoefficient
         c.equation >= 0 && c.equation < model.dimension() && c.summand >= 0 &&
         c.summand <
             static_cast<Index>(model.equations()[static_cast<std::size_t>(c.equation)].size());
-    const std::string name = "summand " + std::to_string(c.summand) + " of equation " +
-                             std::to_string(c.equation);
+    const std::string name =
+        "summand " + std::to_string(c.summand) + " of equation " + std::to_string(c.equation);
     if (!exists) reject(name + " does not exist", "count both from 0");
     if (!seen.insert({c.equation, c.summand}).second)
       reject(name + " is free twice", "name each coefficient once");
@@ -65,7 +65,8 @@ Expression substitute(const Expression& e, const std::vector<ShapeParameter>& sh
   }
   if (e.operands().empty()) return e;
   std::vector<Expression> operands;
-  for (const Expression& operand : e.operands()) operands.push_back(substitute(operand, shapes));
+  for (const Expression& operand : e.operands())
+    operands.push_back(substitute(operand, shapes));
   return Expression::make(e.operation(), std::move(operands));
 }
 
@@ -73,8 +74,8 @@ Equation substituted(const Equation& equation, const std::vector<ShapeParameter>
                      const Variables& variables) {
   Equation result;
   for (const WeightedTerm& summand : equation)
-    result.push_back({Term(substitute(summand.term.expression(), shapes), variables),
-                      summand.coefficient});
+    result.push_back(
+        {Term(substitute(summand.term.expression(), shapes), variables), summand.coefficient});
   return result;
 }
 
@@ -102,9 +103,10 @@ Vector ParametrisedModel::values() const {
   Vector values(size());
   Index i = 0;
   for (const FreeCoefficient& c : coefficients_)
-    values[i++] = symbolic_.equations()[static_cast<std::size_t>(c.equation)]
-                                       [static_cast<std::size_t>(c.summand)]
-                                           .coefficient;
+    values[i++] = symbolic_
+                      .equations()[static_cast<std::size_t>(c.equation)]
+                                  [static_cast<std::size_t>(c.summand)]
+                      .coefficient;
   for (const ShapeParameter& shape : shapes_) values[i++] = shape.value;
   return values;
 }
@@ -147,8 +149,8 @@ ParametrisedModel ParametrisedModel::with_values(const Vector& values) const {
   std::vector<ShapeParameter> shapes = shapes_;
   Index i = 0;
   for (const FreeCoefficient& c : coefficients_) {
-    WeightedTerm& summand = equations[static_cast<std::size_t>(c.equation)]
-                                     [static_cast<std::size_t>(c.summand)];
+    WeightedTerm& summand =
+        equations[static_cast<std::size_t>(c.equation)][static_cast<std::size_t>(c.summand)];
     summand = {summand.term, values[i++]};
   }
   for (ShapeParameter& shape : shapes) shape.value = values[i++];

@@ -47,7 +47,8 @@ struct Place {
   Index column = 0;
 };
 
-/// f(t, x, u; p) of a parametrised model with df/dx and the columns df/dp, for blocks of points.
+/// f(t, x, u; p) of a parametrised model with df/dx and the columns df/dp, for blocks of
+/// points.
 ///
 /// A point is a row of slots: m states, the inputs of the symbolic model (record inputs, then
 /// shape parameters), t, delayed variables. Columns of df/dp are the P parameters, then the

@@ -35,8 +35,8 @@ constexpr Index kLags = 20;
 
 Vector spread_of(const Matrix& states) {
   const Matrix centred = states.rowwise() - states.colwise().mean();
-  Vector spread = centred.colwise().norm().transpose() /
-                  std::sqrt(static_cast<double>(states.rows()));
+  Vector spread =
+      centred.colwise().norm().transpose() / std::sqrt(static_cast<double>(states.rows()));
   for (Index k = 0; k < spread.size(); ++k)
     if (!(spread[k] > 0.0)) spread[k] = std::max(1.0, std::abs(states(0, k)));
   return spread;
@@ -47,7 +47,8 @@ Vector record_noise(const ShootingProblem& problem, const Dataset& data) {
   const Vector all = estimate_noise(data);
   Vector noise(static_cast<Index>(problem.record().measured.size()));
   for (Index q = 0; q < noise.size(); ++q) {
-    const auto k = static_cast<std::size_t>(problem.record().measured[static_cast<std::size_t>(q)]);
+    const auto k =
+        static_cast<std::size_t>(problem.record().measured[static_cast<std::size_t>(q)]);
     const std::string& name = problem.model().symbolic().states()[k].name;
     for (std::size_t column = 0; column < data.states.size(); ++column)
       if (data.states[column].name == name) noise[q] = all[static_cast<Index>(column)];
@@ -66,6 +67,7 @@ class Refiner {
         noise_(options.sigma ? *options.sigma : record_noise(problem_, data)) {}
 
   Refinement run() {
+    check_sigma();
     prepare();
     if (!begin()) return diverged();
     while (lengthen()) context_.report("refining", 0.5);
@@ -74,6 +76,12 @@ class Refiner {
   }
 
  private:
+  void check_sigma() const {
+    if (noise_.size() != static_cast<Index>(problem_.record().measured.size()))
+      throw ArgumentError("refine", "there is not one sigma per measured state",
+                          "leave it out or give one for each state that has a column");
+  }
+
   Index dimension() { return problem_.rates().dimension(); }
 
   void prepare() {
@@ -90,8 +98,7 @@ class Refiner {
   bool begin() {
     WindowPlan plan = equal_windows(problem_.record().begins, 1);
     ShootingFit steps{plan, {problem_.model().values(), starts_of(plan, guess_)}, {}};
-    problem_.set_scheme(
-        accurate_scheme(problem_, plan, steps.point, problem_.sigma()));
+    problem_.set_scheme(accurate_scheme(problem_, plan, steps.point, problem_.sigma()));
     problem_.evaluate(plan, steps.point);
     if (!steps.point.finite) return false;
     growth_ = scaled_growth(problem_.linearise(plan, steps.point).transitions);
@@ -108,7 +115,7 @@ class Refiner {
 
   /// Halves windows until none diverges.
   bool make_finite() {
-    for (Index samples = longest_window(); samples > 0; samples /= 2) {
+    for (Index samples = longest_window(); samples > 1; samples /= 2) {
       fit_.point.starts = starts_of(fit_.plan, guess_);
       problem_.evaluate(fit_.plan, fit_.point);
       if (fit_.point.finite) return true;
@@ -126,8 +133,7 @@ class Refiner {
   ErrorGrowth scaled_growth(Matrix transitions) {
     const Index m = dimension();
     for (Index j = 0; j < m; ++j)
-      for (Index k = 0; k < m; ++k)
-        transitions.col(j * m + k) *= spread_[j] / spread_[k];
+      for (Index k = 0; k < m; ++k) transitions.col(j * m + k) *= spread_[j] / spread_[k];
     return {std::move(transitions), m};
   }
 
@@ -217,8 +223,7 @@ class Refiner {
   Refinement result() {
     const Index p = problem_.model().size();
     Refinement result = common();
-    result.status =
-        fit_.converged ? RefineStatus::Converged : RefineStatus::IterationLimit;
+    result.status = fit_.converged ? RefineStatus::Converged : RefineStatus::IterationLimit;
     if (!fit_.converged)
       result.message = "the iteration limit was reached; the values are those of the last step";
     const Matrix inverse = covariance_of(fit_.linear.reduced.topLeftCorner(p, p));
@@ -231,9 +236,8 @@ class Refiner {
                               static_cast<double>(result.degrees_of_freedom));
     result.chi_squared = whitened().squaredNorm();
     result.residuals = residual_statistics(problem_, fit_, influence_, noise_);
-    result.fits_to_noise =
-        std::all_of(result.residuals.begin(), result.residuals.end(),
-                    [](const ResidualStatistics& s) { return s.is_noise; });
+    result.fits_to_noise = std::all_of(result.residuals.begin(), result.residuals.end(),
+                                       [](const ResidualStatistics& s) { return s.is_noise; });
     return result;
   }
 
@@ -309,8 +313,8 @@ OdeModel Refinement::fitted() const {
     const FreeCoefficient& c = model.coefficients()[i];
     const auto p = static_cast<Index>(i);
     if (!std::isfinite(standard_errors[p])) continue;
-    WeightedTerm& summand = equations[static_cast<std::size_t>(c.equation)]
-                                     [static_cast<std::size_t>(c.summand)];
+    WeightedTerm& summand =
+        equations[static_cast<std::size_t>(c.equation)][static_cast<std::size_t>(c.summand)];
     summand.standard_error = standard_errors[p];
     summand.ci95 = {{ci95(p, 0), ci95(p, 1)}};
   }

@@ -21,10 +21,9 @@ class WindowDirections {
  public:
   WindowDirections(const Matrix& window, const Matrix& reduced, Index dimension)
       : start_inverse_(inverse(window.topLeftCorner(dimension, dimension))),
-        elimination_(start_inverse_ * window.block(0, dimension, dimension,
-                                                   reduced.cols() - 1)),
-        inverse_(inverse(
-            reduced.topLeftCorner(reduced.cols() - 1, reduced.cols() - 1))) {}
+        elimination_(start_inverse_ *
+                     window.block(0, dimension, dimension, reduced.cols() - 1)),
+        inverse_(inverse(reduced.topLeftCorner(reduced.cols() - 1, reduced.cols() - 1))) {}
 
   /// The direction of a weighted row [s_a s_p].
   void direction(const Eigen::Ref<const Vector>& row, Eigen::Ref<Vector> q) const {
@@ -74,26 +73,25 @@ FitInfluence fit_influence(ShootingProblem& problem, const ShootingFit& fit, Ind
   const Matrix weights = problem.row_weights(fit.point);
   std::optional<WindowDirections> directions;
   std::vector<Matrix> recent(static_cast<std::size_t>(states), Matrix(m + p, lags + 1));
-  problem.sensitivities(
-      fit.plan, fit.point, [&](Index w, Index sample, const Matrix& s) {
-        const Window& window = fit.plan[static_cast<std::size_t>(w)];
-        const Index age = sample - window.first;
-        if (age == 0)
-          directions.emplace(fit.linear.windows[static_cast<std::size_t>(w)],
-                             fit.linear.reduced, m);
-        for (Index q = 0; q < states; ++q) {
-          Matrix& columns = recent[static_cast<std::size_t>(q)];
-          auto now = columns.col(age % (lags + 1));
-          const Vector row = weights(sample, q) *
-                             s.row(record.measured[static_cast<std::size_t>(q)]).transpose();
-          directions->direction(row, now);
-          influence.taken[q] += now.squaredNorm();
-          for (Index lag = 1; lag <= std::min(lags, age); ++lag) {
-            influence.lagged(lag - 1, q) += now.dot(columns.col((age - lag) % (lags + 1)));
-            influence.pairs(lag - 1, q) += 1.0;
-          }
-        }
-      });
+  problem.sensitivities(fit.plan, fit.point, [&](Index w, Index sample, const Matrix& s) {
+    const Window& window = fit.plan[static_cast<std::size_t>(w)];
+    const Index age = sample - window.first;
+    if (age == 0)
+      directions.emplace(fit.linear.windows[static_cast<std::size_t>(w)], fit.linear.reduced,
+                         m);
+    for (Index q = 0; q < states; ++q) {
+      Matrix& columns = recent[static_cast<std::size_t>(q)];
+      auto now = columns.col(age % (lags + 1));
+      const Vector row =
+          weights(sample, q) * s.row(record.measured[static_cast<std::size_t>(q)]).transpose();
+      directions->direction(row, now);
+      influence.taken[q] += now.squaredNorm();
+      for (Index lag = 1; lag <= std::min(lags, age); ++lag) {
+        influence.lagged(lag - 1, q) += now.dot(columns.col((age - lag) % (lags + 1)));
+        influence.pairs(lag - 1, q) += 1.0;
+      }
+    }
+  });
   return influence;
 }
 
@@ -104,8 +102,7 @@ std::vector<ResidualStatistics> residual_statistics(const ShootingProblem& probl
   const Matrix r = problem.residuals(fit.plan, fit.point);
   std::vector<ResidualStatistics> result;
   for (Index q = 0; q < r.cols(); ++q) {
-    const double freedom =
-        std::max(1.0, static_cast<double>(r.rows()) - influence.taken[q]);
+    const double freedom = std::max(1.0, static_cast<double>(r.rows()) - influence.taken[q]);
     const double variance = r.col(q).squaredNorm() / freedom, sigma = problem.sigma()[q];
     ResidualStatistics s;
     s.state = problem.record().measured[static_cast<std::size_t>(q)];

@@ -38,14 +38,13 @@ bool descend(ShootingProblem& problem, ShootingFit& fit, double& damping,
 }
 
 const std::array<StepScheme, 7>& ladder() {
-  static const std::array<StepScheme, 7> schemes = {
-      {{&runge_kutta_4(), 1},
-       {&dormand_prince_54(), 1},
-       {&prince_dormand_87(), 1},
-       {&prince_dormand_87(), 2},
-       {&prince_dormand_87(), 4},
-       {&prince_dormand_87(), 8},
-       {&prince_dormand_87(), 16}}};
+  static const std::array<StepScheme, 7> schemes = {{{&runge_kutta_4(), 1},
+                                                     {&dormand_prince_54(), 1},
+                                                     {&prince_dormand_87(), 1},
+                                                     {&prince_dormand_87(), 2},
+                                                     {&prince_dormand_87(), 4},
+                                                     {&prince_dormand_87(), 8},
+                                                     {&prince_dormand_87(), 16}}};
   return schemes;
 }
 
@@ -57,9 +56,9 @@ double distance(const ShootingProblem& problem, const ShootingPoint& a, const Sh
   double squares = 0.0;
   const std::vector<Index>& measured = problem.record().measured;
   for (std::size_t q = 0; q < measured.size(); ++q)
-    squares += (a.orbits.samples.col(measured[q]) - b.orbits.samples.col(measured[q]))
-                   .squaredNorm() /
-               (sigma[static_cast<Index>(q)] * sigma[static_cast<Index>(q)]);
+    squares +=
+        (a.orbits.samples.col(measured[q]) - b.orbits.samples.col(measured[q])).squaredNorm() /
+        (sigma[static_cast<Index>(q)] * sigma[static_cast<Index>(q)]);
   return std::sqrt(squares);
 }
 
@@ -97,8 +96,7 @@ void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int 
 Index degrees_of_freedom(const ShootingProblem& problem, const WindowPlan& plan) {
   const ShootingRecord& record = problem.record();
   const auto windows = static_cast<Index>(plan.size());
-  const Index taken = problem.model().size() +
-                      windows * problem.model().symbolic().dimension();
+  const Index taken = problem.model().size() + windows * problem.model().symbolic().dimension();
   return std::max<Index>(1, record.values.size() - taken);
 }
 
@@ -112,10 +110,9 @@ Vector residual_sigma(const ShootingProblem& problem, const ShootingFit& fit, bo
   for (Index q = 0; q < r.cols(); ++q) {
     const double freedom =
         taken.size() > 0 ? std::max(1.0, static_cast<double>(n) - taken[q]) : even;
-    const double size =
-        robust ? median_size(r.col(q)) / 0.674489750196082 *
-                     std::sqrt(static_cast<double>(n) / freedom)
-               : r.col(q).norm() / std::sqrt(freedom);
+    const double size = robust ? median_size(r.col(q)) / 0.674489750196082 *
+                                     std::sqrt(static_cast<double>(n) / freedom)
+                               : r.col(q).norm() / std::sqrt(freedom);
     sigma[q] = size * problem.sigma()[q];
   }
   return sigma;

@@ -18,7 +18,8 @@ struct ShootingFit {
 /// Minimises the cost for fixed windows by the method of Levenberg and Marquardt, from the
 /// plan and the point of `fit` (its parameters and starts) on. A step is taken only when it
 /// lowers the cost; a window that diverges makes it infinite.
-/// @param tolerance decrease of cost that is not worth a step, relative to the cost per degree of
+/// @param tolerance decrease of cost that is not worth a step, relative to the cost per degree
+/// of
 ///   freedom: a decrease of 1 moves a parameter by one standard error.
 void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int max_iterations,
               const RunContext& context);
@@ -35,9 +36,9 @@ Vector residual_sigma(const ShootingProblem& problem, const ShootingFit& fit, bo
 /// Initial states of windows: the states at their first samples.
 Matrix starts_of(const WindowPlan& plan, const Matrix& states);
 
-/// The scheme on a ladder of methods and substeps whose error, found by comparison with the next
-/// one, does not matter beside the noise: |error / sigma| <= 0.1 over all samples together, or
-/// which is not surpassed by the next.
+/// The scheme on a ladder of methods and substeps whose error, found by comparison with the
+/// next one, does not matter beside the noise: |error / sigma| <= 0.1 over all samples
+/// together, or which is not surpassed by the next.
 /// @param sigma noise to hold the error against.
 StepScheme accurate_scheme(ShootingProblem& problem, const WindowPlan& plan,
                            const ShootingPoint& point, const Vector& sigma);

@@ -64,17 +64,17 @@ Matrix covariance_of(const Eigen::Ref<const Matrix>& triangle) {
     if (std::abs(triangle(j, j)) <= kRounding * norms[j] || norms[j] == 0.0)
       return Matrix::Constant(n, n, infinity);
   const Matrix scaled = triangle * norms.cwiseInverse().asDiagonal();
-  const Matrix inverse =
-      scaled.triangularView<Eigen::Upper>().solve(Matrix::Identity(n, n));
+  const Matrix inverse = scaled.triangularView<Eigen::Upper>().solve(Matrix::Identity(n, n));
   const Matrix correlation = inverse * inverse.transpose();
   return norms.cwiseInverse().asDiagonal() * correlation * norms.cwiseInverse().asDiagonal();
 }
 
 ShootingProblem::ShootingProblem(const ParametrisedModel& model, const Dataset& data,
-                                 std::optional<double> huber)
+                                 std::optional<double> huber,
+                                 std::span<const CandidateColumn> candidates)
     : model_(model),
       record_(shooting_record(model, data)),
-      rates_(model_),
+      rates_(model_, candidates),
       huber_(huber),
       priors_(model.priors()) {
   set_scheme({&runge_kutta_4(), 1});
@@ -103,9 +103,9 @@ void ShootingProblem::evaluate(const WindowPlan& plan, ShootingPoint& point) {
   for (Index i = 0; i < r.size(); ++i) cost += loss(r.data()[i]);
   for (std::size_t i = 0; i < priors_.size(); ++i)
     if (priors_[i])
-      cost += std::pow((point.parameters[static_cast<Index>(i)] - priors_[i]->value) /
-                           priors_[i]->tolerance,
-                       2);
+      cost += std::pow(
+          (point.parameters[static_cast<Index>(i)] - priors_[i]->value) / priors_[i]->tolerance,
+          2);
   point.cost = cost;
   point.finite = point.finite && std::isfinite(cost);
 }
@@ -147,12 +147,13 @@ ShootingLinearisation ShootingProblem::linearise(const WindowPlan& plan,
   ShootingLinearisation linear{{}, {}, Matrix::Zero(record_.samples(), m * m)};
   linear.windows.reserve(plan.size());
   TriangleFold fold(rest);
-  rows_->run({record_, *signals_, plan, point.orbits, weights},
-             [&](Index, const Matrix& triangle) {
-               linear.windows.push_back(triangle);
-               fold.add_triangle(triangle.bottomRightCorner(rest, rest));
-             },
-             &linear.transitions);
+  rows_->run(
+      {record_, *signals_, plan, point.orbits, weights},
+      [&](Index, const Matrix& triangle) {
+        linear.windows.push_back(triangle);
+        fold.add_triangle(triangle.bottomRightCorner(rest, rest));
+      },
+      &linear.transitions);
   add_priors(point.parameters, fold);
   fold.finish(linear.reduced);
   return linear;
@@ -183,13 +184,12 @@ ShootingStep ShootingProblem::solve(const ShootingLinearisation& linear,
   if (damping > 0.0) {
     TriangleFold fold(p + 1);
     for (const Matrix& window : linear.windows) {
-      damped.push_back(damped_window(
-          window, damping * window.leftCols(m).colwise().norm().transpose()));
+      damped.push_back(
+          damped_window(window, damping * window.leftCols(m).colwise().norm().transpose()));
       fold.add_triangle(damped.back().bottomRightCorner(p + 1, p + 1));
     }
     add_priors(point.parameters, fold);
-    for (Index j = 0; j < p; ++j)
-      add_row(fold, j, damping * linear.reduced.col(j).norm(), 0.0);
+    for (Index j = 0; j < p; ++j) add_row(fold, j, damping * linear.reduced.col(j).norm(), 0.0);
     fold.finish(reduced);
   }
   ShootingStep step{solve_determined(reduced.topLeftCorner(p, p), reduced.col(p).head(p)),

@@ -11,11 +11,11 @@ namespace lacuna {
 
 /// Parameters, initial states of the windows, and what they give.
 struct ShootingPoint {
-  Vector parameters;          ///< P
-  Matrix starts;              ///< windows x m
-  Orbits orbits = {};         ///< simulated from them
-  double cost = 0.0;          ///< sum of rho(r / sigma) and priors; twice the negative log-likelihood
-  bool finite = false;        ///< whether no window diverged
+  Vector parameters;    ///< P
+  Matrix starts;        ///< windows x m
+  Orbits orbits = {};   ///< simulated from them
+  double cost = 0.0;    ///< sum of rho(r / sigma) and priors; twice the negative log-likelihood
+  bool finite = false;  ///< whether no window diverged
 };
 
 /// The problem linearised at a point, window by window.
@@ -36,8 +36,10 @@ struct ShootingStep {
 class ShootingProblem {
  public:
   /// @param huber residuals beyond so many sigma count linearly; nothing: least squares.
+  /// @param candidates further columns of the linear problem, behind the parameters.
   ShootingProblem(const ParametrisedModel& model, const Dataset& data,
-                  std::optional<double> huber);
+                  std::optional<double> huber,
+                  std::span<const CandidateColumn> candidates = {});
 
   const ShootingRecord& record() const noexcept { return record_; }
   Rates& rates() noexcept { return rates_; }
@@ -85,11 +87,13 @@ class ShootingProblem {
   std::unique_ptr<WindowRows> rows_;
 };
 
-/// Solution of an upper triangular system in which directions with a pivot below rounding get 0.
+/// Solution of an upper triangular system in which directions with a pivot below rounding get
+/// 0.
 Vector solve_determined(const Eigen::Ref<const Matrix>& triangle,
                         const Eigen::Ref<const Vector>& target);
 
-/// Diagonal-scaled inverse of R'R; infinite variance where the rows do not determine a parameter.
+/// Diagonal-scaled inverse of R'R; infinite variance where the rows do not determine a
+/// parameter.
 Matrix covariance_of(const Eigen::Ref<const Matrix>& triangle);
 
 }  // namespace lacuna

@@ -145,12 +145,10 @@ ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& da
 StageSignals stage_signals(const ShootingRecord& record, const Rates& rates,
                            const StepScheme& scheme) {
   const Index steps = record.samples() * scheme.substeps;
-  StageSignals signals{
-      scheme, Vector::Zero(steps),
-      std::vector<Matrix>(static_cast<std::size_t>(scheme.tableau->stages()),
-                          Matrix::Zero(steps, rates.signals()))};
-  for (Index r = 0; r < record.trajectories(); ++r)
-    write_trajectory(record, rates, r, signals);
+  StageSignals signals{scheme, Vector::Zero(steps),
+                       std::vector<Matrix>(static_cast<std::size_t>(scheme.tableau->stages()),
+                                           Matrix::Zero(steps, rates.signals()))};
+  for (Index r = 0; r < record.trajectories(); ++r) write_trajectory(record, rates, r, signals);
   return signals;
 }
 

@@ -34,7 +34,8 @@ struct ShootingRecord {
 ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& record);
 
 /// Signals of the record (inputs, t, delayed variables) at every stage of every step. Steps of
-/// sampling interval i are i * substeps, ...; at the last sample of a trajectory their length is 0.
+/// sampling interval i are i * substeps, ...; at the last sample of a trajectory their length
+/// is 0.
 struct StageSignals {
   StepScheme scheme;
   Vector lengths;              ///< of the steps, N * substeps

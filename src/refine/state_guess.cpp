@@ -167,7 +167,9 @@ Matrix guess_states(const ParametrisedModel& model, const ShootingRecord& record
   for (std::size_t q = 0; q < record.measured.size(); ++q)
     states.col(record.measured[q]) = record.values.col(static_cast<Index>(q));
   Reconstruction plan(model, record);
-  const auto unknown = [&] { return std::count(plan.known().begin(), plan.known().end(), false); };
+  const auto unknown = [&] {
+    return std::count(plan.known().begin(), plan.known().end(), false);
+  };
   for (auto left = unknown(); left > 0; left = unknown()) {
     for (std::size_t j = 0; j < plan.known().size(); ++j) {
       const std::optional<Index> k = plan.known()[j] ? std::nullopt : plan.defining(j);

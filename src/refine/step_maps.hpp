@@ -10,9 +10,9 @@ namespace lacuna {
 /// Exact derivatives of single steps of the integrator, for blocks of consecutive steps:
 /// x_{n+1} = F(x_n, p) has dx_{n+1} = Phi_n dx_n + Gamma_n dp.
 ///
-/// By the adjoint of the Runge-Kutta step: Lambda_a = dx_{n+1}/df_a is m x m and comes backwards
-/// from the last stage, Lambda_a = h (b_a + sum_{d>a} a_da Lambda_d J_d); then
-/// Phi = 1 + sum_a Lambda_a J_a and Gamma = sum_a Lambda_a df_a/dp, so that a column costs s m
+/// By the adjoint of the Runge-Kutta step: Lambda_a = dx_{n+1}/df_a is m x m and comes
+/// backwards from the last stage, Lambda_a = h (b_a + sum_{d>a} a_da Lambda_d J_d); then Phi =
+/// 1 + sum_a Lambda_a J_a and Gamma = sum_a Lambda_a df_a/dp, so that a column costs s m
 /// operations a step. They are the variational equations, integrated by the same method.
 class StepMaps {
  public:
@@ -39,7 +39,7 @@ class StepMaps {
 
   const ButcherTableau& tableau_;
   Index dimension_, columns_;
-  Matrix slots_, jacobian_, partials_;    // stage after stage
+  Matrix slots_, jacobian_, partials_;     // stage after stage
   std::vector<Matrix> influence_, moved_;  // Lambda_a and Lambda_a J_a, block x m^2
   Matrix transitions_, responses_;
 };

@@ -38,8 +38,7 @@ void TriangleFold::fold() {
   if (rows_ == 0) return;
   const Index padded =
       (rows_ + Scratch::kRowPadding - 1) / Scratch::kRowPadding * Scratch::kRowPadding;
-  if (padded > rows_)
-    scratch_.block(padded, 0, columns()).bottomRows(padded - rows_).setZero();
+  if (padded > rows_) scratch_.block(padded, 0, columns()).bottomRows(padded - rows_).setZero();
   fold_triangle(scratch_, rows_, triangle_);
   rows_ = 0;
 }

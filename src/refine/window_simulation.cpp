@@ -43,15 +43,13 @@ void WindowSimulator::run(Rates& rates, const WindowPlan& plan, const Matrix& st
   Index active = windows, step = 0;
   for (; active > 0; ++step) {
     for (Index lane = 0; lane < active; ++lane)
-      note_sample(lane_window(lane), lane,
-                  step, orbits);
+      note_sample(lane_window(lane), lane, step, orbits);
     while (active > 0 && lane_window(active - 1).intervals * substeps() <= step) --active;
     if (active < kFewLanes) break;
     step_block(rates, active, step, orbits);
   }
   for (Index lane = 0; lane < active; ++lane)
-    finish(rates, lane_window(lane), lane,
-           step, orbits);
+    finish(rates, lane_window(lane), lane, step, orbits);
   orbits.diverged.clear();
   for (std::size_t w = 0; w < plan.size(); ++w)
     if (!orbits.samples.middleRows(plan[w].first, plan[w].samples).allFinite())
@@ -65,14 +63,12 @@ void WindowSimulator::note_sample(const Window& window, Index lane, Index step,
     orbits.samples.row(window.first + sample) = states_.row(lane);
 }
 
-void WindowSimulator::step_block(Rates& rates, Index active, Index step,
-                                 Orbits& orbits) {
+void WindowSimulator::step_block(Rates& rates, Index active, Index step, Orbits& orbits) {
   gather(active, step);
   for (std::size_t a = 0; a < slopes_.size(); ++a) {
     move(static_cast<Index>(a), active);
     for (Index lane = 0; lane < active; ++lane) {
-      const Window& window =
-          lane_window(lane);
+      const Window& window = lane_window(lane);
       const Index row = window.first * substeps() + step;
       gathered_.row(lane) = signals_.stages[a].row(row);
       orbits.stages[a].row(row) = point_.row(lane).head(dimension_);
@@ -83,14 +79,12 @@ void WindowSimulator::step_block(Rates& rates, Index active, Index step,
   }
   const std::vector<double>& weights = signals_.scheme.tableau->weights;
   for (std::size_t a = 0; a < slopes_.size(); ++a)
-    if (weights[a] != 0.0)
-      states_.topRows(active) += weights[a] * slopes_[a].topRows(active);
+    if (weights[a] != 0.0) states_.topRows(active) += weights[a] * slopes_[a].topRows(active);
 }
 
 void WindowSimulator::gather(Index active, Index step) {
   for (Index lane = 0; lane < active; ++lane) {
-    const Window& window =
-        lane_window(lane);
+    const Window& window = lane_window(lane);
     lengths_[lane] = signals_.lengths[window.first * substeps() + step];
   }
 }

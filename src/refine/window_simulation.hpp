@@ -10,8 +10,8 @@ namespace lacuna {
 
 /// Simulated states of all windows.
 struct Orbits {
-  std::vector<Matrix> stages;  ///< per stage: states where f was evaluated, steps x m
-  Matrix samples;              ///< N x m
+  std::vector<Matrix> stages;   ///< per stage: states where f was evaluated, steps x m
+  Matrix samples;               ///< N x m
   std::vector<Index> diverged;  ///< windows whose states are not finite
 };
 
@@ -40,10 +40,10 @@ class WindowSimulator {
   Index dimension_, samples_;
   const WindowPlan* plan_ = nullptr;  // of the present run
   std::vector<Index> order_;          // windows by falling length
-  Matrix states_;               // lanes x m
-  Matrix point_;                // slots of a block
-  Matrix gathered_;             // signals of a block
-  std::vector<Matrix> slopes_;  // per stage: step length times f, lanes x m
+  Matrix states_;                     // lanes x m
+  Matrix point_;                      // slots of a block
+  Matrix gathered_;                   // signals of a block
+  std::vector<Matrix> slopes_;        // per stage: step length times f, lanes x m
   Vector lengths_;
   std::vector<double> slot_, slope_;
 };

@@ -44,7 +44,7 @@ struct Refinement {
   ParametrisedModel model;  ///< at the estimated values
   RefineStatus status = RefineStatus::Converged;
   std::string message = {};  ///< one sentence when not converged, else empty
-  int iterations = 0;   ///< of all plans together
+  int iterations = 0;        ///< of all plans together
 
   Vector standard_errors = {};  ///< P; infinite where the record does not determine a parameter
   Matrix ci95 = {};             ///< P x 2: low and high end of the 95 % interval
@@ -58,12 +58,12 @@ struct Refinement {
   std::vector<Index> measured = {};  ///< states of the model that have a column
   Vector sigma = {};                 ///< noise of each of them
   WindowPlan windows = {};
-  Matrix states = {};                ///< simulated states at all samples, N x m
-  double chi_squared = 0.0;     ///< sum of (r / sigma)^2
+  Matrix states = {};            ///< simulated states at all samples, N x m
+  double chi_squared = 0.0;      ///< sum of (r / sigma)^2
   Index degrees_of_freedom = 0;  ///< residuals less parameters and initial states
 
   std::vector<ResidualStatistics> residuals = {};  ///< of each measured state
-  bool fits_to_noise = false;                 ///< whether all of them are noise
+  bool fits_to_noise = false;                      ///< whether all of them are noise
 
   /// The plain model with standard errors and intervals on its coefficients.
   OdeModel fitted() const;
@@ -71,14 +71,15 @@ struct Refinement {
 
 /// Fits the free parameters of a model to measured trajectories by multiple shooting.
 ///
-/// Minimises sum_n,k ((y_k(t_n) - x_k(t_n)) / sigma_k)^2 + sum_j ((p_j - prior_j) / tolerance_j)^2
-/// over the parameters and the initial states of all windows, x being the solution of the model
-/// in each window (Bock 1983). Derivatives are those of the integrator's steps themselves, from
-/// the symbolic Jacobian (variational equations); initial states are eliminated window by window
-/// by QR, so that the iteration of Levenberg and Marquardt works on P parameters only. Windows
-/// begin short (errors grow threefold, or the states turn once) and are doubled as long as
-/// errors do not grow beyond what the noise allows and the parameters become better known by it.
-/// Noise enters the residuals as it was measured: there is no bias from noise in the regressors.
+/// Minimises sum_n,k ((y_k(t_n) - x_k(t_n)) / sigma_k)^2 + sum_j ((p_j - prior_j) /
+/// tolerance_j)^2 over the parameters and the initial states of all windows, x being the
+/// solution of the model in each window (Bock 1983). Derivatives are those of the integrator's
+/// steps themselves, from the symbolic Jacobian (variational equations); initial states are
+/// eliminated window by window by QR, so that the iteration of Levenberg and Marquardt works on
+/// P parameters only. Windows begin short (errors grow threefold, or the states turn once) and
+/// are doubled as long as errors do not grow beyond what the noise allows and the parameters
+/// become better known by it. Noise enters the residuals as it was measured: there is no bias
+/// from noise in the regressors.
 ///
 /// Integration steps are made so fine that their error shifts no parameter by more than a tenth
 /// of its standard error. States without a column are allowed. Same input, same result.

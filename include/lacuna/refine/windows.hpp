@@ -31,8 +31,8 @@ struct ErrorGrowth {
 struct WindowLimits {
   double growth = 3.0;  ///< largest singular-value bound |Phi|_F / sqrt(m) over a window
 
-  /// Largest sum of |Phi - 1|_F / sqrt(m) over the intervals of a window: its length in units of
-  /// the local time scale. Infinite: no bound.
+  /// Largest sum of |Phi - 1|_F / sqrt(m) over the intervals of a window: its length in units
+  /// of the local time scale. Infinite: no bound.
   double turn = 6.3;
 
   Index shortest = 2;  ///< samples, where the record has them
