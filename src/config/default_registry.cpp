@@ -64,6 +64,7 @@ void add_solvers(Registry& registry) {
 void add_integrators(Registry& registry) {
   registry.add<Rk4>();
   registry.add<Dopri5>();
+  registry.add<RungeKutta>();
   registry.add<Dopri8>();
   registry.add<Dopri87>();
 }
