@@ -14,6 +14,10 @@ constexpr double kFirstDamping = 0.03;   // steps of about 1 over the square roo
 constexpr double kLargestDamping = 1e6;  // steps at rounding level
 constexpr double kNoDamping = 1e-3;      // below it the step of Gauss and Newton is taken
 
+/// Decrease of cost, in units of the cost per degree of freedom, of a step that leads nowhere:
+/// where the cost is not smooth, linear problems promise more than there is.
+constexpr double kStandstill = 1e-6;
+
 double raised(double damping) { return damping == 0.0 ? kFirstDamping : 4.0 * damping; }
 
 double lowered(double damping) { return damping / 8.0 < kNoDamping ? 0.0 : damping / 8.0; }
@@ -82,7 +86,7 @@ void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int 
   for (int i = 0; i < max_iterations && fit.point.finite; ++i) {
     context.check_stop();
     const ShootingStep step = problem.solve(fit.linear, fit.point, damping);
-    const double small = tolerance * fit.point.cost / freedom;
+    const double before = fit.point.cost, small = tolerance * before / freedom;
     if (step.decrease <= small || !descend(problem, fit, damping, step)) {
       fit.converged = true;
       return;
@@ -90,6 +94,10 @@ void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int 
     ++fit.iterations;
     damping = lowered(damping);
     fit.linear = problem.linearise(fit.plan, fit.point);
+    if (before - fit.point.cost <= std::max(small, kStandstill * before / freedom)) {
+      fit.converged = true;
+      return;
+    }
   }
 }
 
