@@ -32,6 +32,10 @@ constexpr double kSmallGain = 0.01;
 /// tenth of a standard error on the way, a ten-thousandth at the end.
 constexpr double kTolerance = 1e-2, kFinalTolerance = 1e-8;
 
+/// The same for a model that is not exact, as shares of the cost: beside correlated residuals
+/// smaller steps say nothing.
+constexpr double kCoarseShare = 1e-3, kFineShare = 1e-5;
+
 constexpr Index kLags = 20;
 
 Vector spread_of(const Matrix& states) {
@@ -61,10 +65,6 @@ Index longest_window(const WindowPlan& plan) {
   Index longest = 0;
   for (const Window& window : plan) longest = std::max(longest, window.samples);
   return longest;
-}
-
-bool same(const StepScheme& a, const StepScheme& b) {
-  return a.tableau == b.tableau && a.substeps == b.substeps;
 }
 
 }  // namespace
@@ -218,24 +218,30 @@ bool Refiner::has_structure() {
   return false;
 }
 
+double Refiner::residual_count() const {
+  return static_cast<double>(problem_.record().values.size());
+}
+
 void Refiner::search() {
   growth_ = scaled_growth(fit_.linear.transitions);
-  const WindowSearch search{growth_, growth_limit(), limits_.shortest, kTolerance,
-                            options_.max_iterations};
+  const WindowSearch search{growth_, growth_limit(), limits_.shortest,
+                            kCoarseShare * residual_count(), options_.max_iterations};
   fit_ = search_windows(problem_, fit_, search, context_);
   update_sigma();
 }
 
 void Refiner::finish() {
   constexpr int kRounds = 4;
+  const bool structured = has_structure();
   for (int round = 0; round < kRounds; ++round) {
     const StepScheme scheme = problem_.scheme();
-    minimise_from(fit_, fit_.point.orbits.samples, kFinalTolerance);
+    minimise_from(fit_, fit_.point.orbits.samples,
+                  structured ? kFineShare * residual_count() : kFinalTolerance);
     influence_ = fit_influence(problem_, fit_, kLags);
     const Vector sigma = problem_.sigma();
     update_sigma(influence_.taken);
     const double change = (problem_.sigma() - sigma).cwiseQuotient(sigma).cwiseAbs().maxCoeff();
-    if (same(scheme, problem_.scheme()) && change < 1e-3) break;
+    if (scheme == problem_.scheme() && change < 1e-3) break;
   }
 }
 

@@ -38,6 +38,7 @@ class Refiner {
   double cost_per_freedom(const ShootingFit& fit) const;
   double gain_of(const ShootingFit& longer) const;
   bool has_structure();
+  double residual_count() const;
   void search();
   void finish();
 

@@ -82,8 +82,9 @@ Factor scaled_factor(const Matrix& reduced, const Vector& parameters, Index rows
 
 ScoreSystem::ScoreSystem(const Refinement& model, const Dataset& record,
                          const std::vector<Candidate>& candidates, const RefineOptions& options)
-    : names_(column_names(model.model, candidates)), parameters_(model.model.size()) {
+    : parameters_(model.model.size()) {
   check_candidates(model.model, candidates);
+  names_ = column_names(model.model, candidates);
   ShootingProblem problem(model.model, record, options.huber, columns_of(candidates));
   problem.set_sigma(model.sigma);
   ShootingPoint point{model.model.values(), starts_of(model.windows, model.states)};

@@ -41,6 +41,9 @@ bool descend(ShootingProblem& problem, ShootingFit& fit, double& damping,
   return true;
 }
 
+/// |error / sigma| over all samples: by no more of its standard error a parameter is shifted.
+constexpr double kSmallError = 0.1;
+
 const std::array<StepScheme, 7>& ladder() {
   static const std::array<StepScheme, 7> schemes = {{{&runge_kutta_4(), 1},
                                                      {&dormand_prince_54(), 1},
@@ -138,22 +141,19 @@ StepScheme accurate_scheme(ShootingProblem& problem, const WindowPlan& plan,
   const StepScheme before = problem.scheme();
   ShootingPoint coarse = point, fine = point;
   double last = std::numeric_limits<double>::infinity();
-  StepScheme chosen = ladder().back();
-  problem.set_scheme(ladder().front());
+  auto rung = ladder().begin();
+  problem.set_scheme(*rung);
   problem.evaluate(plan, coarse);
-  for (std::size_t i = 0; i + 1 < ladder().size(); ++i) {
-    problem.set_scheme(ladder()[i + 1]);
+  for (; rung + 1 != ladder().end(); ++rung) {
+    problem.set_scheme(*(rung + 1));
     problem.evaluate(plan, fine);
     const double error = distance(problem, coarse, fine, sigma);
-    if (error <= 0.1 || (error > 0.5 * last && std::isfinite(last))) {
-      chosen = ladder()[i];
-      break;
-    }
+    if (error <= kSmallError || (error > 0.5 * last && std::isfinite(last))) break;
     last = error;
     std::swap(coarse, fine);
   }
   problem.set_scheme(before);
-  return chosen;
+  return *rung;
 }
 
 }  // namespace lacuna
