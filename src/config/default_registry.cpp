@@ -6,6 +6,9 @@
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/differentiators/savitzky_golay.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/effects/friction.hpp"
+#include "lacuna/effects/lag.hpp"
+#include "lacuna/effects/offset.hpp"
 #include "lacuna/filters/abm.hpp"
 #include "lacuna/filters/none.hpp"
 #include "lacuna/filters/svd_filter.hpp"
@@ -57,8 +60,15 @@ void add_solvers(Registry& registry) {
 void add_integrators(Registry& registry) {
   registry.add<Rk4>();
   registry.add<Dopri5>();
+  registry.add<RungeKutta>();
   registry.add<Dopri8>();
   registry.add<Dopri87>();
+}
+
+void add_effects(Registry& registry) {
+  registry.add<ConstantOffset>();
+  registry.add<CoulombFriction>();
+  registry.add<Lag>();
 }
 
 }  // namespace
@@ -69,6 +79,7 @@ Registry default_registry() {
   add_selection(registry);
   add_solvers(registry);
   add_integrators(registry);
+  add_effects(registry);
   return registry;
 }
 

@@ -105,7 +105,7 @@ std::string part_name(const testing::TestParamInfo<RegistryEntry>& part) {
 std::vector<RegistryEntry> configurable_parts() {
   std::vector<RegistryEntry> parts = default_registry().entries();
   std::erase_if(parts, [](const RegistryEntry& entry) {
-    return entry.kind == "integrator" || !entry.unavailable.empty();
+    return entry.kind == "integrator" || entry.kind == "effect" || !entry.unavailable.empty();
   });
   return parts;
 }

@@ -32,10 +32,13 @@ Allowed allowed_includes() {
   allowed["dynamics"] = {"core", "numerics", "data", "model"};
   allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["attractor"] = {"core", "numerics", "data", "model", "dynamics"};
-  allowed["report"] = allowed["pipeline"];
-  allowed["report"].insert({"pipeline", "dynamics"});
+  allowed["discrepancy"] = allowed["pipeline"];
+  allowed["discrepancy"].insert({"pipeline", "dynamics"});
+  allowed["effects"] = {"core", "data", "model", "discrepancy"};
+  allowed["report"] = allowed["discrepancy"];
+  allowed["report"].insert("discrepancy");
   allowed["config"] = allowed["report"];
-  allowed["config"].insert("report");
+  allowed["config"].insert({"report", "effects"});
   allowed["cli"] = allowed["config"];
   allowed["cli"].insert({"config", "systems", "attractor"});
   return allowed;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/types.hpp"
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/model/ode_model.hpp"
+
+namespace lacuna {
+
+/// How one variable (or a formula of variables) is spread over the records.
+struct VariableRange {
+  std::string name;
+  std::string unit;
+  bool is_input = false;
+  double low = 0.0, high = 0.0;  ///< smallest and largest value
+  double mean = 0.0;
+  double deviation = 0.0;  ///< standard deviation
+  Vector quantiles = {};   ///< 0 %, 5 %, ..., 100 %: 21 values
+  double noise = 0.0;      ///< standard deviation of the measurement noise
+  /// How long it remembers: the first lag at which its autocorrelation is below 1/2, in the
+  /// longest record; at least one step. 0 where it is not known (range_of()).
+  double timescale = 0.0;
+
+  /// Largest absolute value.
+  double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
+
+  /// Whether it takes both signs beyond its noise: a velocity, a voltage.
+  bool changes_sign() const { return low < -4.0 * noise && high > 4.0 * noise; }
+
+  /// Whether it is an amount that is never negative but for noise: a level, a concentration.
+  bool is_amount() const { return quantile(0.05) >= 0.0 && low >= -5.0 * noise && high > 0.0; }
+
+  /// The value below which the share `level` (0..1) of the samples lies, interpolated.
+  double quantile(double level) const;
+};
+
+/// A line in the spectrum of what the nominal model leaves over in an equation.
+struct SpectralLine {
+  Index equation = 0;
+  double frequency = 0.0;  ///< per time unit
+  double phase = 0.0;      ///< of sin(2 pi frequency t + phase), rad
+};
+
+/// What an effect may look at when it makes its candidates: the nominal model and how the
+/// records are spread, never the residual itself.
+struct Scope {
+  OdeModel model;
+  std::vector<VariableRange> variables;  ///< states, then inputs, in the model's order
+  double step = 0.0;                     ///< time between samples
+  double start = 0.0;                    ///< first time
+  double duration = 0.0;                 ///< of the longest record
+  std::vector<SpectralLine> lines;       ///< strongest first; starts for periodic effects
+  Matrix samples = {};  ///< rows x (m+p+1): some samples of the variables and t, in slot order
+
+  /// The range of a state. @throws ArgumentError when there is none.
+  const VariableRange& state(Index number) const;
+
+  /// How a formula of the variables is spread (quantiles, mean, deviation; no noise).
+  /// @throws ModelError when it cannot be read or has delays.
+  VariableRange range_of(const std::string& formula) const;
+
+  /// Whether the equation is an identity, dx/dt = v with v another state (coefficient 1): such
+  /// an equation is exact and nothing can be missing in it.
+  bool is_identity(Index equation) const;
+
+  /// The state whose rate of change is the given state by an identity (x for v when dx/dt = v).
+  std::optional<Index> integral_of(Index state) const;
+};
+
+/// The scope of a model and its records.
+/// @param noise standard deviation of the measurement noise, m entries.
+/// @param lines see Scope::lines.
+/// @throws ArgumentError when the records' states or inputs are not those of the model.
+Scope make_scope(const OdeModel& model, const Dataset& data, const Vector& noise,
+                 std::vector<SpectralLine> lines = {});
+
+}  // namespace lacuna

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A driven oscillator and its scope, for tests of effects.
+#pragma once
+
+#include <cmath>
+
+#include "lacuna/discrepancy/scope.hpp"
+#include "lacuna/model/model_file.hpp"
+
+namespace lacuna::support {
+
+/// q' = v, v' = -4 q - 0.2 v + F.
+inline OdeModel oscillator() {
+  return parse_model(R"({"format": "lacuna.model/1", "time_unit": "s",
+    "states": [{"name": "q", "unit": "m"}, {"name": "v", "unit": "m/s"}],
+    "inputs": [{"name": "F", "unit": "N"}],
+    "equations": [
+      {"state": "q", "terms": [{"term": "v", "coefficient": 1.0}]},
+      {"state": "v", "terms": [{"term": "q", "coefficient": -4.0},
+        {"term": "v", "coefficient": -0.2}, {"term": "F", "coefficient": 1.0}]}]})",
+                     "oscillator");
+}
+
+/// 1001 samples of 10 s; q swings in +-1, v in +-2, F in +-0.5.
+inline Dataset oscillator_record() {
+  Dataset data;
+  data.states = {{"q", "m"}, {"v", "m/s"}};
+  data.inputs = {{"F", "N"}};
+  Trajectory record;
+  record.source = "made";
+  record.time = Vector::LinSpaced(1001, 0.0, 10.0);
+  record.states.resize(1001, 2);
+  record.states.col(0) = (2.0 * record.time.array()).sin();
+  record.states.col(1) = 2.0 * (2.0 * record.time.array()).cos();
+  record.inputs = 0.5 * (3.0 * record.time.array()).sin().matrix();
+  data.trajectories = {record};
+  return data;
+}
+
+inline Scope oscillator_scope() {
+  return make_scope(oscillator(), oscillator_record(), Vector::Constant(2, 0.01));
+}
+
+}  // namespace lacuna::support
