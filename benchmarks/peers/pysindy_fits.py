@@ -24,7 +24,7 @@ import numpy as np
 import pysindy as ps
 
 DEGREE = 3
-THRESHOLDS = np.geomspace(1e-3, 2.0, 25)
+THRESHOLDS = np.geomspace(3e-3, 1.0, 10)
 
 
 def read_record(path):

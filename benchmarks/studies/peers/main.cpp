@@ -22,7 +22,7 @@
 namespace lacuna::benchmarks {
 namespace {
 
-constexpr int kDraws = 10;
+constexpr int kDraws = 5;
 constexpr int kDegree = 3;
 
 struct Case {
