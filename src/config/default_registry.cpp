@@ -10,7 +10,9 @@
 #include "lacuna/filters/abm.hpp"
 #include "lacuna/filters/none.hpp"
 #include "lacuna/filters/svd_filter.hpp"
+#include "lacuna/formulations/integral_form.hpp"
 #include "lacuna/formulations/strong_form.hpp"
+#include "lacuna/formulations/weak_form.hpp"
 #include "lacuna/pruners/information_criterion.hpp"
 #include "lacuna/pruners/keep_all.hpp"
 #include "lacuna/pruners/minor_terms.hpp"
@@ -33,6 +35,8 @@ void add_formulations(Registry& registry) {
   registry.add<FiniteDifferences>();
   registry.add<SavitzkyGolay>();
   registry.add<StrongForm>({.differentiator = FiniteDifferences{}});
+  registry.add<WeakForm>();
+  registry.add<IntegralForm>();
 }
 
 void add_selection(Registry& registry) {

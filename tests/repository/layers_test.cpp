@@ -32,8 +32,9 @@ Allowed allowed_includes() {
   allowed["dynamics"] = {"core", "numerics", "data", "model"};
   allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["attractor"] = {"core", "numerics", "data", "model", "dynamics"};
+  allowed["refine"] = {"core", "numerics", "data", "model", "linear", "dynamics"};
   allowed["discrepancy"] = allowed["pipeline"];
-  allowed["discrepancy"].insert({"pipeline", "dynamics"});
+  allowed["discrepancy"].insert({"pipeline", "dynamics", "refine"});
   allowed["effects"] = {"core", "data", "model", "discrepancy"};
   allowed["report"] = allowed["discrepancy"];
   allowed["report"].insert("discrepancy");
