@@ -44,8 +44,10 @@ void check_candidates(const ParametrisedModel& model,
   }
 }
 
+/// @throws ArgumentError as check_candidates().
 std::vector<std::string> column_names(const ParametrisedModel& model,
                                       const std::vector<Candidate>& candidates) {
+  check_candidates(model, candidates);
   std::vector<std::string> names = model.names();
   for (const Candidate& candidate : candidates)
     names.push_back(
@@ -82,9 +84,7 @@ Factor scaled_factor(const Matrix& reduced, const Vector& parameters, Index rows
 
 ScoreSystem::ScoreSystem(const Refinement& model, const Dataset& record,
                          const std::vector<Candidate>& candidates, const RefineOptions& options)
-    : parameters_(model.model.size()) {
-  check_candidates(model.model, candidates);
-  names_ = column_names(model.model, candidates);
+    : names_(column_names(model.model, candidates)), parameters_(model.model.size()) {
   ShootingProblem problem(model.model, record, options.huber, columns_of(candidates));
   problem.set_sigma(model.sigma);
   ShootingPoint point{model.model.values(), starts_of(model.windows, model.states)};

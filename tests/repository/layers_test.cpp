@@ -60,7 +60,7 @@ std::string included_header(const std::string& line) {
   return line.substr(start.size(), line.rfind(".hpp") - start.size());
 }
 
-const std::vector<std::string> kLibrary = {"include", "src", "bases", "solvers"};
+const std::vector<std::string> kLibrary = {"include", "src", "bases", "solvers", "effects"};
 
 TEST(Layers, IncludesPointDownwards) {
   const Allowed allowed = allowed_includes();
