@@ -230,8 +230,8 @@ double RefinementRun::residual_count() const {
 
 void RefinementRun::search() {
   growth_ = scaled_growth(fit_.linear.transitions);
-  const WindowSearch search{growth_, growth_limit(), limits_.shortest,
-                            kCoarseShare * residual_count(), options_.max_iterations};
+  const InexactWindows search{growth_, growth_limit(), limits_.shortest,
+                              kCoarseShare * residual_count(), options_.max_iterations};
   fit_ = search_windows(problem_, fit_, search, context_);
   update_sigma();
 }
