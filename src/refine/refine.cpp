@@ -8,24 +8,24 @@
 
 #include "confidence.hpp"
 #include "lacuna/core/error.hpp"
-#include "refiner.hpp"
+#include "refinement_run.hpp"
 
 namespace lacuna {
 namespace {
 
 /// What every result has, whether the fit succeeded or not.
-Refinement basic_result(Refiner& refiner) {
-  const ShootingProblem& problem = refiner.problem();
-  return {.model = problem.model().with_values(refiner.fit().point.parameters),
-          .iterations = refiner.iterations(),
+Refinement basic_result(RefinementRun& run) {
+  const ShootingProblem& problem = run.problem();
+  return {.model = problem.model().with_values(run.fit().point.parameters),
+          .iterations = run.iterations(),
           .measured = problem.record().measured,
           .sigma = problem.sigma(),
-          .windows = refiner.fit().plan,
-          .states = refiner.fit().point.orbits.samples};
+          .windows = run.fit().plan,
+          .states = run.fit().point.orbits.samples};
 }
 
-Refinement diverged_result(Refiner& refiner) {
-  Refinement result = basic_result(refiner);
+Refinement diverged_result(RefinementRun& run) {
+  Refinement result = basic_result(run);
   const Index p = result.model.size();
   const double infinity = std::numeric_limits<double>::infinity();
   result.status = RefineStatus::Diverged;
@@ -34,20 +34,20 @@ Refinement diverged_result(Refiner& refiner) {
   result.covariance = Matrix::Constant(p, p, infinity);
   result.ci95.resize(p, 2);
   result.ci95 << -result.standard_errors, result.standard_errors;
-  result.states = refiner.guess();
+  result.states = run.guess();
   return result;
 }
 
 /// Covariance and intervals: from the Fisher information where residuals are noise, else from
 /// blocks of the record, when that gives more.
-void add_errors(Refiner& refiner, Refinement& result, const std::optional<double>& huber) {
-  const ShootingFit& fit = refiner.fit();
+void add_errors(RefinementRun& run, Refinement& result, const std::optional<double>& huber) {
+  const ShootingFit& fit = run.fit();
   const Index p = result.model.size();
   const Matrix inverse = covariance_of(fit.linear.reduced.topLeftCorner(p, p));
   result.bound = inverse.diagonal().cwiseSqrt();
   result.covariance =
       inverse *
-      (huber ? robust_factor(refiner.problem().residuals(fit.plan, fit.point), *huber) : 1.0);
+      (huber ? robust_factor(run.problem().residuals(fit.plan, fit.point), *huber) : 1.0);
   auto freedom = static_cast<double>(result.degrees_of_freedom);
   std::optional<Matrix> blocks;
   if (!result.white && inverse.allFinite())
@@ -60,23 +60,23 @@ void add_errors(Refiner& refiner, Refinement& result, const std::optional<double
   result.ci95 = intervals95(fit.point.parameters, result.standard_errors, freedom);
 }
 
-Refinement full_result(Refiner& refiner, const RefineOptions& options) {
-  const ShootingFit& fit = refiner.fit();
-  const ShootingProblem& problem = refiner.problem();
-  Refinement result = basic_result(refiner);
+Refinement full_result(RefinementRun& run, const RefineOptions& options) {
+  const ShootingFit& fit = run.fit();
+  const ShootingProblem& problem = run.problem();
+  Refinement result = basic_result(run);
   result.status = fit.converged ? RefineStatus::Converged : RefineStatus::IterationLimit;
   if (!fit.converged)
     result.message = "the iteration limit was reached; the values are those of the last step";
   result.degrees_of_freedom = degrees_of_freedom(problem, fit.plan);
   result.chi_squared = problem.residuals(fit.plan, fit.point).squaredNorm();
-  result.residuals = residual_statistics(problem, fit, refiner.influence(), refiner.noise());
+  result.residuals = residual_statistics(problem, fit, run.influence(), run.noise());
   const auto all = [&](bool ResidualStatistics::*property) {
     return std::all_of(result.residuals.begin(), result.residuals.end(),
                        [&](const ResidualStatistics& s) { return s.*property; });
   };
   result.white = all(&ResidualStatistics::white);
   result.fits_to_noise = all(&ResidualStatistics::is_noise);
-  add_errors(refiner, result, options.huber);
+  add_errors(run, result, options.huber);
   return result;
 }
 
@@ -129,8 +129,8 @@ Refinement refine(const ParametrisedModel& model, const Dataset& record,
                   const RefineOptions& options, const RunContext& context) {
   check_dataset(record);
   check_options(model, record, options);
-  Refiner refiner(model, record, options, context);
-  return refiner.run() ? full_result(refiner, options) : diverged_result(refiner);
+  RefinementRun run(model, record, options, context);
+  return run.run() ? full_result(run, options) : diverged_result(run);
 }
 
 }  // namespace lacuna

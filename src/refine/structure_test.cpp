@@ -137,8 +137,14 @@ class Tester {
         scores.begin(), scores.end(),
         [](const CandidateScore& a, const CandidateScore& b) { return a.gain < b.gain; });
     const double bound = normal_bound(options_.false_alarm / static_cast<double>(open.size()));
-    if (!(best->gain > bound * bound)) return false;
+    if (!(best->gain > std::max(bound * bound, least_gain()))) return false;
     return adopt(open[static_cast<std::size_t>(best - scores.begin())], *best, bound);
+  }
+
+  /// Decrease of chi squared below which a term is not worth it, however significant.
+  double least_gain() const {
+    const Refinement& now = result_.refinement;
+    return now.white ? 0.0 : options_.least_share * now.chi_squared;
   }
 
   /// Takes a candidate in, when it is significant after the refinement too.

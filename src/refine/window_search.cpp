@@ -29,10 +29,9 @@ class Searcher {
       : problem_(problem), search_(search), context_(context) {}
 
   ShootingFit run(const ShootingFit& start) {
-    const std::optional<double> score = score_of(start);
-    if (!score) return start;
-    trials_.push_back({start, *score});
+    note(start);
     walk(start, false);
+    if (trials_.empty()) return start;
     walk(start, true);
     return std::move(chosen().fit);
   }
@@ -75,14 +74,21 @@ class Searcher {
     for (Index samples = longest_of(start.plan); true;) {
       samples = longer ? 2 * samples : samples / 2;
       if (samples < search_.shortest || samples > 2 * problem_.record().samples()) return;
-      std::optional<ShootingFit> next = fit_windows(last, samples);
+      const std::optional<ShootingFit> next = fit_windows(last, samples);
       if (!next) return;
-      const std::optional<double> score = score_of(*next);
-      if (!score || !std::isfinite(*score)) return;
+      const bool scored = note(*next);
+      if (!scored && longer) return;
+      if (scored && trials_.back().score > best() + 2.0 * margin()) return;
       last = *next;
-      trials_.push_back({std::move(*next), *score});
-      if (*score > best() + 2.0 * margin()) return;
     }
+  }
+
+  /// Keeps a fit that has a score.
+  bool note(const ShootingFit& fit) {
+    const std::optional<double> score = score_of(fit);
+    if (!score || !std::isfinite(*score)) return false;
+    trials_.push_back({fit, *score});
+    return true;
   }
 
   std::optional<ShootingFit> fit_windows(const ShootingFit& from, Index samples) {

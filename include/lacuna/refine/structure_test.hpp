@@ -14,6 +14,10 @@ struct StructureOptions {
   /// candidates has to be significant at `false_alarm` / M.
   double false_alarm = 0.01;
 
+  /// Where residuals are no noise, the model is an approximation and any term helps a little: then
+  /// a term comes in only if it takes away at least this share of chi squared.
+  double least_share = 0.1;
+
   int max_changes = 30;  ///< removals and additions together
   RefineOptions refine = {};
 };

@@ -8,11 +8,11 @@ namespace lacuna {
 
 /// One refinement: windows from short to long, the search for windows where the model is not
 /// exact, the last polish.
-class Refiner {
+class RefinementRun {
  public:
   /// @throws DataError, ArgumentError as refine().
-  Refiner(const ParametrisedModel& model, const Dataset& data, const RefineOptions& options,
-          const RunContext& context);
+  RefinementRun(const ParametrisedModel& model, const Dataset& data,
+                const RefineOptions& options, const RunContext& context);
 
   /// Fits. @return whether windows were found in which the model can be simulated.
   bool run();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refiner.hpp"
+#include "refinement_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +69,8 @@ Index longest_window(const WindowPlan& plan) {
 
 }  // namespace
 
-Refiner::Refiner(const ParametrisedModel& model, const Dataset& data,
-                 const RefineOptions& options, const RunContext& context)
+RefinementRun::RefinementRun(const ParametrisedModel& model, const Dataset& data,
+                             const RefineOptions& options, const RunContext& context)
     : options_(options),
       context_(context),
       problem_(model, data, options.huber),
@@ -80,7 +80,7 @@ Refiner::Refiner(const ParametrisedModel& model, const Dataset& data,
                         "leave it out or give one for each state that has a column");
 }
 
-bool Refiner::run() {
+bool RefinementRun::run() {
   prepare();
   if (!begin()) return false;
   if (!options_.window_samples) {
@@ -92,7 +92,7 @@ bool Refiner::run() {
   return true;
 }
 
-void Refiner::prepare() {
+void RefinementRun::prepare() {
   const ShootingRecord& record = problem_.record();
   guess_ = options_.states ? *options_.states
                            : guess_states(problem_.model(), record, problem_.rates(),
@@ -104,7 +104,7 @@ void Refiner::prepare() {
 
 /// Windows by the growth of errors along the record as guessed, every sampling interval being
 /// simulated on its own.
-bool Refiner::begin() {
+bool RefinementRun::begin() {
   const std::vector<Index>& begins = problem_.record().begins;
   ShootingFit steps;
   steps.plan = equal_windows(begins, 1);
@@ -125,7 +125,7 @@ bool Refiner::begin() {
 }
 
 /// Halves windows until none diverges.
-bool Refiner::make_finite() {
+bool RefinementRun::make_finite() {
   for (Index samples = longest_window(fit_.plan); samples > 1; samples /= 2) {
     fit_.point.starts = starts_of(fit_.plan, guess_);
     problem_.evaluate(fit_.plan, fit_.point);
@@ -135,21 +135,21 @@ bool Refiner::make_finite() {
   return false;
 }
 
-ErrorGrowth Refiner::scaled_growth(Matrix transitions) {
+ErrorGrowth RefinementRun::scaled_growth(Matrix transitions) {
   const Index m = dimension();
   for (Index j = 0; j < m; ++j)
     for (Index k = 0; k < m; ++k) transitions.col(j * m + k) *= spread_[j] / spread_[k];
   return {std::move(transitions), m};
 }
 
-void Refiner::minimise_from(ShootingFit& fit, const Matrix& states, double tolerance) {
+void RefinementRun::minimise_from(ShootingFit& fit, const Matrix& states, double tolerance) {
   fit.point.starts = starts_of(fit.plan, states);
   fit.iterations = 0;
   minimise(problem_, fit, tolerance, options_.max_iterations, context_);
   iterations_ += fit.iterations;
 }
 
-void Refiner::update_sigma(const Vector& taken) {
+void RefinementRun::update_sigma(const Vector& taken) {
   if (!options_.sigma)
     problem_.set_sigma(
         residual_sigma(problem_, fit_, options_.huber.has_value(), taken).cwiseMax(floor_));
@@ -159,13 +159,13 @@ void Refiner::update_sigma(const Vector& taken) {
 }
 
 /// Growth at which an error the size of the noise becomes as large as the attractor.
-double Refiner::growth_limit() {
+double RefinementRun::growth_limit() {
   const Vector ratio = spread_(problem_.record().measured).cwiseQuotient(problem_.sigma());
   return std::clamp(ratio.minCoeff(), kNoGrowth, kLargestGrowth);
 }
 
 /// Doubles the windows; whether that is worth going on with.
-bool Refiner::lengthen() {
+bool RefinementRun::lengthen() {
   growth_ = scaled_growth(fit_.linear.transitions);
   ShootingFit longer;
   longer.plan = fit_.plan;
@@ -185,20 +185,20 @@ bool Refiner::lengthen() {
   return gain > kSmallGain;
 }
 
-double Refiner::cost_per_freedom(const ShootingFit& fit) const {
+double RefinementRun::cost_per_freedom(const ShootingFit& fit) const {
   return fit.point.cost / static_cast<double>(degrees_of_freedom(problem_, fit.plan));
 }
 
 /// Whether longer windows fit as well as the present ones: no worse than four standard
 /// deviations of chi squared.
-bool Refiner::acceptable(const ShootingFit& longer) const {
+bool RefinementRun::acceptable(const ShootingFit& longer) const {
   const auto freedom = static_cast<double>(degrees_of_freedom(problem_, longer.plan));
   return cost_per_freedom(longer) <=
          cost_per_freedom(fit_) * (1.0 + 4.0 * std::sqrt(2.0 / freedom));
 }
 
 /// Mean relative decrease of the standard errors by longer windows.
-double Refiner::gain_of(const ShootingFit& longer) const {
+double RefinementRun::gain_of(const ShootingFit& longer) const {
   const Index p = problem_.model().size();
   const auto variances = [p](const ShootingFit& fit) -> Vector {
     return covariance_of(fit.linear.reduced.topLeftCorner(p, p)).diagonal();
@@ -209,7 +209,7 @@ double Refiner::gain_of(const ShootingFit& longer) const {
 }
 
 /// Whether the residuals are no white noise.
-bool Refiner::has_structure() {
+bool RefinementRun::has_structure() {
   const Vector least = kIntegrationNoise * spread_(problem_.record().measured);
   if ((problem_.sigma().array() < least.array()).all()) return false;
   influence_ = fit_influence(problem_, fit_, kLags);
@@ -218,11 +218,11 @@ bool Refiner::has_structure() {
   return false;
 }
 
-double Refiner::residual_count() const {
+double RefinementRun::residual_count() const {
   return static_cast<double>(problem_.record().values.size());
 }
 
-void Refiner::search() {
+void RefinementRun::search() {
   growth_ = scaled_growth(fit_.linear.transitions);
   const WindowSearch search{growth_, growth_limit(), limits_.shortest,
                             kCoarseShare * residual_count(), options_.max_iterations};
@@ -230,7 +230,7 @@ void Refiner::search() {
   update_sigma();
 }
 
-void Refiner::finish() {
+void RefinementRun::finish() {
   constexpr int kRounds = 4;
   const bool structured = has_structure();
   for (int round = 0; round < kRounds; ++round) {
