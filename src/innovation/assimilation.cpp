@@ -57,9 +57,11 @@ class Turns {
     for (int pass = 0; pass < options_.passes; ++pass) {
       context_.check_stop();
       relinearise();
+      // The noise of the measurement is known roughly from the start, the disturbances are not.
+      white_moves_ = pass >= kSettlingPasses;
       for (int turn = 0; turn < kTurns; ++turn) update_variances(turn + 1 == kTurns);
       update_coefficients();
-      if (std::abs(last - state_.deviance) < kSettled) break;
+      if (white_moves_ && std::abs(last - state_.deviance) < kSettled) break;
       last = state_.deviance;
     }
     return std::move(state_);
@@ -67,6 +69,7 @@ class Turns {
 
  private:
   static constexpr int kTurns = 4;
+  static constexpr int kSettlingPasses = 3;
   /// A change of the deviance that no test would notice.
   static constexpr double kSettled = 0.05;
 
@@ -109,8 +112,10 @@ class Turns {
       auto& white = state_.noise.measurement[static_cast<std::size_t>(k)];
       auto& coloured = state_.noise.coloured[static_cast<std::size_t>(k)];
       if (!white) continue;
-      white = std::max(*white * factor[m + channel], floor_[k]);
-      if (coloured) coloured->deviation *= factor[m + channels + channel];
+      if (white_moves_ && std::isfinite(factor[m + channel])) *white *= factor[m + channel];
+      white = std::max(*white, floor_[k]);
+      if (coloured && std::isfinite(factor[m + channels + channel]))
+        coloured->deviation *= factor[m + channels + channel];
       ++channel;
     }
   }
@@ -155,6 +160,7 @@ class Turns {
   const RunContext& context_;
   Vector floor_;
   Assimilation state_;
+  bool white_moves_ = false;
 };
 
 /// Variances to begin with: noise as the differences of the record show it, disturbances as if

@@ -80,6 +80,9 @@ void KalmanStep::predict(Index i) {
   mean_.swap(next_);
   half_ = transition_.lazyProduct(covariance_);
   covariance_ = half_.lazyProduct(transition_.transpose());
+  // Rounding must not grow where the model is unstable: the covariance stays symmetric.
+  half_ = covariance_.transpose();
+  covariance_ = 0.5 * (covariance_ + half_);
   add_disturbance(i);
 }
 

@@ -132,7 +132,10 @@ class Backward {
         Eigen::Map<const Matrix>(record_.transition.col(i).data(), m_, m_);
     moved_ = transition_.transpose().lazyProduct(adjoint_);
     adjoint_ = moved_;
-    covariance_ = Matrix(transition_.transpose() * covariance_ * transition_);
+    half_ = transition_.transpose().lazyProduct(covariance_);
+    covariance_ = half_.lazyProduct(transition_);
+    half_ = covariance_.transpose();
+    covariance_ = 0.5 * (covariance_ + half_);
   }
 
   const LinearisedRecord& record_;
@@ -141,7 +144,7 @@ class Backward {
   const Forward& forward_;
   Index m_;
   Vector adjoint_, moved_;
-  Matrix covariance_, transition_;
+  Matrix covariance_, transition_, half_;
   SmoothedRecord result_;
 };
 
