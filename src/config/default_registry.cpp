@@ -12,7 +12,9 @@
 #include "lacuna/filters/abm.hpp"
 #include "lacuna/filters/none.hpp"
 #include "lacuna/filters/svd_filter.hpp"
+#include "lacuna/formulations/integral_form.hpp"
 #include "lacuna/formulations/strong_form.hpp"
+#include "lacuna/formulations/weak_form.hpp"
 #include "lacuna/pruners/information_criterion.hpp"
 #include "lacuna/pruners/keep_all.hpp"
 #include "lacuna/pruners/minor_terms.hpp"
@@ -35,6 +37,8 @@ void add_formulations(Registry& registry) {
   registry.add<FiniteDifferences>();
   registry.add<SavitzkyGolay>();
   registry.add<StrongForm>({.differentiator = FiniteDifferences{}});
+  registry.add<WeakForm>();
+  registry.add<IntegralForm>();
 }
 
 void add_selection(Registry& registry) {
@@ -60,6 +64,7 @@ void add_solvers(Registry& registry) {
 void add_integrators(Registry& registry) {
   registry.add<Rk4>();
   registry.add<Dopri5>();
+  registry.add<RungeKutta>();
   registry.add<Dopri8>();
   registry.add<Dopri87>();
 }

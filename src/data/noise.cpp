@@ -107,10 +107,154 @@ std::optional<double> plateau(const std::vector<double>& sigmas) {
   return std::nullopt;
 }
 
+double least(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::min_element(values.begin(), values.end());
+}
+
+/// The dataset with every `stride`-th sample.
+Dataset thinned(const Dataset& data, Index state, Index stride) {
+  Dataset result;
+  result.states = {data.states[static_cast<std::size_t>(state)]};
+  for (const Trajectory& record : data.trajectories) {
+    const Index n = (record.samples() + stride - 1) / stride;
+    Trajectory part;
+    part.time = record.time(Eigen::seqN(0, n, stride));
+    part.states = record.states.col(state)(Eigen::seqN(0, n, stride));
+    result.trajectories.push_back(std::move(part));
+  }
+  return result;
+}
+
+/// Noise seen by every second sample, where it is certainly more than every sample sees: the
+/// scatter of a median of n values is about 1.2 / sqrt(n) of it, and differences of one order
+/// more or less move a plateau by a tenth.
+std::optional<double> coloured_level(const Dataset& data, Index state, double sigma) {
+  const double margin =
+      1.2 + 5.0 / std::sqrt(static_cast<double>(std::max<Index>(data.samples(), 1)));
+  const std::optional<double> second = plateau(noise_by_order(thinned(data, state, 2), 0));
+  if (!second || *second < margin * sigma) return std::nullopt;
+  return second;
+}
+
+/// All values of a state that are different, in order.
+std::vector<double> distinct_values(const Dataset& data, Index state) {
+  std::vector<double> values;
+  for (const Trajectory& record : data.trajectories)
+    values.insert(values.end(), record.states.col(state).begin(),
+                  record.states.col(state).end());
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+/// The spacing q of which all differences of values are whole multiples.
+std::optional<double> lattice_of(const Dataset& data, Index state) {
+  constexpr double kRounding = 1e-3;        // of a multiple, as a share of q
+  constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
+  const std::vector<double> values = distinct_values(data, state);
+  if (values.size() < kFewest) return std::nullopt;
+  double spacing = values.back() - values.front();
+  const double smallest = spacing / kMostLevels;
+  for (std::size_t i = 1; i < values.size() && spacing > smallest; ++i) {
+    // Euclid's algorithm on the gaps.
+    double gap = values[i] - values[i - 1];
+    while (gap > kRounding * spacing) {
+      const double rest = std::abs(std::remainder(spacing, gap));
+      spacing = gap;
+      gap = rest;
+    }
+  }
+  if (!(spacing > smallest)) return std::nullopt;
+  return spacing;
+}
+
+StateNoise analyse_state(const Dataset& data, Index state) {
+  StateNoise noise;
+  const std::vector<double> sigmas = noise_by_order(data, state);
+  const std::optional<double> level = plateau(sigmas);
+  noise.sigma = level.value_or(least(sigmas));
+  noise.kind = level && *level > 0.0 ? NoiseKind::White : NoiseKind::None;
+  noise.lattice = lattice_of(data, state);
+  const double rounding = noise.lattice.value_or(0.0) / std::sqrt(12.0);
+  if (rounding > 0.0 && noise.sigma <= 1.5 * rounding) {
+    noise.sigma = std::max(noise.sigma, rounding);
+    noise.kind = NoiseKind::Quantised;
+  } else if (noise.kind == NoiseKind::White) {
+    if (const auto coloured = coloured_level(data, state, noise.sigma)) {
+      noise.sigma = *coloured;
+      noise.kind = NoiseKind::Coloured;
+    }
+  }
+  std::size_t outliers = 0;
+  for (const Trajectory& record : data.trajectories)
+    outliers += outlying_samples(record, state, noise.sigma).size();
+  noise.outliers =
+      static_cast<double>(outliers) / static_cast<double>(std::max<Index>(data.samples(), 1));
+  return noise;
+}
+
+/// x_i minus the straight line between its neighbours; 0 at the ends.
+Vector bends(const Trajectory& record, Index state) {
+  const Vector& t = record.time;
+  const auto x = record.states.col(state);
+  Vector bend = Vector::Zero(record.samples());
+  for (Index i = 1; i + 1 < record.samples(); ++i) {
+    const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+    bend[i] = x[i] - (1.0 - share) * x[i - 1] - share * x[i + 1];
+  }
+  return bend;
+}
+
+/// Each value without the median of those at most three samples away.
+Vector without_local_median(const Vector& values) {
+  constexpr Index kReach = 3;
+  Vector result = values;
+  for (Index i = 0; i < values.size(); ++i) {
+    const Index first = std::max<Index>(0, i - kReach);
+    const Index last = std::min(values.size() - 1, i + kReach);
+    std::vector<double> around(values.begin() + first, values.begin() + last + 1);
+    result[i] -= median(around);
+  }
+  return result;
+}
+
 }  // namespace
 
+std::string to_string(NoiseKind kind) {
+  switch (kind) {
+    case NoiseKind::White:
+      return "white";
+    case NoiseKind::Coloured:
+      return "coloured";
+    case NoiseKind::Quantised:
+      return "quantised";
+    default:
+      return "none";
+  }
+}
+
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma) {
+  std::vector<Index> outliers;
+  if (record.samples() < static_cast<Index>(kFewest)) return outliers;
+  const Vector deviation = without_local_median(bends(record, state)).cwiseAbs();
+  std::vector<double> sizes(deviation.begin(), deviation.end());
+  const double limit = 6.0 * std::max(std::sqrt(1.5) * sigma, median(sizes) / kNormalMedian);
+  for (Index i = 1; i + 1 < deviation.size(); ++i)
+    if (deviation[i] > limit && deviation[i] >= deviation[i - 1] &&
+        deviation[i] >= deviation[i + 1])
+      outliers.push_back(i);
+  return outliers;
+}
+
+std::vector<StateNoise> analyse_noise(const Dataset& data) {
+  std::vector<StateNoise> noise;
+  for (Index state = 0; state < data.state_count(); ++state)
+    noise.push_back(analyse_state(data, state));
+  return noise;
+}
+
 Vector estimate_noise(const Dataset& data) {
-  Vector noise = Vector::Zero(data.state_count());
+  Vector noise(data.state_count());
   for (Index state = 0; state < data.state_count(); ++state)
     noise[state] = plateau(noise_by_order(data, state)).value_or(0.0);
   return noise;

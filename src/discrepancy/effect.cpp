@@ -2,6 +2,7 @@
 #include "lacuna/discrepancy/effect.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "lacuna/core/error.hpp"
@@ -60,6 +61,55 @@ void check_candidate(const Candidate& candidate, const Scope& scope) {
   }
 }
 
+/// An identifier that no variable of the model has.
+std::string fresh_name(std::string name, const std::vector<std::string>& taken) {
+  while (std::find(taken.begin(), taken.end(), name) != taken.end()) name += '_';
+  return name;
+}
+
+/// `$old` becomes the new name, as a whole word.
+std::string renamed(const std::string& text, const std::string& old, const std::string& name) {
+  const std::string marked = "$" + old;
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t end = i + marked.size();
+    const bool whole =
+        end >= text.size() ||
+        (std::isalnum(static_cast<unsigned char>(text[end])) == 0 && text[end] != '_');
+    if (text.compare(i, marked.size(), marked) == 0 && whole) {
+      result += name;
+      i = end;
+    } else {
+      result += text[i++];
+    }
+  }
+  return result;
+}
+
+/// Gives shape parameters and memory states that are written `$name` names of their own.
+void name_apart(Candidate& candidate, const Scope& scope) {
+  const std::vector<std::string> taken = scope.model.variables().names();
+  const auto rename = [&](std::string& own) {
+    const std::string name = fresh_name(own, taken);
+    candidate.form = renamed(candidate.form, own, name);
+    for (MemoryState& memory : candidate.memory) {
+      memory.rate = renamed(memory.rate, own, name);
+      memory.start = renamed(memory.start, own, name);
+    }
+    return name;
+  };
+  const auto marked = [&](const std::string& own) {
+    bool found = renamed(candidate.form, own, "") != candidate.form;
+    for (const MemoryState& memory : candidate.memory)
+      found = found || renamed(memory.rate, own, "") != memory.rate;
+    return found;
+  };
+  for (ShapeParameter& shape : candidate.shapes)
+    if (marked(shape.name)) shape.name = rename(shape.name);
+  for (MemoryState& memory : candidate.memory)
+    if (marked(memory.name)) memory.name = rename(memory.name);
+}
+
 }  // namespace
 
 std::vector<Candidate> Effect::candidates(const Scope& scope, Index equation) const {
@@ -71,11 +121,23 @@ std::vector<Candidate> Effect::candidates(const Scope& scope, Index equation) co
   for (Candidate& candidate : result) {
     candidate.effect = info().name;
     candidate.equation = equation;
+    if (!candidate.plainer && plainer()) candidate.plainer = *plainer();
+    name_apart(candidate, scope);
     if (candidate.shapes.empty() && candidate.starts.empty())
       candidate.starts.emplace_back(Vector(0));
     check_candidate(candidate, scope);
   }
   return result;
+}
+
+bool Effect::plausible(const Scope& scope, const Candidate& candidate,
+                       const FittedCandidate& fitted) const {
+  if (fitted.shapes.size() != static_cast<Index>(candidate.shapes.size()))
+    throw ArgumentError("effect " + candidate.effect,
+                        std::to_string(fitted.shapes.size()) + " values for " +
+                            std::to_string(candidate.shapes.size()) + " shape parameters",
+                        "give one value for each");
+  return do_plausible(scope, candidate, fitted);
 }
 
 }  // namespace lacuna

@@ -10,6 +10,7 @@ namespace lacuna {
 namespace {
 
 constexpr int kQuantiles = 21;
+constexpr Index kSamples = 2000;  // enough for quantiles of formulas
 
 void check_names(const std::vector<Quantity>& model, const std::vector<Quantity>& data,
                  const std::string& what) {
@@ -48,6 +49,47 @@ VariableRange make_range(const Quantity& quantity, const Vector& sorted) {
   return range;
 }
 
+/// First lag at which the autocorrelation falls below 1/2, in samples.
+Index half_memory(const Vector& values) {
+  const Vector centred = values.array() - values.mean();
+  const double half = 0.5 * centred.squaredNorm();
+  const Index n = centred.size();
+  Index lag = 1;
+  while (lag < n / 2 && centred.head(n - lag).dot(centred.tail(n - lag)) > half) ++lag;
+  return lag;
+}
+
+const Trajectory& longest_record(const Dataset& data) {
+  return *std::max_element(
+      data.trajectories.begin(), data.trajectories.end(),
+      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
+}
+
+void set_timescales(Scope& scope, const Dataset& data) {
+  const Trajectory& record = longest_record(data);
+  const Index states = data.state_count();
+  for (Index i = 0; i < static_cast<Index>(scope.variables.size()); ++i) {
+    const Vector values = i < states ? record.states.col(i) : record.inputs.col(i - states);
+    scope.variables[static_cast<std::size_t>(i)].timescale =
+        scope.step * static_cast<double>(half_memory(values));
+  }
+}
+
+/// Every n-th row of all records, about kSamples in all.
+void set_samples(Scope& scope, const Dataset& data) {
+  const Index stride = std::max<Index>(1, data.samples() / kSamples);
+  std::vector<Vector> rows;
+  for (const Trajectory& record : data.trajectories)
+    for (Index i = 0; i < record.samples(); i += stride) {
+      Vector row(data.state_count() + data.input_count() + 1);
+      row << record.states.row(i).transpose(), record.inputs.row(i).transpose(), record.time[i];
+      rows.push_back(row);
+    }
+  scope.samples.resize(static_cast<Index>(rows.size()), rows.front().size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    scope.samples.row(static_cast<Index>(i)) = rows[i].transpose();
+}
+
 void set_times(Scope& scope, const Dataset& data) {
   double steps = 0.0;
   scope.start = data.trajectories.front().time[0];
@@ -77,6 +119,21 @@ const VariableRange& Scope::state(Index number) const {
   return variables[static_cast<std::size_t>(number)];
 }
 
+VariableRange Scope::range_of(const std::string& formula) const {
+  const Variables names = model.variables();
+  const Expression expression = parse_expression(formula, names.names());
+  const Program program(std::vector<Expression>{expression}, names);
+  if (!program.delays().empty())
+    throw ModelError("'" + formula + "'", "a delay has no range of its own",
+                     "give a formula of the present values");
+  Matrix values(samples.rows(), 1);
+  Program::Workspace workspace;
+  program.evaluate(samples, values, workspace);
+  Vector sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  return make_range({formula, ""}, sorted);
+}
+
 bool Scope::is_identity(Index equation) const {
   const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
   if (terms.size() != 1 || terms.front().coefficient != 1.0) return false;
@@ -99,7 +156,7 @@ Scope make_scope(const OdeModel& model, const Dataset& data, const Vector& noise
   check_names(model.states(), data.states, "states");
   check_names(model.inputs(), data.inputs, "inputs");
   check_dataset(data);
-  Scope scope{model, {}, 0.0, 0.0, 0.0, std::move(lines)};
+  Scope scope{model, {}, 0.0, 0.0, 0.0, std::move(lines), {}};
   for (Index i = 0; i < data.state_count(); ++i) {
     scope.variables.push_back(make_range(model.states()[static_cast<std::size_t>(i)],
                                          sorted_samples(data, false, i)));
@@ -111,6 +168,8 @@ Scope make_scope(const OdeModel& model, const Dataset& data, const Vector& noise
     scope.variables.back().is_input = true;
   }
   set_times(scope, data);
+  set_timescales(scope, data);
+  set_samples(scope, data);
   return scope;
 }
 

@@ -1,8 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/dynamics/butcher_tableau.hpp"
 
+#include <array>
+#include <string>
+
+#include "lacuna/core/error.hpp"
+
 namespace lacuna {
 namespace {
+
+ButcherTableau make_midpoint_2() {
+  return {.order = 2,
+          .embedded_order = 0,
+          .nodes = {0.0, 0.5},
+          .a = {{}, {0.5}},
+          .weights = {0.0, 1.0},
+          .embedded = {}};
+}
+
+ButcherTableau make_kutta_3() {
+  return {.order = 3,
+          .embedded_order = 0,
+          .nodes = {0.0, 0.5, 1.0},
+          .a = {{}, {0.5}, {-1.0, 2.0}},
+          .weights = {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0},
+          .embedded = {}};
+}
 
 ButcherTableau make_runge_kutta_4() {
   return {.order = 4,
@@ -31,6 +54,23 @@ ButcherTableau make_dormand_prince_54() {
                       11.0 / 84.0, 0.0},
           .embedded = {5179.0 / 57600.0, 0.0, 7571.0 / 16695.0, 393.0 / 640.0,
                        -92097.0 / 339200.0, 187.0 / 2100.0, 1.0 / 40.0}};
+}
+
+ButcherTableau make_butcher_6() {
+  return {.order = 6,
+          .embedded_order = 0,
+          .nodes = {0.0, 1.0 / 2.0, 2.0 / 3.0, 1.0 / 3.0, 5.0 / 6.0, 1.0 / 6.0, 1.0},
+          .a = {{},
+                {1.0 / 2.0},
+                {2.0 / 9.0, 4.0 / 9.0},
+                {7.0 / 36.0, 2.0 / 9.0, -1.0 / 12.0},
+                {-35.0 / 144.0, -55.0 / 36.0, 35.0 / 48.0, 15.0 / 8.0},
+                {-1.0 / 360.0, -11.0 / 36.0, -1.0 / 8.0, 1.0 / 2.0, 1.0 / 10.0},
+                {-41.0 / 260.0, 22.0 / 13.0, 43.0 / 156.0, -118.0 / 39.0, 32.0 / 195.0,
+                 80.0 / 39.0}},
+          .weights = {13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0,
+                      13.0 / 200.0},
+          .embedded = {}};
 }
 
 std::vector<std::vector<double>> prince_dormand_stages() {
@@ -84,7 +124,30 @@ ButcherTableau make_prince_dormand_87() {
 }
 // clang-format on
 
+/// The 8(7) pair with the weights of order 7, which leave out the last stage.
+ButcherTableau make_prince_dormand_7() {
+  ButcherTableau tableau = make_prince_dormand_87();
+  tableau.nodes.pop_back();
+  tableau.a.pop_back();
+  tableau.weights = tableau.embedded;
+  tableau.weights.pop_back();
+  tableau.order = tableau.embedded_order;
+  tableau.embedded_order = 0;
+  tableau.embedded.clear();
+  return tableau;
+}
+
 }  // namespace
+
+const ButcherTableau& midpoint_2() {
+  static const ButcherTableau tableau = make_midpoint_2();
+  return tableau;
+}
+
+const ButcherTableau& kutta_3() {
+  static const ButcherTableau tableau = make_kutta_3();
+  return tableau;
+}
 
 const ButcherTableau& runge_kutta_4() {
   static const ButcherTableau tableau = make_runge_kutta_4();
@@ -96,9 +159,29 @@ const ButcherTableau& dormand_prince_54() {
   return tableau;
 }
 
+const ButcherTableau& butcher_6() {
+  static const ButcherTableau tableau = make_butcher_6();
+  return tableau;
+}
+
+const ButcherTableau& prince_dormand_7() {
+  static const ButcherTableau tableau = make_prince_dormand_7();
+  return tableau;
+}
+
 const ButcherTableau& prince_dormand_87() {
   static const ButcherTableau tableau = make_prince_dormand_87();
   return tableau;
+}
+
+const ButcherTableau& method_of_order(int order) {
+  static const std::array methods{&midpoint_2(),        &kutta_3(),   &runge_kutta_4(),
+                                  &dormand_prince_54(), &butcher_6(), &prince_dormand_7(),
+                                  &prince_dormand_87()};
+  if (order < 2 || order > 8)
+    throw ArgumentError("Runge-Kutta method", "there is none of order " + std::to_string(order),
+                        "choose an order from 2 to 8");
+  return *methods[static_cast<std::size_t>(order - 2)];
 }
 
 }  // namespace lacuna

@@ -254,6 +254,15 @@ void Rk4Options::describe(OptionVisitor& visitor) { describe_substeps(visitor, s
 
 void Dopri8Options::describe(OptionVisitor& visitor) { describe_substeps(visitor, substeps); }
 
+void RungeKuttaOptions::describe(OptionVisitor& visitor) {
+  visitor.field({"order", "", "Order of the method.", 2.0, 8.0}, order);
+  describe_substeps(visitor, substeps);
+}
+
+std::unique_ptr<Stepper> RungeKutta::make_stepper(Index dimension) const {
+  return fixed_stepper(method_of_order(options().order), dimension, options().substeps);
+}
+
 std::unique_ptr<Stepper> Rk4::make_stepper(Index dimension) const {
   return fixed_stepper(runge_kutta_4(), dimension, options().substeps);
 }

@@ -75,8 +75,8 @@ LibraryRows::LibraryRows(const TermLibrary& library, const std::vector<Trajector
     : library_(library),
       program_(library.compile()),
       longest_delay_(longest(program_.delays())) {
-  for (const Trajectory& record : records) {
-    Block block = make_block(record);
+  for (std::size_t number = 0; number < records.size(); ++number) {
+    Block block = make_block(records[number], number);
     if (block.slots.rows() == 0) continue;
     block.first_row = rows_;
     rows_ += block.slots.rows();
@@ -88,11 +88,15 @@ LibraryRows::LibraryRows(const TermLibrary& library, const std::vector<Trajector
                     "give longer records or terms with shorter delays");
 }
 
-LibraryRows::Block LibraryRows::make_block(const Trajectory& record) const {
+LibraryRows::Block LibraryRows::make_block(const Trajectory& record, std::size_t number) const {
   const Index first = first_with_delay(record.time, longest_delay_);
   const Index count = record.samples() - first;
   const Matrix variables = variable_slots(record);
-  Block block{record.source, first, 0, Matrix(count, program_.slots()),
+  Block block{record.source,
+              number,
+              first,
+              0,
+              Matrix(count, program_.slots()),
               record.derivatives.bottomRows(count)};
   block.slots.leftCols(variables.cols()) = variables.bottomRows(count);
   Index slot = variables.cols();
@@ -103,6 +107,13 @@ LibraryRows::Block LibraryRows::make_block(const Trajectory& record) const {
 }
 
 std::unique_ptr<RowReader> LibraryRows::open() const { return std::make_unique<Reader>(*this); }
+
+std::vector<RecordRows> LibraryRows::record_rows() const {
+  std::vector<RecordRows> parts;
+  for (const Block& block : blocks_)
+    parts.push_back({block.record, block.first_sample, block.first_row, block.slots.rows()});
+  return parts;
+}
 
 std::optional<NonFiniteEntry> LibraryRows::find_non_finite() const {
   constexpr Index kTile = 256;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/text.hpp"
 #include "lacuna/formulations/derived_record.hpp"
 #include "lacuna/formulations/library_rows.hpp"
+#include "non_finite_error.hpp"
 
 namespace lacuna {
 namespace {
@@ -15,16 +15,6 @@ std::vector<std::string> target_names(const Variables& variables) {
   std::vector<std::string> names;
   for (const std::string& state : variables.states) names.push_back("d" + state + "/dt");
   return names;
-}
-
-[[noreturn]] void throw_non_finite(const NonFiniteEntry& entry) {
-  const std::string where = entry.term.empty() ? "derivative" : "term '" + entry.term + "'";
-  const std::string source = entry.source.empty() ? "" : " of " + entry.source;
-  const std::string values = entry.values.empty() ? "" : ", " + entry.values;
-  throw DataError(where,
-                  "is not finite at sample " + std::to_string(entry.sample + 1) + source +
-                      " (t = " + format_number(entry.time, 8) + values + ")",
-                  "leave the term out or cut the record there");
 }
 
 /// rms over the record of the derivative of white noise of standard deviation 1: the root of

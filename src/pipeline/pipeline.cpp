@@ -5,7 +5,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
-#include "lacuna/pipeline/interval.hpp"
+#include "lacuna/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

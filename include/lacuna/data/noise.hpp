@@ -1,18 +1,59 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "lacuna/data/dataset.hpp"
 
 namespace lacuna {
 
-/// Standard deviation of white measurement noise per state, estimated from the record itself:
-/// differences of rising order k kill the smooth signal and leave noise of variance
-/// C(2k, k) sigma^2; the order at which the estimate stops falling is taken, and a robust scale
-/// (median absolute value) guards against outliers and fast stretches. On a grid that is not
-/// uniform divided differences with weights of the same norm take their place.
-/// With d_k the k-th difference, order k gives
-/// sigma_k = median(|d_k|) / (0.6745 sqrt(C(2k, k))).
-/// @return m entries in the units of the states; 0 where no noise can be seen.
+/// What the measurement noise of a state looks like.
+enum class NoiseKind {
+  None,       ///< none that can be told from the signal: `sigma` is an upper bound
+  White,      ///< the same at every spacing of samples
+  Coloured,   ///< neighbouring samples have noise in common
+  Quantised,  ///< values on a lattice, and no more noise than rounding to it makes
+};
+
+/// "none", "white", "coloured", "quantised".
+std::string to_string(NoiseKind kind);
+
+/// The measurement noise of one state, estimated from the record itself.
+struct StateNoise {
+  double sigma = 0.0;  ///< standard deviation, state units
+  NoiseKind kind = NoiseKind::None;
+
+  /// Spacing of the lattice on which the values lie, state units.
+  std::optional<double> lattice = {};
+
+  double outliers = 0.0;  ///< share of samples that are not explained by noise of this sigma
+};
+
+/// Estimates the measurement noise of each state.
+///
+/// - Differences of rising order k kill the smooth signal and leave noise of variance
+///   C(2k, k) sigma^2; with d_k the k-th difference, order k gives
+///     sigma_k = median(|d_k|) / (0.6745 sqrt(C(2k, k))).
+///   The order at which the estimate stops falling is taken; where it falls to the end, noise
+///   cannot be told from the signal and the least sigma_k is an upper bound. The median guards
+///   against outliers and fast stretches. Grids that are not uniform have divided differences
+///   with weights of the same norm.
+/// - Values that are whole multiples of a step q have at least the noise q / sqrt(12).
+/// - The same estimate from every second and every fourth sample is larger when neighbours have
+///   noise in common.
+/// - Outliers are counted as outlying_samples() finds them.
+std::vector<StateNoise> analyse_noise(const Dataset& data);
+
+/// Samples of one state that noise of deviation sigma does not explain: e_i = x_i minus the
+/// straight line between its neighbours deviates from the median of the e around it by more
+/// than 6 sigma sqrt(3/2) and by more than 6 robust deviations of all e; of neighbours the
+/// worst.
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma);
+
+/// Standard deviation of white measurement noise per state as by analyse_noise().
+/// @return m entries in the units of the states; 0 where no noise can be told from the signal.
 Vector estimate_noise(const Dataset& data);
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,8 +41,12 @@ enum class Place {
 /// The form is a formula of the model file's language in states, inputs, `t`, the names of the
 /// shape parameters and of the memory states: "tanh(w/width)", "max(x-edge,0)", "delay(x,T)-x",
 /// "sin(2*pi*frequency*t+phase)". The coefficient in front of it is free and is never written.
+/// An effect may write `$width` for a shape parameter or memory state it calls `width`; it then
+/// gets a name that no variable of the model has.
 struct Candidate {
-  std::string effect = {};       ///< registered name of the effect
+  std::string effect = {};  ///< registered name of the effect
+  /// Name that leads where the data cannot tell the two apart; by default Effect::plainer().
+  std::optional<std::string> plainer = {};
   std::string description = {};  ///< for people: "dry friction opposing w"
   std::string form = {};
   std::vector<ShapeParameter> shapes = {};

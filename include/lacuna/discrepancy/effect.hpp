@@ -13,6 +13,14 @@
 
 namespace lacuna {
 
+/// What the data say of one candidate.
+struct FittedCandidate {
+  const OdeModel& nominal;   ///< with its coefficients fitted together with the candidate
+  double coefficient = 0.0;  ///< of the form
+  double deviation = 0.0;    ///< its standard error
+  Vector shapes = {};        ///< one value per shape parameter
+};
+
 /// Plug point: a named family of effects that a nominal model may lack.
 ///
 /// The registered name (`info().name`) is the word by which the answer calls the effect, from
@@ -40,12 +48,22 @@ class Effect : public StageInterface {
   ///   made cannot be read or uses a name that is neither a variable nor one of its parameters.
   std::vector<Candidate> candidates(const Scope& scope, Index equation) const;
 
+  /// Whether fitted numbers are such as this effect has: dry friction opposes the motion, a
+  /// saturated amplifier has no slope beyond its limit. A candidate that fits with other
+  /// numbers may describe the data, but not by this name.
+  /// @throws ArgumentError when the number of shapes is not that of the candidate.
+  bool plausible(const Scope& scope, const Candidate& candidate,
+                 const FittedCandidate& fitted) const;
+
  private:
   virtual std::string_view do_typical_cause() const = 0;
   virtual std::optional<std::string_view> do_plainer() const { return std::nullopt; }
   /// Candidates without effect and equation filled in; `starts` may be left empty for a
   /// candidate without shape parameters.
   virtual std::vector<Candidate> do_candidates(const Scope& scope, Index equation) const = 0;
+  virtual bool do_plausible(const Scope&, const Candidate&, const FittedCandidate&) const {
+    return true;
+  }
 };
 
 /// Options of an effect that has none: `EffectOptions<kName>` with

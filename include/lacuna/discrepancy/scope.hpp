@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +13,7 @@
 
 namespace lacuna {
 
-/// How one variable is spread over the records.
+/// How one variable (or a formula of variables) is spread over the records.
 struct VariableRange {
   std::string name;
   std::string unit;
@@ -21,6 +23,18 @@ struct VariableRange {
   double deviation = 0.0;  ///< standard deviation
   Vector quantiles = {};   ///< 0 %, 5 %, ..., 100 %: 21 values
   double noise = 0.0;      ///< standard deviation of the measurement noise
+  /// How long it remembers: the first lag at which its autocorrelation is below 1/2, in the
+  /// longest record; at least one step. 0 where it is not known (range_of()).
+  double timescale = 0.0;
+
+  /// Largest absolute value.
+  double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
+
+  /// Whether it takes both signs beyond its noise: a velocity, a voltage.
+  bool changes_sign() const { return low < -4.0 * noise && high > 4.0 * noise; }
+
+  /// Whether it is an amount that is never negative but for noise: a level, a concentration.
+  bool is_amount() const { return quantile(0.05) >= 0.0 && low >= -5.0 * noise && high > 0.0; }
 
   /// The value below which the share `level` (0..1) of the samples lies, interpolated.
   double quantile(double level) const;
@@ -42,9 +56,14 @@ struct Scope {
   double start = 0.0;                    ///< first time
   double duration = 0.0;                 ///< of the longest record
   std::vector<SpectralLine> lines;       ///< strongest first; starts for periodic effects
+  Matrix samples = {};  ///< rows x (m+p+1): some samples of the variables and t, in slot order
 
   /// The range of a state. @throws ArgumentError when there is none.
   const VariableRange& state(Index number) const;
+
+  /// How a formula of the variables is spread (quantiles, mean, deviation; no noise).
+  /// @throws ModelError when it cannot be read or has delays.
+  VariableRange range_of(const std::string& formula) const;
 
   /// Whether the equation is an identity, dx/dt = v with v another state (coefficient 1): such
   /// an equation is exact and nothing can be missing in it.

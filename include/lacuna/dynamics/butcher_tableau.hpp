@@ -19,13 +19,29 @@ struct ButcherTableau {
   int stages() const noexcept { return static_cast<int>(nodes.size()); }
 };
 
+/// The midpoint rule of order 2, two stages (Runge 1895).
+const ButcherTableau& midpoint_2();
+
+/// Kutta's method of order 3, three stages (Kutta 1901).
+const ButcherTableau& kutta_3();
+
 /// The classical method of order 4, four stages (Kutta 1901).
 const ButcherTableau& runge_kutta_4();
 
 /// Dormand and Prince's 5(4) pair, seven stages (J. Comput. Appl. Math. 6:19-26, 1980).
 const ButcherTableau& dormand_prince_54();
 
+/// Butcher's method of order 6, seven stages (J. Austral. Math. Soc. 4:179-194, 1964).
+const ButcherTableau& butcher_6();
+
+/// The solution of order 7 in Prince and Dormand's 8(7) pair, twelve stages.
+const ButcherTableau& prince_dormand_7();
+
 /// Prince and Dormand's 8(7) pair RK8(7)13M, 13 stages (J. Comput. Appl. Math. 7:67-75, 1981).
 const ButcherTableau& prince_dormand_87();
+
+/// One method for each order from 2 to 8: those above, of the pairs the solution
+/// that is carried on. @throws ArgumentError for another order.
+const ButcherTableau& method_of_order(int order);
 
 }  // namespace lacuna

@@ -48,6 +48,25 @@ class Rk4 final : public Configured<Integrator, Rk4Options> {
   std::unique_ptr<Stepper> make_stepper(Index dimension) const override;
 };
 
+/// Options of RungeKutta.
+struct RungeKuttaOptions {
+  static constexpr StageInfo kInfo{
+      "runge-kutta", "A Runge-Kutta method of any order from 2 to 8, fixed step.",
+      "Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, Sect. II.1-II.5"};
+  int order = 6;     ///< 2: midpoint, 3: Kutta, 4: classical, 5: Dormand-Prince, 6: Butcher,
+                     ///< 7 and 8: Prince-Dormand
+  int substeps = 1;  ///< steps in one sampling interval
+  void describe(OptionVisitor& visitor);
+};
+
+/// Fixed steps by method_of_order(); a synchronisation with order p uses p samples.
+class RungeKutta final : public Configured<Integrator, RungeKuttaOptions> {
+ public:
+  using Configured::Configured;
+  int order() const override { return options().order; }
+  std::unique_ptr<Stepper> make_stepper(Index dimension) const override;
+};
+
 /// Options of Dopri5.
 struct Dopri5Options {
   static constexpr StageInfo kInfo{"dopri5", "Dormand-Prince 5(4) pair, adaptive step.",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,14 @@ struct NonFiniteEntry {
   Index sample = 0;    ///< number in the record, from 0
   double time = 0.0;
   std::string values;  ///< what the variables of the term are there: "x = 0, y = 2"
+};
+
+/// Which rows are made of which samples.
+struct RecordRows {
+  std::size_t record = 0;  ///< number of the record
+  Index first_sample = 0;  ///< of the record, the first that has a row
+  Index first_row = 0;
+  Index count = 0;
 };
 
 /// Rows of Theta and dx/dt at the samples of all records, one after the other. Keeps the
@@ -40,6 +49,9 @@ class LibraryRows final : public RowSource {
   }
   std::unique_ptr<RowReader> open() const override;
 
+  /// Records that have rows, in order.
+  std::vector<RecordRows> record_rows() const;
+
   /// The first entry of Theta or of the targets that is not finite, if there is one. One pass.
   std::optional<NonFiniteEntry> find_non_finite() const;
 
@@ -48,13 +60,14 @@ class LibraryRows final : public RowSource {
 
   struct Block {
     std::string source;
+    std::size_t record = 0;
     Index first_sample = 0;  ///< samples left out before the first row
     Index first_row = 0;
     Matrix slots;    ///< rows x slots
     Matrix targets;  ///< rows x m
   };
 
-  Block make_block(const Trajectory& record) const;
+  Block make_block(const Trajectory& record, std::size_t number) const;
   NonFiniteEntry describe(const Block& block, Index row, std::optional<Index> term) const;
 
   TermLibrary library_;

@@ -91,5 +91,56 @@ TEST(EstimateNoise, IsZeroForConstantsAndForTooFewSamples) {
   EXPECT_EQ(estimate_noise(data), Vector::Zero(3));
 }
 
+StateNoise noise_of_first_state(const Trajectory& trajectory) {
+  return analyse_noise(dataset({trajectory}))[0];
+}
+
+TEST(AnalyseNoise, TellsWhiteNoise) {
+  const StateNoise noise = noise_of_first_state(record(0.01, 0.0, 9));
+  EXPECT_EQ(noise.kind, NoiseKind::White);
+  EXPECT_EQ(to_string(noise.kind), "white");
+  EXPECT_NEAR(noise.sigma, 0.01, 0.001);
+  EXPECT_EQ(noise.outliers, 0.0);
+  EXPECT_FALSE(noise.lattice);
+}
+
+TEST(AnalyseNoise, GivesABoundWhereThereIsNone) {
+  const StateNoise noise = noise_of_first_state(record(0.0, 0.0, 9));
+  EXPECT_LT(noise.sigma, 1e-8);
+}
+
+TEST(AnalyseNoise, TellsColouredNoise) {
+  Trajectory trajectory = record(0.0, 0.0, 9);
+  Random random(4);
+  double state = 0.0;
+  for (Index i = 0; i < kSamples; ++i) {
+    state = 0.8 * state + 0.6 * 0.05 * random.normal();
+    trajectory.states(i, 0) += state;
+  }
+  const StateNoise noise = noise_of_first_state(trajectory);
+  EXPECT_EQ(noise.kind, NoiseKind::Coloured);
+  EXPECT_GT(noise.sigma, 0.02);
+}
+
+TEST(AnalyseNoise, TellsQuantisation) {
+  Trajectory trajectory = record(0.0, 0.0, 9);
+  for (Index i = 0; i < kSamples; ++i)
+    trajectory.states(i, 0) = 0.004 * std::round(trajectory.states(i, 0) / 0.004);
+  const StateNoise noise = noise_of_first_state(trajectory);
+  EXPECT_EQ(noise.kind, NoiseKind::Quantised);
+  ASSERT_TRUE(noise.lattice);
+  EXPECT_NEAR(*noise.lattice, 0.004, 1e-9);
+  EXPECT_NEAR(noise.sigma, 0.004 / std::sqrt(12.0), 0.0006);
+}
+
+TEST(AnalyseNoise, CountsOutliers) {
+  Trajectory trajectory = record(0.01, 0.0, 10);
+  for (Index i = 100; i < kSamples; i += 100) trajectory.states(i, 0) += 1.0;
+  EXPECT_NEAR(noise_of_first_state(trajectory).outliers, 0.01, 0.001);
+  const std::vector<Index> outliers = outlying_samples(trajectory, 0, 0.01);
+  EXPECT_EQ(outliers.front(), 100);
+  EXPECT_EQ(outliers.size(), 39U);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -61,6 +61,28 @@ TEST(Effect, RefusesMemoryThatTakesAVariablesName) {
   EXPECT_THROW(Made(wrong).candidates(support::oscillator_scope(), 1), ModelError);
 }
 
+TEST(Effect, MarkedNamesAreKeptApartFromTheModels) {
+  Candidate marked;
+  marked.form = "tanh(q/$q)+$v";
+  marked.shapes = {{"q", "m", 0.0, 1.0, false}};
+  marked.starts = {Vector::Constant(1, 0.5)};
+  marked.memory = {{"v", "(v-$v)/$q", "v"}};
+  const Candidate made = Made(marked).candidates(support::oscillator_scope(), 1).at(0);
+  EXPECT_EQ(made.form, "tanh(q/q_)+v_");
+  EXPECT_EQ(made.shapes[0].name, "q_");
+  EXPECT_EQ(made.memory[0].name, "v_");
+  EXPECT_EQ(made.memory[0].rate, "(v-v_)/q_");
+}
+
+TEST(Effect, PlausibleNeedsAValueForEveryShape) {
+  const Scope scope = support::oscillator_scope();
+  const Made made(edge(0.5));
+  const Candidate candidate = made.candidates(scope, 1).at(0);
+  EXPECT_TRUE(made.plausible(scope, candidate, {scope.model, 1.0, 0.1, Vector::Zero(1)}));
+  EXPECT_THROW(made.plausible(scope, candidate, {scope.model, 1.0, 0.1, Vector::Zero(2)}),
+               ArgumentError);
+}
+
 TEST(Effect, RefusesAnEquationThatDoesNotExist) {
   EXPECT_THROW(Made(edge(0.5)).candidates(support::oscillator_scope(), 2), ArgumentError);
 }

@@ -27,6 +27,29 @@ TEST(Scope, KnowsTheTimes) {
   EXPECT_NEAR(scope.duration, 10.0, 1e-12);
 }
 
+TEST(Scope, KnowsHowLongVariablesRemember) {
+  // cos(2 t) falls to one half at 2 t = pi/3.
+  const Scope scope = support::oscillator_scope();
+  EXPECT_NEAR(scope.state(0).timescale, 0.52, 0.05);
+}
+
+TEST(Scope, TellsAmountsFromSignedVariables) {
+  Dataset data = support::oscillator_record();
+  data.trajectories[0].states.col(0).array() += 1.5;
+  const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
+  EXPECT_TRUE(scope.state(0).is_amount());
+  EXPECT_FALSE(scope.state(0).changes_sign());
+  EXPECT_FALSE(scope.state(1).is_amount());
+  EXPECT_TRUE(scope.state(1).changes_sign());
+}
+
+TEST(Scope, FormulasHaveARange) {
+  const VariableRange range = support::oscillator_scope().range_of("4*q^2+v^2");
+  EXPECT_NEAR(range.low, 4.0, 1e-9);
+  EXPECT_NEAR(range.high, 4.0, 1e-9);
+  EXPECT_THROW(support::oscillator_scope().range_of("delay(q,1)"), ModelError);
+}
+
 TEST(Scope, KnowsIdentities) {
   const Scope scope = support::oscillator_scope();
   EXPECT_TRUE(scope.is_identity(0));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "lacuna/core/error.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -60,8 +62,15 @@ TEST_P(Tableau, EmbeddedSolutionIsOfNoHigherOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Tableau,
-                         testing::Values(&runge_kutta_4(), &dormand_prince_54(),
-                                         &prince_dormand_87()));
+                         testing::Values(&midpoint_2(), &kutta_3(), &runge_kutta_4(),
+                                         &dormand_prince_54(), &butcher_6(),
+                                         &prince_dormand_7(), &prince_dormand_87()));
+
+TEST(MethodOfOrder, HasTheOrderAskedFor) {
+  for (int order = 2; order <= 8; ++order) EXPECT_EQ(method_of_order(order).order, order);
+  EXPECT_THROW(method_of_order(1), ArgumentError);
+  EXPECT_THROW(method_of_order(9), ArgumentError);
+}
 
 }  // namespace
 }  // namespace lacuna

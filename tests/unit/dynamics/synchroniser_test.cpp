@@ -73,6 +73,18 @@ TEST(Synchroniser, MethodsOfHigherOrderStayNearer) {
   EXPECT_LT(eighth, 1e-2 * fifth);
 }
 
+// A method of order p and the polynomial through p samples: the error falls as h^p.
+TEST(Synchroniser, ErrorFallsWithTheOrderOfTheMethod) {
+  const double length = 60.0;
+  const auto error = [&](int order, double h) {
+    const Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), h,
+                                               static_cast<Index>(length / h) + 1);
+    return synchronise(test_system("rossler").model, record, RungeKutta({.order = order})).mean;
+  };
+  for (int order = 2; order <= 8; ++order)
+    EXPECT_NEAR(std::log2(error(order, 0.06) / error(order, 0.03)), order, 0.5) << order;
+}
+
 TEST(Synchroniser, StatisticsAreThoseOfTheErrors) {
   const Dataset record = record_on_attractor("lorenz", Dopri8{}, 0.01, 501);
   const SyncResult result = synchronise(test_system("lorenz").model, record, Rk4{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/pipeline/interval.hpp"
+#include "lacuna/numerics/interval.hpp"
 
 #include <gtest/gtest.h>
 

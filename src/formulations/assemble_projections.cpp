@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "assemble_projections.hpp"
+
+#include "lacuna/formulations/projected_rows.hpp"
+#include "non_finite_error.hpp"
+
+namespace lacuna {
+
+LeastSquaresSystem assemble_projections(const Dataset& data, const TermLibrary& library,
+                                        const std::vector<Projection>& projections,
+                                        const RunContext& context) {
+  const auto rows =
+      std::make_shared<const ProjectedRows>(library, data.trajectories, projections);
+  std::vector<std::string> targets;
+  for (const Quantity& state : data.states) targets.push_back("d" + state.name + "/dt");
+  try {
+    return LeastSquaresSystem(rows, library.names(), targets, context);
+  } catch (const DataError&) {
+    if (const auto entry = rows->samples().find_non_finite()) throw_non_finite(*entry);
+    throw;
+  }
+}
+
+}  // namespace lacuna

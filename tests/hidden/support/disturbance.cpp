@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "hidden/support/disturbance.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "lacuna/core/random.hpp"
+
+namespace lacuna::hidden {
+namespace {
+
+double deviation(const Vector& x) { return std::sqrt((x.array() - x.mean()).square().mean()); }
+
+Vector white(Index n, Random& random) {
+  Vector noise(n);
+  for (double& value : noise) value = random.normal();
+  return noise;
+}
+
+Vector coloured(Index n, Random& random) {
+  const double kept = std::exp(-1.0 / 5.0), fresh = std::sqrt(1.0 - kept * kept);
+  Vector noise = white(n, random);
+  for (Index i = 1; i < n; ++i) noise[i] = kept * noise[i - 1] + fresh * noise[i];
+  return noise;
+}
+
+Vector with_outliers(Index n, Random& random) {
+  Vector noise = white(n, random);
+  for (double& value : noise) {
+    if (random.uniform() >= 0.01) continue;
+    const double spike = random.uniform(5.0, 10.0);
+    value += random.uniform() < 0.5 ? -spike : spike;
+  }
+  return noise;
+}
+
+Vector drifting(Index n, Random& random) {
+  const double phase = random.uniform(0.0, 2.0 * std::numbers::pi);
+  Vector noise = white(n, random) * std::sqrt(0.5);
+  for (Index i = 0; i < n; ++i)
+    noise[i] +=
+        std::sin(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n) + phase);
+  return noise;
+}
+
+Vector rounded(const Vector& x, double grid) { return (x.array() / grid).round() * grid; }
+
+Vector measured(const Vector& x, NoiseKind kind, double sigma, Random& random) {
+  switch (kind) {
+    case NoiseKind::White:
+      return x + sigma * white(x.size(), random);
+    case NoiseKind::Coloured:
+      return x + sigma * coloured(x.size(), random);
+    case NoiseKind::Outliers:
+      return x + sigma * with_outliers(x.size(), random);
+    case NoiseKind::Drifting:
+      return x + sigma * drifting(x.size(), random);
+    case NoiseKind::Quantised:
+      break;
+  }
+  return rounded(x, sigma * std::sqrt(12.0));
+}
+
+}  // namespace
+
+std::string to_string(NoiseKind kind) {
+  switch (kind) {
+    case NoiseKind::White:
+      return "white";
+    case NoiseKind::Coloured:
+      return "coloured";
+    case NoiseKind::Outliers:
+      return "outliers";
+    case NoiseKind::Quantised:
+      return "quantised";
+    case NoiseKind::Drifting:
+      break;
+  }
+  return "drifting";
+}
+
+Dataset disturbed(const Dataset& clean, NoiseKind kind, double level, std::uint64_t seed) {
+  Dataset record = clean;
+  Random random(seed);
+  for (Trajectory& trajectory : record.trajectories) {
+    trajectory.derivatives.resize(0, 0);
+    for (Index k = 0; level > 0.0 && k < trajectory.states.cols(); ++k) {
+      const Vector x = trajectory.states.col(k);
+      trajectory.states.col(k) = measured(x, kind, level * deviation(x), random);
+    }
+  }
+  return record;
+}
+
+}  // namespace lacuna::hidden
