@@ -76,12 +76,13 @@ Vector form_along(const Candidate& candidate, std::span<const double> shapes,
   return out.col(0);
 }
 
-std::optional<Vector> candidate_column(const Candidate& candidate,
+std::optional<Vector> candidate_column(const Candidate& original,
                                        std::span<const double> shapes,
                                        const Assimilation& assimilation,
                                        const InnovationSystem& system) {
   std::vector<Vector> values;
   const Variables variables = assimilation.model.variables();
+  const Candidate candidate = without_clash(original, variables.names());
   for (const LinearisedRecord& record : assimilation.records) {
     values.push_back(form_along(candidate, shapes, variables, record));
     if (!values.back().allFinite()) return std::nullopt;

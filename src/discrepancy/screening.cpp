@@ -57,7 +57,7 @@ double net_gain(const ScreenedCandidate& screened, double log_samples) {
 
 Screening::Screening(const Assimilation& assimilation)
     : assimilation_(assimilation), system_(assimilation) {
-  const Matrix columns = system_.model_columns(assimilation.free);
+  const Matrix columns = system_.fitted_columns();
   if (columns.cols() > 0) {
     const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
     const Eigen::ColPivHouseholderQR<Matrix> factor(columns * scale.asDiagonal());

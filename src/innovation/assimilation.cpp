@@ -99,11 +99,16 @@ class Turns {
       found = r == 0 ? smoothed.found : Vector(found + smoothed.found);
       expected = r == 0 ? smoothed.expected : Vector(expected + smoothed.expected);
     }
-    if (!move_path) scale_variances((found.array() / expected.array()).sqrt());
+    if (!move_path) scale_variances(found.cwiseQuotient(expected));
   }
 
-  void scale_variances(const Vector& factor) {
+  /// The fixed point's factor for a standard deviation. Far above the maximum the square root
+  /// that makes each step safe is left out.
+  static double factor_of(double ratio) { return ratio < 0.25 ? ratio : std::sqrt(ratio); }
+
+  void scale_variances(const Vector& ratio) {
     const Index m = state_.noise.states();
+    const Vector factor = ratio.unaryExpr(&factor_of);
     for (Index k = 0; k < m; ++k)
       if (std::isfinite(factor[k])) state_.noise.disturbance[k] *= factor[k];
     const Index channels = state_.noise.measured();
@@ -126,8 +131,8 @@ class Turns {
     const InnovationSystem system(state_);
     state_.deviance = system.deviance();
     state_.used = system.used();
-    if (state_.free.empty()) return;
-    const Matrix columns = system.model_columns(state_.free);
+    const Matrix columns = system.fitted_columns();
+    if (columns.cols() == 0) return;
     Matrix normal = columns.transpose() * columns;
     Vector right = columns.transpose() * system.innovations();
     add_priors(normal, right);
@@ -138,7 +143,11 @@ class Turns {
     state_.covariance = scale.asDiagonal() *
                         factor.solve(Matrix::Identity(scaled.rows(), scaled.cols())) *
                         scale.asDiagonal();
-    if (change.allFinite()) state_.model = with_coefficients(state_.model, state_.free, change);
+    if (!change.allFinite()) return;
+    const auto free = static_cast<Index>(state_.free.size());
+    state_.model = with_coefficients(state_.model, state_.free, change);
+    for (std::size_t j = 0; j < state_.channel_terms.size(); ++j)
+      state_.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
   }
 
   void add_priors(Matrix& normal, Vector& right) const {
@@ -167,7 +176,10 @@ class Turns {
 /// the model explained half of each rate.
 NoiseModel first_noise(const OdeModel& model, const Dataset& data,
                        const AssimilationOptions& options) {
-  const Vector white = estimate_noise(data).cwiseMax(resolution_of(data));
+  Vector white = resolution_of(data);
+  const std::vector<StateNoise> seen = analyse_noise(data);
+  for (Index k = 0; k < white.size(); ++k)
+    white[k] = std::max(white[k], seen[static_cast<std::size_t>(k)].sigma);
   const Trajectory& record = data.trajectories.front();
   const double step = (record.time[record.samples() - 1] - record.time[0]) /
                       static_cast<double>(record.samples() - 1);
@@ -213,7 +225,8 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
                         const std::vector<Matrix>& omitted, const AssimilationOptions& options,
                         const RunContext& context) {
   check_dataset(data);
-  Assimilation start{model, {}, {}, omitted, first_noise(model, data, options), 0.0, 0, {}, {}};
+  Assimilation start{model, {}, {}, omitted, first_noise(model, data, options),
+                     0.0,   0,  {}, {},      {}};
   for (const Trajectory& record : data.trajectories) {
     start.records.emplace_back();
     start.records.back().path = record.states;

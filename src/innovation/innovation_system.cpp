@@ -4,7 +4,7 @@
 namespace lacuna {
 
 InnovationSystem::InnovationSystem(const Assimilation& assimilation)
-    : records_(&assimilation.records), model_(&assimilation.model), offsets_{0} {
+    : assimilation_(&assimilation), offsets_{0} {
   for (std::size_t r = 0; r < assimilation.records.size(); ++r) {
     const Matrix none;
     const Matrix& omitted = assimilation.omitted.empty() ? none : assimilation.omitted[r];
@@ -25,7 +25,7 @@ Vector InnovationSystem::rate_column(Index equation, const std::vector<Vector>& 
   for (std::size_t r = 0; r < filters_.size(); ++r) {
     const Matrix& shape = filters_[r].innovations;
     Eigen::Map<Matrix> out(column.data() + offsets_[r], shape.rows(), shape.cols());
-    column_response((*records_)[r], filters_[r], equation, values[r], out);
+    column_response(assimilation_->records[r], filters_[r], equation, values[r], out);
   }
   return column;
 }
@@ -35,23 +35,38 @@ Vector InnovationSystem::channel_column(Index state, const std::vector<Vector>& 
   for (std::size_t r = 0; r < filters_.size(); ++r) {
     const Matrix& shape = filters_[r].innovations;
     Eigen::Map<Matrix> out(column.data() + offsets_[r], shape.rows(), shape.cols());
-    channel_response((*records_)[r], filters_[r], state, values[r], out);
+    channel_response(assimilation_->records[r], filters_[r], state, values[r], out);
   }
   return column;
 }
 
-Matrix InnovationSystem::model_columns(const std::vector<CoefficientPlace>& places) const {
-  Matrix columns(rows(), static_cast<Index>(places.size()));
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    const Term& term = model_
-                           ->equations()[static_cast<std::size_t>(places[j].equation)]
-                                        [static_cast<std::size_t>(places[j].term)]
-                           .term;
-    std::vector<Vector> values;
-    for (const LinearisedRecord& record : *records_)
-      values.push_back(evaluate_on(record, model_->variables(), term.expression()));
-    columns.col(static_cast<Index>(j)) = rate_column(places[j].equation, values);
-  }
+Vector InnovationSystem::term_column(const CoefficientPlace& place) const {
+  const OdeModel& model = assimilation_->model;
+  const Term& term = model
+                         .equations()[static_cast<std::size_t>(place.equation)]
+                                     [static_cast<std::size_t>(place.term)]
+                         .term;
+  std::vector<Vector> values;
+  for (const LinearisedRecord& record : assimilation_->records)
+    values.push_back(evaluate_on(record, model.variables(), term.expression()));
+  return rate_column(place.equation, values);
+}
+
+Vector InnovationSystem::channel_term_column(const ChannelTerm& term) const {
+  std::vector<Vector> values;
+  for (const LinearisedRecord& record : assimilation_->records)
+    values.push_back(evaluate_on(record, assimilation_->model.variables(),
+                                 term.form)(Eigen::seq(0, Eigen::last, 2)));
+  return channel_column(term.state, values);
+}
+
+Matrix InnovationSystem::fitted_columns() const {
+  const std::vector<CoefficientPlace>& free = assimilation_->free;
+  const std::vector<ChannelTerm>& terms = assimilation_->channel_terms;
+  Matrix columns(rows(), static_cast<Index>(free.size() + terms.size()));
+  Index next = 0;
+  for (const CoefficientPlace& place : free) columns.col(next++) = term_column(place);
+  for (const ChannelTerm& term : terms) columns.col(next++) = channel_term_column(term);
   return columns;
 }
 

@@ -182,6 +182,13 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   return result;
 }
 
+LinearisedRecord grid_of(const Trajectory& record, const Matrix& path) {
+  Matrix values(record.samples(), path.cols() + record.inputs.cols());
+  values << path, record.inputs;
+  LagrangeInterpolant signal(record.time, values, LagrangeWindow::centred(4));
+  return {record.time, path, fine_grid(record.time, values, signal), {}, {}, {}};
+}
+
 Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVariable>& delays) {
   const Index width = record.slots.cols();
   Matrix result(record.slots.rows(), width + static_cast<Index>(delays.size()));

@@ -6,6 +6,7 @@
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/innovation/innovation_filter.hpp"
+#include "lacuna/model/ode_model.hpp"
 
 namespace lacuna {
 
@@ -22,6 +23,14 @@ struct CoefficientPrior {
   CoefficientPlace place;
   double mean = 0.0;
   double deviation = 0.0;
+};
+
+/// A summand of what is measured of a state: coefficient x form, with the form taken on the
+/// path.
+struct ChannelTerm {
+  Index state = 0;
+  Expression form;
+  double coefficient = 0.0;
 };
 
 /// How a model is brought onto records.
@@ -50,7 +59,8 @@ struct Assimilation {
   double deviance = 0.0;  ///< -2 log likelihood
   Index used = 0;         ///< samples of all channels
   std::vector<CoefficientPlace> free;
-  Matrix covariance;  ///< of the free coefficients
+  std::vector<ChannelTerm> channel_terms;  ///< their coefficients are always fitted
+  Matrix covariance;  ///< of the free coefficients, then of those of the channel terms
 };
 
 /// Standard deviations of the measurement noise below which nothing can be said: rounding of

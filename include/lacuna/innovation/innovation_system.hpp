@@ -13,7 +13,7 @@ namespace lacuna {
 /// Rows: for each record its n x channels innovations, sample by sample.
 class InnovationSystem {
  public:
-  /// Runs the filters of an assimilation.
+  /// Runs the filters of an assimilation, which must outlive the system.
   explicit InnovationSystem(const Assimilation& assimilation);
 
   Index rows() const noexcept { return innovations_.size(); }
@@ -31,12 +31,14 @@ class InnovationSystem {
   /// Column of values added to what is measured of a state. @param values per record n entries.
   Vector channel_column(Index state, const std::vector<Vector>& values) const;
 
-  /// Columns of terms of the assimilated model.
-  Matrix model_columns(const std::vector<CoefficientPlace>& places) const;
+  /// Columns of everything that is fitted: the free coefficients, then the channel terms.
+  Matrix fitted_columns() const;
 
  private:
-  const std::vector<LinearisedRecord>* records_;
-  const OdeModel* model_;
+  Vector term_column(const CoefficientPlace& place) const;
+  Vector channel_term_column(const ChannelTerm& term) const;
+
+  const Assimilation* assimilation_;
   std::vector<InnovationFilter> filters_;
   std::vector<Index> offsets_;
   Vector innovations_;

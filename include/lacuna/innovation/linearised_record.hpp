@@ -38,6 +38,9 @@ struct LinearisedRecord {
 LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, const Matrix& path,
                            const Vector& accuracy);
 
+/// Only the grid of a record along a path: time, path and slots.
+LinearisedRecord grid_of(const Trajectory& record, const Matrix& path);
+
 /// Values of delayed variables on the grid of `slots`, which holds the variables in its first
 /// columns: the cubic through the nearest samples; what lies before the record is held at its
 /// first sample.
