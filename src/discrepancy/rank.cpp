@@ -23,14 +23,22 @@ std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
   return result;
 }
 
-/// The best of each effect and equation, in the order of the screening.
+/// The best of each effect and equation, in the order of the screening: those that may be
+/// significant and that are not far behind the best, whose lead only grows by an exact fit.
 std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& screened,
                                           Index count) {
+  constexpr double kPossible = 2.0;  // standard deviations
+  constexpr double kFarBehind = 0.05;
   std::vector<ScreenedCandidate> result;
+  const auto tried = static_cast<double>(screened.size());
+  const double best = screened.empty() ? 0.0 : screened.front().gain;
   std::set<std::pair<std::string, Index>> seen;
   for (const ScreenedCandidate& candidate : screened) {
     if (static_cast<Index>(result.size()) == count) break;
-    if (candidate.gain <= 0.0) continue;
+    const double freedom = 1.0 + static_cast<double>(candidate.shapes.size());
+    if (candidate.gain < kFarBehind * best ||
+        sigma_of_gain(candidate.gain, freedom, tried) < kPossible)
+      continue;
     if (seen.insert({candidate.candidate.effect, candidate.candidate.equation}).second)
       result.push_back(candidate);
   }
