@@ -111,7 +111,7 @@ class JointFit {
     auto channel = static_cast<Index>(fit.free.size());
     std::size_t term = 0;
     for (FittedEffect& effect : result.effects) {
-      const bool in_equation = effect.candidate.place == Place::Equation;
+      const bool in_equation = effect.candidate.place == Place::Rate;
       const Index row = in_equation ? place++ : channel++;
       if (in_equation) {
         const CoefficientPlace& where = fit.free[static_cast<std::size_t>(row)];
@@ -198,6 +198,13 @@ Index Explanation::parameters() const noexcept {
   Index count = 0;
   for (const FittedEffect& effect : effects) count += 1 + effect.shapes.size();
   return count;
+}
+
+Explanation explain_roughly(const Dataset& data, const Assimilation& base,
+                            const std::vector<FittedEffect>& effects,
+                            const AssimilationOptions& options, const RunContext& context) {
+  constexpr int kFew = 3;
+  return JointFit(data, base, options, context).at(base.model, base, effects, kFew);
 }
 
 Explanation explain(const Dataset& data, const Assimilation& base,

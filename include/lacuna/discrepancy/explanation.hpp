@@ -32,8 +32,7 @@ struct AugmentedProblem {
   OdeModel model;  ///< terms and memory states of the effects behind the nominal ones
   Dataset data;    ///< memory states are columns that were not measured
   std::vector<CoefficientPlace> free;
-  std::vector<CoefficientPlace>
-      effect_places;                       ///< one per effect with Place::Equation, in order
+  std::vector<CoefficientPlace> effect_places;  ///< one per effect with Place::Rate, in order
   std::vector<ChannelTerm> channel_terms;  ///< one per effect with Place::Channel, in order
 };
 
@@ -43,6 +42,12 @@ AugmentedProblem augment(const OdeModel& nominal, const Dataset& data,
                          const std::vector<CoefficientPlace>& free,
                          const std::vector<FittedEffect>& effects,
                          const std::vector<Matrix>& paths);
+
+/// Fits a nominal model and effects to records with the shapes as they are, in few passes: good
+/// enough to tell which explanations are worth a full fit.
+Explanation explain_roughly(const Dataset& data, const Assimilation& base,
+                            const std::vector<FittedEffect>& effects,
+                            const AssimilationOptions& options, const RunContext& context);
 
 /// Fits a nominal model and effects to records, all coefficients and shapes jointly: the shapes
 /// by Gauss-Newton steps in which the rate of change of a form with a shape is one more column,
