@@ -88,6 +88,18 @@ class Turns {
     for (std::size_t r = 0; r < data_.trajectories.size(); ++r)
       state_.records[r] =
           linearise(state_.model, data_.trajectories[r], state_.records[r].path, accuracy());
+    correct_channels();
+  }
+
+  /// What was measured, without the summands that the measurement has.
+  void correct_channels() {
+    for (std::size_t r = 0; r < state_.records.size(); ++r) {
+      state_.measured[r] = data_.trajectories[r].states;
+      for (const ChannelTerm& term : state_.channel_terms)
+        state_.measured[r].col(term.state) -=
+            term.coefficient * evaluate_on(state_.records[r], state_.model.variables(),
+                                           term.form)(Eigen::seq(0, Eigen::last, 2));
+    }
   }
 
   /// One fixed-point step of all variances; the last one of a pass moves the path too.
@@ -150,6 +162,7 @@ class Turns {
     state_.model = with_coefficients(state_.model, state_.free, change);
     for (std::size_t j = 0; j < state_.channel_terms.size(); ++j)
       state_.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
+    correct_channels();
   }
 
   /// What new coefficients predict beyond the path, to first order, so that the records need
