@@ -27,8 +27,12 @@ std::array<double, 3> parabolas(double s) {
 /// Integrates one step of the model with its variations.
 class StepIntegrator {
  public:
-  StepIntegrator(const OdeModel& model, const Trajectory& record, const Matrix& path)
-      : model_(model.compile()),
+  StepIntegrator(const OdeModel& model, const Trajectory& record, const Matrix& path,
+                 const Vector& accuracy)
+      : accuracy_(accuracy),
+        above_(path.cols()),
+        below_(path.cols()),
+        model_(model.compile()),
         time_(record.time),
         values_(record.samples(), path.cols() + record.inputs.cols()),
         layout_{path.cols()},
@@ -55,6 +59,7 @@ class StepIntegrator {
  private:
   void runge_kutta(Index i, double h, int part, int parts, LagrangeInterpolant& signal) {
     const double length = h / parts;
+    length_ = length;
     const double from = static_cast<double>(part) / parts;
     constexpr std::array<double, 4> kNode{0.0, 0.5, 0.5, 1.0}, kWeight{1.0, 2.0, 2.0, 1.0};
     sum_.setZero();
@@ -73,7 +78,7 @@ class StepIntegrator {
     read_inputs(i, t, signal);
     const Index m = layout_.m;
     model_.evaluate(t, stage_.data(), inputs_.data(), delayed_.data(), slope_.data());
-    model_.jacobian(t, stage_.data(), inputs_.data(), delayed_.data(), jacobian_);
+    differentiate_rate(t);
     const Eigen::Map<const Matrix> variations(stage_.data() + layout_.phi(), m, 4 * m);
     Eigen::Map<Matrix> slopes(slope_.data() + layout_.phi(), m, 4 * m);
     slopes = jacobian_.lazyProduct(variations);
@@ -81,6 +86,22 @@ class StepIntegrator {
     for (Index k = 0; k < m; ++k)
       for (Index q = 0; q < 3; ++q)
         slopes(k, m + 3 * k + q) += bump[static_cast<std::size_t>(q)];
+  }
+
+  /// Slopes of the rate over the reach of one part of a step, or over the accuracy where that
+  /// is more: where the model jumps (dry friction, stops) the derivative at a point says
+  /// nothing of what a small deviation does.
+  void differentiate_rate(double t) {
+    for (Index k = 0; k < layout_.m; ++k) {
+      const double reach = std::max(accuracy_[k], 0.5 * std::abs(slope_[k]) * length_);
+      const double here = stage_[k];
+      stage_[k] = here + reach;
+      model_.evaluate(t, stage_.data(), inputs_.data(), delayed_.data(), above_.data());
+      stage_[k] = here - reach;
+      model_.evaluate(t, stage_.data(), inputs_.data(), delayed_.data(), below_.data());
+      stage_[k] = here;
+      jacobian_.col(k) = (above_ - below_) / (2.0 * reach);
+    }
   }
 
   void read_inputs(Index i, double t, LagrangeInterpolant& signal) {
@@ -98,6 +119,9 @@ class StepIntegrator {
     }
   }
 
+  const Vector& accuracy_;
+  double length_ = 0.0;
+  Vector above_, below_;
   CompiledModel model_;
   const Vector& time_;
   Matrix values_;
@@ -164,7 +188,7 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   check(model, record, path);
   const Index m = path.cols();
   const Index steps = record.samples() - 1;
-  StepIntegrator integrator(model, record, path);
+  StepIntegrator integrator(model, record, path, accuracy);
   LagrangeInterpolant signal(record.time, integrator.values(), LagrangeWindow::centred(4));
   const int parts = choose_parts(integrator, signal, steps, accuracy);
   LinearisedRecord result{record.time,

@@ -32,6 +32,8 @@ struct LinearisedRecord {
 
 /// Linearises a model along a path.
 /// @param record times and inputs; @param path n x m, replaces the record's states.
+/// The derivatives of the rates are slopes over the reach of a part of a step or over the
+/// accuracy, so that a jump (dry friction, a stop) acts on a deviation as it does on average.
 /// @param accuracy m entries: an error of a step that is small against them is good enough; the
 ///   steps of the integration (Runge-Kutta of order 4) are halved until it is.
 /// @throws ArgumentError when shapes do not fit or the record has fewer than four samples.

@@ -17,13 +17,12 @@ Diagnosis diagnosis_of(const support::Hidden& hidden) {
 }
 
 TEST(Diagnose, NamesWhatIsMissing) {
-  const Diagnosis diagnosis =
-      diagnosis_of([](double, double q, double) { return -2.0 * q * q * q; });
+  const Diagnosis diagnosis = diagnosis_of(support::dry_friction);
   EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
   ASSERT_EQ(diagnosis.effects.size(), 1u);
-  EXPECT_EQ(diagnosis.effects[0].name, "cubic");
+  EXPECT_EQ(diagnosis.effects[0].name, "dry");
   EXPECT_GT(diagnosis.effects[0].gap_closed, 0.9);
-  EXPECT_NEAR(diagnosis.augmented.coefficient(1, "q^3"), -2.0, 0.1);
+  EXPECT_NEAR(diagnosis.augmented.coefficient(1, "sign(v)"), -0.3, 0.02);
   EXPECT_FALSE(diagnosis.remaining.structure) << diagnosis.remaining.sigma;
   ASSERT_TRUE(diagnosis.gap.has_value());
   EXPECT_LT(diagnosis.gap->ratio(), 0.5);
