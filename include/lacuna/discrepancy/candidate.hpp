@@ -64,6 +64,9 @@ struct Candidate {
 Expression bind_formula(const Candidate& candidate, const std::string& text,
                         std::span<const double> values);
 
+/// The candidate with other names for those of its memory states whose names are taken already.
+Candidate without_clash(Candidate candidate, const std::vector<std::string>& taken);
+
 /// bind_formula() of the form itself.
 Expression bind_form(const Candidate& candidate, std::span<const double> values);
 
