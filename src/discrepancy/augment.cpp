@@ -26,7 +26,7 @@ OdeModel augmented_model(const OdeModel& nominal, const std::vector<FittedEffect
   for (const FittedEffect& effect : effects) {
     const auto shapes = as_span(effect.shapes);
     const Candidate& candidate = effect.candidate;
-    if (candidate.place == Place::Equation)
+    if (candidate.place == Place::Rate)
       equations[static_cast<std::size_t>(candidate.equation)].push_back(
           {Term(bind_form(candidate, shapes), variables), effect.coefficient});
     for (const MemoryState& memory : candidate.memory) {
@@ -76,7 +76,7 @@ AugmentedProblem augment(const OdeModel& nominal, const Dataset& data,
     next.push_back(static_cast<Index>(equation.size()));
   for (const FittedEffect& effect : effects) {
     const Candidate& candidate = effect.candidate;
-    if (candidate.place == Place::Equation) {
+    if (candidate.place == Place::Rate) {
       problem.effect_places.push_back(
           {candidate.equation, next[static_cast<std::size_t>(candidate.equation)]++});
       problem.free.push_back(problem.effect_places.back());

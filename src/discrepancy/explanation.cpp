@@ -111,7 +111,7 @@ class JointFit {
     auto channel = static_cast<Index>(fit.free.size());
     std::size_t term = 0;
     for (FittedEffect& effect : result.effects) {
-      const bool in_equation = effect.candidate.place == Place::Equation;
+      const bool in_equation = effect.candidate.place == Place::Rate;
       const Index row = in_equation ? place++ : channel++;
       if (in_equation) {
         const CoefficientPlace& where = fit.free[static_cast<std::size_t>(row)];

@@ -32,8 +32,7 @@ struct AugmentedProblem {
   OdeModel model;  ///< terms and memory states of the effects behind the nominal ones
   Dataset data;    ///< memory states are columns that were not measured
   std::vector<CoefficientPlace> free;
-  std::vector<CoefficientPlace>
-      effect_places;                       ///< one per effect with Place::Equation, in order
+  std::vector<CoefficientPlace> effect_places;  ///< one per effect with Place::Rate, in order
   std::vector<ChannelTerm> channel_terms;  ///< one per effect with Place::Channel, in order
 };
 
