@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
-//   study_hidden cases|power|alarm [OUTPUT_FOLDER] [PART_OF_A_NAME]
+//   study_hidden cases|power|alarm [OUTPUT_FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing.
 #include <chrono>
@@ -20,10 +20,12 @@ std::vector<Trial> chosen_trials(const std::string& name) {
   return {};
 }
 
-int run(const std::string& name, const std::filesystem::path& folder, const std::string& part) {
+int run(const std::string& name, const std::filesystem::path& folder, const std::string& part,
+        const std::string& level) {
   std::vector<Trial> trials = chosen_trials(name);
   std::erase_if(trials, [&](const Trial& trial) {
-    return trial.hidden.name.find(part) == std::string::npos;
+    return trial.hidden.name.find(part) == std::string::npos ||
+           (!level.empty() && trial.level != std::stod(level));
   });
   if (trials.empty()) {
     std::cerr << "there are no such trials; give cases, power or alarm\n";
@@ -45,5 +47,5 @@ int run(const std::string& name, const std::filesystem::path& folder, const std:
 int main(int argc, char** argv) {
   return lacuna::benchmarks::run(argc > 1 ? argv[1] : "",
                                  argc > 2 ? argv[2] : "build/studies/hidden",
-                                 argc > 3 ? argv[3] : "");
+                                 argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
 }

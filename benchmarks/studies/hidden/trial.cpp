@@ -27,8 +27,10 @@ Outcome run_trial(const Trial& trial, const Registry& registry) {
   const auto start = std::chrono::steady_clock::now();
   try {
     const auto [find, check] = hidden::make_records(trial.hidden, trial.level, trial.seed);
-    const Diagnosis diagnosis = diagnose(trial.hidden.nominal, find, check,
-                                         {.effects = all_effects(registry)}, RunContext{});
+    DiagnosisOptions options;
+    options.effects = all_effects(registry);
+    const Diagnosis diagnosis =
+        diagnose(trial.hidden.nominal, find, check, options, RunContext{});
     const Dataset clean = hidden::clean_record(trial.hidden, 2 * trial.seed);
     outcome.score = hidden::score(trial.hidden, diagnosis, clean);
     if (diagnosis.gap) outcome.gap = diagnosis.gap->after;
