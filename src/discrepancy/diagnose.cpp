@@ -44,8 +44,9 @@ class Workflow {
  private:
   void bring_onto_records() {
     context_.report("bringing the model onto the records", 0.0);
-    const std::vector<Matrix> outliers = mark_outliers(data_, result_.notes);
-    given_ = assimilate(nominal_, data_, outliers, AssimilationOptions{}, context_);
+    given_ = assimilate(nominal_, data_, mark_outliers(data_), AssimilationOptions{}, context_);
+    if (clear_false_outliers(data_, *given_, result_.notes))
+      given_ = assimilate_from(nominal_, data_, *given_, AssimilationOptions{}, context_);
     result_.disagreement = locate(*given_, context_);
     fit_options_.free = free_coefficients(nominal_);
     fit_options_.priors = options_.tolerances;

@@ -200,6 +200,13 @@ Index Explanation::parameters() const noexcept {
   return count;
 }
 
+Explanation explain_roughly(const Dataset& data, const Assimilation& base,
+                            const std::vector<FittedEffect>& effects,
+                            const AssimilationOptions& options, const RunContext& context) {
+  constexpr int kFew = 3;
+  return JointFit(data, base, options, context).at(base.model, base, effects, kFew);
+}
+
 Explanation explain(const Dataset& data, const Assimilation& base,
                     const std::vector<FittedEffect>& effects,
                     const AssimilationOptions& options, const RunContext& context) {

@@ -35,38 +35,24 @@ Index window_length(const std::vector<LinearisedRecord>& records, const NoiseMod
   return std::max<Index>(20, static_cast<Index>(shortest));
 }
 
-/// Samples [first, first + count) of a record and of what was measured.
-Trajectory part_of(const Trajectory& record, Index first, Index count) {
-  Trajectory part;
-  part.source = record.source;
-  part.time = record.time.segment(first, count);
-  part.states = record.states.middleRows(first, count);
-  part.inputs = record.inputs.middleRows(first, count);
-  return part;
-}
-
 /// Sum of squares of the relative deviations, and how many there are.
 struct Squares {
   double sum = 0.0;
   double count = 0.0;
 };
 
-/// Windows of one record, each fitted with its initial state free.
-Squares window_squares(const OdeModel& model, const Trajectory& record, const Matrix& measured,
-                       const Matrix& path, const NoiseModel& noise, const Vector& scale,
-                       Index length) {
+/// Windows of one record, each fitted with its initial state free. The record is linearised as
+/// a whole, so that delayed terms know what was before a window.
+Squares window_squares(const LinearisedRecord& record, const Matrix& measured,
+                       const NoiseModel& noise, const Vector& scale, Index length) {
   Squares squares;
   NoiseModel exact = noise;
   exact.disturbance.setZero();
-  const Index m = model.dimension();
   for (Index first = 0; first + length <= record.samples(); first += length) {
-    const Trajectory part = part_of(record, first, length);
-    Vector accuracy = scale.head(m) * 1e-4;
-    const LinearisedRecord window =
-        linearise(model, part, path.middleRows(first, length), accuracy);
+    const LinearisedRecord window = part_of(record, first, length);
     const SmoothedRecord smoothed =
         smooth(window, measured.middleRows(first, length), Matrix(), exact);
-    for (Index k = 0; k < m; ++k) {
+    for (Index k = 0; k < record.states(); ++k) {
       if (!noise.measurement[static_cast<std::size_t>(k)]) continue;
       const Vector left = measured.col(k).segment(first, length) - window.path.col(k) -
                           smoothed.deviation.col(k);
@@ -126,13 +112,14 @@ Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset
   const Index length = window_length(fit.records, fit.noise);
   Squares before, after;
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
-    const Trajectory& record = problem.data.trajectories[r];
-    const Index samples = std::min(length, record.samples());
-    const Squares full = window_squares(fit.model, record, fit.measured[r], fit.records[r].path,
-                                        fit.noise, scale, samples);
-    const Squares bare = window_squares(
-        nominal, held_out.trajectories[r], held_out.trajectories[r].states,
-        Matrix(fit.records[r].path.leftCols(m)), narrowed(fit.noise, m), scale, samples);
+    const Index samples = std::min(length, fit.records[r].samples());
+    const LinearisedRecord bare_record =
+        linearise(nominal, held_out.trajectories[r], Matrix(fit.records[r].path.leftCols(m)),
+                  1e-4 * scale.head(m));
+    const Squares full =
+        window_squares(fit.records[r], fit.measured[r], fit.noise, scale, samples);
+    const Squares bare = window_squares(bare_record, held_out.trajectories[r].states,
+                                        narrowed(fit.noise, m), scale, samples);
     after = {after.sum + full.sum, after.count + full.count};
     before = {before.sum + bare.sum, before.count + bare.count};
   }

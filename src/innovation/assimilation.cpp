@@ -52,18 +52,21 @@ class Turns {
         floor_(resolution_of(data)),
         state_(std::move(start)) {}
 
-  Assimilation run() {
+  /// @param fresh whether the variances are first guesses.
+  Assimilation run(bool fresh) {
     double last = std::numeric_limits<double>::infinity();
+    relinearise();
     for (int pass = 0; pass < options_.passes; ++pass) {
       context_.check_stop();
-      relinearise();
       // The noise of the measurement is known roughly from the start, the disturbances are not.
-      white_moves_ = pass >= kSettlingPasses;
+      white_moves_ = !fresh || pass >= kSettlingPasses;
       for (int turn = 0; turn < kTurns; ++turn) update_variances(turn + 1 == kTurns);
+      relinearise();
       update_coefficients();
       if (white_moves_ && std::abs(last - state_.deviance) < kSettled) break;
       last = state_.deviance;
     }
+    relinearise();
     return std::move(state_);
   }
 
@@ -71,7 +74,7 @@ class Turns {
   static constexpr int kTurns = 4;
   static constexpr int kSettlingPasses = 3;
   /// A change of the deviance that no test would notice.
-  static constexpr double kSettled = 0.05;
+  static constexpr double kSettled = 0.2;
 
   Vector accuracy() const {
     Vector result = spans(data_) * 1e-4;
@@ -126,8 +129,6 @@ class Turns {
   }
 
   void update_coefficients() {
-    // The path moved since the records were linearised; the deviations are measured from it.
-    relinearise();
     const InnovationSystem system(state_);
     state_.deviance = system.deviance();
     state_.used = system.used();
@@ -145,9 +146,30 @@ class Turns {
                         scale.asDiagonal();
     if (!change.allFinite()) return;
     const auto free = static_cast<Index>(state_.free.size());
+    shift_defects(change.head(free));
     state_.model = with_coefficients(state_.model, state_.free, change);
     for (std::size_t j = 0; j < state_.channel_terms.size(); ++j)
       state_.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
+  }
+
+  /// What new coefficients predict beyond the path, to first order, so that the records need
+  /// not be linearised again for them.
+  void shift_defects(const Vector& change) {
+    const Index m = state_.noise.states();
+    for (LinearisedRecord& record : state_.records)
+      for (std::size_t j = 0; j < state_.free.size(); ++j) {
+        const auto [equation, term] = state_.free[j];
+        const Vector values = evaluate_on(
+            record, state_.model.variables(),
+            state_.model
+                .equations()[static_cast<std::size_t>(equation)][static_cast<std::size_t>(term)]
+                .term.expression());
+        for (Index i = 0; i < record.steps(); ++i) {
+          const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * equation, m,
+                                           3);
+          record.defect.col(i) += change[static_cast<Index>(j)] * w * values.segment<3>(2 * i);
+        }
+      }
   }
 
   void add_priors(Matrix& normal, Vector& right) const {
@@ -230,8 +252,10 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
   for (const Trajectory& record : data.trajectories) {
     start.records.emplace_back();
     start.records.back().path = record.states;
+    start.measured.push_back(record.states);
   }
-  return assimilate_from(model, data, start, options, context);
+  start.free = options.free;
+  return Turns(data, options, std::move(start), context).run(true);
 }
 
 Assimilation assimilate_from(const OdeModel& model, const Dataset& data,
@@ -242,7 +266,7 @@ Assimilation assimilate_from(const OdeModel& model, const Dataset& data,
   begin.free = options.free;
   begin.measured.clear();
   for (const Trajectory& record : data.trajectories) begin.measured.push_back(record.states);
-  return Turns(data, options, std::move(begin), context).run();
+  return Turns(data, options, std::move(begin), context).run(false);
 }
 
 }  // namespace lacuna

@@ -182,6 +182,15 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   return result;
 }
 
+LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count) {
+  return {record.time.segment(first, count),
+          record.path.middleRows(first, count),
+          record.slots.middleRows(2 * first, 2 * count - 1),
+          record.transition.middleCols(first, count - 1),
+          record.response.middleCols(first, count - 1),
+          record.defect.middleCols(first, count - 1)};
+}
+
 LinearisedRecord grid_of(const Trajectory& record, const Matrix& path) {
   Matrix values(record.samples(), path.cols() + record.inputs.cols());
   values << path, record.inputs;

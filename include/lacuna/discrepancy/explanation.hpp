@@ -43,6 +43,12 @@ AugmentedProblem augment(const OdeModel& nominal, const Dataset& data,
                          const std::vector<FittedEffect>& effects,
                          const std::vector<Matrix>& paths);
 
+/// Fits a nominal model and effects to records with the shapes as they are, in few passes: good
+/// enough to tell which explanations are worth a full fit.
+Explanation explain_roughly(const Dataset& data, const Assimilation& base,
+                            const std::vector<FittedEffect>& effects,
+                            const AssimilationOptions& options, const RunContext& context);
+
 /// Fits a nominal model and effects to records, all coefficients and shapes jointly: the shapes
 /// by Gauss-Newton steps in which the rate of change of a form with a shape is one more column,
 /// as long as the likelihood rises.

@@ -32,7 +32,8 @@ struct Ranking {
 
 /// What ranking needs to know besides data.
 struct RankOptions {
-  Index refits = 10;  ///< candidates whose fit is repeated exactly
+  Index refits = 10;  ///< candidates that are fitted in few passes with their shapes fixed
+  Index exact = 4;    ///< of these the best, which are fitted exactly
 };
 
 /// Ranks the candidates that may come next: score tests of all, then the best of each effect

@@ -38,6 +38,9 @@ struct LinearisedRecord {
 LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, const Matrix& path,
                            const Vector& accuracy);
 
+/// Samples [first, first + count) of a linearised record.
+LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count);
+
 /// Only the grid of a record along a path: time, path and slots.
 LinearisedRecord grid_of(const Trajectory& record, const Matrix& path);
 
