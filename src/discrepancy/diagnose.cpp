@@ -6,8 +6,8 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
-#include "lacuna/discrepancy/significance.hpp"
 #include "lacuna/innovation/innovation_system.hpp"
+#include "lacuna/numerics/significance.hpp"
 #include "records.hpp"
 #include "search.hpp"
 

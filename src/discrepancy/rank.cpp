@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "lacuna/discrepancy/significance.hpp"
 #include "lacuna/discrepancy/structure.hpp"
+#include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
 namespace {

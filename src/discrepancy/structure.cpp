@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/discrepancy/significance.hpp"
 #include "lacuna/innovation/innovation_filter.hpp"
+#include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
 namespace {

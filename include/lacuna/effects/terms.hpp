@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/discrepancy/effect_family.hpp"
+#include "lacuna/effects/effect_family.hpp"
 
 // What the sources of effects share: looking at the nominal model, putting candidates together.
 namespace lacuna {

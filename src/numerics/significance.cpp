@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/discrepancy/significance.hpp"
+#include "lacuna/numerics/significance.hpp"
 
 #include <algorithm>
 #include <cmath>
