@@ -6,9 +6,7 @@
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/differentiators/savitzky_golay.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/effects/friction.hpp"
-#include "lacuna/effects/lag.hpp"
-#include "lacuna/effects/offset.hpp"
+#include "lacuna/effects/families.hpp"
 #include "lacuna/filters/abm.hpp"
 #include "lacuna/filters/none.hpp"
 #include "lacuna/filters/svd_filter.hpp"
@@ -69,10 +67,18 @@ void add_integrators(Registry& registry) {
   registry.add<Dopri87>();
 }
 
+template <const EffectFamily&... Families>
+void add_families(Registry& registry) {
+  (registry.add<FamilyEffect<Families>>(), ...);
+}
+
 void add_effects(Registry& registry) {
-  registry.add<ConstantOffset>();
-  registry.add<CoulombFriction>();
-  registry.add<Lag>();
+  add_families<kConstantOffset, kLinearTerm, kQuadraticTerm, kCubicTerm, kHigherOrderTerm,
+               kCrossTerm, kFeedthrough, kMissingCoupling, kLeakage, kCubicStiffness,
+               kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
+               kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
+               kSaturatingRate, kExponentialConduction, kPeriodicForcing, kParameterDrift,
+               kTimeTrend, kDelay, kLag, kChannelSkew>(registry);
 }
 
 }  // namespace

@@ -1,14 +1,112 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/differentiators/finite_differences.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lacuna/data/noise.hpp"
 #include "lacuna/differentiators/stencil.hpp"
 
 namespace lacuna {
+namespace {
+
+Matrix differences(const Vector& time, const Eigen::Ref<const Matrix>& values, int accuracy,
+                   int order) {
+  const StencilRule rule{std::string(FiniteDifferencesOptions::kInfo.name), order,
+                         accuracy / 2 + (order - 1) / 2, accuracy + order,
+                         [order](const Vector& nodes, double at) {
+                           return interpolation_weights(nodes, at, order);
+                         }};
+  return apply_stencil(rule, time, values);
+}
+
+/// Rows of a matrix that differences of order `highest` see from both sides.
+auto inside(const Matrix& values, int highest) {
+  const Index margin = highest / 2;
+  return values.middleRows(margin, values.rows() - 2 * margin);
+}
+
+/// First derivatives of one record by every order, and of a unit impulse in its middle, whose
+/// square is that of the weights.
+class OrderChoice {
+ public:
+  OrderChoice(const Trajectory& record, Vector noise, int highest)
+      : noise_(std::move(noise)), highest_(highest) {
+    const Index n = record.samples();
+    Matrix signals(n, record.states.cols() + 1);
+    signals << record.states, Vector::Unit(n, n / 2);
+    for (int p = 2; p <= highest; p += 2)
+      rates_.push_back(inside(differences(record.time, signals, p, 1), highest));
+  }
+
+  /// The order of least error; the last order only tells the error of the one before.
+  int best() const {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i + 1 < rates_.size(); ++i) errors.push_back(squared_error(i));
+    const auto least = std::min_element(errors.begin(), errors.end());
+    return 2 * static_cast<int>(least - errors.begin() + 1);
+  }
+
+ private:
+  Index states() const { return noise_.size(); }
+
+  double squared_error(std::size_t i) const {
+    const double n = static_cast<double>(rates_[i].rows());
+    const Matrix change = rates_[i + 1] - rates_[i];
+    const double own_gain = rates_[i].col(states()).squaredNorm();
+    const double change_gain = change.col(states()).squaredNorm();
+    double sum = 0.0;
+    for (Index k = 0; k < states(); ++k) {
+      const double rate = rates_[i].col(k).squaredNorm() / n;
+      if (!(rate > 0.0)) continue;
+      const double variance = noise_[k] * noise_[k];
+      const double truncation =
+          significant(change.col(k).squaredNorm() / n, change_gain * variance, n);
+      sum += (truncation + own_gain * variance / n) / rate;
+    }
+    return sum;
+  }
+
+  /// What a mean square has beyond that of noise; its chance deviation is sqrt(2/n) of it,
+  /// times sqrt(highest) because neighbouring differences share samples.
+  double significant(double mean_square, double noise, double n) const {
+    const double chance = 1.96 * noise * std::sqrt(2.0 * highest_ / n);
+    return mean_square > noise + chance ? mean_square - noise : 0.0;
+  }
+
+  Vector noise_;
+  int highest_;
+  std::vector<Matrix> rates_;
+};
+
+const Trajectory& longest(const Dataset& data) {
+  return *std::max_element(
+      data.trajectories.begin(), data.trajectories.end(),
+      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
+}
+
+/// The middle of the longest record: so many samples tell mean squares to two per cent.
+Dataset middle_of(const Dataset& data) {
+  const Trajectory& record = longest(data);
+  const Index count = std::min<Index>(record.samples(), 4096);
+  const Index first = (record.samples() - count) / 2;
+  Dataset part;
+  part.states = data.states;
+  part.trajectories.push_back({record.source,
+                               record.time.segment(first, count),
+                               record.states.middleRows(first, count),
+                               Matrix(count, 0),
+                               {}});
+  return part;
+}
+
+}  // namespace
 
 FiniteDifferences::FiniteDifferences(Options options) : Configured(options) {
-  if (options.order % 2 == 0) return;
+  if (!options.order || *options.order % 2 == 0) return;
   throw ConfigError("finite-differences.order",
-                    "the order " + std::to_string(options.order) + " is odd",
+                    "the order " + std::to_string(*options.order) + " is odd",
                     "give an even number: central differences gain two orders at a time");
 }
 
@@ -16,12 +114,23 @@ Matrix FiniteDifferences::do_differentiate(const Vector& time,
                                            const Eigen::Ref<const Matrix>& values,
                                            int order) const {
   if (order == 0) return values;
-  const Index accuracy = options().order;
-  const StencilRule rule{std::string(info().name), order, accuracy / 2 + (order - 1) / 2,
-                         accuracy + order, [order](const Vector& nodes, double at) {
-                           return interpolation_weights(nodes, at, order);
-                         }};
-  return apply_stencil(rule, time, values);
+  if (options().order) return differences(time, values, *options().order, order);
+  Dataset data;
+  data.trajectories.push_back({"", time, values, Matrix(time.size(), 0), Matrix()});
+  for (Index k = 0; k < values.cols(); ++k)
+    data.states.push_back({"x" + std::to_string(k), ""});
+  return do_fit(data)->differentiate(time, values, order);
+}
+
+// A quarter of the record at least is to lie inside of the longest stencil's two ends.
+std::shared_ptr<const Differentiator> FiniteDifferences::do_fit(const Dataset& data) const {
+  if (options().order) return nullptr;
+  const Dataset part = middle_of(data);
+  const Trajectory& record = part.trajectories[0];
+  const int room = static_cast<int>(std::min<Index>(record.samples() * 3 / 4, kHighest + 2));
+  const int highest = room / 2 * 2;
+  const int order = highest < 4 ? 2 : OrderChoice(record, estimate_noise(part), highest).best();
+  return std::make_shared<const FiniteDifferences>(Options{.order = order});
 }
 
 }  // namespace lacuna

@@ -71,12 +71,13 @@ class LibraryRows::Reader final : public RowReader {
   Program::Workspace workspace_;
 };
 
-LibraryRows::LibraryRows(const TermLibrary& library, const std::vector<Trajectory>& records)
+LibraryRows::LibraryRows(const TermLibrary& library, const std::vector<Trajectory>& records,
+                         Index margin)
     : library_(library),
       program_(library.compile()),
       longest_delay_(longest(program_.delays())) {
   for (std::size_t number = 0; number < records.size(); ++number) {
-    Block block = make_block(records[number], number);
+    Block block = make_block(records[number], number, margin);
     if (block.slots.rows() == 0) continue;
     block.first_row = rows_;
     rows_ += block.slots.rows();
@@ -88,21 +89,24 @@ LibraryRows::LibraryRows(const TermLibrary& library, const std::vector<Trajector
                     "give longer records or terms with shorter delays");
 }
 
-LibraryRows::Block LibraryRows::make_block(const Trajectory& record, std::size_t number) const {
-  const Index first = first_with_delay(record.time, longest_delay_);
-  const Index count = record.samples() - first;
+LibraryRows::Block LibraryRows::make_block(const Trajectory& record, std::size_t number,
+                                           Index margin) const {
+  const Index ends = 4 * margin <= record.samples() ? margin : 0;
+  const Index first = std::max(first_with_delay(record.time, longest_delay_), ends);
+  const Index count = std::max<Index>(record.samples() - ends - first, 0);
   const Matrix variables = variable_slots(record);
   Block block{record.source,
               number,
               first,
               0,
               Matrix(count, program_.slots()),
-              record.derivatives.bottomRows(count)};
-  block.slots.leftCols(variables.cols()) = variables.bottomRows(count);
+              record.derivatives.middleRows(first, count)};
+  block.slots.leftCols(variables.cols()) = variables.middleRows(first, count);
   Index slot = variables.cols();
   for (const DelayedVariable& delayed : program_.delays())
     block.slots.col(slot++) =
-        delayed_values(record.time, variables.col(delayed.slot), first, delayed.delay);
+        delayed_values(record.time, variables.col(delayed.slot), first, delayed.delay)
+            .head(count);
   return block;
 }
 

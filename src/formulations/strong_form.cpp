@@ -36,14 +36,15 @@ double noise_gain(const Trajectory& record, const Differentiator& differentiator
 
 LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrary& library,
                                            const RunContext& context) const {
+  const Stage<Differentiator> method = fitted_to(options().differentiator, data);
   std::vector<Trajectory> records;
   records.reserve(data.trajectories.size());
   for (const Trajectory& record : data.trajectories) {
     context.check_stop();
-    records.push_back(
-        with_derivatives(record, *options().differentiator, options().smooth_states));
+    records.push_back(with_derivatives(record, *method, options().smooth_states));
   }
-  const auto rows = std::make_shared<const LibraryRows>(library, records);
+  const Index margin = data.has_derivatives() ? 0 : method->margin();
+  const auto rows = std::make_shared<const LibraryRows>(library, records, margin);
   try {
     return LeastSquaresSystem(rows, library.names(), target_names(library.variables), context);
   } catch (const DataError&) {
@@ -58,7 +59,7 @@ std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,
   const auto longest = std::max_element(
       data.trajectories.begin(), data.trajectories.end(),
       [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
-  return state_noise * noise_gain(*longest, *options().differentiator);
+  return state_noise * noise_gain(*longest, *fitted_to(options().differentiator, data));
 }
 
 }  // namespace lacuna

@@ -27,10 +27,9 @@ Pipeline published_algorithm1() {
                                 .eta = 1e-5}}};
 }
 
-/// At the sampling steps in use (a twentieth to a hundredth of an oscillation) the truncation
-/// error of order 4 hides small terms; order 8 has next to none and a quarter more noise.
-Stage<Formulation> differences_of_order_8() {
-  return StrongForm{{.differentiator = FiniteDifferences{{.order = 8}}}};
+/// Differences of the order that the record itself asks for.
+Stage<Formulation> fitted_differences() {
+  return StrongForm{{.differentiator = FiniteDifferences{}}};
 }
 
 }  // namespace
@@ -38,7 +37,7 @@ Stage<Formulation> differences_of_order_8() {
 Pipeline algorithm1(Tolerances tolerances) {
   if (tolerances == Tolerances::Paper) return published_algorithm1();
   return {.basis = Monomials{},
-          .formulation = differences_of_order_8(),
+          .formulation = fitted_differences(),
           .filter = Abm{},
           .regressor = Ols{},
           .pruner = MinorTerms{}};
@@ -46,7 +45,7 @@ Pipeline algorithm1(Tolerances tolerances) {
 
 Pipeline sindy() {
   return {.basis = Monomials{},
-          .formulation = differences_of_order_8(),
+          .formulation = fitted_differences(),
           .filter = NoFilter{},
           .regressor = Stlsq{},
           .pruner = KeepAll{}};

@@ -6,8 +6,8 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/systems/rossler_circuit.hpp"
+#include "measured_circuits.hpp"
 #include "model_builder.hpp"
-#include "tl072_model.hpp"
 
 namespace lacuna {
 namespace {
@@ -94,6 +94,16 @@ TestSystem memristor() {
           0.05};
 }
 
+TestSystem opa2134() {
+  return {
+      "opa2134",
+      "Rossler's circuit with OPA2134 amplifiers: the printed equations, not its attractor.",
+      "Karimov et al. 2023, Table 3; docs/paper.md",
+      opa2134_model(),
+      vector_of({0.25, 0.25, 0.025}),
+      0.1};
+}
+
 TestSystem pendulum() {
   return {"pendulum",
           "Pendulum of 0.5 m length with viscous friction.",
@@ -166,6 +176,7 @@ const std::vector<TestSystem>& test_systems() {
                                                fitzhugh_nagumo(),
                                                lorenz(),
                                                memristor(),
+                                               opa2134(),
                                                pendulum(),
                                                rossler(),
                                                rossler_adjusted_circuit(),

@@ -54,7 +54,7 @@ TEST(BadInput, DuplicateNames) {
 }
 
 TEST(BadInput, FewerRowsThanTerms) {
-  expect_bad_record(good_rows(25), {"25", "28", "; "}, "--degree 6");
+  expect_bad_record(good_rows(25), {"rows", "28", "; "}, "--degree 6");
 }
 
 TEST(BadInput, ConstantColumn) {

@@ -16,6 +16,7 @@
 #include "lacuna/dynamics/synchroniser.hpp"
 #include "lacuna/systems/test_systems.hpp"
 #include "report.hpp"
+#include "support/accuracy.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -28,7 +29,9 @@ Score score(const Composition& composition, const Dataset& noisy, const Dataset&
 
   Score score;
   score.seconds = time.count();
-  compare_coefficients(result.model, test_system("rossler").model, score);
+  const ModelAccuracy accuracy = compare_models(result.model, test_system("rossler").model);
+  score.exact_structure = accuracy.exact_structure;
+  score.coefficient_error = accuracy.largest_error;
   const SyncResult sync = synchronise(result.model, clean, Rk4{});
   if (sync.status == IntegrationStatus::Completed) score.sync = sync.relative;
   return score;

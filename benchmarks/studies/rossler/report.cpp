@@ -5,7 +5,6 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
@@ -158,26 +157,6 @@ std::string heat_map_script(const Summary& summary) {
 }
 
 }  // namespace
-
-void compare_coefficients(const OdeModel& found, const OdeModel& truth, Score& score) {
-  double error = 0.0, largest = 0.0;
-  score.exact_structure = true;
-  for (Index k = 0; k < truth.dimension(); ++k) {
-    std::set<std::string> terms, true_terms;
-    for (const auto& term : found.equations()[static_cast<std::size_t>(k)])
-      terms.insert(term.term.name());
-    for (const auto& term : truth.equations()[static_cast<std::size_t>(k)]) {
-      true_terms.insert(term.term.name());
-      largest = std::max(largest, std::abs(term.coefficient));
-    }
-    score.exact_structure = score.exact_structure && terms == true_terms;
-    terms.insert(true_terms.begin(), true_terms.end());
-    for (const std::string& term : terms)
-      error =
-          std::max(error, std::abs(found.coefficient(k, term) - truth.coefficient(k, term)));
-  }
-  score.coefficient_error = error / largest;
-}
 
 void write_report(const std::filesystem::path& folder, const std::vector<Cell>& cells,
                   double seconds) {

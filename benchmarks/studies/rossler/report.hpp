@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "lacuna/model/ode_model.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -24,9 +23,6 @@ struct Cell {
   Condition condition;
   std::vector<Score> scores;
 };
-
-/// Fills structure and coefficient error.
-void compare_coefficients(const OdeModel& found, const OdeModel& truth, Score& score);
 
 /// Writes rossler.csv (every cell), rossler.md (summary with machine and date), and
 /// rossler.gp/.dat/.svg (picture; needs gnuplot).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "lacuna/core/options.hpp"
 #include "lacuna/stages/differentiator.hpp"
 
@@ -13,11 +15,15 @@ struct FiniteDifferencesOptions {
       "Differences of any even order of accuracy on uniform and other grids; no smoothing",
       "B. Fornberg, Math. Comp. 51 (1988) 699-706"};
 
-  int order = 4;  ///< of accuracy, even
+  std::optional<int> order = {};  ///< of accuracy, even; without it, chosen from the record
 
   void describe(OptionVisitor& v) {
-    v.field({"order", "", "Order of accuracy p: the error falls as step^p; even.", 2.0, 20.0},
-            order);
+    v.field(
+        {"order", "",
+         "Order of accuracy p: the error falls as step^p; even. Chosen from the record when "
+         "not given.",
+         2.0, 20.0},
+        order);
   }
 };
 
@@ -28,6 +34,16 @@ struct FiniteDifferencesOptions {
 /// Inside a uniform grid the stencil is central, with p/2 + (k-1)/2 (rounded down) samples to
 /// either side; near the ends and on other grids it takes the p + k samples nearest in number,
 /// of the same order of accuracy. k = 0 gives the values. Needs p + k samples.
+///
+/// Without an order, p is chosen from 2, 4, .., 20 for the longest record such that
+///
+///   sum_k (T_pk^2 + g_p^2 s_k^2 / n) / rms(D_p x_k)^2
+///
+/// is least. T_p is the truncation error, the rms of D_{p+2} x - D_p x without what noise of
+/// deviation s (estimate_noise()) contributes to it, 0 where no more is left than chance would
+/// leave in one of 40 cases; g_p^2 is the sum of the squared weights. Noise is counted with
+/// 1/n because a fit to n samples averages it, while truncation is the same everywhere in state
+/// space and passes into the coefficients.
 class FiniteDifferences final : public Configured<Differentiator, FiniteDifferencesOptions> {
  public:
   /// @throws ConfigError when the order is odd or out of range.
@@ -36,6 +52,10 @@ class FiniteDifferences final : public Configured<Differentiator, FiniteDifferen
  private:
   Matrix do_differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                           int order) const override;
+  Index do_margin() const override { return options().order.value_or(kHighest) / 2; }
+  std::shared_ptr<const Differentiator> do_fit(const Dataset& data) const override;
+
+  static constexpr int kHighest = 20;
 };
 
 }  // namespace lacuna

@@ -47,6 +47,7 @@ struct Candidate {
   std::string effect = {};  ///< registered name of the effect
   /// Name that leads where the data cannot tell the two apart; by default Effect::plainer().
   std::optional<std::string> plainer = {};
+  std::string argument = {};     ///< what the form is a function of: "w", "x1-x2", "x*z", "t"
   std::string description = {};  ///< for people: "dry friction opposing w"
   std::string form = {};
   std::vector<ShapeParameter> shapes = {};

@@ -39,8 +39,11 @@ struct RecordRows {
 class LibraryRows final : public RowSource {
  public:
   /// @param records with derivatives, in the variables of the library.
+  /// @param margin samples without a row at either end of a record, where the derivative is of
+  ///   less worth; a record of which fewer than half would remain keeps them.
   /// @throws DataError when no record is longer than the longest delay.
-  LibraryRows(const TermLibrary& library, const std::vector<Trajectory>& records);
+  LibraryRows(const TermLibrary& library, const std::vector<Trajectory>& records,
+              Index margin = 0);
 
   Index rows() const override { return rows_; }
   Index terms() const override { return library_.size(); }
@@ -67,7 +70,7 @@ class LibraryRows final : public RowSource {
     Matrix targets;  ///< rows x m
   };
 
-  Block make_block(const Trajectory& record, std::size_t number) const;
+  Block make_block(const Trajectory& record, std::size_t number, Index margin) const;
   NonFiniteEntry describe(const Block& block, Index row, std::optional<Index> term) const;
 
   TermLibrary library_;

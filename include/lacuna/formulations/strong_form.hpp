@@ -33,7 +33,8 @@ struct StrongFormOptions {
 /// the differentiator's. The states and inputs in Theta then are the differentiator's order 0:
 /// the fit in a window gives signal and derivative of one and the same polynomial, and signals
 /// that went through unequal filters would bias the coefficients. Finite differences smooth
-/// nothing.
+/// nothing. Samples at the ends of a record, where the differentiator is one-sided, have no row
+/// unless the record is shorter than four such ends.
 class StrongForm final : public Configured<Formulation, StrongFormOptions> {
  public:
   explicit StrongForm(Options options) : Configured(std::move(options)) {}

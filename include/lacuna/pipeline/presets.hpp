@@ -33,7 +33,7 @@ Pipeline preset(const std::string& name, Tolerances tolerances = Tolerances::Rep
 
 /// Algorithm 1 of Karimov et al. 2023: monomials of degree 0..3, strong form with finite
 /// differences, ABM, then per equation delMinorTerms; refits by least squares. Repaired: order
-/// 8 and tolerances relative to the residual; paper: order 4 and raw tolerances.
+/// by the record and tolerances relative to the residual; paper: order 4 and raw tolerances.
 Pipeline algorithm1(Tolerances tolerances = Tolerances::Repaired);
 
 /// SINDy: monomials of degree 0..3, strong form with finite differences, sequentially

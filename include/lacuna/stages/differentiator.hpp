@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include "lacuna/core/stage.hpp"
 #include "lacuna/core/types.hpp"
+#include "lacuna/data/dataset.hpp"
 
 namespace lacuna {
 
@@ -20,9 +23,25 @@ class Differentiator : public StageInterface {
   Matrix differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                        int order = 1) const;
 
+  /// Samples at either end of a record at which the first derivative is one-sided: it has many
+  /// times the noise and the truncation error of the others there.
+  Index margin() const { return do_margin(); }
+
  private:
+  friend Stage<Differentiator> fitted_to(const Stage<Differentiator>& method,
+                                         const Dataset& data);
+
   virtual Matrix do_differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                                   int order) const = 0;
+
+  virtual Index do_margin() const { return 0; }
+
+  /// The method with what it leaves open chosen for these records; null when nothing is open.
+  virtual std::shared_ptr<const Differentiator> do_fit(const Dataset&) const { return nullptr; }
 };
+
+/// The method with those of its parameters that were left open chosen for these records; the
+/// method itself when none is.
+Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data);
 
 }  // namespace lacuna

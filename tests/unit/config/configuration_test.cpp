@@ -34,7 +34,7 @@ const auto& options(const Stage<Interface>& stage) {
   return dynamic_cast<const Concrete&>(*stage).options();
 }
 
-int difference_order(const Pipeline& pipeline) {
+std::optional<int> difference_order(const Pipeline& pipeline) {
   return options<FiniteDifferences>(options<StrongForm>(pipeline.formulation).differentiator)
       .order;
 }

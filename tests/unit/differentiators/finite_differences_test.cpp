@@ -93,8 +93,9 @@ TEST(FiniteDifferences, DifferentiatesEachColumn) {
 TEST(FiniteDifferences, DerivativeScalesWithTheUnitOfTime) {
   const Vector time = uniform_grid(64, 6.0);
   const Matrix values = time.array().sin();
-  const Matrix slow = FiniteDifferences{}.differentiate(time, values, 2);
-  const Matrix fast = FiniteDifferences{}.differentiate(1e-4 * time, values, 2);
+  const FiniteDifferences method{{.order = 4}};
+  const Matrix slow = method.differentiate(time, values, 2);
+  const Matrix fast = method.differentiate(1e-4 * time, values, 2);
   EXPECT_LT((1e-8 * fast - slow).cwiseAbs().maxCoeff(), 1e-10);
 }
 
@@ -108,6 +109,51 @@ TEST(FiniteDifferences, NeedsOrderPlusDerivativeSamples) {
   } catch (const DataError& error) {
     EXPECT_NE(error.problem().find("at least 8 samples"), std::string::npos) << error.what();
   }
+}
+
+int chosen_order(const Dataset& data) {
+  const Stage<Differentiator> fitted = fitted_to(FiniteDifferences{}, data);
+  return *dynamic_cast<const FiniteDifferences&>(*fitted).options().order;
+}
+
+Dataset sine_record(double h, Index n, double noise) {
+  Random random(7);
+  Trajectory run{"sine", uniform_grid(n, h * static_cast<double>(n - 1)), {}, Matrix(n, 0), {}};
+  run.states = run.time.array().sin().matrix();
+  for (Index i = 0; i < n; ++i) run.states(i, 0) += noise * random.normal();
+  Dataset data;
+  data.states = {{"x", ""}};
+  data.trajectories = {run};
+  return data;
+}
+
+TEST(FiniteDifferences, CleanCoarseRecordAsksForAHighOrder) {
+  EXPECT_GE(chosen_order(sine_record(0.5, 2000, 0.0)), 16);
+}
+
+TEST(FiniteDifferences, NoiseAsksForTheOrderWhoseTruncationItHides) {
+  const int quiet = chosen_order(sine_record(0.3, 4000, 1e-5));
+  const int noisy = chosen_order(sine_record(0.3, 4000, 1e-2));
+  EXPECT_LE(noisy, 6);
+  EXPECT_GT(quiet, noisy);
+  EXPECT_LT(quiet, 16);
+}
+
+TEST(FiniteDifferences, OrderThatIsGivenStays) {
+  const Stage<Differentiator> given = FiniteDifferences{{.order = 6}};
+  EXPECT_EQ(fitted_to(given, sine_record(0.5, 200, 0.0)).shared(), given.shared());
+}
+
+TEST(FiniteDifferences, ShortRecordsGetAnOrderTheyCanHave) {
+  for (const Index n : {3, 4, 6, 9, 20}) {
+    const Vector time = uniform_grid(n, 1.0);
+    const Matrix rate = FiniteDifferences{}.differentiate(time, time);
+    EXPECT_LT((rate.array() - 1.0).abs().maxCoeff(), 1e-12) << n;
+  }
+}
+
+TEST(FiniteDifferences, MarginIsHalfTheOrder) {
+  EXPECT_EQ(FiniteDifferences({.order = 8}).margin(), 4);
 }
 
 TEST(FiniteDifferences, OddOrderIsRefused) {

@@ -1,26 +1,56 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/effects/friction.hpp"
-
+// Effects that oppose a motion.
 #include <gtest/gtest.h>
 
-#include "support/diagnosis_scope.hpp"
+#include "lacuna/effects/families.hpp"
+#include "support/effect_forms.hpp"
 
 namespace lacuna {
 namespace {
 
+using Forms = std::set<std::string>;
+using support::candidate_of;
+using support::forms_of;
+using support::oscillator_scope;
+using support::plausible_with;
+
 TEST(CoulombFriction, IsSharpOrSmooth) {
-  const auto made = CoulombFriction().candidates(support::oscillator_scope(), 1);
-  ASSERT_EQ(made.size(), 2u);
-  EXPECT_EQ(made[0].form, "sign(v)");
-  EXPECT_EQ(made[1].form, "tanh(v/width)");
-  ASSERT_EQ(made[1].shapes.size(), 1u);
-  EXPECT_EQ(made[1].shapes[0].unit, "m/s");
+  EXPECT_EQ(forms_of<kCoulombFriction>(oscillator_scope(), 1),
+            (Forms{"sign(v)", "tanh((v)/width)"}));
+  const Candidate smooth =
+      candidate_of<kCoulombFriction>(oscillator_scope(), 1, "tanh((v)/width)");
+  ASSERT_EQ(smooth.shapes.size(), 1u);
+  EXPECT_EQ(smooth.shapes[0].unit, "m/s");
 }
 
 TEST(CoulombFriction, NeedsAVelocityOfBothSigns) {
-  Scope scope = support::oscillator_scope();
+  Scope scope = oscillator_scope();
   scope.variables[1].low = 0.1;
-  EXPECT_TRUE(CoulombFriction().candidates(scope, 1).empty());
+  EXPECT_EQ(forms_of<kCoulombFriction>(scope, 1), Forms{});
+  EXPECT_EQ(forms_of<kQuadraticDrag>(scope, 1), Forms{});
+  EXPECT_EQ(forms_of<kStribeckFriction>(scope, 1), Forms{});
+}
+
+TEST(CoulombFriction, ActsBetweenPlacesToo) {
+  const Scope belt =
+      support::scope_of(support::model_of_lines({{"v", {{"v", -1.0}, {"u", 1.0}}}}, {"u"}));
+  EXPECT_TRUE(forms_of<kCoulombFriction>(belt, 0).contains("sign(v-u)"));
+}
+
+TEST(Friction, OpposesTheMotion) {
+  const Scope scope = oscillator_scope();
+  const Candidate dry = candidate_of<kCoulombFriction>(scope, 1, "sign(v)");
+  EXPECT_TRUE(plausible_with<kCoulombFriction>(scope, dry, -0.4));
+  EXPECT_FALSE(plausible_with<kCoulombFriction>(scope, dry, 0.4));
+  const Candidate drag = candidate_of<kQuadraticDrag>(scope, 1, "v*abs(v)");
+  EXPECT_FALSE(plausible_with<kQuadraticDrag>(scope, drag, 0.4));
+}
+
+TEST(StribeckFriction, LeavesTheLeadToDryFriction) {
+  const Candidate candidate = candidate_of<kStribeckFriction>(
+      oscillator_scope(), 1, "(1+rise*exp(-(v/speed)^2))*sign(v)");
+  EXPECT_EQ(candidate.plainer, "coulomb-friction");
+  EXPECT_EQ(candidate.shapes.size(), 2u);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(WithDerivatives, LeavesARecordThatBringsThemAlone) {
 TEST(DifferentiateRecord, NamesTheRecordThatIsTooShort) {
   const Trajectory record = oscillation(4);
   try {
-    differentiate_record(record, record.states, FiniteDifferences{}, 1);
+    differentiate_record(record, record.states, FiniteDifferences{{.order = 4}}, 1);
     FAIL();
   } catch (const DataError& error) {
     EXPECT_NE(error.where().find("run.csv"), std::string::npos) << error.what();

@@ -26,7 +26,7 @@ TEST(StageJson, WritesChoicesAsNamesAndAbsentValuesAsNull) {
 }
 
 TEST(StageJson, WritesStagesInsideStages) {
-  EXPECT_THAT(format_stage(StrongForm{{.differentiator = FiniteDifferences{}}}),
+  EXPECT_THAT(format_stage(StrongForm{{.differentiator = FiniteDifferences{{.order = 4}}}}),
               HasSubstr(R"("differentiator":{"type":"finite-differences","order":4})"));
 }
 

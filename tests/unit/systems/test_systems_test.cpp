@@ -70,6 +70,7 @@ TEST(TestSystems, UsualStepResolvesTheMotion) {
 
 TEST(TestSystems, AttractorsHaveTheirKnownExtents) {
   expect_extents("tl072", Vector{{4.260, 3.932, 3.912}}, 0.005);
+  expect_extents("opa2134", Vector{{4.88, 4.43, 8.34}}, 0.01);
   expect_extents("rossler-adjusted", Vector{{5.17, 4.70, 7.58}}, 0.01);
   expect_extents("rossler", Vector{{20.5, 18.6, 22.8}}, 0.03);
   expect_extents("rossler-circuit", Vector{{20.5 / 4, 18.6 / 4, 22.8 / 4}}, 0.03);
@@ -110,7 +111,11 @@ TEST(TestSystems, PendulumComesToRest) {
 
 TEST(TestSystems, CircuitTableIsWhole) {
   const OdeModel& model = test_system("tl072").model;
+  const OdeModel& other = test_system("opa2134").model;
   for (const Equation& equation : model.equations()) EXPECT_EQ(equation.size(), 20u);
+  for (const Equation& equation : other.equations()) EXPECT_EQ(equation.size(), 20u);
+  EXPECT_EQ(other.coefficient(0, "1"), 0.023157);
+  EXPECT_EQ(other.coefficient(2, "z^3"), 0.025367);
   EXPECT_EQ(model.coefficient(0, "1"), 0.019849);
   EXPECT_EQ(model.coefficient(2, "x*z"), 4.2853);
   EXPECT_EQ(model.coefficient(1, "z^3"), -4.1591e-05);

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Writes noisy records of known systems for other programs to identify, and what lacuna makes
+// of them. benchmarks/peers/pysindy_fits.py adds PySINDy and the table. Usage: study_peers
+// [OUTPUT_FOLDER]      (default build/studies/peers)
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/atomic_file.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/data/write.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/model/model_file.hpp"
+#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/systems/measurement.hpp"
+#include "lacuna/systems/test_systems.hpp"
+#include "support/accuracy.hpp"
+#include "support/table.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+constexpr int kDraws = 5;
+constexpr int kDegree = 3;
+
+struct Case {
+  const char* system;
+  double step;
+  Index samples;
+};
+const std::vector<Case> kCases = {{"lorenz", 0.01, 1000},
+                                  {"rossler", 0.05, 2000},
+                                  {"fitzhugh-nagumo", 0.5, 1000},
+                                  {"van-der-pol", 0.05, 1000}};
+const std::vector<double> kNoise = {0.0, 0.001, 0.01, 0.05, 0.1};
+
+/// Appends what a preset makes of a record to the table.
+void fit(const std::string& name, const Dataset& record, const OdeModel& truth,
+         std::vector<std::string> row, ResultTable& table) {
+  Pipeline pipeline = preset(name);
+  pipeline.basis = Monomials{{.max_degree = kDegree}};
+  const auto start = std::chrono::steady_clock::now();
+  const IdentificationResult result = identify(record, pipeline);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+
+  const ModelAccuracy accuracy = compare_models(result.model, truth);
+  row.insert(row.end(),
+             {"lacuna " + name, accuracy.exact_structure ? "1" : "0",
+              format_number(accuracy.relative_error, 4), format_number(time.count(), 3)});
+  table.rows.push_back(std::move(row));
+}
+
+void run_case(const Case& which, const std::filesystem::path& folder, ResultTable& table) {
+  const TestSystem& system = test_system(which.system);
+  write_model(folder / (system.name + ".json"), system.model);
+  const Dataset clean =
+      record_of(system.model, Dopri87{}, system.start, which.step, which.samples);
+  for (const double noise : kNoise) {
+    const int draws = noise == 0.0 ? 1 : kDraws;
+    for (int draw = 1; draw <= draws; ++draw) {
+      const Dataset record = add_relative_noise(clean, noise, static_cast<std::uint64_t>(draw));
+      const std::string file = system.name + "_" + format_number(100.0 * noise, 3) + "_" +
+                               std::to_string(draw) + ".csv";
+      write_csv(folder / file, record);
+      for (const Preset& candidate : presets())
+        fit(candidate.name, record, system.model,
+            {system.name, format_number(100.0 * noise, 3), std::to_string(draw), file}, table);
+    }
+  }
+}
+
+int run(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  ResultTable table{{"system", "noise %", "draw", "file", "method", "exact structure",
+                     "coefficient error", "seconds"},
+                    {}};
+  for (const Case& which : kCases) run_case(which, folder, table);
+  write_file_atomically(folder / "lacuna.csv", table.csv());
+  std::cout << table.rows.size() << " fits; records and lacuna.csv in " << folder << '\n';
+  return 0;
+}
+
+}  // namespace
+}  // namespace lacuna::benchmarks
+
+int main(int argc, char** argv) {
+  try {
+    return lacuna::benchmarks::run(argc > 1 ? argv[1] : "build/studies/peers");
+  } catch (const std::exception& error) {
+    std::cerr << "study_peers: " << error.what() << '\n';
+    return 2;
+  }
+}

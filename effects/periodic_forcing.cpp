@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <numbers>
+
+#include "lacuna/effects/families.hpp"
+#include "lacuna/effects/terms.hpp"
+
+namespace lacuna {
+namespace {
+
+using std::numbers::pi;
+
+std::vector<Candidate> make(const Scope& scope, Index equation) {
+  std::vector<Candidate> result;
+  for (const SpectralLine& line : scope.lines) {
+    if (line.equation != equation) continue;
+    // A line of the spectrum is known to within the resolution of the record.
+    const double resolution = 1.0 / scope.duration;
+    Candidate candidate =
+        plain_candidate("sin(2*pi*$frequency*t+$phase)", "t",
+                        "periodic forcing of d" + scope.state(equation).name + "/dt");
+    candidate.shapes = {
+        {"frequency", "1/" + scope.model.time_unit(),
+         std::max(0.0, line.frequency - resolution), line.frequency + resolution, false},
+        {"phase", "rad", line.phase - pi, line.phase + pi, false}};
+    candidate.starts = {Vector{{line.frequency, line.phase}}};
+    result.push_back(candidate);
+  }
+  return result;
+}
+
+}  // namespace
+
+const EffectFamily kPeriodicForcing{
+    {"periodic-forcing", "A force of one frequency from outside", ""},
+    "mains hum, an unbalance, the day, a neighbouring machine",
+    {},
+    make};
+
+}  // namespace lacuna

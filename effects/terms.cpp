@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/effects/terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lacuna/core/text.hpp"
+
+namespace lacuna {
+namespace {
+
+const Equation& terms_of(const OdeModel& model, Index equation) {
+  return model.equations()[static_cast<std::size_t>(equation)];
+}
+
+bool is_variable(const Term& term) {
+  return term.expression().operation() == Operation::Variable;
+}
+
+}  // namespace
+
+bool has_term(const Scope& scope, Index equation, const std::string& term) {
+  const std::string name = Term::parse(term, scope.model.variables()).name();
+  const Equation& terms = terms_of(scope.model, equation);
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const WeightedTerm& summand) { return summand.term.name() == name; });
+}
+
+double slope(const OdeModel& model, Index equation, const std::string& argument) {
+  const double whole = model.coefficient(equation, argument);
+  const auto minus = argument.find('-');
+  if (whole != 0.0 || minus == std::string::npos) return whole;
+  return model.coefficient(equation, argument.substr(0, minus));
+}
+
+bool is_velocity(const Scope& scope, Index equation) {
+  return scope.integral_of(equation).has_value();
+}
+
+bool in_other_part(const Scope& scope, Index equation, const std::string& state) {
+  const Index m = scope.model.dimension();
+  std::vector<Index> part(static_cast<std::size_t>(m));
+  for (Index k = 0; k < m; ++k) part[static_cast<std::size_t>(k)] = k;
+  const auto join_parts = [&](Index a, Index b) {
+    const Index from = part[static_cast<std::size_t>(a)],
+                to = part[static_cast<std::size_t>(b)];
+    std::replace(part.begin(), part.end(), from, to);
+  };
+  for (Index k = 0; k < m; ++k)
+    for (const WeightedTerm& summand : terms_of(scope.model, k))
+      for (Index j = 0; j < m; ++j)
+        if (summand.term.expression().variables().contains(scope.state(j).name))
+          join_parts(k, j);
+  for (Index j = 0; j < m; ++j)
+    if (scope.state(j).name == state)
+      return part[static_cast<std::size_t>(j)] != part[static_cast<std::size_t>(equation)];
+  return false;
+}
+
+std::vector<std::string> variable_names(const Scope& scope) {
+  std::vector<std::string> names;
+  for (const VariableRange& variable : scope.variables) names.push_back(variable.name);
+  return names;
+}
+
+std::vector<std::string> differences(const Scope& scope, Index equation) {
+  std::vector<std::string> result;
+  const Equation& terms = terms_of(scope.model, equation);
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    for (std::size_t j = i + 1; j < terms.size(); ++j) {
+      if (!is_variable(terms[i].term) || !is_variable(terms[j].term)) continue;
+      const double a = terms[i].coefficient, b = terms[j].coefficient;
+      if (std::abs(a + b) <= 0.01 * std::abs(a - b))
+        result.push_back(terms[i].term.name() + "-" + terms[j].term.name());
+    }
+  return result;
+}
+
+std::vector<std::string> linear_arguments(const Scope& scope, Index equation) {
+  std::vector<std::string> result;
+  for (const WeightedTerm& summand : terms_of(scope.model, equation))
+    if (is_variable(summand.term)) result.push_back(summand.term.name());
+  for (std::string& difference : differences(scope, equation))
+    result.push_back(std::move(difference));
+  return result;
+}
+
+std::vector<std::string> nonlinear_terms(const Scope& scope, Index equation) {
+  std::vector<std::string> result;
+  for (const WeightedTerm& summand : terms_of(scope.model, equation))
+    if (!is_variable(summand.term) && !summand.term.expression().variables().empty())
+      result.push_back(summand.term.name());
+  return result;
+}
+
+VariableRange range_of(const Scope& scope, const std::string& argument) {
+  for (const VariableRange& variable : scope.variables)
+    if (variable.name == argument) return variable;
+  return scope.range_of(argument);
+}
+
+std::string right_hand_side(const Scope& scope, Index equation) {
+  std::vector<std::string> summands;
+  for (const WeightedTerm& summand : terms_of(scope.model, equation))
+    summands.push_back("(" + format_number(summand.coefficient) + ")*(" + summand.term.name() +
+                       ")");
+  return summands.empty() ? "0" : join(summands, "+");
+}
+
+std::vector<Vector> geometric_starts(double low, double high, int count) {
+  std::vector<Vector> starts;
+  const double ratio = std::pow(high / low, 1.0 / std::max(1, count - 1));
+  for (int i = 0; i < count; ++i)
+    starts.push_back(Vector::Constant(1, std::min(high, low * std::pow(ratio, i))));
+  return starts;
+}
+
+std::vector<Vector> starts_at(const std::vector<double>& values) {
+  std::vector<Vector> starts;
+  for (const double value : values) starts.push_back(Vector::Constant(1, value));
+  return starts;
+}
+
+double magnitude_quantile(const Scope& scope, const std::string& argument, double level) {
+  return scope.range_of("abs(" + argument + ")").quantile(level);
+}
+
+Candidate plain_candidate(const std::string& form, const std::string& argument,
+                          const std::string& description) {
+  Candidate candidate;
+  candidate.form = form;
+  candidate.argument = argument;
+  candidate.description = description;
+  return candidate;
+}
+
+Candidate shaped_candidate(const std::string& form, const std::string& argument,
+                           const std::string& description, const ShapeParameter& shape,
+                           std::vector<Vector> starts) {
+  Candidate candidate = plain_candidate(form, argument, description);
+  candidate.shapes = {shape};
+  candidate.starts = std::move(starts);
+  return candidate;
+}
+
+MemoryState follower(const Scope& scope, const std::string& place) {
+  const std::string distance = "((" + place + ")-$follower)";
+  const std::string pace = format_number(0.5 / scope.step);
+  return {"follower", pace + "*(" + distance + "-clip(" + distance + ",-$gap,$gap))", place};
+}
+
+bool slopes_agree(double a, double b, double deviation) {
+  const double larger = std::max(std::abs(a), std::abs(b));
+  return std::abs(a - b) <= std::max(0.2 * larger, 3.0 * deviation);
+}
+
+bool opposes(const Scope&, const Candidate&, const FittedCandidate& fitted) {
+  return fitted.coefficient < 0.0;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/discrepancy/effect_family.hpp"
+
+// What the sources of effects share: looking at the nominal model, putting candidates together.
+namespace lacuna {
+
+/// Whether an equation has a term, in whatever way it is written.
+bool has_term(const Scope& scope, Index equation, const std::string& term);
+
+/// Coefficient of an argument in an equation: of a variable, of a term as it is, or of a
+/// difference "a-b" (that of a); 0 when it is not there.
+double slope(const OdeModel& model, Index equation, const std::string& argument);
+
+/// Whether the equation is that of a velocity: dq/dt = v holds exactly for some q.
+bool is_velocity(const Scope& scope, Index equation);
+
+/// Whether a state belongs to a part that the nominal model keeps apart from the equation's own
+/// state: no path of terms leads from one to the other, in either direction.
+bool in_other_part(const Scope& scope, Index equation, const std::string& state);
+
+/// Names of states, then of inputs.
+std::vector<std::string> variable_names(const Scope& scope);
+
+/// Differences "a-b" of variables that the equation has linearly with opposite coefficients (to
+/// 1 %): a spring, a resistor between two places.
+std::vector<std::string> differences(const Scope& scope, Index equation);
+
+/// What acts linearly in an equation: variables, then differences().
+std::vector<std::string> linear_arguments(const Scope& scope, Index equation);
+
+/// Terms of an equation that are not a number and not a variable alone.
+std::vector<std::string> nonlinear_terms(const Scope& scope, Index equation);
+
+/// The range of a variable or of a formula.
+VariableRange range_of(const Scope& scope, const std::string& argument);
+
+/// All terms of an equation with their nominal coefficients as one formula.
+std::string right_hand_side(const Scope& scope, Index equation);
+
+/// Values low, ..., high in equal ratios, as starting points of one shape parameter.
+std::vector<Vector> geometric_starts(double low, double high, int count);
+
+/// The given values as starting points of one shape parameter.
+std::vector<Vector> starts_at(const std::vector<double>& values);
+
+/// The quantiles of a variable's absolute value.
+double magnitude_quantile(const Scope& scope, const std::string& argument, double level);
+
+/// A candidate without shape parameters.
+Candidate plain_candidate(const std::string& form, const std::string& argument,
+                          const std::string& description);
+
+/// A candidate with one shape parameter.
+Candidate shaped_candidate(const std::string& form, const std::string& argument,
+                           const std::string& description, const ShapeParameter& shape,
+                           std::vector<Vector> starts);
+
+/// What a place moves through play of half width `$gap`: it stands still while it is within the
+/// gap and is taken along at its edge, within two samples. Memory state `$follower`.
+MemoryState follower(const Scope& scope, const std::string& place);
+
+/// Whether two slopes are equal but for their uncertainty: to a fifth of the larger one or
+/// three standard errors. What is left of a dead zone's slope by that is no dead zone.
+bool slopes_agree(double a, double b, double deviation);
+
+/// Whether the effect takes away from the state in whose equation it stands; for effects that
+/// only ever oppose (friction, leakage), as EffectFamily::plausible.
+bool opposes(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted);
+
+}  // namespace lacuna

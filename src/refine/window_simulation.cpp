@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "window_simulation.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lacuna {
+namespace {
+
+/// Fewer windows than this are cheaper to simulate one by one than as a block.
+constexpr Index kFewLanes = 4;
+
+}  // namespace
+
+WindowSimulator::WindowSimulator(const StageSignals& signals, Index dimension, Index samples)
+    : signals_(signals), dimension_(dimension), samples_(samples) {}
+
+void WindowSimulator::prepare(const Rates& rates, Index windows, Orbits& orbits) {
+  const std::size_t stages = signals_.stages.size();
+  orbits.samples.resize(samples_, dimension_);
+  orbits.stages.resize(stages);
+  for (Matrix& stage : orbits.stages) stage.resize(signals_.lengths.size(), dimension_);
+  slopes_.assign(stages, Matrix(windows, dimension_));
+  point_.resize(windows, rates.slots());
+  gathered_.resize(windows, rates.signals());
+  lengths_.resize(windows);
+  slot_.resize(static_cast<std::size_t>(rates.slots()));
+  slope_.resize(stages * static_cast<std::size_t>(dimension_));
+}
+
+void WindowSimulator::run(Rates& rates, const WindowPlan& plan, const Matrix& starts,
+                          Orbits& orbits) {
+  const auto windows = static_cast<Index>(plan.size());
+  prepare(rates, windows, orbits);
+  order_.resize(plan.size());
+  std::iota(order_.begin(), order_.end(), Index{0});
+  plan_ = &plan;
+  std::stable_sort(order_.begin(), order_.end(), [&](Index a, Index b) {
+    return plan[static_cast<std::size_t>(a)].intervals >
+           plan[static_cast<std::size_t>(b)].intervals;
+  });
+  states_ = starts(order_, Eigen::all);
+  Index active = windows, step = 0;
+  for (; active > 0; ++step) {
+    for (Index lane = 0; lane < active; ++lane)
+      note_sample(lane_window(lane), lane, step, orbits);
+    while (active > 0 && lane_window(active - 1).intervals * substeps() <= step) --active;
+    if (active < kFewLanes) break;
+    step_block(rates, active, step, orbits);
+  }
+  for (Index lane = 0; lane < active; ++lane)
+    finish(rates, lane_window(lane), lane, step, orbits);
+  orbits.diverged.clear();
+  for (std::size_t w = 0; w < plan.size(); ++w)
+    if (!orbits.samples.middleRows(plan[w].first, plan[w].samples).allFinite())
+      orbits.diverged.push_back(static_cast<Index>(w));
+}
+
+void WindowSimulator::note_sample(const Window& window, Index lane, Index step,
+                                  Orbits& orbits) const {
+  const Index sample = step / substeps();
+  if (step % substeps() == 0 && sample < window.samples)
+    orbits.samples.row(window.first + sample) = states_.row(lane);
+}
+
+void WindowSimulator::step_block(Rates& rates, Index active, Index step, Orbits& orbits) {
+  gather(active, step);
+  for (std::size_t a = 0; a < slopes_.size(); ++a) {
+    move(static_cast<Index>(a), active);
+    for (Index lane = 0; lane < active; ++lane) {
+      const Window& window = lane_window(lane);
+      const Index row = window.first * substeps() + step;
+      gathered_.row(lane) = signals_.stages[a].row(row);
+      orbits.stages[a].row(row) = point_.row(lane).head(dimension_);
+    }
+    rates.fill_signals(gathered_.topRows(active), point_.topRows(active));
+    rates.rate(point_.topRows(active), slopes_[a].topRows(active));
+    slopes_[a].topRows(active).array().colwise() *= lengths_.head(active).array();
+  }
+  const std::vector<double>& weights = signals_.scheme.tableau->weights;
+  for (std::size_t a = 0; a < slopes_.size(); ++a)
+    if (weights[a] != 0.0) states_.topRows(active) += weights[a] * slopes_[a].topRows(active);
+}
+
+void WindowSimulator::gather(Index active, Index step) {
+  for (Index lane = 0; lane < active; ++lane) {
+    const Window& window = lane_window(lane);
+    lengths_[lane] = signals_.lengths[window.first * substeps() + step];
+  }
+}
+
+/// The states at which stage a evaluates f.
+void WindowSimulator::move(Index stage, Index active) {
+  auto point = point_.topLeftCorner(active, dimension_);
+  point = states_.topRows(active);
+  const auto& row = signals_.scheme.tableau->a[static_cast<std::size_t>(stage)];
+  for (std::size_t d = 0; d < row.size(); ++d)
+    if (row[d] != 0.0) point += row[d] * slopes_[d].topRows(active);
+}
+
+/// One window alone, from a step to its end.
+void WindowSimulator::finish(Rates& rates, const Window& window, Index lane, Index step,
+                             Orbits& orbits) {
+  const ButcherTableau& tableau = *signals_.scheme.tableau;
+  const auto m = static_cast<std::size_t>(dimension_);
+  const Index end = window.intervals * substeps(), steps = signals_.lengths.size();
+  Vector x = states_.row(lane);
+  while (step < end) {
+    const Index row = window.first * substeps() + step;
+    const double h = signals_.lengths[row];
+    for (std::size_t a = 0; a < slopes_.size(); ++a) {
+      for (std::size_t k = 0; k < m; ++k) {
+        double sum = 0.0;
+        for (std::size_t d = 0; d < a; ++d) sum += tableau.a[a][d] * slope_[d * m + k];
+        slot_[k] = x[static_cast<Index>(k)] + h * sum;
+        orbits.stages[a](row, static_cast<Index>(k)) = slot_[k];
+      }
+      rates.fill_signals(signals_.stages[a].data() + row, steps, slot_.data());
+      rates.rate(slot_.data(), slope_.data() + a * m);
+    }
+    for (std::size_t a = 0; a < slopes_.size(); ++a)
+      for (std::size_t k = 0; k < m; ++k)
+        x[static_cast<Index>(k)] += h * tableau.weights[a] * slope_[a * m + k];
+    ++step;
+    states_.row(lane) = x;
+    note_sample(window, lane, step, orbits);
+  }
+}
+
+}  // namespace lacuna

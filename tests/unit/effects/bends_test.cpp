@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Effects that bend or limit a characteristic.
+#include <gtest/gtest.h>
+
+#include "lacuna/effects/families.hpp"
+#include "support/effect_forms.hpp"
+
+namespace lacuna {
+namespace {
+
+using Forms = std::set<std::string>;
+using support::candidate_of;
+using support::forms_of;
+using support::model_of_lines;
+using support::oscillator_scope;
+using support::plausible_with;
+using support::scope_of;
+
+TEST(DeadZone, LeavesNoSlopeInside) {
+  // The nominal coefficient of q is -4.
+  const Scope scope = oscillator_scope();
+  const Candidate zone = candidate_of<kDeadZone>(scope, 1, "clip(q,-edge,edge)");
+  EXPECT_TRUE(plausible_with<kDeadZone>(scope, zone, 4.0));
+  EXPECT_FALSE(plausible_with<kDeadZone>(scope, zone, 2.0));
+  EXPECT_FALSE(plausible_with<kDeadZone>(scope, zone, -4.0));
+  EXPECT_EQ(zone.plainer, "piecewise-linear");
+}
+
+TEST(Saturation, LeavesNoSlopeOutside) {
+  const Scope scope = oscillator_scope();
+  const Candidate limit = candidate_of<kSaturation>(scope, 1, "(F)-clip(F,-limit,limit)");
+  EXPECT_TRUE(plausible_with<kSaturation>(scope, limit, -1.0));
+  EXPECT_FALSE(plausible_with<kSaturation>(scope, limit, -0.5));
+  EXPECT_EQ(candidate_of<kSaturation>(scope, 1, "(q)-limit*tanh((q)/limit)").plainer,
+            "cubic-term");
+}
+
+TEST(Saturation, OfWhatTheEquationHasNot) {
+  const Scope scope = scope_of(model_of_lines({{"x", {{"x", -1.0}}}, {"y", {{"x", 1.0}}}}, {}));
+  EXPECT_TRUE(forms_of<kSaturation>(scope, 0).contains("clip(y,-limit,limit)"));
+}
+
+TEST(OneSidedStop, PushesAPositionBack) {
+  const Scope scope = oscillator_scope();
+  const Candidate upper = candidate_of<kOneSidedStop>(scope, 1, "max(q-edge,0)");
+  EXPECT_TRUE(plausible_with<kOneSidedStop>(scope, upper, -50.0));
+  EXPECT_FALSE(plausible_with<kOneSidedStop>(scope, upper, 50.0));
+  EXPECT_GT(upper.shapes[0].low, scope.state(0).quantile(0.5)) << "not in the middle";
+  const Candidate lower = candidate_of<kOneSidedStop>(scope, 1, "min(q-edge,0)");
+  EXPECT_LT(lower.shapes[0].high, scope.state(0).quantile(0.5));
+}
+
+TEST(PiecewiseLinear, HasOneBendOrTwo) {
+  const Forms forms = forms_of<kPiecewiseLinear>(oscillator_scope(), 1);
+  EXPECT_TRUE(forms.contains("max(q-edge,0)"));
+  EXPECT_TRUE(forms.contains("clip(q,-edge,edge)"));
+  EXPECT_FALSE(forms.contains("abs(q)")) << "with q in the equation the bend covers it";
+}
+
+TEST(Overflow, LosesHereAndGainsThere) {
+  const Scope tanks = scope_of(
+      model_of_lines({{"a", {{"u", 1.0}, {"a", -1.0}}}, {"b", {{"a", 0.5}}}}, {"u"}), 2.0);
+  const Candidate lost = candidate_of<kOverflow>(tanks, 0, "max(a-edge,0)");
+  EXPECT_TRUE(plausible_with<kOverflow>(tanks, lost, -1.0));
+  EXPECT_FALSE(plausible_with<kOverflow>(tanks, lost, 1.0));
+  const Candidate gained = candidate_of<kOverflow>(tanks, 1, "max(a-edge,0)");
+  EXPECT_TRUE(plausible_with<kOverflow>(tanks, gained, 1.0));
+  EXPECT_EQ(candidate_of<kOneSidedStop>(tanks, 0, "max(a-edge,0)").plainer, "overflow");
+}
+
+TEST(Overflow, IsOfAmountsOnly) {
+  EXPECT_EQ(forms_of<kOverflow>(oscillator_scope(), 1), Forms{});
+}
+
+TEST(SaturatingRate, IsOfAmountsAndOfTermsWithThem) {
+  const Scope life =
+      scope_of(model_of_lines({{"x", {{"x*y", -1.0}}}, {"y", {{"x*y", 1.0}}}}, {}), 2.0);
+  const Forms forms = forms_of<kSaturatingRate>(life, 0);
+  EXPECT_TRUE(forms.contains("(x)/(half+abs(x))"));
+  EXPECT_TRUE(forms.contains("(x*y)/(half+abs(x))"));
+  EXPECT_EQ(forms_of<kSaturatingRate>(oscillator_scope(), 1), Forms{});
+}
+
+TEST(ExponentialConduction, TakesAwayFromItsOwnState) {
+  const Scope scope = oscillator_scope();
+  const Candidate diode = candidate_of<kExponentialConduction>(scope, 1, "exp((v)/scale)-1");
+  EXPECT_TRUE(plausible_with<kExponentialConduction>(scope, diode, -1e-3));
+  EXPECT_FALSE(plausible_with<kExponentialConduction>(scope, diode, 1e-3));
+  EXPECT_GT(diode.shapes[0].low, scope.state(1).magnitude() / 50.0) << "no overflow";
+}
+
+}  // namespace
+}  // namespace lacuna

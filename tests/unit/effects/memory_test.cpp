@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Effects that remember, effects of time, effects of the recording.
+#include <gtest/gtest.h>
+
+#include "lacuna/effects/families.hpp"
+#include "support/effect_forms.hpp"
+
+namespace lacuna {
+namespace {
+
+using Forms = std::set<std::string>;
+using support::candidate_of;
+using support::candidates_of;
+using support::forms_of;
+using support::model_of_lines;
+using support::oscillator_scope;
+using support::plausible_with;
+using support::scope_of;
+
+TEST(Lag, EveryTermOfTheEquationMayLag) {
+  const auto made = candidates_of<kLag>(oscillator_scope(), 1);
+  ASSERT_EQ(made.size(), 3u);
+  EXPECT_EQ(made[2].form, "lagged-(F)");
+  ASSERT_EQ(made[2].memory.size(), 1u);
+  EXPECT_EQ(made[2].memory[0].start, "F");
+  const std::vector<double> tau{0.5};
+  EXPECT_EQ(bind_formula(made[2], made[2].memory[0].rate, tau),
+            parse_expression("((F)-lagged)/(0.5)"));
+}
+
+TEST(Lag, IsOfWhatIsThere) {
+  const Scope scope = oscillator_scope();
+  const Candidate slow = candidate_of<kLag>(scope, 1, "lagged-(q)");
+  EXPECT_TRUE(plausible_with<kLag>(scope, slow, -4.0));
+  EXPECT_FALSE(plausible_with<kLag>(scope, slow, 4.0));
+}
+
+TEST(Delay, StartsLieAsDenseAsTheVariableForgets) {
+  const Scope scope = oscillator_scope();
+  const Candidate late = candidate_of<kDelay>(scope, 1, "delay(q,T)-q");
+  ASSERT_GE(late.starts.size(), 4u);
+  EXPECT_LE(late.starts[1][0] - late.starts[0][0], 0.5 * scope.state(0).timescale + 1e-9);
+  EXPECT_LE(late.starts.back()[0], 0.25 * scope.duration);
+}
+
+TEST(Delay, OfAWholeTerm) {
+  const Scope scope =
+      scope_of(model_of_lines({{"x", {{"x*y", -1.0}}}, {"y", {{"x", 1.0}}}}, {}));
+  EXPECT_EQ(forms_of<kDelay>(scope, 0),
+            (Forms{"delay(x,T)", "delay(y,T)", "delay(x*y,T)-(x*y)"}));
+}
+
+TEST(Backlash, OfADifferenceIsADeadZone) {
+  const Scope servo = scope_of(
+      model_of_lines({{"q", {{"v", 1.0}}}, {"v", {{"q", -60.0}, {"u", 60.0}}}}, {"u"}));
+  const Candidate play = candidate_of<kBacklash>(servo, 1, "clip(q-u,-gap,gap)");
+  EXPECT_TRUE(plausible_with<kBacklash>(servo, play, 60.0));
+  EXPECT_FALSE(plausible_with<kBacklash>(servo, play, 30.0));
+}
+
+TEST(Backlash, OfOnePlaceHasAFollower) {
+  const Scope scope = oscillator_scope();
+  const Candidate play = candidate_of<kBacklash>(scope, 1, "follower-F");
+  ASSERT_EQ(play.memory.size(), 1u);
+  EXPECT_TRUE(plausible_with<kBacklash>(scope, play, 1.0));
+  EXPECT_FALSE(plausible_with<kBacklash>(scope, play, 0.3));
+}
+
+TEST(Hysteresis, HasALoopOfThePosition) {
+  const Scope scope = oscillator_scope();
+  const Candidate loop = candidate_of<kHysteresis>(scope, 1, "loop");
+  EXPECT_EQ(loop.argument, "q");
+  EXPECT_EQ(loop.memory[0].rate, "v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield");
+  EXPECT_EQ(candidate_of<kHysteresis>(scope, 1, "follower-F").plainer, "backlash");
+}
+
+TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
+  Scope scope = oscillator_scope();
+  scope.lines = {{1, 0.7, 0.5}, {0, 2.0, 0.0}};
+  const auto made = candidates_of<kPeriodicForcing>(scope, 1);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made[0].starts[0], (Vector{{0.7, 0.5}}));
+  EXPECT_NEAR(made[0].shapes[0].high, 0.8, 1e-12) << "one resolution of 10 s above";
+}
+
+TEST(ParameterDrift, IsOfEveryTermThatVaries) {
+  EXPECT_EQ(forms_of<kParameterDrift>(oscillator_scope(), 1),
+            (Forms{"t*(q)", "t*(v)", "t*(F)"}));
+}
+
+TEST(TimeTrend, IsTimeItself) {
+  EXPECT_EQ(forms_of<kTimeTrend>(oscillator_scope(), 1), Forms{"t"});
+}
+
+TEST(ChannelSkew, MovesAChannelAlongTheModel) {
+  const auto made = candidates_of<kChannelSkew>(oscillator_scope(), 0);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made[0].place, Place::Channel);
+  EXPECT_EQ(made[0].form, "(1)*(v)");
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/effects/terms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/effect_forms.hpp"
+
+namespace lacuna {
+namespace {
+
+using support::model_of_lines;
+using support::scope_of;
+
+/// A drive: two speeds, a twist between them; another part that has nothing to do with it.
+Scope drive() {
+  return scope_of(model_of_lines({{"w1", {{"d", -200.0}, {"u", 1.0}, {"w1*abs(w1)", -0.1}}},
+                                  {"d", {{"w1", 1.0}, {"w2", -1.0}}},
+                                  {"w2", {{"d", 150.0}, {"w2", -2.0}}},
+                                  {"y", {{"y", -1.0}}}},
+                                 {"u"}));
+}
+
+TEST(EffectTerms, FindsTermsInWhateverWriting) {
+  EXPECT_TRUE(has_term(drive(), 1, "w2"));
+  EXPECT_TRUE(has_term(drive(), 0, "w1*abs(w1)"));
+  EXPECT_FALSE(has_term(drive(), 0, "w2"));
+}
+
+TEST(EffectTerms, SlopesAreThoseOfTermsAndDifferences) {
+  const OdeModel model = drive().model;
+  EXPECT_EQ(slope(model, 0, "d"), -200.0);
+  EXPECT_EQ(slope(model, 1, "w1-w2"), 1.0);
+  EXPECT_EQ(slope(model, 3, "d"), 0.0);
+}
+
+TEST(EffectTerms, DifferencesHaveOppositeCoefficients) {
+  EXPECT_EQ(differences(drive(), 1), std::vector<std::string>{"w1-w2"});
+  EXPECT_TRUE(differences(drive(), 2).empty());
+  EXPECT_EQ(linear_arguments(drive(), 1), (std::vector<std::string>{"w1", "w2", "w1-w2"}));
+}
+
+TEST(EffectTerms, PartsAreWhatNoTermConnects) {
+  EXPECT_TRUE(in_other_part(drive(), 0, "y"));
+  EXPECT_TRUE(in_other_part(drive(), 3, "w2"));
+  EXPECT_FALSE(in_other_part(drive(), 0, "w2"));
+  EXPECT_FALSE(in_other_part(drive(), 0, "u"));
+}
+
+TEST(EffectTerms, NonlinearTermsAndTheWholeEquation) {
+  EXPECT_EQ(nonlinear_terms(drive(), 0), std::vector<std::string>{"w1*abs(w1)"});
+  EXPECT_EQ(right_hand_side(drive(), 1), "(1)*(w1)+(-1)*(w2)");
+}
+
+TEST(EffectTerms, VelocitiesAreRatesByIdentity) {
+  EXPECT_TRUE(is_velocity(support::oscillator_scope(), 1));
+  EXPECT_FALSE(is_velocity(drive(), 0));
+}
+
+TEST(EffectTerms, StartsSpanTheirRange) {
+  const std::vector<Vector> starts = geometric_starts(1.0, 100.0, 3);
+  ASSERT_EQ(starts.size(), 3u);
+  EXPECT_NEAR(starts[1][0], 10.0, 1e-12);
+  EXPECT_LE(starts[2][0], 100.0);
+  EXPECT_EQ(starts_at({2.0, 3.0})[1][0], 3.0);
+}
+
+TEST(EffectTerms, MagnitudesIgnoreTheSign) {
+  EXPECT_NEAR(magnitude_quantile(drive(), "w1", 1.0), 1.0, 1e-3);
+  EXPECT_NEAR(magnitude_quantile(drive(), "w1", 0.5), std::sqrt(0.5), 0.03);
+  EXPECT_EQ(range_of(drive(), "w1").name, "w1");
+  EXPECT_NEAR(range_of(drive(), "w1-w2").magnitude(), 2.0, 0.05);
+}
+
+TEST(EffectTerms, SlopesAgreeWithinAFifthOrThreeErrors) {
+  EXPECT_TRUE(slopes_agree(10.0, 8.5, 0.01));
+  EXPECT_FALSE(slopes_agree(10.0, 7.5, 0.01));
+  EXPECT_TRUE(slopes_agree(10.0, 7.5, 1.0));
+  EXPECT_FALSE(slopes_agree(10.0, -10.0, 1.0));
+}
+
+TEST(EffectTerms, FollowerStandsStillInsideTheGap) {
+  const MemoryState state = follower(drive(), "u");
+  EXPECT_EQ(state.name, "follower");
+  EXPECT_EQ(state.start, "u");
+  EXPECT_EQ(state.rate, "25*(((u)-$follower)-clip(((u)-$follower),-$gap,$gap))");
+}
+
+}  // namespace
+}  // namespace lacuna
