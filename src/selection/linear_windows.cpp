@@ -59,11 +59,17 @@ LinearWindows::LinearWindows(const TermLibrary& library,
     : values_(library), exact_(std::move(exact)), records_(std::move(records)) {}
 
 void LinearWindows::set_windows(Index samples) {
+  // More samples than this do not change which terms are found; windows evenly spread stand for
+  // longer records.
+  constexpr Index kMostSamples = 40000;
+  Index all = 0;
+  for (const PathRecord& record : records_) all += record.samples.samples();
+  const Index every = (all + kMostSamples - 1) / kMostSamples;
   windows_.clear();
   for (std::size_t r = 0; r < records_.size(); ++r) {
     const Index n = records_[r].samples.samples();
     const Index count = std::max<Index>(1, n / samples);
-    for (Index w = 0; w < count; ++w)
+    for (Index w = 0; w < count; w += every)
       windows_.push_back({r, w * n / count, (w + 1) * n / count - w * n / count, {}});
   }
 }
@@ -251,33 +257,35 @@ std::optional<double> LinearWindows::move_window(const Window& window, const Vec
   return largest;
 }
 
+double LinearWindows::deviation(const PathRecord& record, Index sample, Index state) const {
+  return record.weights(sample, state) *
+         (record.samples.states(sample, state) - record.slots(sample * record.stride(), state));
+}
+
 Vector LinearWindows::misfits() const {
   Vector sums = Vector::Zero(dimension());
-  for (const PathRecord& record : records_)
-    for (Index i = 0; i < record.samples.samples(); ++i)
+  for (const Window& window : windows_)
+    for (Index i = window.first; i < window.first + window.samples; ++i)
       for (Index k = 0; k < dimension(); ++k)
-        sums[k] += std::pow(record.weights(i, k) * (record.samples.states(i, k) -
-                                                    record.slots(i * record.stride(), k)),
-                            2);
+        sums[k] += std::pow(deviation(records_[window.record], i, k), 2);
   return sums;
 }
 
 Vector LinearWindows::counts() const {
   Vector counts = Vector::Zero(dimension());
-  for (const PathRecord& record : records_)
-    counts +=
-        (record.weights.array() > 0.0).cast<double>().colwise().sum().matrix().transpose();
+  for (const Window& window : windows_)
+    for (Index i = window.first; i < window.first + window.samples; ++i)
+      for (Index k = 0; k < dimension(); ++k)
+        counts[k] += records_[window.record].weights(i, k) > 0.0 ? 1.0 : 0.0;
   return counts;
 }
 
 void LinearWindows::mask_beyond(double limit) {
-  for (PathRecord& record : records_)
-    for (Index i = 0; i < record.samples.samples(); ++i)
+  for (const Window& window : windows_)
+    for (Index i = window.first; i < window.first + window.samples; ++i)
       for (Index k = 0; k < dimension(); ++k)
-        if (record.weights(i, k) *
-                std::abs(record.samples.states(i, k) - record.slots(i * record.stride(), k)) >
-            limit)
-          record.weights(i, k) = 0.0;
+        if (std::abs(deviation(records_[window.record], i, k)) > limit)
+          records_[window.record].weights(i, k) = 0.0;
 }
 
 }  // namespace lacuna

@@ -95,6 +95,8 @@ class LinearWindows {
     Matrix head;  ///< m x (m + q + 1): what determines s
   };
 
+  /// Weighted deviation of a sample from the path.
+  double deviation(const PathRecord& record, Index sample, Index state) const;
   Index dimension() const noexcept { return values_.dimension(); }
   void load(const Window& window, const Matrix& coefficients);
   void step(const PathRecord& record, Index node, Index local, Matrix& columns);

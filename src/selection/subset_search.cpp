@@ -201,7 +201,10 @@ Subset SubsetSearch::best(const std::vector<std::vector<Index>>& starts, bool th
   // Exchanges of pairs among more members than this cost more than they bring.
   constexpr std::size_t kMostMembers = 40;
   Subset best = stepwise({});
+  std::vector<std::vector<Index>> seen;
   const auto consider = [&](Subset found) {
+    if (std::find(seen.begin(), seen.end(), found.columns) != seen.end()) return;
+    seen.push_back(found.columns);
     while (exchange(found, 1)) {
     }
     if (found.score < best.score) best = std::move(found);

@@ -12,6 +12,9 @@ namespace {
 /// Moves of the path below this share of sigma do not change any test.
 constexpr double kSmallMove = 0.3;
 
+/// Newton's iterations for one structure; more do not help where these do not.
+constexpr int kIterations = 4;
+
 /// Rounding of a record, as a share of a state's spread.
 constexpr double kRounding = 1e-12;
 
@@ -84,7 +87,7 @@ std::vector<Index> WindowSearch::present(const Matrix& coefficients) const {
 }
 
 /// Linearises in all candidates, chooses, moves the path. @return whether nothing changed.
-bool WindowSearch::round(WindowFit& fit, bool thorough) {
+bool WindowSearch::round(WindowFit& fit) {
   fit.triangle = windows_->linearise(fit.coefficients, candidates_);
   fit.rows = windows_->rows();
   const auto q = static_cast<double>(candidates_.size());
@@ -95,7 +98,8 @@ bool WindowSearch::round(WindowFit& fit, bool thorough) {
   fit.price = task_.price.value_or(std::log(n) + std::log(q));
   const SubsetSearch search(fit.triangle / std::sqrt(fit.scale), fit.price);
   const std::vector<Index> before = fit.subset;
-  fit.subset = search.best({before}, thorough).columns;
+  fit.subset = search.best({before}, false).columns;
+  if (fit.subset == before) fit.subset = search.best({before}, true).columns;
   const Vector h = search.solve(fit.subset);
   Vector values = Vector::Zero(static_cast<Index>(candidates_.size()));
   fit.coefficients.setZero();
@@ -110,12 +114,11 @@ bool WindowSearch::round(WindowFit& fit, bool thorough) {
 }
 
 /// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
-double WindowSearch::settle(WindowFit& fit) {
-  constexpr int kIterations = 4;
+double WindowSearch::settle(WindowFit& fit, double tolerance, int iterations) {
   std::vector<Coefficient> active;
   for (const Index c : fit.subset) active.push_back(candidates_[static_cast<std::size_t>(c)]);
   double last = 0.0;
-  for (int i = 0; i < kIterations && !active.empty(); ++i) {
+  for (int i = 0; i < iterations && !active.empty(); ++i) {
     context_.check_stop();
     const Matrix triangle = windows_->linearise(fit.coefficients, active);
     std::vector<Index> all(active.size());
@@ -127,7 +130,7 @@ double WindowSearch::settle(WindowFit& fit) {
     const std::optional<double> moved = windows_->move(h);
     if (!moved) break;
     last = *moved;
-    if (last < kSmallMove) break;
+    if (last < tolerance) break;
   }
   return last;
 }
@@ -135,16 +138,11 @@ double WindowSearch::settle(WindowFit& fit) {
 void WindowSearch::converge(WindowFit& fit) {
   constexpr int kRounds = 12;
   fit.settled = false;
-  bool thorough = false;
-  for (int i = 0; i < kRounds; ++i) {
+  settle(fit, kSmallMove, kIterations);
+  for (int i = 0; i < kRounds && !fit.settled; ++i) {
     context_.report("searching the structure", static_cast<double>(i) / kRounds);
-    const bool same = round(fit, thorough);
-    if (same && thorough) {
-      fit.settled = true;
-      break;
-    }
-    thorough = same;
-    if (!same) settle(fit);
+    fit.settled = round(fit);
+    if (!fit.settled) settle(fit, kSmallMove, kIterations);
   }
   summarise(fit);
 }
@@ -177,13 +175,22 @@ bool WindowSearch::learn_noise(WindowFit& fit) {
   return factors.minCoeff() < 0.5;
 }
 
-/// Halves the steps of integration where that moves the path by more than a tenth of sigma.
+/// Halves the steps of integration as long as that moves the path by more than a tenth of
+/// sigma.
+/// @return whether the steps are finer than before.
 bool WindowSearch::refine_steps(WindowFit& fit) {
   constexpr Index kMostSubsteps = 8;
-  if (windows_->substeps() >= kMostSubsteps) return false;
-  windows_->set_substeps(2 * windows_->substeps());
-  const double moved = settle(fit);
-  return moved > 0.1;
+  constexpr double kTruncation = 0.1;
+  const Index before = windows_->substeps();
+  while (windows_->substeps() < kMostSubsteps) {
+    const Index coarse = windows_->substeps();
+    windows_->set_substeps(2 * coarse);
+    if (settle(fit, 0.0, 1) > kTruncation) continue;
+    windows_->set_substeps(coarse);
+    settle(fit, kSmallMove, 1);
+    break;
+  }
+  return windows_->substeps() > before;
 }
 
 WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
@@ -196,9 +203,8 @@ WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
   fit.subset = present(coefficients);
   for (int pass = 0; pass < kPasses; ++pass) {
     converge(fit);
-    const bool quieter = learn_noise(fit);
-    if (!quieter) break;
-    refine_steps(fit);
+    const bool quieter = learn_noise(fit), finer = refine_steps(fit);
+    if (!quieter && !finer) break;
   }
   windows_->mask_beyond(kOutlier * std::sqrt(std::max(1.0, fit.misfit)));
   return fit;
@@ -221,11 +227,26 @@ std::optional<WindowFit> WindowSearch::run() {
   if (best.rows == 0) return std::nullopt;
   for (int i = 0; i < kDoublings && 2 * samples <= longest; ++i) {
     samples *= 2;
+    const LinearWindows windows = *windows_;
+    const Vector sigma = sigma_;
     WindowFit longer = stage(best.coefficients, samples);
-    if (!acceptable(best, longer)) break;
+    if (!acceptable(best, longer)) {
+      *windows_ = windows;
+      sigma_ = sigma;
+      break;
+    }
     best = std::move(longer);
   }
+  polish(best);
   return best;
+}
+
+/// The last iterations: a path that moves by a thousandth of sigma leaves the coefficients
+/// where they are.
+void WindowSearch::polish(WindowFit& fit) {
+  windows_->set_windows(fit.samples);
+  settle(fit, 1e-3, 2 * kIterations);
+  summarise(fit);
 }
 
 }  // namespace lacuna

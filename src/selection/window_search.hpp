@@ -48,10 +48,11 @@ class WindowSearch {
   const std::vector<StateNoise>& noise() const noexcept { return noise_; }
 
  private:
-  bool round(WindowFit& fit, bool thorough);
-  double settle(WindowFit& fit);
+  bool round(WindowFit& fit);
+  double settle(WindowFit& fit, double tolerance, int iterations);
   void converge(WindowFit& fit);
   void summarise(WindowFit& fit) const;
+  void polish(WindowFit& fit);
   bool learn_noise(WindowFit& fit);
   bool refine_steps(WindowFit& fit);
   WindowFit stage(const Matrix& coefficients, Index samples);

@@ -72,9 +72,10 @@ Dataset noisy_records(const System& system, double percent, std::uint64_t seed) 
   Random random(seed);
   Dataset data = read_dataset({system.records}, {.trajectory = "trajectory"});
   for (Trajectory& record : data.trajectories) {
-    const double rms = std::sqrt(record.states.squaredNorm() /
-                                 static_cast<double>(record.states.size()));
-    for (double& value : record.states.reshaped()) value += 0.01 * percent * rms * random.normal();
+    const double rms =
+        std::sqrt(record.states.squaredNorm() / static_cast<double>(record.states.size()));
+    for (double& value : record.states.reshaped())
+      value += 0.01 * percent * rms * random.normal();
   }
   return data;
 }
