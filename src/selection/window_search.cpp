@@ -15,8 +15,10 @@ constexpr double kSmallMove = 0.3;
 /// Newton's iterations for one structure; more do not help where these do not.
 constexpr int kIterations = 4;
 
-/// Rounding of a record, as a share of a state's spread.
-constexpr double kRounding = 1e-12;
+/// What fourth-order steps can be relied on to resolve, as a share of a state's spread: less
+/// noise than this is not believed in, or errors of the integration would be taken for
+/// structure.
+constexpr double kRounding = 1e-7;
 
 /// Residuals beyond so many sigma are not noise of a normal distribution in any record.
 constexpr double kOutlier = 7.0;
