@@ -14,6 +14,10 @@ constexpr double kFirstDamping = 0.03;   // steps of about 1 over the square roo
 constexpr double kLargestDamping = 1e6;  // steps at rounding level
 constexpr double kNoDamping = 1e-3;      // below it the step of Gauss and Newton is taken
 
+/// Decrease of cost, in units of the cost per degree of freedom, of a step that leads nowhere:
+/// where the cost is not smooth, linear problems promise more than there is.
+constexpr double kStandstill = 1e-6;
+
 double raised(double damping) { return damping == 0.0 ? kFirstDamping : 4.0 * damping; }
 
 double lowered(double damping) { return damping / 8.0 < kNoDamping ? 0.0 : damping / 8.0; }
@@ -36,6 +40,9 @@ bool descend(ShootingProblem& problem, ShootingFit& fit, double& damping,
   std::swap(fit.point, trial);
   return true;
 }
+
+/// |error / sigma| over all samples: by no more of its standard error a parameter is shifted.
+constexpr double kSmallError = 0.1;
 
 const std::array<StepScheme, 7>& ladder() {
   static const std::array<StepScheme, 7> schemes = {{{&runge_kutta_4(), 1},
@@ -82,7 +89,7 @@ void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int 
   for (int i = 0; i < max_iterations && fit.point.finite; ++i) {
     context.check_stop();
     const ShootingStep step = problem.solve(fit.linear, fit.point, damping);
-    const double small = tolerance * fit.point.cost / freedom;
+    const double before = fit.point.cost, small = tolerance * before / freedom;
     if (step.decrease <= small || !descend(problem, fit, damping, step)) {
       fit.converged = true;
       return;
@@ -90,6 +97,10 @@ void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int 
     ++fit.iterations;
     damping = lowered(damping);
     fit.linear = problem.linearise(fit.plan, fit.point);
+    if (before - fit.point.cost <= std::max(small, kStandstill * before / freedom)) {
+      fit.converged = true;
+      return;
+    }
   }
 }
 
@@ -130,22 +141,19 @@ StepScheme accurate_scheme(ShootingProblem& problem, const WindowPlan& plan,
   const StepScheme before = problem.scheme();
   ShootingPoint coarse = point, fine = point;
   double last = std::numeric_limits<double>::infinity();
-  StepScheme chosen = ladder().back();
-  problem.set_scheme(ladder().front());
+  auto rung = ladder().begin();
+  problem.set_scheme(*rung);
   problem.evaluate(plan, coarse);
-  for (std::size_t i = 0; i + 1 < ladder().size(); ++i) {
-    problem.set_scheme(ladder()[i + 1]);
+  for (; rung + 1 != ladder().end(); ++rung) {
+    problem.set_scheme(*(rung + 1));
     problem.evaluate(plan, fine);
     const double error = distance(problem, coarse, fine, sigma);
-    if (error <= 0.1 || (error > 0.5 * last && std::isfinite(last))) {
-      chosen = ladder()[i];
-      break;
-    }
+    if (error <= kSmallError || (error > 0.5 * last && std::isfinite(last))) break;
     last = error;
     std::swap(coarse, fine);
   }
   problem.set_scheme(before);
-  return chosen;
+  return *rung;
 }
 
 }  // namespace lacuna

@@ -36,9 +36,9 @@ Vector residual_sigma(const ShootingProblem& problem, const ShootingFit& fit, bo
 /// Initial states of windows: the states at their first samples.
 Matrix starts_of(const WindowPlan& plan, const Matrix& states);
 
-/// The scheme on a ladder of methods and substeps whose error, found by comparison with the
-/// next one, does not matter beside the noise: |error / sigma| <= 0.1 over all samples
-/// together, or which is not surpassed by the next.
+/// The first scheme on a ladder of methods and substeps whose error,
+/// found by comparison with the next one, does not matter beside the noise: |error / sigma| <=
+/// 0.1 over all samples together, or which is not surpassed by the next.
 /// @param sigma noise to hold the error against.
 StepScheme accurate_scheme(ShootingProblem& problem, const WindowPlan& plan,
                            const ShootingPoint& point, const Vector& sigma);

@@ -81,8 +81,16 @@ ShootingProblem::ShootingProblem(const ParametrisedModel& model, const Dataset& 
   sigma_ = Vector::Ones(static_cast<Index>(record_.measured.size()));
 }
 
+std::shared_ptr<const StageSignals> ShootingProblem::signals_of(const StepScheme& scheme) {
+  for (const auto& known : known_signals_)
+    if (known->scheme == scheme) return known;
+  known_signals_.push_back(
+      std::make_shared<const StageSignals>(stage_signals(record_, rates_, scheme)));
+  return known_signals_.back();
+}
+
 void ShootingProblem::set_scheme(const StepScheme& scheme) {
-  signals_ = std::make_unique<StageSignals>(stage_signals(record_, rates_, scheme));
+  signals_ = signals_of(scheme);
   simulator_ =
       std::make_unique<WindowSimulator>(*signals_, rates_.dimension(), record_.samples());
   rows_ = std::make_unique<WindowRows>(rates_, scheme);

@@ -73,6 +73,7 @@ class ShootingProblem {
                      double damping) const;
 
  private:
+  std::shared_ptr<const StageSignals> signals_of(const StepScheme& scheme);
   double loss(double residual) const;
   void add_priors(const Vector& parameters, TriangleFold& fold) const;
 
@@ -82,7 +83,8 @@ class ShootingProblem {
   std::optional<double> huber_;
   std::vector<std::optional<Prior>> priors_;
   Vector sigma_;
-  std::unique_ptr<StageSignals> signals_;
+  std::vector<std::shared_ptr<const StageSignals>> known_signals_;  // of schemes used before
+  std::shared_ptr<const StageSignals> signals_;
   std::unique_ptr<WindowSimulator> simulator_;
   std::unique_ptr<WindowRows> rows_;
 };

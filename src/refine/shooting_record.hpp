@@ -14,6 +14,8 @@ namespace lacuna {
 struct StepScheme {
   const ButcherTableau* tableau = nullptr;
   Index substeps = 1;
+
+  bool operator==(const StepScheme&) const = default;
 };
 
 /// A record as a model sees it, trajectories one behind the other: N samples.

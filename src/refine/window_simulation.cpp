@@ -24,6 +24,7 @@ void WindowSimulator::prepare(const Rates& rates, Index windows, Orbits& orbits)
   point_.resize(windows, rates.slots());
   gathered_.resize(windows, rates.signals());
   lengths_.resize(windows);
+  steps_.resize(static_cast<std::size_t>(windows));
   slot_.resize(static_cast<std::size_t>(rates.slots()));
   slope_.resize(stages * static_cast<std::size_t>(dimension_));
 }
@@ -59,33 +60,50 @@ void WindowSimulator::run(Rates& rates, const WindowPlan& plan, const Matrix& st
 void WindowSimulator::note_sample(const Window& window, Index lane, Index step,
                                   Orbits& orbits) const {
   const Index sample = step / substeps();
-  if (step % substeps() == 0 && sample < window.samples)
-    orbits.samples.row(window.first + sample) = states_.row(lane);
+  if (step % substeps() != 0 || sample >= window.samples) return;
+  for (Index k = 0; k < dimension_; ++k)
+    orbits.samples(window.first + sample, k) = states_(lane, k);
 }
 
 void WindowSimulator::step_block(Rates& rates, Index active, Index step, Orbits& orbits) {
-  gather(active, step);
+  find_steps(active, step);
   for (std::size_t a = 0; a < slopes_.size(); ++a) {
     move(static_cast<Index>(a), active);
-    for (Index lane = 0; lane < active; ++lane) {
-      const Window& window = lane_window(lane);
-      const Index row = window.first * substeps() + step;
-      gathered_.row(lane) = signals_.stages[a].row(row);
-      orbits.stages[a].row(row) = point_.row(lane).head(dimension_);
-    }
+    gather(signals_.stages[a], active);
     rates.fill_signals(gathered_.topRows(active), point_.topRows(active));
     rates.rate(point_.topRows(active), slopes_[a].topRows(active));
     slopes_[a].topRows(active).array().colwise() *= lengths_.head(active).array();
+    scatter(orbits.stages[a], active);
   }
   const std::vector<double>& weights = signals_.scheme.tableau->weights;
   for (std::size_t a = 0; a < slopes_.size(); ++a)
     if (weights[a] != 0.0) states_.topRows(active) += weights[a] * slopes_[a].topRows(active);
 }
 
-void WindowSimulator::gather(Index active, Index step) {
+/// Numbers and lengths of the steps that the lanes make next.
+void WindowSimulator::find_steps(Index active, Index step) {
   for (Index lane = 0; lane < active; ++lane) {
-    const Window& window = lane_window(lane);
-    lengths_[lane] = signals_.lengths[window.first * substeps() + step];
+    const Index row = lane_window(lane).first * substeps() + step;
+    steps_[static_cast<std::size_t>(lane)] = row;
+    lengths_[lane] = signals_.lengths[row];
+  }
+}
+
+void WindowSimulator::gather(const Matrix& signals, Index active) {
+  for (Index column = 0; column < signals.cols(); ++column) {
+    const double* from = signals.col(column).data();
+    double* to = gathered_.col(column).data();
+    for (Index lane = 0; lane < active; ++lane)
+      to[lane] = from[steps_[static_cast<std::size_t>(lane)]];
+  }
+}
+
+void WindowSimulator::scatter(Matrix& states, Index active) const {
+  for (Index k = 0; k < dimension_; ++k) {
+    const double* from = point_.col(k).data();
+    double* to = states.col(k).data();
+    for (Index lane = 0; lane < active; ++lane)
+      to[steps_[static_cast<std::size_t>(lane)]] = from[lane];
   }
 }
 

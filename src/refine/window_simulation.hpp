@@ -29,7 +29,9 @@ class WindowSimulator {
   void step_block(Rates& rates, Index active, Index step, Orbits& orbits);
   void finish(Rates& rates, const Window& window, Index lane, Index step, Orbits& orbits);
   void note_sample(const Window& window, Index lane, Index step, Orbits& orbits) const;
-  void gather(Index active, Index step);
+  void find_steps(Index active, Index step);
+  void gather(const Matrix& signals, Index active);
+  void scatter(Matrix& states, Index active) const;
   void move(Index stage, Index active);
   const Window& lane_window(Index lane) const {
     return (*plan_)[static_cast<std::size_t>(order_[static_cast<std::size_t>(lane)])];
@@ -44,6 +46,7 @@ class WindowSimulator {
   Matrix point_;                      // slots of a block
   Matrix gathered_;                   // signals of a block
   std::vector<Matrix> slopes_;        // per stage: step length times f, lanes x m
+  std::vector<Index> steps_;          // next step of each lane
   Vector lengths_;
   std::vector<double> slot_, slope_;
 };

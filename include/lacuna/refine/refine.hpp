@@ -26,6 +26,9 @@ struct RefineOptions {
   /// the record, and equations that define what was not measured.
   std::optional<Matrix> states = {};
 
+  /// Samples of each window; without it windows are matched to the growth of errors.
+  std::optional<Index> window_samples = {};
+
   int max_iterations = 50;  ///< of each plan of windows
 };
 
@@ -46,9 +49,12 @@ struct Refinement {
   std::string message = {};  ///< one sentence when not converged, else empty
   int iterations = 0;        ///< of all plans together
 
-  Vector standard_errors = {};  ///< P; infinite where the record does not determine a parameter
-  Matrix ci95 = {};             ///< P x 2: low and high end of the 95 % interval
-  Matrix covariance = {};       ///< P x P
+  /// P; from the Fisher information where residuals are white, else from blocks of the record
+  /// (residuals of a model that is not exact are correlated over time); infinite where the
+  /// record does not determine a parameter.
+  Vector standard_errors = {};
+  Matrix ci95 = {};        ///< P x 2: low and high end of the 95 % interval
+  Matrix covariance = {};  ///< P x P
 
   /// P, Cramer-Rao bound on the standard deviation of any unbiased estimate from these windows
   /// with Gaussian noise of the stated sigma: sqrt of the diagonal of the inverse Fisher
@@ -63,6 +69,7 @@ struct Refinement {
   Index degrees_of_freedom = 0;  ///< residuals less parameters and initial states
 
   std::vector<ResidualStatistics> residuals = {};  ///< of each measured state
+  bool white = false;                              ///< whether no residual has structure left
   bool fits_to_noise = false;                      ///< whether all of them are noise
 
   /// The plain model with standard errors and intervals on its coefficients.

@@ -63,6 +63,28 @@ TEST(Refine, MissingTermIsSeenInTheResiduals) {
   EXPECT_TRUE(refine(with_free_coefficients(truth), record).fits_to_noise);
 }
 
+TEST(Refine, ErrorsOfAModelThatIsNotExactComeFromBlocks) {
+  const TestSystem& system = test_system("pendulum");
+  const OdeModel truth =
+      system.model.with_term(1, {Term::parse("w^3", system.model.variables()), -0.01});
+  const Dataset record = add_relative_noise(clean_record(truth, system, 2000), 0.001, 1);
+  const ParametrisedModel lacking = with_free_coefficients(system.model, {true, false});
+  const Refinement inexact = refine(lacking, record);
+  EXPECT_FALSE(inexact.white);
+  EXPECT_GT(inexact.standard_errors[1], 1.5 * inexact.bound[1]);
+  const Refinement exact = refine(with_free_coefficients(truth, {true, false}), record);
+  EXPECT_TRUE(exact.white);
+  EXPECT_EQ(exact.standard_errors, exact.bound);
+}
+
+TEST(Refine, WindowsCanBeGiven) {
+  const Refinement result = refine(with_free_coefficients(test_system("lorenz").model),
+                                   noisy_record("lorenz", 500, 0.01), {.window_samples = 50});
+  EXPECT_EQ(result.windows.size(), 10u);
+  EXPECT_THROW(refine(result.model, noisy_record("lorenz", 500, 0.01), {.window_samples = 1}),
+               ArgumentError);
+}
+
 TEST(Refine, StatesWithoutAColumnAreReconstructed) {
   const ParametrisedModel truth =
       with_free_coefficients(test_system("pendulum").model, {true, false});

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include <benchmark/benchmark.h>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/refine/score_system.hpp"
+#include "lacuna/systems/measurement.hpp"
+#include "lacuna/systems/test_systems.hpp"
+
+namespace lacuna {
+namespace {
+
+Dataset lorenz_record(Index n) {
+  const TestSystem& system = test_system("lorenz");
+  return add_relative_noise(
+      record_of(system.model, Dopri8{Dopri8Options{.substeps = 4}}, system.start, 0.01, n),
+      0.01, 1);
+}
+
+void refine_lorenz(benchmark::State& state) {
+  const Dataset record = lorenz_record(state.range(0));
+  const ParametrisedModel truth = with_free_coefficients(test_system("lorenz").model);
+  const ParametrisedModel start = truth.with_values(1.05 * truth.values());
+  for (auto _ : state) benchmark::DoNotOptimize(refine(start, record));
+}
+BENCHMARK(refine_lorenz)->Arg(1000)->Arg(5000)->Unit(benchmark::kMillisecond);
+
+/// All monomials up to a degree in all three equations.
+void score_lorenz(benchmark::State& state) {
+  const Dataset record = lorenz_record(5000);
+  const ParametrisedModel model = with_free_coefficients(test_system("lorenz").model);
+  const Refinement refined = refine(model, record);
+  const Monomials basis{{.max_degree = static_cast<int>(state.range(0))}};
+  const auto candidates =
+      candidates_from(basis.library(model.symbolic().variables()), refined.model);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(ScoreSystem(refined, record, candidates).scores());
+}
+BENCHMARK(score_lorenz)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Measured records end to end: the positioning system EMPS and the Silverbox oscillator, read
+// from the folder LACUNA_DATA. Usage: study_measured [OUTPUT_FOLDER]
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/atomic_file.hpp"
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/data/read.hpp"
+#include "lacuna/dynamics/record_input.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/refine/structure_test.hpp"
+#include "support/table.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+std::string seconds_since(std::chrono::steady_clock::time_point start) {
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return format_number(time.count(), 3);
+}
+
+ParametrisedModel second_order(const std::string& q, const std::string& input,
+                               const std::vector<std::pair<std::string, double>>& terms) {
+  const Variables variables{{q, "v"}, {input}};
+  Equation second;
+  for (const auto& [term, coefficient] : terms)
+    second.push_back({Term::parse(term, variables), coefficient});
+  return with_free_coefficients(
+      {{{q, ""}, {"v", ""}}, {{input, ""}}, {{{Term::parse("v", variables), 1.0}}, second}},
+      {true, false});
+}
+
+std::vector<std::string> parameter_row(const std::string& name, double published,
+                                       double found) {
+  return {name, format_number(published, 4), format_number(found, 4),
+          format_number(100.0 * (found / published - 1.0), 2)};
+}
+
+/// Mass, friction and offset from position and force.
+std::string positioning(const std::filesystem::path& folder) {
+  const Dataset record = read_dataset({(folder / "emps/emps_train.csv.gz").string()},
+                                      {.states = {"q"}, .inputs = {"F"}});
+  const auto start = std::chrono::steady_clock::now();
+  const Refinement fit =
+      refine(second_order("q", "F", {{"F", 0.01}, {"v", -1.0}, {"sign(v)", -0.1}, {"1", 0.0}}),
+             record);
+  const Vector p = fit.model.values() / fit.model.values()[0];
+  const ResultTable table{
+      {"parameter", "published", "found", "difference %"},
+      {parameter_row("M [kg]", 95.11, 1.0 / fit.model.values()[0]),
+       parameter_row("Fv [N s/m]", 203.5, -p[1]), parameter_row("Fc [N]", 20.39, -p[2]),
+       parameter_row("offset [N]", -3.16, -p[3])}};
+  return "## EMPS\n\nM q'' = F - Fv q' - Fc sign(q') - offset from position and force of the "
+         "training record (24 841\nsamples); terms given.\n\n" +
+         table.markdown() + "\n" + std::to_string(fit.windows.size()) + " windows, " +
+         seconds_since(start) + " s.\n";
+}
+
+Dataset rows(const Dataset& data, Index first, Index count) {
+  Dataset part = data;
+  const Trajectory& run = data.trajectories[0];
+  part.trajectories = {{run.source, run.time.segment(first, count),
+                        run.states.middleRows(first, count),
+                        run.inputs.middleRows(first, count), Matrix()}};
+  return part;
+}
+
+/// Root mean square error of a free simulation in mV, its start being fitted to 50 samples.
+std::string simulation_error(const OdeModel& model, const Dataset& record) {
+  constexpr Index kStart = 50;
+  const Refinement start =
+      refine(ParametrisedModel(model, {}), rows(record, 0, kStart), {.window_samples = kStart});
+  const Trajectory& run = record.trajectories[0];
+  RecordInput input(run);
+  const Solution orbit = simulate(model, Dopri8{}, start.states.row(0), run.time, input);
+  if (orbit.status != IntegrationStatus::Completed) return "diverged";
+  const Vector error = (orbit.states.col(0) - run.states.col(0)).tail(run.samples() - kStart);
+  return format_number(1e3 * error.norm() / std::sqrt(static_cast<double>(error.size())), 3);
+}
+
+/// A linear resonator to begin with; the terms it lacks come from the library.
+std::string oscillator(const std::filesystem::path& folder) {
+  const Dataset record =
+      read_dataset({(folder / "silverbox/silverbox_snls80mv.csv.gz").string()},
+                   {.states = {"y"}, .inputs = {"u"}});
+  const Dataset train = rows(record, 40650, 65062), test = rows(record, 105712, 21688);
+  const Dataset arrow = rows(record, 100, 40475), inside = rows(record, 100, 32000);
+  const auto start = std::chrono::steady_clock::now();
+  const ParametrisedModel linear =
+      second_order("y", "u", {{"u", 1.8e5}, {"v", -50.0}, {"y", -1.8e5}});
+  const TermLibrary library =
+      Monomials{{.max_degree = 3}}.library(linear.symbolic().variables());
+  const StructureTest found =
+      test_structure(linear, train, candidates_from(library, linear, {true, false}));
+  const std::string time = seconds_since(start);
+  ResultTable table{
+      {"model", "multisine test mV", "arrow mV", "arrow without extrapolation mV"}, {}};
+  const auto add = [&](const std::string& name, const OdeModel& model) {
+    table.rows.push_back({name, simulation_error(model, test), simulation_error(model, arrow),
+                          simulation_error(model, inside)});
+  };
+  add("linear", refine(linear, train).model.model());
+  const OdeModel model = found.refinement.fitted();
+  add("structure test", model);
+  return "## Silverbox\n\nFrom a linear resonator and the monomials up to degree 3 in y, dy/dt "
+         "and u, on the training part.\n\n" +
+         table.markdown() + "\nFound (" + time + " s):\n\n```\n" + to_text(model, 6) +
+         "\n```\n";
+}
+
+int run(const std::filesystem::path& output) {
+  const char* folder = std::getenv("LACUNA_DATA");
+  if (!folder)
+    throw ConfigError("study_measured", "LACUNA_DATA is not set",
+                      "set it to the folder of the measured records");
+  const std::string text = "# Measured records\n\n" + positioning(folder) + "\n" +
+                           oscillator(folder) + "\n" + machine_description() + ", " + today() +
+                           ". Command: `LACUNA_DATA=... study_measured FOLDER`\n";
+  std::filesystem::create_directories(output);
+  write_file_atomically(output / "measured.md", text);
+  std::cout << text;
+  return 0;
+}
+
+}  // namespace
+}  // namespace lacuna::benchmarks
+
+int main(int argc, char** argv) {
+  try {
+    return lacuna::benchmarks::run(argc > 1 ? argv[1] : "build/studies/measured");
+  } catch (const std::exception& error) {
+    std::cerr << "study_measured: " << error.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "support/refinement_draws.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "lacuna/core/random.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/refine/cramer_rao.hpp"
+#include "lacuna/refine/refine.hpp"
+#include "lacuna/systems/measurement.hpp"
+#include "lacuna/systems/test_systems.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+constexpr double kStartError = 0.1;
+
+Dataset clean_record(const RefinementCondition& condition) {
+  const TestSystem& system = test_system(condition.system);
+  return record_of(system.model, Dopri8{Dopri8Options{.substeps = 4}}, system.start,
+                   system.step, condition.samples);
+}
+
+Vector noise_sigma(const Dataset& clean, double share) {
+  const Matrix& x = clean.trajectories[0].states;
+  const Matrix centred = x.rowwise() - x.colwise().mean();
+  return share * (centred.colwise().norm().transpose() / std::sqrt(double(x.rows())));
+}
+
+ParametrisedModel displaced(const ParametrisedModel& truth, std::uint64_t seed) {
+  Random random(seed);
+  Vector values = truth.values();
+  for (Index i = 0; i < values.size(); ++i)
+    values[i] *= 1.0 + random.uniform(-kStartError, kStartError);
+  return truth.with_values(values);
+}
+
+RefinementDraw run_draw(const RefinementCondition& condition, const Dataset& clean,
+                        std::uint64_t seed) {
+  const ParametrisedModel truth = with_free_coefficients(test_system(condition.system).model);
+  const Dataset record = add_relative_noise(clean, condition.noise, seed);
+  const auto start = std::chrono::steady_clock::now();
+  const Refinement fit = refine(displaced(truth, seed), record);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  const Vector sigma = noise_sigma(clean, condition.noise);
+  RefinementDraw draw;
+  draw.converged = fit.status == RefineStatus::Converged;
+  draw.errors = fit.model.values() - truth.values();
+  draw.standard_errors = fit.standard_errors;
+  draw.half_widths = (fit.ci95.col(1) - fit.ci95.col(0)) / 2.0;
+  draw.bound = cramer_rao_bound(truth, clean, sigma, fit.windows);
+  draw.whole_bound = cramer_rao_bound(truth, clean, sigma,
+                                      equal_windows({0, condition.samples}, condition.samples));
+  draw.seconds = time.count();
+  draw.fits_to_noise = fit.fits_to_noise;
+  return draw;
+}
+
+}  // namespace
+
+std::vector<RefinementCondition> refinement_conditions() {
+  std::vector<RefinementCondition> conditions;
+  for (const char* system : {"lorenz", "rossler", "van-der-pol", "pendulum", "memristor"})
+    for (const double noise : {0.001, 0.01, 0.05}) conditions.push_back({system, 1000, noise});
+  return conditions;
+}
+
+std::vector<RefinementCell> run_refinements(int draws) {
+  std::vector<RefinementCell> cells;
+  std::vector<Dataset> clean;
+  for (const RefinementCondition& condition : refinement_conditions()) {
+    cells.push_back({condition, std::vector<RefinementDraw>(static_cast<std::size_t>(draws))});
+    clean.push_back(clean_record(condition));
+  }
+  const std::size_t count = cells.size() * static_cast<std::size_t>(draws);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      const std::size_t cell = i / static_cast<std::size_t>(draws);
+      const std::size_t draw = i % static_cast<std::size_t>(draws);
+      cells[cell].draws[draw] = run_draw(cells[cell].condition, clean[cell], 1 + draw);
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
+    threads.emplace_back(work);
+  threads.clear();  // joins
+  return cells;
+}
+
+}  // namespace lacuna::benchmarks
