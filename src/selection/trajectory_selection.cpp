@@ -69,13 +69,15 @@ class Outcome {
   }
 
   /// Residuals are noise when their rms is not above what the record itself says; that estimate
-  /// is good to a tenth, and an rms of n values to 1 / sqrt(2 n) of it.
+  /// is good to a tenth, and an rms of n values to 1 / sqrt(2 n) of it. Noise below what the
+  /// integration resolves is not held against the model.
   void judge(Index state, RefinedModel& result) const {
     const StateNoise& noise = noise_[static_cast<std::size_t>(state)];
     const bool measured = fit_.counts[state] > 0.0;
-    const double ratio = noise.sigma > 0.0 ? fit_.rms[state] / noise.sigma : 0.0;
+    const double sigma = std::max(noise.sigma, fit_.sigma[state]);
+    const double ratio = fit_.rms[state] / sigma;
     result.misfit.push_back(measured ? ratio : 0.0);
-    if (!measured || !(noise.sigma > 0.0)) return result.fits_to_noise.push_back(std::nullopt);
+    if (!measured) return result.fits_to_noise.push_back(std::nullopt);
     const double scatter = 3.0 / std::sqrt(2.0 * fit_.counts[state]);
     result.fits_to_noise.push_back(ratio <= 1.1 + scatter);
   }
