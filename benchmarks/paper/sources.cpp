@@ -29,6 +29,7 @@ Source as_measured(const Source& clean) {
   source.stem += "_measured";
   source.origin += ", 16-bit converter over +-10 V, 1 mV noise";
   source.printed = nullptr;
+  source.clean = clean.record.trajectories[0].states;
   source.record = quantise(add_noise(clean.record, Vector::Constant(3, 1e-3 / clean.unit), 1),
                            16, 10.0 / clean.unit);
   return source;

@@ -26,6 +26,7 @@ struct Source {
   double unit = 1.0;                       ///< V
   std::optional<OdeModel> truth = {};      ///< the equations behind the record, same units
   const PrintedSystem* printed = nullptr;  ///< null for a record the paper does not have
+  std::optional<Matrix> clean = {};        ///< the states without noise, where it was added
 };
 
 /// The six systems of Tables 2, 4 and 5 in their order, then the TL072 circuit as a converter

@@ -2,7 +2,6 @@
 // Tables 4 and 5, Figs. 5 and 6: how far models stay from the records that drive them.
 #include <limits>
 
-#include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/systems/test_systems.hpp"
@@ -67,18 +66,32 @@ void fill_errors(const SyncResult& result, double unit, Eigen::Ref<Vector> colum
   column.head(errors.size()) = unit * errors;
 }
 
-/// The model with x drawn to the input `drive`: dx = f - (x - drive).
-OdeModel driven(const OdeModel& model) {
-  std::vector<Equation> equations = model.equations();
-  const OdeModel shell(model.states(), {{"drive", ""}}, equations, model.time_unit());
-  return shell.with_term(0, {Term::parse("x", shell.variables()), -1.0, {}, {}})
-      .with_term(0, {Term::parse("drive", shell.variables()), 1.0, {}, {}});
+/// Mean distance of the slave from the orbit without noise, and its share of the largest |x|.
+PrintedError errors_from(const Matrix& orbit, const SyncResult& result) {
+  const Matrix& slave = result.states[0];
+  const Vector errors = (slave - orbit.topRows(slave.rows())).rowwise().norm();
+  return {0.0, errors.mean(), 100.0 * errors.mean() / orbit.rowwise().norm().maxCoeff()};
 }
 
-Matrix synchronised_orbit(const OdeModel& model, const Trajectory& record) {
-  RecordInput drive(record.time, record.states.leftCols(1));
-  return simulate(driven(model), Rk4{}, record.states.row(0).transpose(), record.time, drive)
-      .states;
+/// A record with noise: the distance from the noisy samples, which noise alone makes large,
+/// and from the orbit behind them.
+void write_noise_table(Output& output, const Identified& entry) {
+  const Source& source = *entry.source;
+  ResultTable table;
+  table.header = {"model", "% of the samples", "ratio to truth", "% of the orbit without noise",
+                  "ratio to truth"};
+  const SyncResult truth = paper_sync(*source.truth, source.record);
+  const double orbit_truth = errors_from(*source.clean, truth).percent;
+  const auto add = [&](const char* name, const SyncResult& result) {
+    const double orbit = errors_from(*source.clean, result).percent;
+    table.rows.push_back({name, cell(100.0 * result.relative),
+                          ratio_cell(result.relative, truth.relative), cell(orbit),
+                          ratio_cell(orbit, orbit_truth)});
+  };
+  add("paper mode", paper_sync(entry.paper_mode, source.record));
+  add("default", paper_sync(entry.standard, source.record));
+  add("truth", truth);
+  output.table("table5_noise", source.name + ": mean error over the largest |x|", table);
 }
 
 Matrix free_orbit(const OdeModel& model, const Trajectory& record) {
@@ -129,6 +142,8 @@ void write_table_5(Output& output, const std::vector<Identified>& identified) {
   }
   output.table("table5", "Table 5; the paper's procedure", table);
   output.table("table5_default", "Table 5; what the default pipeline reaches", own);
+  for (const Identified& entry : identified)
+    if (entry.source->clean && entry.source->truth) write_noise_table(output, entry);
 }
 
 void write_figure_5(Output& output, const std::vector<Identified>& identified) {
@@ -167,7 +182,7 @@ void write_figure_6(Output& output, const std::vector<Identified>& identified) {
   output.data("figure6_model", {"x", "y", "z"},
               source.unit * free_orbit(entry.standard, record));
   output.data("figure6_synchronised", {"x", "y", "z"},
-              source.unit * synchronised_orbit(entry.standard, record));
+              source.unit * paper_sync(entry.standard, source.record).states[0]);
   output.picture("figure6", "Fig. 6: attractor, model, model with synchronisation", 1400, 480,
                  R"(set multiplot layout 1,3
 set grid

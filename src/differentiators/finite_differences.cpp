@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "lacuna/data/noise.hpp"
@@ -40,7 +41,7 @@ class OrderChoice {
       rates_.push_back(inside(differences(record.time, signals, p, 1), highest));
   }
 
-  /// The order of least error; the last order only tells the error of the one before.
+  /// The order of least error; the last one only tells the error of the one before.
   int best() const {
     std::vector<double> errors;
     for (std::size_t i = 0; i + 1 < rates_.size(); ++i) errors.push_back(squared_error(i));
@@ -48,31 +49,52 @@ class OrderChoice {
     return 2 * static_cast<int>(least - errors.begin() + 1);
   }
 
+  /// T_p of every state.
+  Vector truncation(int order) const {
+    const std::size_t i = static_cast<std::size_t>(order / 2 - 1);
+    Vector errors(states());
+    for (Index k = 0; k < states(); ++k) errors[k] = truncation(i, k);
+    return errors;
+  }
+
  private:
   Index states() const { return noise_.size(); }
+  double rows() const { return static_cast<double>(rates_[0].rows()); }
 
   double squared_error(std::size_t i) const {
-    const double n = static_cast<double>(rates_[i].rows());
-    const Matrix change = rates_[i + 1] - rates_[i];
     const double own_gain = rates_[i].col(states()).squaredNorm();
-    const double change_gain = change.col(states()).squaredNorm();
     double sum = 0.0;
     for (Index k = 0; k < states(); ++k) {
-      const double rate = rates_[i].col(k).squaredNorm() / n;
+      const double rate = rates_[i].col(k).squaredNorm() / rows();
       if (!(rate > 0.0)) continue;
-      const double variance = noise_[k] * noise_[k];
-      const double truncation =
-          significant(change.col(k).squaredNorm() / n, change_gain * variance, n);
-      sum += (truncation + own_gain * variance / n) / rate;
+      const double error = truncation(i, k);
+      sum += (error * error + own_gain * noise_[k] * noise_[k] / rows()) / rate;
     }
     return sum;
   }
 
-  /// What a mean square has beyond that of noise; its chance deviation is sqrt(2/n) of it,
-  /// times sqrt(highest) because neighbouring differences share samples.
-  double significant(double mean_square, double noise, double n) const {
-    const double chance = 1.96 * noise * std::sqrt(2.0 * highest_ / n);
-    return mean_square > noise + chance ? mean_square - noise : 0.0;
+  double truncation(std::size_t i, Index k) const {
+    const double change = difference(i, k);
+    if (change == 0.0) return 0.0;
+    return change / (1.0 - std::min(ratio(i, change, k), 0.9));
+  }
+
+  /// Of a difference and the one before it; of the first, that of the one behind it.
+  double ratio(std::size_t i, double change, Index k) const {
+    if (i == 0) return rates_.size() > 2 ? difference(1, k) / change : 1.0;
+    const double before = difference(i - 1, k);
+    return before > 0.0 ? change / before : 1.0;
+  }
+
+  /// t_p: the rms of the next order's derivative minus this one's, without noise. The chance
+  /// deviation of a mean square is sqrt(2/n) of it, times sqrt(highest) because neighbouring
+  /// differences share samples.
+  double difference(std::size_t i, Index k) const {
+    const double square = (rates_[i + 1].col(k) - rates_[i].col(k)).squaredNorm() / rows();
+    const double gain = (rates_[i + 1].col(states()) - rates_[i].col(states())).squaredNorm();
+    const double noise = gain * noise_[k] * noise_[k];
+    const double chance = 1.96 * noise * std::sqrt(2.0 * highest_ / rows());
+    return square > noise + chance ? std::sqrt(square - noise) : 0.0;
   }
 
   Vector noise_;
@@ -101,6 +123,24 @@ Dataset middle_of(const Dataset& data) {
   return part;
 }
 
+/// At least a quarter of the record is to lie inside of the longest stencil's two ends.
+int highest_order(const Dataset& part, int wanted) {
+  const Index room = part.trajectories[0].samples() * 3 / 4;
+  return static_cast<int>(std::min<Index>(room, wanted)) / 2 * 2;
+}
+
+/// What adding up `terms` rounded products leaves, per state.
+Vector rounding_noise(const Trajectory& record, int terms) {
+  const double unit = std::numeric_limits<double>::epsilon() * std::sqrt(1.0 * terms);
+  return unit * record.states.cwiseAbs().colwise().maxCoeff().transpose();
+}
+
+OrderChoice choice_for(const Dataset& part, int highest) {
+  const Trajectory& record = part.trajectories[0];
+  return OrderChoice(record, estimate_noise(part).cwiseMax(rounding_noise(record, highest)),
+                     highest);
+}
+
 }  // namespace
 
 FiniteDifferences::FiniteDifferences(Options options) : Configured(options) {
@@ -122,15 +162,20 @@ Matrix FiniteDifferences::do_differentiate(const Vector& time,
   return do_fit(data)->differentiate(time, values, order);
 }
 
-// A quarter of the record at least is to lie inside of the longest stencil's two ends.
 std::shared_ptr<const Differentiator> FiniteDifferences::do_fit(const Dataset& data) const {
   if (options().order) return nullptr;
   const Dataset part = middle_of(data);
-  const Trajectory& record = part.trajectories[0];
-  const int room = static_cast<int>(std::min<Index>(record.samples() * 3 / 4, kHighest + 2));
-  const int highest = room / 2 * 2;
-  const int order = highest < 4 ? 2 : OrderChoice(record, estimate_noise(part), highest).best();
+  const int highest = highest_order(part, kHighest + 2);
+  const int order = highest < 4 ? 2 : choice_for(part, highest).best();
   return std::make_shared<const FiniteDifferences>(Options{.order = order});
+}
+
+std::optional<Vector> FiniteDifferences::do_truncation_error(const Dataset& data) const {
+  if (!options().order) return do_fit(data)->truncation_error(data);
+  const Dataset part = middle_of(data);
+  const int next = std::max(*options().order + 2, 6);
+  if (highest_order(part, next) < next) return std::nullopt;
+  return choice_for(part, next).truncation(*options().order);
 }
 
 }  // namespace lacuna

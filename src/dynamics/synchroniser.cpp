@@ -112,6 +112,7 @@ class Slave {
 /// One trajectory's run of the slave.
 struct Run {
   Vector errors;
+  Matrix states;
   IntegrationStatus status = IntegrationStatus::Completed;
   double end_time = 0.0;
   Vector end_state;
@@ -119,9 +120,16 @@ struct Run {
 
 Run follow(Slave& slave, const Trajectory& record, const Integrator& integrator,
            const Vector& start, const RunContext& context) {
-  Run run{.errors = Vector(record.samples()), .end_time = record.time[0], .end_state = start};
+  Run run{.errors = Vector(record.samples()),
+          .states = Matrix(record.samples(), start.size()),
+          .end_time = record.time[0],
+          .end_state = start};
   const std::unique_ptr<Stepper> stepper = integrator.make_stepper(start.size());
-  run.errors[0] = (start - record.states.row(0).transpose()).norm();
+  const auto keep = [&](Index n) {
+    run.states.row(n) = run.end_state.transpose();
+    run.errors[n] = (run.states.row(n) - record.states.row(n)).norm();
+  };
+  keep(0);
   for (Index n = 0; n + 1 < record.samples(); ++n) {
     if (n % 4096 == 0)
       context.report("synchronising",
@@ -131,9 +139,10 @@ Run follow(Slave& slave, const Trajectory& record, const Integrator& integrator,
         stepper->advance(slave, run.end_time, record.time[n + 1], run.end_state.data());
     if (run.status != IntegrationStatus::Completed) {
       run.errors.conservativeResize(n + 1);
+      run.states.conservativeResize(n + 1, Eigen::NoChange);
       break;
     }
-    run.errors[n + 1] = (run.end_state - record.states.row(n + 1).transpose()).norm();
+    keep(n + 1);
   }
   return run;
 }
@@ -228,6 +237,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
       result.message = divergence_message(trajectory, run, model, record.time_unit);
     }
     result.errors.push_back(std::move(run.errors));
+    result.states.push_back(std::move(run.states));
   }
   add_statistics(view, result);
   result.settled = has_settled(view, result);

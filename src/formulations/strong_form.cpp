@@ -46,7 +46,11 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
   const Index margin = data.has_derivatives() ? 0 : method->margin();
   const auto rows = std::make_shared<const LibraryRows>(library, records, margin);
   try {
-    return LeastSquaresSystem(rows, library.names(), target_names(library.variables), context);
+    const LeastSquaresSystem system(rows, library.names(), target_names(library.variables),
+                                    context);
+    const std::optional<Vector> error =
+        data.has_derivatives() ? std::nullopt : method->truncation_error(data);
+    return error ? system.with_target_error(*error) : system;
   } catch (const DataError&) {
     // The system knows row numbers only; where and why is worth another pass.
     if (const auto entry = rows->find_non_finite()) throw_non_finite(*entry);

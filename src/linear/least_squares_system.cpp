@@ -74,6 +74,15 @@ LeastSquaresSystem::LeastSquaresSystem(std::shared_ptr<const RowSource> rows,
   target_names_ = std::make_shared<const std::vector<std::string>>(std::move(target_names));
 }
 
+LeastSquaresSystem LeastSquaresSystem::with_target_error(Vector error) const {
+  if (error.size() != targets() || !error.allFinite() || (error.array() < 0.0).any())
+    throw ArgumentError("least-squares system", "the systematic errors do not fit the targets",
+                        "give one finite number that is not negative per target");
+  LeastSquaresSystem system = *this;
+  system.target_error_ = std::move(error);
+  return system;
+}
+
 TermSet LeastSquaresSystem::all_terms() const {
   TermSet all(static_cast<std::size_t>(terms()));
   std::iota(all.begin(), all.end(), Index{0});

@@ -58,6 +58,24 @@ Path walk(Elimination state, const MinorTermsOptions& options, const RunContext&
   return path;
 }
 
+/// Stops where the residual is more than noise and systematic error explain.
+PruneResult cut_by_errors(const Path& path, double rows, double error) {
+  const double base = std::max(path.residuals.front(), path.rounding);
+  PruneResult result;
+  std::size_t dropped = 0;
+  for (; dropped < path.terms.size(); ++dropped) {
+    const double price = static_cast<double>(dropped + 1) * std::log(rows) / rows;
+    const double limit = std::sqrt(base * base * (1.0 + price) + rows * error * error);
+    if (!(path.residuals[dropped + 1] <= limit)) break;
+    result.removed.push_back(
+        removal(path.terms[dropped], path.residuals[dropped + 1], limit, dropped + 1));
+  }
+  result.kept.assign(path.terms.begin() + static_cast<std::ptrdiff_t>(dropped),
+                     path.terms.end());
+  std::sort(result.kept.begin(), result.kept.end());
+  return result;
+}
+
 /// How the excess over the residual of all terms grows along a path.
 class Growth {
  public:
@@ -94,7 +112,7 @@ class Growth {
 };
 
 /// The number of terms to drop, with the reason for each.
-PruneResult cut(const Path& path, const MinorTermsOptions& options) {
+PruneResult cut_by_jump(const Path& path, const MinorTermsOptions& options) {
   const Growth growth(path, options.effective_eta());
   // Gains below 1e-9 are rounding: a path that never rises has no true term.
   const double decisive = std::max(options.jump * growth.largest_gain(), 1e-9);
@@ -115,10 +133,13 @@ PruneResult MinorTerms::do_prune(const LeastSquaresSystem& system, Index target,
                                  const TermSet& active, const Regressor& regressor,
                                  const RunContext& context) const {
   Elimination full(system, target, active, regressor, context);
-  if (options().tolerances == MinorTermsOptions::Tolerances::Relative)
-    return cut(walk(std::move(full), options(), context), options());
-  const double limit = options().effective_eta() * static_cast<double>(system.rows());
-  return prune_up_to(limit, std::move(full), context);
+  const double rows = static_cast<double>(system.rows());
+  if (options().tolerances == MinorTermsOptions::Tolerances::Paper)
+    return prune_up_to(options().effective_eta() * rows, std::move(full), context);
+  const Path path = walk(std::move(full), options(), context);
+  if (options().stop == MinorTermsOptions::Stop::Errors && system.target_error())
+    return cut_by_errors(path, rows, (*system.target_error())[target]);
+  return cut_by_jump(path, options());
 }
 
 }  // namespace lacuna

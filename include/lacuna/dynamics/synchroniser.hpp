@@ -25,6 +25,7 @@ struct SyncOptions {
 struct SyncResult {
   Matrix coupling;             ///< K that was used
   std::vector<Vector> errors;  ///< per trajectory: |x_s,n - x_m,n| at the samples reached
+  std::vector<Matrix> states;  ///< per trajectory: x_s,n, the slave, at the samples reached
   double median = 0.0;  ///< of the errors at all samples; nothing is left out at the start
   double mean = 0.0;
   double relative = 0.0;  ///< mean / max_n |x_m,n|

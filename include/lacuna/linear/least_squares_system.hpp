@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,14 @@ class LeastSquaresSystem {
   const std::vector<std::string>& term_names() const noexcept { return *term_names_; }
   const std::vector<std::string>& target_names() const noexcept { return *target_names_; }
 
+  /// rms of what each target has of systematic error (of the truncation of differences, say)
+  /// over all rows, in its units; nothing when that is not known.
+  const std::optional<Vector>& target_error() const noexcept { return target_error_; }
+
+  /// The system with the systematic error of its targets.
+  /// @throws ArgumentError unless there is one finite number >= 0 per target.
+  LeastSquaresSystem with_target_error(Vector error) const;
+
   /// Statistics of all rows.
   const Factor& factor() const noexcept { return *factor_; }
 
@@ -71,6 +80,7 @@ class LeastSquaresSystem {
   std::shared_ptr<const std::vector<std::string>> term_names_;
   std::shared_ptr<const std::vector<std::string>> target_names_;
   std::shared_ptr<const Factor> factor_;
+  std::optional<Vector> target_error_ = {};
   Folding folding_;  // as asked for
 };
 

@@ -14,7 +14,7 @@ namespace lacuna {
 struct MinorTermsOptions {
   /// When it stops.
   enum class Tolerances {
-    Relative,  ///< before the first large jump of the residual; without units
+    Relative,  ///< by the residual, without units; see Stop
     Paper,     ///< before |residual| / n exceeds eta, raw, as in the authors' toolbox
   };
   /// Which term is next with relative tolerances.
@@ -23,14 +23,22 @@ struct MinorTermsOptions {
     Residual,      ///< the one whose loss raises the residual least
   };
 
+  /// When it stops with relative tolerances.
+  enum class Stop {
+    Errors,  ///< where the residual is more than the errors of the targets explain
+    Jump,    ///< before the first large jump of the residual
+  };
+
   static constexpr StageInfo kInfo{
       "minor-terms", "Drops the least important term and refits while the fit stays good.",
       "Kera & Hasegawa, Nonlinear Dynamics 85 (2016) 675; Karimov et al. 2023, Sect. 2.1"};
   static constexpr std::array<std::string_view, 2> kTolerances{"relative", "paper"};
   static constexpr std::array<std::string_view, 2> kCriteria{"contribution", "residual"};
+  static constexpr std::array<std::string_view, 2> kStops{"errors", "jump"};
 
   Tolerances tolerances = Tolerances::Relative;
   Criterion criterion = Criterion::Residual;
+  Stop stop = Stop::Errors;
   std::optional<double> eta = {};
   double jump = 0.4;
   double resolution = 1e-11;
@@ -41,28 +49,30 @@ struct MinorTermsOptions {
   }
 
   void describe(OptionVisitor& v) {
-    v.field(
-        {"tolerances", "",
-         "'relative': up to the first large jump of the residual; 'paper': while |residual| "
-         "/ n <= eta, raw."},
-        kTolerances, tolerances);
+    v.field({"tolerances", "",
+             "'relative': by the residual, see 'stop'; 'paper': while |residual| / n <= eta, "
+             "raw."},
+            kTolerances, tolerances);
+    v.field({"stop", "",
+             "relative: 'errors', at more residual than noise and systematic errors of the "
+             "targets explain ('jump' where those are not known); 'jump', before its first "
+             "large jump."},
+            kStops, stop);
     v.field(
         {"criterion", "",
          "Next to go: smallest |h tau| ('contribution', always so in 'paper') or least loss "
          "of fit ('residual')."},
         kCriteria, criterion);
-    v.field(
-        {"eta", "",
-         "relative: growth of the residual that is no growth, 0.0025 when not given; paper: "
-         "the largest |residual| / n, 1e-5 when not given.",
-         0.0},
-        eta);
-    v.field(
-        {"jump", "",
-         "relative: a jump of this share (logarithmic) of the largest one is the first that "
-         "counts; 0: every growth beyond eta does.",
-         0.0, 1.0},
-        jump);
+    v.field({"eta", "",
+             "jump: growth of the residual that is no growth, 0.0025 when not given; paper: "
+             "the largest |residual| / n, 1e-5 when not given.",
+             0.0},
+            eta);
+    v.field({"jump", "",
+             "jump: a jump of this share (logarithmic) of the largest one is the first that "
+             "counts; 0: every growth beyond eta does.",
+             0.0, 1.0},
+            jump);
     v.field({"resolution", "",
              "relative: residuals below this share of |y| and of the terms count as rounding.",
              0.0, 1.0},
@@ -77,7 +87,15 @@ struct MinorTermsOptions {
 /// Paper tolerances: |y - Theta_A h| / n <= eta, and nothing is dropped when already the fit of
 /// all terms is worse. This eta depends on the number of samples, on units and on time scale.
 ///
-/// Relative tolerances: r_k is |y - Theta_A h| after k terms were dropped. Noise gives r_0 and
+/// Relative tolerances: r_k is |y - Theta_A h| after k terms were dropped.
+///
+/// Stop by errors, where the system knows its targets' systematic error T (rms): spurious
+/// terms can have fitted no more than that error, and of the noise each about one in n. Terms
+/// are dropped while
+///   r_k^2 <= r^2 (1 + k ln(n) / n) + n T^2,   r = max(r_0, resolution),
+/// with Schwarz' price ln n of a term (Ann. Statist. 6:461-464, 1978).
+///
+/// Stop by jump: noise gives r_0 and
 /// hardly more as spurious terms leave; the truncation error of finite differences, which
 /// spurious terms fit in part, lets r_k rise by a factor of up to some hundred, but bit by bit.
 /// In both cases the first true term that leaves makes a jump. It is looked for in the excess

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "lacuna/core/stage.hpp"
 #include "lacuna/core/types.hpp"
@@ -27,6 +28,12 @@ class Differentiator : public StageInterface {
   /// times the noise and the truncation error of the others there.
   Index margin() const { return do_margin(); }
 
+  /// rms of what first derivatives of these records have of systematic error, one per state in
+  /// state units per time unit; nothing when the method cannot tell.
+  std::optional<Vector> truncation_error(const Dataset& data) const {
+    return do_truncation_error(data);
+  }
+
  private:
   friend Stage<Differentiator> fitted_to(const Stage<Differentiator>& method,
                                          const Dataset& data);
@@ -35,6 +42,10 @@ class Differentiator : public StageInterface {
                                   int order) const = 0;
 
   virtual Index do_margin() const { return 0; }
+
+  virtual std::optional<Vector> do_truncation_error(const Dataset&) const {
+    return std::nullopt;
+  }
 
   /// The method with what it leaves open chosen for these records; null when nothing is open.
   virtual std::shared_ptr<const Differentiator> do_fit(const Dataset&) const { return nullptr; }

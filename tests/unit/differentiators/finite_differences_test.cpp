@@ -139,6 +139,25 @@ TEST(FiniteDifferences, NoiseAsksForTheOrderWhoseTruncationItHides) {
   EXPECT_LT(quiet, 16);
 }
 
+TEST(FiniteDifferences, TruncationErrorIsThatOfTheDerivative) {
+  for (const int order : {2, 4, 8}) {
+    const Dataset data = sine_record(0.4, 3000, 0.0);
+    const Trajectory& run = data.trajectories[0];
+    const FiniteDifferences method{{.order = order}};
+    const Matrix rate = method.differentiate(run.time, run.states);
+    const Vector off =
+        (rate.col(0).array() - run.time.array().cos()).matrix().segment(10, 2980);
+    const double actual = off.norm() / std::sqrt(2980.0);
+    EXPECT_NEAR((*method.truncation_error(data))[0], actual, 0.1 * actual) << order;
+  }
+}
+
+TEST(FiniteDifferences, NoiseIsNoTruncationError) {
+  const FiniteDifferences method{{.order = 8}};
+  EXPECT_EQ((*method.truncation_error(sine_record(0.1, 3000, 1e-2)))[0], 0.0);
+  EXPECT_FALSE(method.truncation_error(sine_record(0.1, 12, 0.0)));
+}
+
 TEST(FiniteDifferences, OrderThatIsGivenStays) {
   const Stage<Differentiator> given = FiniteDifferences{{.order = 6}};
   EXPECT_EQ(fitted_to(given, sine_record(0.5, 200, 0.0)).shared(), given.shared());

@@ -90,6 +90,9 @@ TEST(Synchroniser, StatisticsAreThoseOfTheErrors) {
   const SyncResult result = synchronise(test_system("lorenz").model, record, Rk4{});
   ASSERT_EQ(result.errors.size(), 1u);
   Vector errors = result.errors[0];
+  ASSERT_EQ(result.states.size(), 1u);
+  const Matrix off = result.states[0] - record.trajectories[0].states;
+  EXPECT_LT((off.rowwise().norm() - errors).cwiseAbs().maxCoeff(), 1e-14);
   ASSERT_EQ(errors.size(), 501);
   EXPECT_EQ(errors[0], 0.0);
   std::sort(errors.begin(), errors.end());

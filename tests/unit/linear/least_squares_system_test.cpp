@@ -39,6 +39,14 @@ TEST_F(System, KnowsItsShapeAndNames) {
   EXPECT_EQ(system.all_terms(), kAll);
 }
 
+TEST_F(System, KeepsTheSystematicErrorOfItsTargets) {
+  const auto system = make(theta_, targets_);
+  EXPECT_FALSE(system.target_error());
+  EXPECT_EQ(*system.with_target_error(Vector{{0.1, 0.0}}).target_error(), (Vector{{0.1, 0.0}}));
+  EXPECT_THROW(system.with_target_error(Vector{{0.1}}), ArgumentError);
+  EXPECT_THROW(system.with_target_error(Vector{{0.1, -1.0}}), ArgumentError);
+}
+
 TEST_F(System, RefusesNamesThatDoNotFit) {
   const auto rows = make_row_source(theta_, targets_);
   EXPECT_THROW(LeastSquaresSystem(rows, {"a"}, {"u", "v"}), ArgumentError);

@@ -69,6 +69,35 @@ TEST(MinorTerms, WithoutJumpEveryGrowthBeyondEtaCounts) {
   }
 }
 
+TEST(MinorTerms, StopsWhereNoiseExplainsNoMore) {
+  const auto& data = rossler_10000();
+  for (const double noise : {1e-4, 1e-2, 5e-2}) {
+    const Matrix rates = testing::with_noise(data.derivatives, noise, 3);
+    const auto system =
+        testing::monomial_system(data.states, rates, 3).with_target_error(Vector::Zero(3));
+    const std::size_t expected[] = {2, 2, 3};
+    for (Index k = 0; k < 3; ++k) {
+      const PruneResult result = MinorTerms().prune(system, k, system.all_terms(), Ols());
+      EXPECT_EQ(result.kept.size(), expected[k]) << noise << ", equation " << k;
+      for (const Removal& gone : result.removed) EXPECT_LE(gone.value, gone.threshold);
+    }
+  }
+}
+
+TEST(MinorTerms, TermsThatFitTheSystematicErrorLeave) {
+  const auto& data = rossler_10000();
+  const Vector error = 1e-4 * data.states.col(0).cwiseProduct(data.states.col(1));
+  Matrix rates = testing::with_noise(data.derivatives, 1e-5, 3);
+  rates.col(0) += error;
+  const auto system = testing::monomial_system(data.states, rates, 3);
+  const auto kept = [&](double rms) {
+    const auto known = system.with_target_error(Vector::Constant(3, rms));
+    return MinorTerms().prune(known, 0, known.all_terms(), Ols()).kept.size();
+  };
+  EXPECT_EQ(kept(error.norm() / 100.0), 2u);
+  EXPECT_EQ(kept(0.0), 3u);
+}
+
 TEST(MinorTerms, PaperTolerancesBoundTheResidualPerRow) {
   const auto& data = rossler_10000();
   const auto system =
