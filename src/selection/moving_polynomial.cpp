@@ -46,7 +46,7 @@ Matrix fit_rows(const Matrix& basis, const Matrix& inverse, Index at, double hal
 bool same_grid(const Vector& time, Index a, Index b, Index width) {
   const double h = time[a + 1] - time[a];
   for (Index i = 0; i < width; ++i)
-    if (std::abs((time[a + i] - time[a]) - (time[b + i] - time[b])) > 1e-6 * h) return false;
+    if (std::abs((time[a + i] - time[a]) - (time[b + i] - time[b])) > 1e-3 * h) return false;
   return true;
 }
 
