@@ -40,7 +40,6 @@ Dataset model_view(const OdeModel& model, const Dataset& record) {
                .inputs = model.inputs(),
                .trajectories = {},
                .rate_of = {},
-               .derived = {},
                .notes = {}};
   for (const Trajectory& trajectory : record.trajectories)
     view.trajectories.push_back({trajectory.source, trajectory.time,

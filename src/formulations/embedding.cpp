@@ -172,11 +172,7 @@ Dataset embed(const Dataset& data, const std::vector<EmbeddingOrder>& orders,
   const std::vector<Column> columns = plan_columns(data, orders_by_state(data, orders));
   Dataset result = data;
   result.states.clear();
-  result.derived.clear();
-  for (const Column& column : columns) {
-    result.states.push_back(column.quantity);
-    result.derived.push_back(column.rank != 0);
-  }
+  for (const Column& column : columns) result.states.push_back(column.quantity);
   result.rate_of = identities(data, columns);
   for (Trajectory& record : result.trajectories)
     record = RecordEmbedder(record, differentiator).embed(columns);

@@ -22,10 +22,6 @@ Vector without_outliers(const Trajectory& record, Index state, double noise) {
   return values;
 }
 
-bool is_derived(const Dataset& data, Index state) {
-  return !data.derived.empty() && data.derived[static_cast<std::size_t>(state)];
-}
-
 void fill_inputs(PathRecord& record) {
   const Index m = record.samples.states.cols();
   for (Index j = 0; j < record.samples.inputs.cols(); ++j)
@@ -109,6 +105,18 @@ void append(Trajectory& target, const Trajectory& more) {
 }
 
 }  // namespace
+
+bool is_derived(const Dataset& data, Index state) {
+  if (data.rate_of.empty()) return false;
+  const std::string& name = data.states[static_cast<std::size_t>(state)].name;
+  return std::any_of(data.states.begin(), data.states.end(), [&](const Quantity& other) {
+    const bool longer = name.size() > other.name.size() + 2;
+    if (!longer || name.rfind(other.name + "_", 0) != 0) return false;
+    const char kind = name[other.name.size() + 1];
+    return (kind == 'd' || kind == 'i') &&
+           name.find_first_not_of("0123456789", other.name.size() + 2) == std::string::npos;
+  });
+}
 
 Dataset joined_across_gaps(const Dataset& data) {
   Dataset joined = data;

@@ -158,7 +158,7 @@ RefinedModel untouched(const RefinerTask& task, const std::string& why) {
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
                                             const RunContext& context) const {
-  if (task.data.has_derivatives() && task.data.derived.empty())
+  if (task.data.has_derivatives() && task.data.rate_of.empty())
     return untouched(task, "the record brings derivatives of its own");
   Matrix start = coefficients_of(task.start, task.library);
   const Matrix nothing = Matrix::Zero(start.rows(), start.cols());

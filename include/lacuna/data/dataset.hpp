@@ -29,9 +29,6 @@ struct Dataset {
   /// Either empty or m entries.
   std::vector<std::optional<Index>> rate_of;
 
-  /// States that were computed from others, not measured. Either empty (none) or m entries.
-  std::vector<bool> derived;
-
   /// What the reader did that a user should know of: "split at line 812: value missing".
   std::vector<std::string> notes;
 
