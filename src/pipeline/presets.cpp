@@ -43,8 +43,7 @@ Pipeline algorithm1(Tolerances tolerances) {
           .filter = Abm{},
           .regressor = Ols{},
           .pruner = MinorTerms{},
-          .refiner = TrajectorySelection{
-              {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}}};
+          .refiner = NoRefiner{}};
 }
 
 Pipeline sindy() {
@@ -68,9 +67,7 @@ Pipeline robust() {
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
       {"algorithm1",
-       "ABM, then minor terms deleted from each equation while the fit stays good; refined on "
-       "the "
-       "trajectories.",
+       "ABM, then minor terms deleted from each equation while the fit stays good.",
        "Karimov et al., Nonlinear Dynamics 111 (2023) 871, Algorithm 1", algorithm1, true},
       {"robust",
        "Terms chosen and coefficients fitted on the trajectories themselves, for noisy "
