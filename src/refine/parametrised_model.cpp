@@ -37,13 +37,13 @@ void check_coefficients(const OdeModel& model, const std::vector<FreeCoefficient
   }
 }
 
-void check_shapes(const OdeModel& model, const std::vector<ShapeParameter>& shapes) {
+void check_shapes(const OdeModel& model, const std::vector<FreeShape>& shapes) {
   const std::size_t inputs = model.inputs().size();
   if (shapes.size() > inputs)
     throw ModelError("ParametrisedModel", "the model has fewer inputs than shape parameters",
                      "add an input for each shape parameter");
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const ShapeParameter& shape = shapes[i];
+    const FreeShape& shape = shapes[i];
     if (model.inputs()[inputs - shapes.size() + i].name != shape.name)
       throw ModelError("ParametrisedModel",
                        "shape parameter '" + shape.name + "' is not among the last inputs",
@@ -57,9 +57,9 @@ void check_shapes(const OdeModel& model, const std::vector<ShapeParameter>& shap
 }
 
 /// The expression with some variables replaced by numbers.
-Expression substitute(const Expression& e, const std::vector<ShapeParameter>& shapes) {
+Expression substitute(const Expression& e, const std::vector<FreeShape>& shapes) {
   if (e.operation() == Operation::Variable || e.operation() == Operation::Delay) {
-    for (const ShapeParameter& shape : shapes)
+    for (const FreeShape& shape : shapes)
       if (shape.name == e.name()) return Expression::number(shape.value);
     return e;
   }
@@ -70,7 +70,7 @@ Expression substitute(const Expression& e, const std::vector<ShapeParameter>& sh
   return Expression::make(e.operation(), std::move(operands));
 }
 
-Equation substituted(const Equation& equation, const std::vector<ShapeParameter>& shapes,
+Equation substituted(const Equation& equation, const std::vector<FreeShape>& shapes,
                      const Variables& variables) {
   Equation result;
   for (const WeightedTerm& summand : equation)
@@ -83,7 +83,7 @@ Equation substituted(const Equation& equation, const std::vector<ShapeParameter>
 
 ParametrisedModel::ParametrisedModel(OdeModel symbolic,
                                      std::vector<FreeCoefficient> coefficients,
-                                     std::vector<ShapeParameter> shapes)
+                                     std::vector<FreeShape> shapes)
     : symbolic_(std::move(symbolic)),
       coefficients_(std::move(coefficients)),
       shapes_(std::move(shapes)) {
@@ -107,7 +107,7 @@ Vector ParametrisedModel::values() const {
                       .equations()[static_cast<std::size_t>(c.equation)]
                                   [static_cast<std::size_t>(c.summand)]
                       .coefficient;
-  for (const ShapeParameter& shape : shapes_) values[i++] = shape.value;
+  for (const FreeShape& shape : shapes_) values[i++] = shape.value;
   return values;
 }
 
@@ -119,20 +119,20 @@ std::vector<std::string> ParametrisedModel::names() const {
         symbolic_.states()[equation].name + ": " +
         symbolic_.equations()[equation][static_cast<std::size_t>(c.summand)].term.name());
   }
-  for (const ShapeParameter& shape : shapes_) names.push_back(shape.name);
+  for (const FreeShape& shape : shapes_) names.push_back(shape.name);
   return names;
 }
 
 std::vector<std::optional<Prior>> ParametrisedModel::priors() const {
   std::vector<std::optional<Prior>> priors;
   for (const FreeCoefficient& c : coefficients_) priors.push_back(c.prior);
-  for (const ShapeParameter& shape : shapes_) priors.push_back(shape.prior);
+  for (const FreeShape& shape : shapes_) priors.push_back(shape.prior);
   return priors;
 }
 
 Vector ParametrisedModel::admissible(Vector values) const {
   Index i = static_cast<Index>(coefficients_.size());
-  for (const ShapeParameter& shape : shapes_) {
+  for (const FreeShape& shape : shapes_) {
     if (shape.lower) values[i] = std::max(values[i], *shape.lower);
     if (shape.upper) values[i] = std::min(values[i], *shape.upper);
     ++i;
@@ -146,14 +146,14 @@ ParametrisedModel ParametrisedModel::with_values(const Vector& values) const {
                std::to_string(size()) + " parameters",
            "give one value per parameter");
   std::vector<Equation> equations = symbolic_.equations();
-  std::vector<ShapeParameter> shapes = shapes_;
+  std::vector<FreeShape> shapes = shapes_;
   Index i = 0;
   for (const FreeCoefficient& c : coefficients_) {
     WeightedTerm& summand =
         equations[static_cast<std::size_t>(c.equation)][static_cast<std::size_t>(c.summand)];
     summand = {summand.term, values[i++]};
   }
-  for (ShapeParameter& shape : shapes) shape.value = values[i++];
+  for (FreeShape& shape : shapes) shape.value = values[i++];
   return {OdeModel(symbolic_.states(), symbolic_.inputs(), std::move(equations),
                    symbolic_.time_unit()),
           coefficients_, std::move(shapes)};
@@ -173,7 +173,7 @@ OdeModel ParametrisedModel::model() const {
 }
 
 ParametrisedModel with_free_coefficients(OdeModel model, const std::vector<bool>& exact,
-                                         std::vector<ShapeParameter> shapes) {
+                                         std::vector<FreeShape> shapes) {
   std::vector<FreeCoefficient> free;
   for (std::size_t k = 0; k < model.equations().size(); ++k) {
     if (k < exact.size() && exact[k]) continue;

@@ -115,7 +115,7 @@ class RatesBuilder {
                                  .equations()[static_cast<std::size_t>(c.equation)]
                                              [static_cast<std::size_t>(c.summand)]
                                  .term.expression());
-    for (const ShapeParameter& shape : model_.shapes())
+    for (const FreeShape& shape : model_.shapes())
       add_derivative(rates_.column_sums_, rates_.column_places_, shape.name,
                      rates_.column_count_++);
   }
@@ -127,8 +127,8 @@ class RatesBuilder {
   }
 
   /// One column of derivatives with respect to a variable.
-  void add_derivative(WeightedSums& sums, std::vector<Place>& places, const std::string& name,
-                      Index column) {
+  void add_derivative(WeightedSums& sums, std::vector<MatrixPlace>& places,
+                      const std::string& name, Index column) {
     for (std::size_t k = 0; k < parameters_.size(); ++k) {
       const bool any =
           add_sum(sums, k, [&](const Expression& e) { return differentiate(e, name); });

@@ -42,7 +42,7 @@ class WeightedSums {
 };
 
 /// A place in a matrix that is not always zero.
-struct Place {
+struct MatrixPlace {
   Index row = 0;
   Index column = 0;
 };
@@ -77,8 +77,8 @@ class Rates {
   void rate(const double* slots, double* f);
 
   /// Places of df/dx (m x m) that are not always zero, and of df/dp (m x columns()).
-  const std::vector<Place>& jacobian_places() const noexcept { return jacobian_places_; }
-  const std::vector<Place>& column_places() const noexcept { return column_places_; }
+  const std::vector<MatrixPlace>& jacobian_places() const noexcept { return jacobian_places_; }
+  const std::vector<MatrixPlace>& column_places() const noexcept { return column_places_; }
 
   /// Entries of df/dx and df/dp at each row of slots, one column per place.
   void derivatives(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> jacobian,
@@ -89,7 +89,7 @@ class Rates {
   Index dimension_ = 0, record_inputs_ = 0, shape_count_ = 0, column_count_ = 0;
   Program rate_, full_;
   WeightedSums rate_sums_, jacobian_sums_, column_sums_;
-  std::vector<Place> jacobian_places_, column_places_;
+  std::vector<MatrixPlace> jacobian_places_, column_places_;
   Vector shape_values_;
   Matrix rate_values_, full_values_;
   std::vector<double> point_values_;

@@ -106,22 +106,28 @@ void RefinementRun::prepare() {
 /// simulated on its own.
 bool RefinementRun::begin() {
   const std::vector<Index>& begins = problem_.record().begins;
-  ShootingFit steps;
-  steps.plan = equal_windows(begins, 1);
-  fit_.point.parameters = steps.point.parameters = problem_.model().values();
-  steps.point.starts = starts_of(steps.plan, guess_);
-  problem_.set_scheme(accurate_scheme(problem_, steps.plan, steps.point, problem_.sigma()));
-  problem_.evaluate(steps.plan, steps.point);
-  growth_ = scaled_growth(problem_.linearise(steps.plan, steps.point).transitions);
   const auto rows = static_cast<Index>(problem_.record().measured.size());
   limits_.shortest = std::max<Index>(4, 2 * dimension() / rows + 2);
   limits_.longest = std::max<Index>(problem_.record().samples(), 2);
+  ShootingFit steps;
+  fit_.point.parameters = steps.point.parameters = problem_.model().values();
+  choose_scheme(equal_windows(begins, limits_.shortest));
+  steps.plan = equal_windows(begins, 1);
+  steps.point.starts = starts_of(steps.plan, guess_);
+  problem_.evaluate(steps.plan, steps.point);
+  growth_ = scaled_growth(problem_.linearise(steps.plan, steps.point).transitions);
   fit_.plan = options_.window_samples ? equal_windows(begins, *options_.window_samples)
                                       : plan_windows(begins, growth_, limits_);
   if (!make_finite()) return false;
   minimise_from(fit_, guess_, kTolerance);
   update_sigma();
   return true;
+}
+
+/// Steps accurate enough for the model as it is, over a few samples from the guessed states.
+void RefinementRun::choose_scheme(const WindowPlan& plan) {
+  ShootingPoint point{fit_.point.parameters, starts_of(plan, guess_)};
+  problem_.set_scheme(accurate_scheme(problem_, plan, point, problem_.sigma()));
 }
 
 /// Halves windows until none diverges.
@@ -224,8 +230,8 @@ double RefinementRun::residual_count() const {
 
 void RefinementRun::search() {
   growth_ = scaled_growth(fit_.linear.transitions);
-  const WindowSearch search{growth_, growth_limit(), limits_.shortest,
-                            kCoarseShare * residual_count(), options_.max_iterations};
+  const InexactWindows search{growth_, growth_limit(), limits_.shortest,
+                              kCoarseShare * residual_count(), options_.max_iterations};
   fit_ = search_windows(problem_, fit_, search, context_);
   update_sigma();
 }

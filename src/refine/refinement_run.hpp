@@ -28,6 +28,7 @@ class RefinementRun {
   Index dimension() { return problem_.rates().dimension(); }
   void prepare();
   bool begin();
+  void choose_scheme(const WindowPlan& plan);
   bool make_finite();
   ErrorGrowth scaled_growth(Matrix transitions);
   void minimise_from(ShootingFit& fit, const Matrix& states, double tolerance);

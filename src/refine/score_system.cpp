@@ -29,9 +29,9 @@ TermNames free_terms(const ParametrisedModel& model) {
 }
 
 void check_candidates(const ParametrisedModel& model,
-                      const std::vector<Candidate>& candidates) {
+                      const std::vector<CandidateTerm>& candidates) {
   TermNames names = free_terms(model);
-  for (const Candidate& candidate : candidates) {
+  for (const CandidateTerm& candidate : candidates) {
     if (candidate.equation < 0 || candidate.equation >= model.symbolic().dimension())
       throw ArgumentError("ScoreSystem",
                           "there is no equation " + std::to_string(candidate.equation),
@@ -46,19 +46,19 @@ void check_candidates(const ParametrisedModel& model,
 
 /// @throws ArgumentError as check_candidates().
 std::vector<std::string> column_names(const ParametrisedModel& model,
-                                      const std::vector<Candidate>& candidates) {
+                                      const std::vector<CandidateTerm>& candidates) {
   check_candidates(model, candidates);
   std::vector<std::string> names = model.names();
-  for (const Candidate& candidate : candidates)
+  for (const CandidateTerm& candidate : candidates)
     names.push_back(
         model.symbolic().states()[static_cast<std::size_t>(candidate.equation)].name + ": " +
         candidate.term.name());
   return names;
 }
 
-std::vector<CandidateColumn> columns_of(const std::vector<Candidate>& candidates) {
+std::vector<CandidateColumn> columns_of(const std::vector<CandidateTerm>& candidates) {
   std::vector<CandidateColumn> columns;
-  for (const Candidate& candidate : candidates)
+  for (const CandidateTerm& candidate : candidates)
     columns.push_back({candidate.equation, candidate.term.expression()});
   return columns;
 }
@@ -83,7 +83,8 @@ Factor scaled_factor(const Matrix& reduced, const Vector& parameters, Index rows
 }  // namespace
 
 ScoreSystem::ScoreSystem(const Refinement& model, const Dataset& record,
-                         const std::vector<Candidate>& candidates, const RefineOptions& options)
+                         const std::vector<CandidateTerm>& candidates,
+                         const RefineOptions& options)
     : names_(column_names(model.model, candidates)), parameters_(model.model.size()) {
   ShootingProblem problem(model.model, record, options.huber, columns_of(candidates));
   problem.set_sigma(model.sigma);
@@ -113,11 +114,11 @@ std::vector<CandidateScore> ScoreSystem::scores() const {
   return scores;
 }
 
-std::vector<Candidate> candidates_from(const TermLibrary& library,
-                                       const ParametrisedModel& model,
-                                       const std::vector<bool>& exact) {
+std::vector<CandidateTerm> candidates_from(const TermLibrary& library,
+                                           const ParametrisedModel& model,
+                                           const std::vector<bool>& exact) {
   const TermNames present = free_terms(model);
-  std::vector<Candidate> candidates;
+  std::vector<CandidateTerm> candidates;
   for (Index k = 0; k < model.symbolic().dimension(); ++k) {
     if (static_cast<std::size_t>(k) < exact.size() && exact[static_cast<std::size_t>(k)])
       continue;

@@ -46,7 +46,7 @@ void StepMaps::evaluate_rates(Rates& rates, const StageSignals& signals, const O
 
 /// Lambda_a and Lambda_a J_a.
 void StepMaps::adjoint(Index stage, const Eigen::Ref<const Vector>& lengths,
-                       const std::vector<Place>& places) {
+                       const std::vector<MatrixPlace>& places) {
   const Index count = lengths.size();
   auto influence = influence_[static_cast<std::size_t>(stage)].topRows(count);
   influence.setZero();
@@ -70,7 +70,7 @@ void StepMaps::adjoint(Index stage, const Eigen::Ref<const Vector>& lengths,
 }
 
 /// Adds Lambda_a df_a/dp to the responses.
-void StepMaps::respond(Index stage, Index count, const std::vector<Place>& places) {
+void StepMaps::respond(Index stage, Index count, const std::vector<MatrixPlace>& places) {
   const auto influence = influence_[static_cast<std::size_t>(stage)].topRows(count);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto entry =

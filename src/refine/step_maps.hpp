@@ -34,8 +34,8 @@ class StepMaps {
   void evaluate_rates(Rates& rates, const StageSignals& signals, const Orbits& orbits,
                       Index first, Index count);
   void adjoint(Index stage, const Eigen::Ref<const Vector>& lengths,
-               const std::vector<Place>& places);
-  void respond(Index stage, Index count, const std::vector<Place>& places);
+               const std::vector<MatrixPlace>& places);
+  void respond(Index stage, Index count, const std::vector<MatrixPlace>& places);
 
   const ButcherTableau& tableau_;
   Index dimension_, columns_;

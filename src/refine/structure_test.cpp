@@ -52,7 +52,7 @@ ParametrisedModel without_coefficient(const ParametrisedModel& model, std::size_
 }
 
 /// The candidate becomes the last free coefficient.
-ParametrisedModel with_candidate(const ParametrisedModel& model, const Candidate& candidate,
+ParametrisedModel with_candidate(const ParametrisedModel& model, const CandidateTerm& candidate,
                                  double coefficient) {
   std::vector<Equation> equations = model.symbolic().equations();
   std::vector<FreeCoefficient> free = model.coefficients();
@@ -66,14 +66,14 @@ ParametrisedModel with_candidate(const ParametrisedModel& model, const Candidate
 bool uses_shape(const ParametrisedModel& model, const FreeCoefficient& c) {
   const auto names = summand_of(model, c).term.expression().variables();
   return std::any_of(model.shapes().begin(), model.shapes().end(),
-                     [&](const ShapeParameter& s) { return names.contains(s.name); });
+                     [&](const FreeShape& s) { return names.contains(s.name); });
 }
 
 /// Changes the structure step by step.
 class Tester {
  public:
   Tester(const ParametrisedModel& model, const Dataset& record,
-         const std::vector<Candidate>& candidates, const StructureOptions& options,
+         const std::vector<CandidateTerm>& candidates, const StructureOptions& options,
          const RunContext& context)
       : record_(record),
         candidates_(candidates),
@@ -129,7 +129,7 @@ class Tester {
   }
 
   bool add() {
-    const std::vector<Candidate> open = open_candidates();
+    const std::vector<CandidateTerm> open = open_candidates();
     if (open.empty()) return false;
     const auto scores =
         ScoreSystem(result_.refinement, record_, open, options_.refine).scores();
@@ -148,7 +148,7 @@ class Tester {
   }
 
   /// Takes a candidate in, when it is significant after the refinement too.
-  bool adopt(const Candidate& candidate, const CandidateScore& score, double bound) {
+  bool adopt(const CandidateTerm& candidate, const CandidateScore& score, double bound) {
     Refinement refined = refine(with_candidate(model(), candidate, score.coefficient), record_,
                                 options_.refine, context_);
     const auto number = static_cast<Index>(refined.model.coefficients().size()) - 1;
@@ -165,19 +165,19 @@ class Tester {
     return true;
   }
 
-  std::vector<Candidate> open_candidates() const {
+  std::vector<CandidateTerm> open_candidates() const {
     std::set<TermKey> present = barred_;
     for (const FreeCoefficient& c : model().coefficients())
       present.insert({c.equation, summand_of(model(), c).term.name()});
-    std::vector<Candidate> open;
-    for (const Candidate& candidate : candidates_)
+    std::vector<CandidateTerm> open;
+    for (const CandidateTerm& candidate : candidates_)
       if (!present.contains({candidate.equation, candidate.term.name()}))
         open.push_back(candidate);
     return open;
   }
 
   const Dataset& record_;
-  const std::vector<Candidate>& candidates_;
+  const std::vector<CandidateTerm>& candidates_;
   const StructureOptions& options_;
   const RunContext& context_;
   std::set<TermKey> came_;    // since the begin
@@ -188,7 +188,7 @@ class Tester {
 }  // namespace
 
 StructureTest test_structure(const ParametrisedModel& model, const Dataset& record,
-                             const std::vector<Candidate>& candidates,
+                             const std::vector<CandidateTerm>& candidates,
                              const StructureOptions& options, const RunContext& context) {
   if (!(options.false_alarm > 0.0 && options.false_alarm < 1.0))
     throw ArgumentError("test_structure", "the false alarm rate is not a probability",

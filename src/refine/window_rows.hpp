@@ -16,7 +16,8 @@ class TriangleFold {
 
   Index columns() const noexcept { return triangle_.cols(); }
 
-  /// Place for one more row; the pointer is to its first column, columns are stride() apart.
+  /// MatrixPlace for one more row; the pointer is to its first column, columns are stride()
+  /// apart.
   double* next_row();
   Index stride() const noexcept { return scratch_.stride(); }
 

@@ -25,7 +25,7 @@ struct Trial {
 
 class Searcher {
  public:
-  Searcher(ShootingProblem& problem, const WindowSearch& search, const RunContext& context)
+  Searcher(ShootingProblem& problem, const InexactWindows& search, const RunContext& context)
       : problem_(problem), search_(search), context_(context) {}
 
   ShootingFit run(const ShootingFit& start) {
@@ -104,7 +104,7 @@ class Searcher {
   }
 
   ShootingProblem& problem_;
-  const WindowSearch& search_;
+  const InexactWindows& search_;
   const RunContext& context_;
   std::vector<Trial> trials_;
 };
@@ -112,7 +112,7 @@ class Searcher {
 }  // namespace
 
 ShootingFit search_windows(ShootingProblem& problem, const ShootingFit& fit,
-                           const WindowSearch& search, const RunContext& context) {
+                           const InexactWindows& search, const RunContext& context) {
   return Searcher(problem, search, context).run(fit);
 }
 

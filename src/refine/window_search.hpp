@@ -6,7 +6,7 @@
 namespace lacuna {
 
 /// Where windows are looked for when residuals are not noise.
-struct WindowSearch {
+struct InexactWindows {
   const ErrorGrowth& growth;  ///< along the record, scaled
   double largest_growth;      ///< of errors in a window
   Index shortest;             ///< samples
@@ -21,6 +21,6 @@ struct WindowSearch {
 /// longest is taken whose mean log standard error is within one standard error of the best (the
 /// rule of Breiman et al. 1984, Sect. 3.4.3).
 ShootingFit search_windows(ShootingProblem& problem, const ShootingFit& fit,
-                           const WindowSearch& search, const RunContext& context);
+                           const InexactWindows& search, const RunContext& context);
 
 }  // namespace lacuna

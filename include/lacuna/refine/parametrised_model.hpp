@@ -24,7 +24,7 @@ struct FreeCoefficient {
 
 /// A number inside a term that is to be estimated: a breakpoint, a frequency, a width.
 /// The terms name it like a variable: `b` in "max(0,x-b)".
-struct ShapeParameter {
+struct FreeShape {
   std::string name;
   double value = 0.0;  ///< to start from
   std::optional<Prior> prior = {};
@@ -44,11 +44,11 @@ class ParametrisedModel {
   ///   prior or a bound is unusable; ModelError when the last inputs of the model are not the
   ///   shape parameters.
   ParametrisedModel(OdeModel symbolic, std::vector<FreeCoefficient> coefficients,
-                    std::vector<ShapeParameter> shapes = {});
+                    std::vector<FreeShape> shapes = {});
 
   const OdeModel& symbolic() const noexcept { return symbolic_; }
   const std::vector<FreeCoefficient>& coefficients() const noexcept { return coefficients_; }
-  const std::vector<ShapeParameter>& shapes() const noexcept { return shapes_; }
+  const std::vector<FreeShape>& shapes() const noexcept { return shapes_; }
 
   Index size() const noexcept;  ///< P
 
@@ -76,13 +76,13 @@ class ParametrisedModel {
  private:
   OdeModel symbolic_;
   std::vector<FreeCoefficient> coefficients_;
-  std::vector<ShapeParameter> shapes_;
+  std::vector<FreeShape> shapes_;
 };
 
 /// The model with every coefficient free, except in equations marked exact (identities such as
 /// dq/dt = v).
 /// @param exact one entry per equation, or empty.
 ParametrisedModel with_free_coefficients(OdeModel model, const std::vector<bool>& exact = {},
-                                         std::vector<ShapeParameter> shapes = {});
+                                         std::vector<FreeShape> shapes = {});
 
 }  // namespace lacuna

@@ -89,7 +89,9 @@ struct Refinement {
 /// from noise in the regressors.
 ///
 /// Integration steps are made so fine that their error shifts no parameter by more than a tenth
-/// of its standard error. States without a column are allowed. Same input, same result.
+/// of its standard error. States without a column are allowed. Trajectories of one file whose
+/// time goes on after at most ten steps are one record with missing samples; windows go across.
+/// Same input, same result.
 /// @throws DataError as the record must have the model's inputs and at least one of its states,
 ///   and every other state must follow from an equation; ArgumentError for options of a wrong
 ///   size; Cancelled.

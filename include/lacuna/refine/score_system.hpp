@@ -10,7 +10,7 @@
 namespace lacuna {
 
 /// A term that might be in an equation.
-struct Candidate {
+struct CandidateTerm {
   Index equation = 0;
   Term term;
 };
@@ -46,7 +46,7 @@ class ScoreSystem {
   /// a
   ///   free term of it; as refine().
   ScoreSystem(const Refinement& model, const Dataset& record,
-              const std::vector<Candidate>& candidates, const RefineOptions& options = {});
+              const std::vector<CandidateTerm>& candidates, const RefineOptions& options = {});
 
   /// "y: x*z", parameters first.
   const std::vector<std::string>& names() const noexcept { return names_; }
@@ -75,8 +75,8 @@ class ScoreSystem {
 /// Every term of the library in every equation that is not marked exact, less what is a free
 /// term there already.
 /// @param exact one entry per equation, or empty.
-std::vector<Candidate> candidates_from(const TermLibrary& library,
-                                       const ParametrisedModel& model,
-                                       const std::vector<bool>& exact = {});
+std::vector<CandidateTerm> candidates_from(const TermLibrary& library,
+                                           const ParametrisedModel& model,
+                                           const std::vector<bool>& exact = {});
 
 }  // namespace lacuna

@@ -14,8 +14,8 @@ struct StructureOptions {
   /// candidates has to be significant at `false_alarm` / M.
   double false_alarm = 0.01;
 
-  /// Where residuals are no noise, the model is an approximation and any term helps a little: then
-  /// a term comes in only if it takes away at least this share of chi squared.
+  /// Where residuals are no noise, the model is an approximation and any term helps a little:
+  /// then a term comes in only if it takes away at least this share of chi squared.
   double least_share = 0.1;
 
   int max_changes = 30;  ///< removals and additions together
@@ -47,7 +47,7 @@ struct StructureTest {
 /// @param candidates terms to try, as candidates_from(); those that the model has are left out.
 /// @throws as refine() and ScoreSystem.
 StructureTest test_structure(const ParametrisedModel& model, const Dataset& record,
-                             const std::vector<Candidate>& candidates,
+                             const std::vector<CandidateTerm>& candidates,
                              const StructureOptions& options = {},
                              const RunContext& context = {});
 

@@ -77,6 +77,54 @@ TEST(Refine, ErrorsOfAModelThatIsNotExactComeFromBlocks) {
   EXPECT_EQ(exact.standard_errors, exact.bound);
 }
 
+/// The record with a fifth of its samples left out at random, as the reader gives it.
+Dataset with_missing_samples(const Dataset& record, std::uint64_t seed) {
+  const Trajectory& run = record.trajectories[0];
+  Random random(seed);
+  Dataset result = record;
+  result.trajectories.clear();
+  Index first = 0;
+  for (Index i = 0; i <= run.samples(); ++i) {
+    if (i < run.samples() && random.uniform() > 0.2) continue;
+    if (i - first >= 2)
+      result.trajectories.push_back({.source = "run.csv, record " + std::to_string(i),
+                                     .time = run.time.segment(first, i - first),
+                                     .states = run.states.middleRows(first, i - first),
+                                     .inputs = Matrix(i - first, 0),
+                                     .derivatives = {}});
+    first = i + 1;
+  }
+  return result;
+}
+
+TEST(Refine, GoesOnAcrossMissingSamples) {
+  const ParametrisedModel truth = with_free_coefficients(test_system("lorenz").model);
+  const Dataset whole = noisy_record("lorenz", 1000, 0.01);
+  const Dataset record = with_missing_samples(whole, 2);
+  ASSERT_GT(record.trajectories.size(), 100u);
+  const Refinement result = refine(perturbed(truth, 0.05), record);
+  EXPECT_LT(result.windows.size(), 20u);
+  EXPECT_LT(worst_score(result, truth.values()), 4.0);
+  EXPECT_LT(result.standard_errors.norm(), 2.0 * refine(truth, whole).standard_errors.norm());
+}
+
+TEST(Refine, UnitsDoNotMatter) {
+  const ParametrisedModel model = with_free_coefficients(test_system("van-der-pol").model);
+  const Dataset record = noisy_record("van-der-pol", 500, 0.02);
+  Dataset small = record;
+  small.trajectories[0].states.col(0) *=
+      1e-6;  // dq/dt = 1e-6 v, dv/dt = -1e6 q + v - 1e12 q^2 v
+  const Vector scale = (Vector(4) << 1e-6, 1e6, 1.0, 1e12).finished();
+  const Refinement reference = refine(model, record);
+  const Refinement scaled =
+      refine(model.with_values(model.values().cwiseProduct(scale)), small);
+  EXPECT_LT((scaled.model.values().cwiseQuotient(scale) - reference.model.values())
+                .cwiseQuotient(reference.standard_errors)
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-2);
+}
+
 TEST(Refine, WindowsCanBeGiven) {
   const Refinement result = refine(with_free_coefficients(test_system("lorenz").model),
                                    noisy_record("lorenz", 500, 0.01), {.window_samples = 50});

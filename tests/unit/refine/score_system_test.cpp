@@ -25,7 +25,7 @@ struct Lacking {
   RefineOptions options{.sigma = estimate_noise(record)};
   Refinement refined = refine(with_free_coefficients(system.model), record, options);
 
-  std::vector<Candidate> quadratic() const {
+  std::vector<CandidateTerm> quadratic() const {
     TermLibrary library{system.model.variables(), {}};
     for (const char* term : {"1", "x", "y", "z", "x^2", "x*y", "x*z", "y^2", "y*z", "z^2"})
       library.terms.push_back(Term::parse(term, library.variables));
@@ -35,14 +35,14 @@ struct Lacking {
 
 TEST(ScoreSystem, FindsTheMissingTerm) {
   const Lacking lacking;
-  const std::vector<Candidate> candidates = lacking.quadratic();
+  const std::vector<CandidateTerm> candidates = lacking.quadratic();
   EXPECT_EQ(candidates.size(), 23u);
   const auto scores =
       ScoreSystem(lacking.refined, lacking.record, candidates, lacking.options).scores();
   const auto best = std::max_element(
       scores.begin(), scores.end(),
       [](const CandidateScore& a, const CandidateScore& b) { return a.gain < b.gain; });
-  const Candidate& found = candidates[static_cast<std::size_t>(best - scores.begin())];
+  const CandidateTerm& found = candidates[static_cast<std::size_t>(best - scores.begin())];
   EXPECT_EQ(found.equation, 1);
   EXPECT_EQ(found.term.name(), "y*z");
   EXPECT_NEAR(best->coefficient, kSmall, 4.0 * best->standard_error);

@@ -13,7 +13,7 @@ namespace {
 
 using testing::noisy_record;
 
-std::vector<Candidate> quadratic(const ParametrisedModel& model) {
+std::vector<CandidateTerm> quadratic(const ParametrisedModel& model) {
   TermLibrary library{model.symbolic().variables(), {}};
   for (const char* term : {"1", "x", "y", "z", "x^2", "x*y", "x*z", "y^2", "y*z", "z^2"})
     library.terms.push_back(Term::parse(term, library.variables));
