@@ -9,6 +9,7 @@
 #include "lacuna/formulations/strong_form.hpp"
 #include "lacuna/pipeline/pipeline.hpp"
 #include "lacuna/pruners/keep_all.hpp"
+#include "lacuna/selection/no_refiner.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 
 int main() {
@@ -19,6 +20,7 @@ int main() {
       .filter = Abm{},
       .regressor = Stlsq{{.threshold = 0.02}},
       .pruner = KeepAll{},
+      .refiner = NoRefiner{},
   };
   const auto result = identify(read_dataset({"data/tl072_record.csv.gz"}), pipeline);
   std::cout << to_text(result.model, 4) << '\n';

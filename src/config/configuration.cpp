@@ -18,7 +18,7 @@ struct Configuration::Document {
 namespace {
 
 const std::vector<std::string> kStageKeys = {"basis",  "formulation", "differentiator",
-                                             "filter", "regressor",   "pruner"};
+                                             "filter", "regressor",   "pruner",         "refiner"};
 
 /// "line 3, column 7" of a byte position (from 1) in a text.
 std::string position_text(std::string_view text, std::size_t byte) {
@@ -191,6 +191,7 @@ Pipeline Configuration::build(const Registry& registry) const {
   override_stage(pipeline.filter, registry, root, "filter");
   override_stage(pipeline.regressor, registry, root, "regressor");
   override_stage(pipeline.pruner, registry, root, "pruner");
+  override_stage(pipeline.refiner, registry, root, "refiner");
   return pipeline;
 }
 

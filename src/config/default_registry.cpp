@@ -17,6 +17,8 @@
 #include "lacuna/pruners/keep_all.hpp"
 #include "lacuna/pruners/minor_terms.hpp"
 #include "lacuna/pruners/sequential_thresholding.hpp"
+#include "lacuna/selection/no_refiner.hpp"
+#include "lacuna/selection/trajectory_selection.hpp"
 #include "lacuna/solvers/irls.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
 #include "lacuna/solvers/l1_ceres.hpp"
@@ -47,6 +49,8 @@ void add_selection(Registry& registry) {
   registry.add<SequentialThresholding>();
   registry.add<InformationCriterion>();
   registry.add<KeepAll>();
+  registry.add<NoRefiner>();
+  registry.add<TrajectorySelection>();
 }
 
 void add_solvers(Registry& registry) {

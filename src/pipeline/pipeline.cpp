@@ -6,6 +6,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/numerics/interval.hpp"
+#include "refined_result.hpp"
 
 namespace lacuna {
 namespace {
@@ -215,13 +216,15 @@ IdentificationResult run_equations(const Run& run) {
       estimate_noise(run.data),
       {},
       {},
+      {},
       {}};
   for (EquationOutcome& outcome : outcomes) {
     result.fit.push_back(std::move(outcome.fit));
     append(result.trail, std::move(outcome.trail));
     append(result.warnings, std::move(outcome.warnings));
   }
-  judge_fits(run, result);
+  if (!apply_refiner(*run.pipeline.refiner, run.data, run.library, result, run.context))
+    judge_fits(run, result);
   return result;
 }
 

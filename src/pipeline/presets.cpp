@@ -4,12 +4,13 @@
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/differentiators/savitzky_golay.hpp"
 #include "lacuna/filters/abm.hpp"
 #include "lacuna/filters/none.hpp"
 #include "lacuna/formulations/strong_form.hpp"
 #include "lacuna/pruners/keep_all.hpp"
 #include "lacuna/pruners/minor_terms.hpp"
+#include "lacuna/selection/no_refiner.hpp"
+#include "lacuna/selection/trajectory_selection.hpp"
 #include "lacuna/solvers/ols.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 
@@ -24,7 +25,8 @@ Pipeline published_algorithm1() {
           .regressor = Ols{},
           .pruner = MinorTerms{{.tolerances = MinorTermsOptions::Tolerances::Paper,
                                 .criterion = MinorTermsOptions::Criterion::Contribution,
-                                .eta = 1e-5}}};
+                                .eta = 1e-5}},
+          .refiner = NoRefiner{}};
 }
 
 /// Differences of the order that the record itself asks for.
@@ -40,7 +42,8 @@ Pipeline algorithm1(Tolerances tolerances) {
           .formulation = fitted_differences(),
           .filter = Abm{},
           .regressor = Ols{},
-          .pruner = MinorTerms{}};
+          .pruner = MinorTerms{},
+          .refiner = NoRefiner{}};
 }
 
 Pipeline sindy() {
@@ -48,16 +51,17 @@ Pipeline sindy() {
           .formulation = fitted_differences(),
           .filter = NoFilter{},
           .regressor = Stlsq{},
-          .pruner = KeepAll{}};
+          .pruner = KeepAll{},
+          .refiner = NoRefiner{}};
 }
 
 Pipeline robust() {
-  return {
-      .basis = Monomials{},
-      .formulation = StrongForm{{.differentiator = SavitzkyGolay{{.window = 15, .degree = 6}}}},
-      .filter = Abm{},
-      .regressor = Ols{},
-      .pruner = MinorTerms{}};
+  return {.basis = Monomials{},
+          .formulation = fitted_differences(),
+          .filter = Abm{},
+          .regressor = Ols{},
+          .pruner = MinorTerms{},
+          .refiner = TrajectorySelection{}};
 }
 
 const std::vector<Preset>& presets() {
@@ -65,8 +69,10 @@ const std::vector<Preset>& presets() {
       {"algorithm1",
        "ABM, then minor terms deleted from each equation while the fit stays good.",
        "Karimov et al., Nonlinear Dynamics 111 (2023) 871, Algorithm 1", algorithm1, true},
-      {"robust", "Algorithm 1 on smoothed signals and derivatives, for noisy records.",
-       "Savitzky & Golay, Anal. Chem. 36 (1964) 1627", [](Tolerances) { return robust(); }},
+      {"robust",
+       "Terms chosen and coefficients fitted on the trajectories themselves, for noisy "
+       "records.",
+       "Bellman & Kalaba, Quasilinearization (1965)", [](Tolerances) { return robust(); }},
       {"sindy", "Sequentially thresholded least squares over all monomials.",
        "Brunton, Proctor & Kutz, PNAS 113 (2016) 3932", [](Tolerances) { return sindy(); }},
   };

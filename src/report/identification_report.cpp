@@ -41,10 +41,20 @@ Json fit_to_json(const EquationFit& fit) {
   json["residual"] = fit.residual_rms;
   json["target"] = fit.target_rms;
   json["noise_floor"] = optional_to_json(fit.noise_floor);
+  json["misfit"] = optional_to_json(fit.misfit);
   json["fits_to_noise"] = optional_to_json(fit.fits_to_noise);
   json["converged"] = fit.converged;
   json["iterations"] = fit.iterations;
   return json;
+}
+
+Json step_to_json(const IdentificationResult& result, const PathStep& step) {
+  return {{"equation", result.model.states()[static_cast<std::size_t>(step.equation)].name},
+          {"term", step.term},
+          {"terms", step.terms},
+          {"in_model", step.in_model},
+          {"gain", step.gain},
+          {"price", step.price}};
 }
 
 template <class T, class Convert>
@@ -66,6 +76,8 @@ std::string format_json(const IdentificationReport& report) {
                       {"used", Json::parse(format_pipeline(report.pipeline))}};
   json["trail"] = list_to_json(result.trail, entry_to_json);
   json["fit"] = list_to_json(result.fit, fit_to_json);
+  json["path"] = list_to_json(result.path,
+                              [&](const PathStep& step) { return step_to_json(result, step); });
   json["sync"] = report.sync ? sync_to_json(*report.sync) : Json(nullptr);
   json["warnings"] = result.warnings;
   return json.dump(2) + "\n";

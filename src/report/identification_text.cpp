@@ -43,6 +43,7 @@ std::string fit_line(const EquationFit& fit) {
           format_number(fit.target_rms, 3) + ", " + std::to_string(fit.rows) + " rows";
   if (fit.noise_floor)
     line += ", measurement noise alone gives " + format_number(*fit.noise_floor, 2);
+  if (fit.misfit) line += ", trajectories off by " + format_number(*fit.misfit, 3) + " x noise";
   if (fit.fits_to_noise) line += *fit.fits_to_noise ? ": fits to the noise" : ": does not fit";
   return line + "\n";
 }
@@ -55,6 +56,22 @@ std::string noise_text(const IdentificationResult& result) {
                     (state.unit.empty() ? "" : " " + state.unit));
   }
   return "  " + join(parts, ", ") + "\n";
+}
+
+/// "  dx/dt: x*y would be the next: chi squared - 3.2 (worth it from 17)".
+std::string next_terms(const IdentificationResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < result.path.size(); ++i) {
+    const PathStep& step = result.path[i];
+    const bool first =
+        i == 0 || result.path[i - 1].in_model || result.path[i - 1].equation != step.equation;
+    if (step.in_model || !first) continue;
+    text += "  d" + result.model.states()[static_cast<std::size_t>(step.equation)].name +
+            "/dt: " + step.term + " would be the next: chi squared - " +
+            format_number(step.gain, 3) + " (worth it from " + format_number(step.price, 3) +
+            ")\n";
+  }
+  return text;
 }
 
 /// "  2. x^2 0.0703 (limit 0.0849)".
@@ -105,6 +122,7 @@ std::string format_text(const IdentificationReport& report) {
   out << "\nMeasurement noise (standard deviation)\n" << noise_text(result) << "\nTerms\n";
   for (const EquationFit& fit : result.fit)
     if (!fit.identity) out << trail_of(result.trail, fit.equation);
+  out << next_terms(result);
   if (report.sync) out << "\n" << format_text(*report.sync);
   if (!result.warnings.empty()) out << "\nWarnings\n";
   for (const std::string& warning : result.warnings) out << "  " << warning << "\n";

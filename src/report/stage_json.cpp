@@ -66,6 +66,7 @@ std::string format_pipeline(const Pipeline& pipeline) {
   object["filter"] = stage_to_json(*pipeline.filter);
   object["regressor"] = stage_to_json(*pipeline.regressor);
   object["pruner"] = stage_to_json(*pipeline.pruner);
+  object["refiner"] = stage_to_json(*pipeline.refiner);
   return object.dump();
 }
 

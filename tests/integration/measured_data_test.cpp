@@ -31,7 +31,8 @@ TEST(MeasuredData, EmpsParametersAreWithinFivePercentOfThePublishedOnes) {
   if (!folder) GTEST_SKIP() << "LACUNA_DATA is not set";
   const CommandResult result = run_program(
       "identify " + *folder + "/emps/emps_train.csv.gz --time t --states q --inputs F " +
-      "--embed q=2 --terms 'sign(q_d1),1,F,q_d1' --preset robust " +
+      "--embed q=2 --terms 'sign(q_d1),1,F,q_d1' " +
+      "--set differentiator.type=savitzky-golay --set differentiator.degree=6 " +
       "--set differentiator.window=31 --json -");
   ASSERT_EQ(result.status, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);

@@ -27,8 +27,11 @@ Allowed allowed_includes() {
   allowed["stages"] = {"core", "numerics", "data", "model", "linear"};
   for (const std::string& folder : kConcrete)
     allowed[folder] = {"core", "numerics", "data", "model", "linear", "stages"};
+  allowed["selection"] = allowed["formulations"];
+  allowed["selection"].insert("formulations");
   allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
+  allowed["pipeline"].insert("selection");
   allowed["dynamics"] = {"core", "numerics", "data", "model"};
   allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["attractor"] = {"core", "numerics", "data", "model", "dynamics"};

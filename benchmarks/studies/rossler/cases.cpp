@@ -8,6 +8,7 @@
 #include "lacuna/core/random.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/selection/no_refiner.hpp"
 #include "lacuna/systems/test_systems.hpp"
 
 namespace lacuna::benchmarks {
@@ -56,7 +57,8 @@ std::vector<Composition> all_compositions(const Registry& registry) {
                                   .formulation = formulation,
                                   .filter = filter.stage,
                                   .regressor = regressor.stage,
-                                  .pruner = pruner.stage}});
+                                  .pruner = pruner.stage,
+                                  .refiner = NoRefiner{}}});
   };
   compose("exact", formulations.front().stage);
   for (const auto& formulation : formulations) compose(formulation.label, formulation.stage);

@@ -6,6 +6,7 @@
 #include "lacuna/pipeline/result.hpp"
 #include "lacuna/stages/basis.hpp"
 #include "lacuna/stages/formulation.hpp"
+#include "lacuna/stages/refiner.hpp"
 #include "lacuna/stages/regressor.hpp"
 #include "lacuna/stages/term_filter.hpp"
 #include "lacuna/stages/term_pruner.hpp"
@@ -19,11 +20,13 @@ struct Pipeline {
   Stage<TermFilter> filter;
   Stage<Regressor> regressor;
   Stage<TermPruner> pruner;
+  Stage<Refiner> refiner;
 };
 
 /// Identifies one equation per state: basis -> formulation -> filter, then per equation
 /// pruner (refitting with the regressor) and a final fit. An equation the dataset knows as an
-/// identity (Dataset::rate_of) is taken over with coefficient 1.
+/// identity (Dataset::rate_of) is taken over with coefficient 1. The refiner then fits the model
+/// to the trajectories and may change its structure.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.
 IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
                               const RunContext& context = {});

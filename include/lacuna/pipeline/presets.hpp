@@ -40,8 +40,9 @@ Pipeline algorithm1(Tolerances tolerances = Tolerances::Repaired);
 /// thresholded least squares (Brunton, Proctor & Kutz, PNAS 113 (2016) 3932).
 Pipeline sindy();
 
-/// For noisy records: Algorithm 1 on signals and derivatives smoothed by Savitzky-Golay
-/// polynomials.
+/// For noisy records: terms are chosen among all candidates, and coefficients fitted, on the
+/// trajectories themselves (TrajectorySelection), from no model at all. What the stages of
+/// Algorithm 1 find stands only where records are too short for that.
 Pipeline robust();
 
 }  // namespace lacuna

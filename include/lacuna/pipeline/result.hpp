@@ -7,6 +7,7 @@
 
 #include "lacuna/core/types.hpp"
 #include "lacuna/model/ode_model.hpp"
+#include "lacuna/stages/refiner.hpp"
 
 namespace lacuna {
 
@@ -33,7 +34,12 @@ struct EquationFit {
   /// rms of the target that measurement noise alone gives, when it can be known.
   std::optional<double> noise_floor = {};
 
-  /// Whether the residual is not above twice the noise floor; nothing when that is not known.
+  /// Residuals of the trajectories over the noise of the record, where they were fitted: 1 when
+  /// nothing but noise is left.
+  std::optional<double> misfit = {};
+
+  /// Whether nothing but noise is left: by the misfit where there is one, else whether the residual
+  /// is not above twice the noise floor; nothing when that is not known.
   std::optional<bool> fits_to_noise = {};
 
   bool converged = true;  ///< of the final regression
@@ -46,6 +52,7 @@ struct IdentificationResult {
   Vector noise;                       ///< estimated measurement noise per state, state units
   std::vector<EquationFit> fit;       ///< one per state
   std::vector<TrailEntry> trail;      ///< every candidate term of every equation
+  std::vector<PathStep> path;         ///< models of each equation, where the refiner made them
   std::vector<std::string> warnings;  ///< what a user should know: an empty equation, ...
 };
 

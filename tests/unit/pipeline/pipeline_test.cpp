@@ -11,6 +11,7 @@
 #include "lacuna/formulations/strong_form.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "lacuna/pruners/keep_all.hpp"
+#include "lacuna/selection/no_refiner.hpp"
 #include "lacuna/solvers/ols.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 #include "unit/pipeline/records.hpp"
@@ -28,7 +29,8 @@ Pipeline linear_fit() {
           .formulation = StrongForm{{.differentiator = FiniteDifferences{}}},
           .filter = NoFilter{},
           .regressor = Ols{},
-          .pruner = KeepAll{}};
+          .pruner = KeepAll{},
+          .refiner = NoRefiner{}};
 }
 
 /// dx/dt = -x + noise of the given standard deviation, known derivatives.

@@ -29,7 +29,7 @@ inline IdentificationReport sample_report() {
   WeightedTerm fitted{Term::parse("x", variables), -2.0, 0.01, std::array{-2.02, -1.98}};
   OdeModel model({{"x", "V"}, {"y", ""}}, {}, {{{Term::parse("y", variables), 1.0}}, {fitted}},
                  "ms");
-  IdentificationResult result{std::move(model), Eigen::Vector2d(0.003, 0.0), {}, {}, {}};
+  IdentificationResult result{std::move(model), Eigen::Vector2d(0.003, 0.0), {}, {}, {}, {}};
   result.fit = {{.equation = "x", .identity = true},
                 {.equation = "y",
                  .rows = 100,

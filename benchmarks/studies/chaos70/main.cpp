@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Identifies the 70 polynomial chaotic flows from noisy records.
+// usage: study_chaos70 DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/pipeline/presets.hpp"
+#include "support/table.hpp"
+#include "systems.hpp"
+
+namespace lacuna::chaos70 {
+namespace {
+
+/// What came of one system at one noise level.
+struct Outcome {
+  double error = 1.0;
+  Structure structure;
+  double seconds = 0.0;
+};
+
+Outcome run(const System& system, const Pipeline& pipeline, double percent) {
+  const Dataset data = noisy_records(system, percent, 1);
+  const auto begin = std::chrono::steady_clock::now();
+  const IdentificationResult result = identify(data, pipeline);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  return {coefficient_error(system.model, result.model), compare(system.model, result.model),
+          elapsed.count()};
+}
+
+std::vector<Outcome> run_all(const std::vector<System>& systems, const Pipeline& pipeline,
+                             double percent) {
+  std::vector<Outcome> outcomes(systems.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < systems.size(); i = next++)
+      outcomes[i] = run(systems[i], pipeline, percent);
+  };
+  std::thread other(work);
+  work();
+  other.join();
+  return outcomes;
+}
+
+std::string count_below(const std::vector<Outcome>& outcomes, double limit) {
+  return std::to_string(std::count_if(outcomes.begin(), outcomes.end(),
+                                      [&](const Outcome& o) { return o.error < limit; }));
+}
+
+double median_error(const std::vector<Outcome>& outcomes) {
+  std::vector<double> errors;
+  for (const Outcome& outcome : outcomes) errors.push_back(outcome.error);
+  std::sort(errors.begin(), errors.end());
+  return errors[errors.size() / 2];
+}
+
+/// One run of all systems: a line of the summary, and its details.
+class Study {
+ public:
+  explicit Study(std::string preset) : preset_(std::move(preset)) {
+    summary.header = {"preset",       "noise %",         "below 1 %", "below 10 %",
+                      "median error", "exact structure", "seconds"};
+    details.header = {"preset", "noise %", "system", "error", "missing", "extra", "seconds"};
+  }
+
+  void add(const std::vector<System>& systems, double percent) {
+    Pipeline pipeline = lacuna::preset(preset_);
+    pipeline.basis = Monomials{{.max_degree = 4}};
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Outcome> outcomes = run_all(systems, pipeline, percent);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    const auto exact = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
+      return o.structure.missing + o.structure.extra == 0;
+    });
+    const std::string level = format_number(percent, 3);
+    summary.rows.push_back({preset_, level, count_below(outcomes, 0.01),
+                            count_below(outcomes, 0.1),
+                            format_number(median_error(outcomes), 3), std::to_string(exact),
+                            format_number(elapsed.count(), 3)});
+    for (std::size_t i = 0; i < systems.size(); ++i)
+      details.rows.push_back(
+          {preset_, level, systems[i].name, format_number(outcomes[i].error, 3),
+           std::to_string(outcomes[i].structure.missing),
+           std::to_string(outcomes[i].structure.extra), format_number(outcomes[i].seconds, 3)});
+    std::cout << summary.markdown() << std::flush;
+  }
+
+  benchmarks::ResultTable summary, details;
+
+ private:
+  std::string preset_;
+};
+
+int run_study(const std::vector<std::string>& arguments) {
+  const std::string preset = arguments.size() > 2 ? arguments[2] : "robust";
+  std::vector<double> levels;
+  for (std::size_t i = 3; i < arguments.size(); ++i)
+    levels.push_back(parse_number(arguments[i]).value_or(0.0));
+  if (levels.empty()) levels = {0.0, 0.1, 1.0, 5.0};
+  const std::vector<System> systems = read_systems(arguments[0]);
+  Study study(preset);
+  for (const double level : levels) study.add(systems, level);
+  const std::filesystem::path folder = arguments[1];
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / (preset + ".csv")) << study.details.csv();
+  std::ofstream(folder / (preset + ".md"))
+      << "# chaos70, preset " << preset << "\n\n"
+      << benchmarks::machine_description() << ", " << benchmarks::today()
+      << "\n\nCommand: study_chaos70 DATA/chaos70 benchmarks/studies/chaos70/results " << preset
+      << "\n\n"
+      << study.summary.markdown();
+  return 0;
+}
+
+}  // namespace
+}  // namespace lacuna::chaos70
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() < 2) {
+    std::cerr << "usage: study_chaos70 DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]\n";
+    return 2;
+  }
+  try {
+    return lacuna::chaos70::run_study(arguments);
+  } catch (const lacuna::Error& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "lacuna/core/options.hpp"
+#include "lacuna/stages/refiner.hpp"
+
+namespace lacuna {
+
+/// Options of TrajectorySelection.
+struct TrajectorySelectionOptions {
+  /// Where the search for the structure begins.
+  enum class Start {
+    Model,    ///< at the model of the stages before
+    Nothing,  ///< without a model
+  };
+  static constexpr StageInfo kInfo{
+      "trajectory",
+      "Chooses terms and fits coefficients on the trajectories themselves, by windows",
+      "Bellman & Kalaba, Quasilinearization (1965); Chen & Chen, Biometrika 95 (2008) 759"};
+  static constexpr std::array<std::string_view, 2> kStarts{"model", "nothing"};
+
+  Start start = Start::Nothing;
+  bool second_opinion = false;
+  std::optional<double> price = {};
+
+  void describe(OptionVisitor& v) {
+    v.field({"start", "",
+             "Where the search begins: 'model', at what the stages before found; 'nothing'."},
+            kStarts, start);
+    v.field({"second_opinion", "",
+             "Whether the search is done from nothing too, and terms in dispute are named."},
+            second_opinion);
+    v.field(
+        {"price", "",
+         "Decrease of chi squared that a term must bring; ln(rows) + ln(candidates) when not "
+         "given (extended information criterion, gamma = 1/2).",
+         0.0},
+        price);
+  }
+};
+
+/// Structure and coefficients from the trajectories: the sparse regression
+///
+///   min over S, h, initial states   sum ((y - x(t; h)) / sigma)^2 + price |S|
+///
+/// by quasilinearisation in windows (see the architecture page). Windows begin at the time
+/// scale at which the signals sink into their noise and are doubled as long as the fit stays as
+/// good as it was and coefficients become better known. In each round all candidates of all
+/// equations are columns of one white least-squares problem, in which SubsetSearch chooses; the
+/// path about which it is linearised is then moved to the solution. The noise is estimated from
+/// the record; where it cannot be told from the signal it is what the fit leaves. Outliers are
+/// left out; short gaps are bridged; states that were not measured (`--embed`) follow from the
+/// others. Does nothing with records that bring measured derivatives.
+class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {
+ public:
+  using Configured::Configured;
+
+ private:
+  RefinedModel do_refine(const RefinerTask& task, const RunContext& context) const override;
+};
+
+}  // namespace lacuna

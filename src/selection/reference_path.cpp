@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "reference_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/data/noise.hpp"
+#include "lacuna/numerics/local_cubic.hpp"
+#include "lacuna/selection/moving_polynomial.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Samples that are outliers take the value of the straight line between their neighbours.
+Vector without_outliers(const Trajectory& record, Index state, double noise) {
+  Vector values = record.states.col(state);
+  const Vector& t = record.time;
+  for (const Index i : outlying_samples(record, state, noise)) {
+    const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+    values[i] = (1.0 - share) * values[i - 1] + share * values[i + 1];
+  }
+  return values;
+}
+
+void fill_inputs(PathRecord& record) {
+  const Index m = record.samples.states.cols();
+  for (Index j = 0; j < record.samples.inputs.cols(); ++j)
+    record.slots.col(m + j) =
+        interpolate_cubic(record.samples.time, record.samples.inputs.col(j), record.time);
+  record.slots.col(m + record.samples.inputs.cols()) = record.time;
+}
+
+void fill_delays(PathRecord& record, const Program& program) {
+  Index slot = record.samples.states.cols() + record.samples.inputs.cols() + 1;
+  const double begin = record.time[0];
+  for (const DelayedVariable& delayed : program.delays()) {
+    const Vector earlier = (record.time.array() - delayed.delay).max(begin);
+    const Vector values = record.slots.col(delayed.slot);
+    record.slots.col(slot++) = interpolate_cubic(record.time, values, earlier);
+  }
+}
+
+Vector node_times(const Vector& time, Index stride) {
+  const Index n = time.size();
+  Vector nodes((n - 1) * stride + 1);
+  for (Index i = 0; i + 1 < n; ++i)
+    for (Index s = 0; s < stride; ++s)
+      nodes[i * stride + s] = time[i] + (time[i + 1] - time[i]) * static_cast<double>(s) /
+                                            static_cast<double>(stride);
+  nodes[nodes.size() - 1] = time[n - 1];
+  return nodes;
+}
+
+void place_path(PathRecord& record, const Matrix& states, const Program& program) {
+  record.time = node_times(record.samples.time, record.stride());
+  record.slots.resize(record.time.size(), program.slots());
+  for (Index k = 0; k < states.cols(); ++k)
+    record.slots.col(k) = interpolate_cubic(record.samples.time, states.col(k), record.time);
+  fill_inputs(record);
+  fill_delays(record, program);
+}
+
+Matrix weights_of(const Trajectory& record, const Dataset& data, const Vector& noise) {
+  Matrix weights = Matrix::Zero(record.samples(), record.states.cols());
+  for (Index k = 0; k < weights.cols(); ++k) {
+    if (is_derived(data, k)) continue;
+    weights.col(k).setConstant(1.0 / noise[k]);
+    for (const Index i : outlying_samples(record, k, noise[k])) weights(i, k) = 0.0;
+  }
+  return weights;
+}
+
+double usual_step(const Trajectory& record) {
+  Vector steps =
+      record.time.tail(record.samples() - 1) - record.time.head(record.samples() - 1);
+  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+  return steps[steps.size() / 2];
+}
+
+/// "run.csv" of "run.csv, record 2".
+std::string file_of(const Trajectory& record) {
+  return record.source.substr(0, record.source.rfind(", record"));
+}
+
+bool continues(const Trajectory& before, const Trajectory& after) {
+  constexpr double kLongestGap = 5.0;
+  if (file_of(before) != file_of(after) || before.samples() < 2) return false;
+  if (before.has_derivatives() != after.has_derivatives()) return false;
+  const double gap = after.time[0] - before.time[before.samples() - 1];
+  return gap > 0.0 && gap <= kLongestGap * usual_step(before);
+}
+
+Matrix stacked(const Matrix& a, const Matrix& b) {
+  Matrix both(a.rows() + b.rows(), a.cols());
+  both << a, b;
+  return both;
+}
+
+void append(Trajectory& target, const Trajectory& more) {
+  target.time = stacked(target.time, more.time);
+  target.states = stacked(target.states, more.states);
+  target.inputs = stacked(target.inputs, more.inputs);
+  if (target.has_derivatives())
+    target.derivatives = stacked(target.derivatives, more.derivatives);
+}
+
+}  // namespace
+
+bool is_derived(const Dataset& data, Index state) {
+  if (data.rate_of.empty()) return false;
+  const std::string& name = data.states[static_cast<std::size_t>(state)].name;
+  return std::any_of(data.states.begin(), data.states.end(), [&](const Quantity& other) {
+    const bool longer = name.size() > other.name.size() + 2;
+    if (!longer || name.rfind(other.name + "_", 0) != 0) return false;
+    const char kind = name[other.name.size() + 1];
+    return (kind == 'd' || kind == 'i') &&
+           name.find_first_not_of("0123456789", other.name.size() + 2) == std::string::npos;
+  });
+}
+
+Dataset joined_across_gaps(const Dataset& data) {
+  Dataset joined = data;
+  joined.trajectories.clear();
+  for (const Trajectory& record : data.trajectories) {
+    if (!joined.trajectories.empty() && continues(joined.trajectories.back(), record))
+      append(joined.trajectories.back(), record);
+    else
+      joined.trajectories.push_back(record);
+  }
+  return joined;
+}
+
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise) {
+  Matrix smooth = record.states;
+  std::vector<Matrix> fits(static_cast<std::size_t>(smooth.cols()));
+  for (Index k = 0; k < smooth.cols(); ++k) {
+    if (is_derived(data, k)) continue;
+    auto& fit = fits[static_cast<std::size_t>(k)];
+    fit = smooth_by_polynomials(record.time, without_outliers(record, k, noise[k]), noise[k]);
+    smooth.col(k) = fit.col(0);
+  }
+  for (Index k = 0; k < smooth.cols(); ++k) {
+    const std::optional<Index> rate = data.rate_state(k);
+    const Matrix& fit = fits[static_cast<std::size_t>(k)];
+    if (rate && is_derived(data, *rate) && fit.size() > 0) smooth.col(*rate) = fit.col(1);
+  }
+  return smooth;
+}
+
+std::vector<PathRecord> make_paths(const Dataset& data, const Vector& noise,
+                                   const Program& program) {
+  std::vector<PathRecord> paths;
+  for (const Trajectory& record : data.trajectories) {
+    PathRecord path{record, weights_of(record, data, noise), 1, {}, {}};
+    place_path(path, smoothed_states(record, data, noise), program);
+    paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+void set_substeps(PathRecord& record, Index substeps, const Program& program) {
+  const Matrix states = record.slots(Eigen::seqN(0, record.samples.samples(), record.stride()),
+                                     Eigen::seqN(0, record.samples.states.cols()));
+  record.substeps = substeps;
+  place_path(record, states, program);
+}
+
+}  // namespace lacuna

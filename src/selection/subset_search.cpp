@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/selection/subset_search.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lacuna {
+namespace {
+
+/// Share of a column that is not rounding.
+constexpr double kNew = 1e-9;
+
+std::vector<Index> sorted(std::vector<Index> columns) {
+  std::sort(columns.begin(), columns.end());
+  return columns;
+}
+
+Index position_of(const std::vector<Index>& columns, Index column) {
+  return std::find(columns.begin(), columns.end(), column) - columns.begin();
+}
+
+}  // namespace
+
+/// Least squares in a subset.
+struct SubsetSearch::Fit {
+  Matrix inverse;  ///< of the triangle of the subset
+  Vector solution;
+  double residual = 0.0;
+};
+
+/// All columns without what the subset explains.
+struct SubsetSearch::Deflated {
+  Matrix columns;  ///< the last one is the target
+  Vector sizes;    ///< squared norms, q
+
+  /// Takes column j out of all others.
+  void take(Index j) {
+    const Vector direction = columns.col(j) / std::sqrt(sizes[j]);
+    const Eigen::RowVectorXd shares = direction.transpose() * columns;
+    columns.noalias() -= direction * shares;
+    sizes = columns.leftCols(sizes.size()).colwise().squaredNorm();
+    sizes[j] = 0.0;
+  }
+
+  double residual() const { return columns.col(sizes.size()).squaredNorm(); }
+
+  Vector gains() const {
+    const Index q = sizes.size();
+    const Vector shares = columns.leftCols(q).transpose() * columns.col(q);
+    Vector result = Vector::Zero(q);
+    for (Index j = 0; j < q; ++j)
+      if (sizes[j] > kNew * kNew) result[j] = shares[j] * shares[j] / sizes[j];
+    return result;
+  }
+};
+
+SubsetSearch::SubsetSearch(const Matrix& triangle, double price)
+    : scaled_(triangle), price_(price) {
+  const Index q = columns();
+  norms_ = triangle.leftCols(q).colwise().norm();
+  for (Index j = 0; j < q; ++j)
+    if (norms_[j] > 0.0) scaled_.col(j) /= norms_[j];
+  sizes_ = scaled_.leftCols(q).colwise().squaredNorm();
+}
+
+SubsetSearch::Fit SubsetSearch::fit(const std::vector<Index>& subset) const {
+  const auto k = static_cast<Index>(subset.size());
+  Matrix part(scaled_.rows(), k + 1);
+  for (Index i = 0; i < k; ++i) part.col(i) = scaled_.col(subset[static_cast<std::size_t>(i)]);
+  part.col(k) = scaled_.col(columns());
+  const Matrix r = Eigen::HouseholderQR<Matrix>(part).matrixQR();
+  Fit fit;
+  const auto triangle = r.topLeftCorner(k, k).triangularView<Eigen::Upper>();
+  fit.inverse = triangle.solve(Matrix::Identity(k, k));
+  fit.solution = fit.inverse * r.col(k).head(k);
+  fit.residual = k < r.rows() ? r(k, k) * r(k, k) : 0.0;
+  return fit;
+}
+
+SubsetSearch::Deflated SubsetSearch::deflate(const std::vector<Index>& subset) const {
+  Deflated deflated{scaled_, sizes_};
+  for (const Index j : subset)
+    if (deflated.sizes[j] > kNew * kNew) deflated.take(j);
+  return deflated;
+}
+
+Vector SubsetSearch::gains(const std::vector<Index>& subset) const {
+  Vector result = deflate(subset).gains();
+  for (const Index j : subset) result[j] = 0.0;
+  return result;
+}
+
+Vector SubsetSearch::losses(const std::vector<Index>& subset) const {
+  const Fit found = fit(subset);
+  return found.solution.array().square() / found.inverse.rowwise().squaredNorm().array();
+}
+
+Vector SubsetSearch::solve(const std::vector<Index>& subset) const {
+  Vector h = fit(subset).solution;
+  for (Index i = 0; i < h.size(); ++i) h[i] /= norms_[subset[static_cast<std::size_t>(i)]];
+  return h;
+}
+
+double SubsetSearch::residual(const std::vector<Index>& subset) const {
+  return fit(subset).residual;
+}
+
+Vector SubsetSearch::variances(const std::vector<Index>& subset) const {
+  Vector variances = fit(subset).inverse.rowwise().squaredNorm();
+  for (Index i = 0; i < variances.size(); ++i) {
+    const double norm = norms_[subset[static_cast<std::size_t>(i)]];
+    variances[i] /= norm * norm;
+  }
+  return variances;
+}
+
+Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
+  // Each round lowers the score; the bound is for rounding.
+  for (Index round = 0; round < 4 * columns(); ++round) {
+    while (!subset.empty()) {
+      Index worst = 0;
+      if (!(losses(subset).minCoeff(&worst) < price_)) break;
+      subset.erase(subset.begin() + worst);
+    }
+    Deflated deflated = deflate(subset);
+    const std::size_t before = subset.size();
+    Index best = 0;
+    for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > price_ * (1.0 + 1e-9);
+         gain = deflated.gains()) {
+      subset.push_back(best);
+      deflated.take(best);
+    }
+    if (subset.size() == before) break;
+  }
+  subset = sorted(std::move(subset));
+  return {subset, residual(subset) + price_ * static_cast<double>(subset.size())};
+}
+
+/// Whether taking `out` away and the best other column in makes it better.
+bool SubsetSearch::try_exchange(Subset& subset, const std::vector<Index>& out) const {
+  std::vector<Index> rest;
+  for (const Index column : subset.columns)
+    if (position_of(out, column) == static_cast<Index>(out.size())) rest.push_back(column);
+  const Deflated deflated = deflate(rest);
+  Vector gain = deflated.gains();
+  for (const Index column : out) gain[column] = 0.0;
+  Index best = 0;
+  const double score = deflated.residual() - gain.maxCoeff(&best) +
+                       price_ * static_cast<double>(rest.size() + 1);
+  const double least = 1e-9 * std::abs(subset.score) + 1e-6;
+  if (!(score < subset.score - least)) return false;
+  rest.push_back(best);
+  Subset next = stepwise(std::move(rest));
+  if (!(next.score < subset.score - least)) return false;
+  subset = std::move(next);
+  return true;
+}
+
+bool SubsetSearch::exchange(Subset& subset, Index together) const {
+  const std::vector<Index> members = subset.columns;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (together == 1) {
+      if (try_exchange(subset, {members[i]})) return true;
+      continue;
+    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (try_exchange(subset, {members[i], members[j]})) return true;
+  }
+  return false;
+}
+
+/// All columns, the worst taken out one by one as long as it is worth less than the price. The
+/// inverse of A'A is downdated, which needs well separated columns.
+std::vector<Index> SubsetSearch::eliminated() const {
+  std::vector<Index> left(static_cast<std::size_t>(columns()));
+  std::iota(left.begin(), left.end(), Index{0});
+  const Fit all = fit(left);
+  Matrix inverse = all.inverse * all.inverse.transpose();
+  Vector h = all.solution;
+  if (!inverse.allFinite() || inverse.diagonal().maxCoeff() > 1e12) return {};
+  while (!left.empty()) {
+    Index worst = -1;
+    double least = price_;
+    for (const Index j : left)
+      if (h[j] * h[j] < least * inverse(j, j)) {
+        least = h[j] * h[j] / inverse(j, j);
+        worst = j;
+      }
+    if (worst < 0) break;
+    const Vector column = inverse.col(worst);
+    h -= column * (h[worst] / column[worst]);
+    inverse -= column * column.transpose() / column[worst];
+    left.erase(left.begin() + position_of(left, worst));
+  }
+  return left;
+}
+
+Subset SubsetSearch::best(const std::vector<std::vector<Index>>& starts, bool thorough) const {
+  // Exchanges of pairs among more members than this cost more than they bring.
+  constexpr std::size_t kMostMembers = 40;
+  Subset best = stepwise({});
+  std::vector<std::vector<Index>> seen;
+  const auto consider = [&](Subset found) {
+    if (std::find(seen.begin(), seen.end(), found.columns) != seen.end()) return;
+    seen.push_back(found.columns);
+    while (exchange(found, 1)) {
+    }
+    if (found.score < best.score) best = std::move(found);
+  };
+  consider(best);
+  consider(stepwise(eliminated()));
+  for (const std::vector<Index>& start : starts) consider(stepwise(start));
+  while (thorough && best.columns.size() <= kMostMembers &&
+         (exchange(best, 2) || exchange(best, 1))) {
+  }
+  return best;
+}
+
+}  // namespace lacuna

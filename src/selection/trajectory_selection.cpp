@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/selection/trajectory_selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/text.hpp"
+#include "window_search.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Coefficients of a model as a matrix, m x L.
+Matrix coefficients_of(const OdeModel& model, const TermLibrary& library) {
+  const std::vector<std::string> names = library.names();
+  Matrix coefficients = Matrix::Zero(model.dimension(), library.size());
+  for (Index k = 0; k < model.dimension(); ++k)
+    for (const WeightedTerm& summand : model.equations()[static_cast<std::size_t>(k)]) {
+      const auto found = std::find(names.begin(), names.end(), summand.term.name());
+      if (found != names.end()) coefficients(k, found - names.begin()) = summand.coefficient;
+    }
+  return coefficients;
+}
+
+/// 97.5 % quantile of the normal distribution.
+constexpr double kReach = 1.959963984540054;
+
+/// Builds what is handed back from a fit.
+class Outcome {
+ public:
+  Outcome(const RefinerTask& task, const WindowFit& fit, const std::vector<StateNoise>& noise)
+      : task_(task),
+        fit_(fit),
+        noise_(noise),
+        search_(fit.triangle / std::sqrt(std::max(1.0, fit.scale)), fit.price) {}
+
+  RefinedModel make() const {
+    RefinedModel result{.model = model()};
+    result.noise = fit_.rms;
+    for (Index k = 0; k < fit_.rms.size(); ++k) judge(k, result);
+    result.path = path();
+    return result;
+  }
+
+ private:
+  OdeModel model() const {
+    std::vector<Equation> equations = task_.start.equations();
+    for (std::size_t k = 0; k < equations.size(); ++k)
+      if (!task_.data.rate_state(static_cast<Index>(k))) equations[k].clear();
+    const double spread = std::sqrt(std::max(fit_.misfit / std::max(1.0, fit_.scale), 1e-300));
+    const Vector variances = search_.variances(fit_.subset);
+    for (std::size_t i = 0; i < fit_.subset.size(); ++i) {
+      const Coefficient column = fit_.columns[static_cast<std::size_t>(fit_.subset[i])];
+      WeightedTerm summand{term(column), fit_.coefficients(column.equation, column.term)};
+      const double error = spread * std::sqrt(variances[static_cast<Index>(i)]);
+      if (std::isfinite(error)) {
+        summand.standard_error = error;
+        summand.ci95 = {
+            {summand.coefficient - kReach * error, summand.coefficient + kReach * error}};
+      }
+      equations[static_cast<std::size_t>(column.equation)].push_back(std::move(summand));
+    }
+    return OdeModel(task_.data.states, task_.data.inputs, std::move(equations),
+                    task_.data.time_unit);
+  }
+
+  const Term& term(const Coefficient& column) const {
+    return task_.library.terms[static_cast<std::size_t>(column.term)];
+  }
+
+  /// Residuals are noise when their rms is not above what the record itself says; that estimate
+  /// is good to a tenth, and an rms of n values to 1 / sqrt(2 n) of it. Noise below what the
+  /// integration resolves is not held against the model.
+  void judge(Index state, RefinedModel& result) const {
+    const StateNoise& noise = noise_[static_cast<std::size_t>(state)];
+    const bool measured = fit_.counts[state] > 0.0;
+    const double sigma = std::max(noise.sigma, fit_.sigma[state]);
+    const double ratio = fit_.rms[state] / sigma;
+    result.misfit.push_back(measured ? ratio : 0.0);
+    if (!measured) return result.fits_to_noise.push_back(std::nullopt);
+    const double scatter = 3.0 / std::sqrt(2.0 * fit_.counts[state]);
+    result.fits_to_noise.push_back(ratio <= 1.1 + scatter);
+  }
+
+  std::vector<PathStep> path() const {
+    std::vector<PathStep> steps;
+    const Vector losses = search_.losses(fit_.subset), gains = search_.gains(fit_.subset);
+    for (Index k = 0; k < task_.data.state_count(); ++k) {
+      add_members(k, losses, steps);
+      add_candidates(k, gains, steps);
+    }
+    return steps;
+  }
+
+  /// Terms of the model, most valuable first.
+  void add_members(Index equation, const Vector& losses, std::vector<PathStep>& steps) const {
+    const std::size_t begin = steps.size();
+    for (std::size_t i = 0; i < fit_.subset.size(); ++i) {
+      const Coefficient column = fit_.columns[static_cast<std::size_t>(fit_.subset[i])];
+      if (column.equation == equation)
+        steps.push_back({equation, term(column).name(), 0, true, losses[static_cast<Index>(i)],
+                         fit_.price});
+    }
+    number(steps, begin);
+  }
+
+  /// The terms outside the model that would buy most.
+  void add_candidates(Index equation, const Vector& gains, std::vector<PathStep>& steps) const {
+    constexpr std::size_t kShown = 3;
+    std::vector<PathStep> others;
+    for (std::size_t c = 0; c < fit_.columns.size(); ++c)
+      if (fit_.columns[c].equation == equation && gains[static_cast<Index>(c)] > 0.0)
+        others.push_back({equation, term(fit_.columns[c]).name(), 0, false,
+                          gains[static_cast<Index>(c)], fit_.price});
+    number(others, 0);
+    if (others.size() > kShown) others.resize(kShown);
+    const Index members =
+        std::count_if(steps.begin(), steps.end(),
+                      [equation](const PathStep& step) { return step.equation == equation; });
+    for (PathStep& step : others) step.terms = members + 1;
+    steps.insert(steps.end(), others.begin(), others.end());
+  }
+
+  static void number(std::vector<PathStep>& steps, std::size_t begin) {
+    std::stable_sort(steps.begin() + static_cast<std::ptrdiff_t>(begin), steps.end(),
+                     [](const PathStep& a, const PathStep& b) { return a.gain > b.gain; });
+    for (std::size_t i = begin; i < steps.size(); ++i)
+      steps[i].terms = static_cast<Index>(i - begin) + 1;
+  }
+
+  const RefinerTask& task_;
+  const WindowFit& fit_;
+  const std::vector<StateNoise>& noise_;
+  SubsetSearch search_;
+};
+
+/// Names the terms that only one of two searches has.
+void note_disputes(const RefinerTask& task, const WindowFit& first, const WindowFit& second,
+                   std::vector<std::string>& notes) {
+  for (std::size_t c = 0; c < first.columns.size(); ++c) {
+    const Coefficient column = first.columns[c];
+    const bool here = first.coefficients(column.equation, column.term) != 0.0;
+    const bool there = second.coefficients(column.equation, column.term) != 0.0;
+    if (here == there) continue;
+    const std::string& term = task.library.terms[static_cast<std::size_t>(column.term)].name();
+    const std::string& state = task.data.states[static_cast<std::size_t>(column.equation)].name;
+    notes.push_back("d" + state + "/dt: the term " + term + " is in dispute: " +
+                    (here ? "in this model, not in" : "not in this model, but in") +
+                    " the one that the preset robust finds");
+  }
+}
+
+RefinedModel untouched(const RefinerTask& task, const std::string& why) {
+  return {.model = task.start, .usable = false, .message = why};
+}
+
+}  // namespace
+
+RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
+                                            const RunContext& context) const {
+  if (task.data.has_derivatives() && task.data.rate_of.empty())
+    return untouched(task, "the record brings derivatives of its own");
+  Matrix start = coefficients_of(task.start, task.library);
+  const Matrix nothing = Matrix::Zero(start.rows(), start.cols());
+  const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
+  WindowSearch search({task.data, task.library, from_model ? start : nothing, options().price},
+                      context);
+  const std::optional<WindowFit> fit = search.run();
+  if (!fit || fit->subset.empty() || !fit->coefficients.allFinite())
+    return untouched(task, "no windows of the record could be fitted");
+  RefinedModel result = Outcome(task, *fit, search.noise()).make();
+  if (!options().second_opinion) return result;
+  WindowSearch other({task.data, task.library, nothing, options().price}, context);
+  if (const auto second = other.run()) note_disputes(task, *fit, *second, result.notes);
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "window_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/formulations/weak_form.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Moves of the path below this share of sigma do not change any test.
+constexpr double kSmallMove = 0.3;
+
+/// Newton's iterations for one structure; more do not help where these do not.
+constexpr int kIterations = 4;
+
+/// What fourth-order steps can be relied on to resolve, as a share of a state's spread: less
+/// noise than this is not believed in, or errors of the integration would be taken for
+/// structure.
+constexpr double kRounding = 1e-7;
+
+/// Residuals beyond so many sigma are not noise of a normal distribution in any record.
+constexpr double kOutlier = 7.0;
+
+Vector spread_of(const Dataset& data) {
+  Vector spread(data.state_count());
+  for (Index k = 0; k < spread.size(); ++k) {
+    double low = data.trajectories[0].states(0, k), high = low;
+    for (const Trajectory& record : data.trajectories) {
+      low = std::min(low, record.states.col(k).minCoeff());
+      high = std::max(high, record.states.col(k).maxCoeff());
+    }
+    spread[k] = std::max(high - low, 1e-300);
+  }
+  return spread;
+}
+
+std::vector<std::optional<Index>> exact_rates(const Dataset& data) {
+  std::vector<std::optional<Index>> exact;
+  for (Index k = 0; k < data.state_count(); ++k) exact.push_back(data.rate_state(k));
+  return exact;
+}
+
+Index longest_record(const Dataset& data) {
+  Index longest = 0;
+  for (const Trajectory& record : data.trajectories)
+    longest = std::max(longest, record.samples());
+  return longest;
+}
+
+}  // namespace
+
+WindowSearch::WindowSearch(const SearchTask& task, const RunContext& context)
+    : task_(task),
+      context_(context),
+      data_(joined_across_gaps(task.data)),
+      noise_(analyse_noise(data_)) {
+  floor_ = kRounding * spread_of(data_);
+  sigma_ = floor_;
+  for (Index k = 0; k < sigma_.size(); ++k)
+    sigma_[k] = std::max(floor_[k], noise_[static_cast<std::size_t>(k)].sigma);
+  for (Index k = 0; k < data_.state_count(); ++k)
+    for (Index l = 0; l < task.library.size() && !data_.rate_state(k); ++l)
+      candidates_.push_back({k, l});
+  const LibraryValues values(task.library);
+  windows_ = std::make_unique<LinearWindows>(task.library, exact_rates(data_),
+                                             make_paths(data_, sigma_, values.program()));
+}
+
+/// Samples of the first windows: half the support of a test function, which is the time in
+/// which a signal does what can be told from its noise; at least so many that initial states
+/// leave half of the samples.
+Index WindowSearch::first_window() const {
+  const TestFunction function = choose_test_function(data_);
+  const Trajectory& record = data_.trajectories.front();
+  const double step = (record.time[record.samples() - 1] - record.time[0]) /
+                      static_cast<double>(record.samples() - 1);
+  constexpr Index kFewest = 8;
+  return std::max(kFewest, static_cast<Index>(std::round(function.radius / step)));
+}
+
+std::vector<Index> WindowSearch::present(const Matrix& coefficients) const {
+  std::vector<Index> columns;
+  for (std::size_t c = 0; c < candidates_.size(); ++c)
+    if (coefficients(candidates_[c].equation, candidates_[c].term) != 0.0)
+      columns.push_back(static_cast<Index>(c));
+  return columns;
+}
+
+/// Linearises in all candidates, chooses, moves the path. @return whether nothing changed.
+bool WindowSearch::round(WindowFit& fit) {
+  fit.triangle = windows_->linearise(fit.coefficients, candidates_);
+  fit.rows = windows_->rows();
+  const auto q = static_cast<double>(candidates_.size());
+  const auto n = static_cast<double>(fit.rows);
+  const double all =
+      std::pow(fit.triangle(fit.triangle.rows() - 1, fit.triangle.rows() - 1), 2);
+  fit.scale = std::max(1.0, all / std::max(1.0, n - q));
+  fit.price = task_.price.value_or(std::log(n) + std::log(q));
+  const SubsetSearch search(fit.triangle / std::sqrt(fit.scale), fit.price);
+  const std::vector<Index> before = fit.subset;
+  fit.subset = search.best({before}, false).columns;
+  if (fit.subset == before) fit.subset = search.best({before}, true).columns;
+  const Vector h = search.solve(fit.subset);
+  Vector values = Vector::Zero(static_cast<Index>(candidates_.size()));
+  fit.coefficients.setZero();
+  for (std::size_t i = 0; i < fit.subset.size(); ++i) {
+    const auto column = static_cast<std::size_t>(fit.subset[i]);
+    values[fit.subset[i]] = h[static_cast<Index>(i)];
+    fit.coefficients(candidates_[column].equation, candidates_[column].term) =
+        h[static_cast<Index>(i)];
+  }
+  const std::optional<double> moved = windows_->move(values);
+  return moved && *moved < kSmallMove && fit.subset == before;
+}
+
+/// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
+double WindowSearch::settle(WindowFit& fit, double tolerance, int iterations) {
+  std::vector<Coefficient> active;
+  for (const Index c : fit.subset) active.push_back(candidates_[static_cast<std::size_t>(c)]);
+  double last = 0.0;
+  for (int i = 0; i < iterations && !active.empty(); ++i) {
+    context_.check_stop();
+    const Matrix triangle = windows_->linearise(fit.coefficients, active);
+    std::vector<Index> all(active.size());
+    for (std::size_t c = 0; c < all.size(); ++c) all[c] = static_cast<Index>(c);
+    const Vector h = SubsetSearch(triangle, 0.0).solve(all);
+    if (!h.allFinite()) break;
+    for (std::size_t c = 0; c < active.size(); ++c)
+      fit.coefficients(active[c].equation, active[c].term) = h[static_cast<Index>(c)];
+    const std::optional<double> moved = windows_->move(h);
+    if (!moved) break;
+    last = *moved;
+    if (last < tolerance) break;
+  }
+  return last;
+}
+
+void WindowSearch::converge(WindowFit& fit) {
+  constexpr int kRounds = 12;
+  fit.settled = false;
+  settle(fit, kSmallMove, kIterations);
+  for (int i = 0; i < kRounds && !fit.settled; ++i) {
+    context_.report("searching the structure", static_cast<double>(i) / kRounds);
+    fit.settled = round(fit);
+    if (!fit.settled) settle(fit, kSmallMove, kIterations);
+  }
+  summarise(fit);
+}
+
+void WindowSearch::summarise(WindowFit& fit) const {
+  const Vector misfits = windows_->misfits();
+  fit.counts = windows_->counts();
+  const double freedom =
+      std::max(1.0, static_cast<double>(fit.rows) - static_cast<double>(fit.subset.size()));
+  fit.misfit = misfits.sum() / freedom;
+  fit.sigma = sigma_;
+  // Initial states take their share of the freedom of every state.
+  const double share = freedom / std::max(1.0, fit.counts.sum());
+  fit.rms = sigma_;
+  for (Index k = 0; k < sigma_.size(); ++k)
+    fit.rms[k] *= std::sqrt(misfits[k] / std::max(1.0, share * fit.counts[k]));
+}
+
+/// Where the noise cannot be told from the signal it is at most what the fit leaves.
+/// @return whether a sigma became less than half of what it was.
+bool WindowSearch::learn_noise(WindowFit& fit) {
+  Vector factors = Vector::Ones(sigma_.size());
+  for (Index k = 0; k < sigma_.size(); ++k) {
+    if (noise_[static_cast<std::size_t>(k)].kind != NoiseKind::None) continue;
+    const double next = std::clamp(fit.rms[k], floor_[k], sigma_[k]);
+    factors[k] = next / sigma_[k];
+  }
+  windows_->rescale(factors);
+  sigma_ = sigma_.cwiseProduct(factors);
+  return factors.minCoeff() < 0.5;
+}
+
+/// Halves the steps of integration as long as that moves the path by more than a tenth of
+/// sigma.
+/// @return whether the steps are finer than before.
+bool WindowSearch::refine_steps(WindowFit& fit) {
+  constexpr Index kMostSubsteps = 8;
+  constexpr double kTruncation = 0.1;
+  const Index before = windows_->substeps();
+  while (windows_->substeps() < kMostSubsteps) {
+    const Index coarse = windows_->substeps();
+    windows_->set_substeps(2 * coarse);
+    if (settle(fit, 0.0, 1) > kTruncation) continue;
+    windows_->set_substeps(coarse);
+    settle(fit, kSmallMove, 1);
+    break;
+  }
+  return windows_->substeps() > before;
+}
+
+WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
+  constexpr int kPasses = 5;
+  windows_->set_windows(samples);
+  WindowFit fit;
+  fit.columns = candidates_;
+  fit.coefficients = coefficients;
+  fit.samples = samples;
+  fit.subset = present(coefficients);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    converge(fit);
+    const bool quieter = learn_noise(fit), finer = refine_steps(fit);
+    if (!quieter && !finer) break;
+  }
+  windows_->mask_beyond(kOutlier * std::sqrt(std::max(1.0, fit.misfit)));
+  return fit;
+}
+
+/// Whether longer windows fit no worse: by four standard deviations of chi squared.
+bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) const {
+  if (!after.settled && before.settled) return false;
+  const double scatter =
+      4.0 * std::sqrt(2.0 / static_cast<double>(std::max<Index>(1, after.rows)));
+  return after.misfit <= before.misfit * (1.0 + scatter) + scatter;
+}
+
+std::optional<WindowFit> WindowSearch::run() {
+  constexpr int kDoublings = 4;
+  Index samples = first_window();
+  const Index longest = longest_record(data_);
+  if (longest < 4) return std::nullopt;
+  WindowFit best = stage(task_.coefficients, std::min(samples, longest));
+  if (best.rows == 0) return std::nullopt;
+  for (int i = 0; i < kDoublings && 2 * samples <= longest; ++i) {
+    samples *= 2;
+    const LinearWindows windows = *windows_;
+    const Vector sigma = sigma_;
+    WindowFit longer = stage(best.coefficients, samples);
+    if (!acceptable(best, longer)) {
+      *windows_ = windows;
+      sigma_ = sigma;
+      break;
+    }
+    best = std::move(longer);
+  }
+  polish(best);
+  return best;
+}
+
+/// The last iterations: a path that moves by a thousandth of sigma leaves the coefficients
+/// where they are.
+void WindowSearch::polish(WindowFit& fit) {
+  windows_->set_windows(fit.samples);
+  settle(fit, 1e-3, 2 * kIterations);
+  summarise(fit);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/random.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/systems/test_systems.hpp"
+
+namespace lacuna {
+
+/// Root mean square of each state without its mean.
+inline Vector spread(const Matrix& states) {
+  const Matrix centred = states.rowwise() - states.colwise().mean();
+  return centred.colwise().norm() / std::sqrt(static_cast<double>(states.rows()));
+}
+
+/// A record of a test system, 2000 steps from its start, with white noise of a share of the
+/// spread of each state.
+inline Dataset noisy_record(const std::string& name, Index samples, double share,
+                            std::uint64_t seed) {
+  const TestSystem& system = test_system(name);
+  const Index transient = 2000;
+  const Solution orbit = simulate(system.model, Dopri8{}, system.start,
+                                  sample_times(0.0, system.step, transient + samples));
+  Random random(seed);
+  Dataset data;
+  data.states = system.model.states();
+  Trajectory record;
+  record.source = name;
+  record.time = sample_times(0.0, system.step, samples);
+  record.states = orbit.states.bottomRows(samples);
+  record.inputs.resize(samples, 0);
+  const Vector sigma = share * spread(record.states);
+  for (Index k = 0; k < record.states.cols(); ++k)
+    for (Index i = 0; i < samples; ++i) record.states(i, k) += sigma[k] * random.normal();
+  data.trajectories.push_back(std::move(record));
+  return data;
+}
+
+inline TermLibrary quadratic_library(const OdeModel& model) {
+  return Monomials{{.max_degree = 2}}.library(model.variables());
+}
+
+}  // namespace lacuna

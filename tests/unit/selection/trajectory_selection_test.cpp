@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/selection/trajectory_selection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "noisy_records.hpp"
+
+namespace lacuna {
+namespace {
+
+using Structure = std::set<std::pair<std::size_t, std::string>>;
+
+Structure structure_of(const OdeModel& model) {
+  Structure structure;
+  for (std::size_t k = 0; k < model.equations().size(); ++k)
+    for (const WeightedTerm& summand : model.equations()[k])
+      structure.insert({k, summand.term.name()});
+  return structure;
+}
+
+OdeModel empty_model(const Dataset& data) {
+  return OdeModel(data.states, data.inputs, std::vector<Equation>(data.states.size()));
+}
+
+RefinedModel search(const Dataset& data, const OdeModel& truth) {
+  return TrajectorySelection{}.refine({data, quadratic_library(truth), empty_model(data)});
+}
+
+void expect_structure(const std::string& name, const Dataset& data) {
+  const OdeModel& truth = test_system(name).model;
+  const RefinedModel found = search(data, truth);
+  EXPECT_TRUE(found.usable) << found.message;
+  EXPECT_EQ(structure_of(found.model), structure_of(truth)) << name << "\n"
+                                                            << to_text(found.model, 4);
+}
+
+TEST(TrajectorySelection, FindsTheStructureInOnePercentNoise) {
+  for (const char* name : {"lorenz", "rossler"})
+    expect_structure(name, noisy_record(name, 2000, 0.01, 1));
+}
+
+TEST(TrajectorySelection, IntervalsContainTheTruth) {
+  const OdeModel& truth = test_system("lorenz").model;
+  const RefinedModel found = search(noisy_record("lorenz", 2000, 0.02, 3), truth);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const WeightedTerm& summand : found.model.equations()[k]) {
+      const double expected = truth.coefficient(static_cast<Index>(k), summand.term.name());
+      ASSERT_TRUE(summand.standard_error);
+      EXPECT_LT(std::abs(summand.coefficient - expected), 4.0 * *summand.standard_error);
+      EXPECT_LT(*summand.standard_error, 0.02 * std::abs(expected) + 0.05);
+    }
+}
+
+TEST(TrajectorySelection, SaysThatTheModelFitsToTheNoise) {
+  const RefinedModel found =
+      search(noisy_record("lorenz", 2000, 0.01, 4), test_system("lorenz").model);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(found.misfit[k], 1.0, 0.1);
+    EXPECT_TRUE(found.fits_to_noise[k].value_or(false));
+  }
+}
+
+TEST(TrajectorySelection, SaysThatATermIsMissing) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.01, 5);
+  const TermLibrary linear =
+      Monomials{{.max_degree = 1}}.library(test_system("lorenz").model.variables());
+  const RefinedModel found = TrajectorySelection{}.refine({data, linear, empty_model(data)});
+  EXPECT_FALSE(found.fits_to_noise[1].value_or(true));
+}
+
+TEST(TrajectorySelection, PathHoldsTheTermsAndWhatWouldBeNext) {
+  const RefinedModel found =
+      search(noisy_record("lorenz", 2000, 0.01, 6), test_system("lorenz").model);
+  Index members = 0;
+  for (const PathStep& step : found.path) {
+    EXPECT_EQ(step.in_model, step.gain > step.price) << step.term;
+    members += step.in_model;
+  }
+  EXPECT_EQ(members, 7);
+  EXPECT_GT(found.path.size(), 12U);
+}
+
+TEST(TrajectorySelection, UnitsAndOffsetsOfTimeDoNotMatter) {
+  Dataset data = noisy_record("lorenz", 2000, 0.01, 7);
+  data.trajectories[0].states *= 1e-3;
+  data.trajectories[0].time = 1e3 * data.trajectories[0].time.array() + 50.0;
+  expect_structure("lorenz", data);
+}
+
+TEST(TrajectorySelection, QuantisedRecords) {
+  Dataset data = noisy_record("rossler", 2000, 0.01, 8);
+  const double step = 40.0 / 65536.0;
+  for (double& x : data.trajectories[0].states.reshaped()) x = step * std::round(x / step);
+  expect_structure("rossler", data);
+}
+
+TEST(TrajectorySelection, OutliersAreLeftOut) {
+  Dataset data = noisy_record("lorenz", 2000, 0.01, 9);
+  Random random(5);
+  for (int i = 0; i < 60; ++i)
+    data.trajectories[0].states(static_cast<Index>(random.uniform(1.0, 1998.0)), i % 3) +=
+        random.uniform(10.0, 30.0);
+  expect_structure("lorenz", data);
+}
+
+/// The record without the samples for which `leave_out` says so, cut at gaps as readers do.
+Dataset cut_at_gaps(const Dataset& data, const std::vector<bool>& leave_out) {
+  Dataset result = data;
+  result.trajectories.clear();
+  const Trajectory& record = data.trajectories[0];
+  for (Index i = 0; i < record.samples();) {
+    Index end = i;
+    while (end < record.samples() && !leave_out[static_cast<std::size_t>(end)]) ++end;
+    if (end - i >= 2)
+      result.trajectories.push_back({record.source + ", record " + std::to_string(end),
+                                     record.time.segment(i, end - i),
+                                     record.states.middleRows(i, end - i),
+                                     Matrix(end - i, 0),
+                                     {}});
+    i = end + 1;
+  }
+  return result;
+}
+
+TEST(TrajectorySelection, MissingSamplesAreBridged) {
+  const Dataset data = noisy_record("lorenz", 2500, 0.01, 10);
+  Random random(6);
+  std::vector<bool> missing(2500);
+  for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = random.uniform(0.0, 1.0) < 0.2;
+  expect_structure("lorenz", cut_at_gaps(data, missing));
+}
+
+TEST(TrajectorySelection, RecordsWithMeasuredDerivativesAreLeftAlone) {
+  Dataset data = noisy_record("lorenz", 200, 0.0, 1);
+  data.trajectories[0].derivatives = data.trajectories[0].states;
+  EXPECT_FALSE(search(data, test_system("lorenz").model).usable);
+}
+
+TEST(TrajectorySelection, StartsFromAModelAndNamesDisputes) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.01, 12);
+  const OdeModel& truth = test_system("lorenz").model;
+  const TrajectorySelection from_model{
+      {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}};
+  const RefinedModel found = from_model.refine({data, quadratic_library(truth), truth});
+  EXPECT_EQ(structure_of(found.model), structure_of(truth));
+  EXPECT_TRUE(found.notes.empty());
+}
+
+}  // namespace
+}  // namespace lacuna
