@@ -106,6 +106,16 @@ class Ranker {
   const RunContext& context_;
 };
 
+/// Whether the disturbance of the effect's equation is less with it. A form that follows the
+/// path's own rate (a delay or a lag of the state itself, shorter than a step) can take the
+/// place of the rate; then the likelihood rises and the disturbance does not fall.
+bool lessens_disturbance(const RankedEffect& ranked, const Explanation& current) {
+  const Candidate& candidate = ranked.effect().candidate;
+  if (candidate.place == Place::Channel) return true;
+  const double before = current.fit.noise.disturbance[candidate.equation];
+  return ranked.explanation.fit.noise.disturbance[candidate.equation] < before;
+}
+
 bool is_plausible(const RankedEffect& ranked, const std::vector<Stage<Effect>>& effects,
                   const Scope& scope) {
   const FittedEffect& fitted = ranked.effect();
@@ -188,7 +198,8 @@ Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& c
   for (const ScreenedCandidate& candidate : short_list(screened, rank_options.refits)) {
     context.report("fitting candidates", 0.0);
     RankedEffect ranked = ranker.rough(candidate, tried);
-    if (std::isfinite(ranked.criterion) && is_plausible(ranked, effects, scope))
+    if (std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current) &&
+        is_plausible(ranked, effects, scope))
       ranking.effects.push_back(std::move(ranked));
   }
   sort_by_criterion(ranking.effects);
@@ -198,7 +209,8 @@ Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& c
     ranking.effects[i] = ranker.exact(ranking.effects[i], tried);
   }
   std::erase_if(ranking.effects, [&](const RankedEffect& ranked) {
-    return !std::isfinite(ranked.criterion) || !is_plausible(ranked, effects, scope);
+    return !std::isfinite(ranked.criterion) || !lessens_disturbance(ranked, current) ||
+           !is_plausible(ranked, effects, scope);
   });
   sort_by_criterion(ranking.effects);
   const double log_samples = std::log(static_cast<double>(current.fit.used));
