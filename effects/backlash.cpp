@@ -5,16 +5,6 @@
 namespace lacuna {
 namespace {
 
-// A shaft's twist: a state whose rate is the difference of two others and nothing else.
-bool is_twist(const Scope& scope, const std::string& x) {
-  for (Index j = 0; j < scope.model.dimension(); ++j) {
-    if (scope.state(j).name != x) continue;
-    const bool two_terms = scope.model.equations()[static_cast<std::size_t>(j)].size() == 2;
-    return two_terms && !differences(scope, j).empty();
-  }
-  return false;
-}
-
 // Play between two measured places: a dead zone of their difference.
 void add_play(const Scope& scope, const std::string& x, std::vector<Candidate>& result) {
   const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
@@ -38,8 +28,7 @@ void add_follower(const Scope& scope, const std::string& x, std::vector<Candidat
 std::vector<Candidate> make(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const std::string& x : linear_arguments(scope, equation)) {
-    const bool difference = x.find('-') != std::string::npos;
-    if (difference || is_twist(scope, x))
+    if (is_transmission(scope, x))
       add_play(scope, x, result);
     else
       add_follower(scope, x, result);

@@ -18,10 +18,12 @@ std::vector<Vector> starts(const Scope& scope, const std::string& x) {
 // What acts linearly in the nominal model loses its action about zero: the clipped part goes.
 std::vector<Candidate> make(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& x : linear_arguments(scope, equation))
-    if (range_of(scope, x).changes_sign())
-      result.push_back(shaped_candidate("clip(" + x + ",-$edge,$edge)", x, "dead zone in " + x,
-                                        edge_of(scope, x), starts(scope, x)));
+  for (const std::string& x : linear_arguments(scope, equation)) {
+    if (!range_of(scope, x).changes_sign()) continue;
+    result.push_back(shaped_candidate("clip(" + x + ",-$edge,$edge)", x, "dead zone in " + x,
+                                      edge_of(scope, x), starts(scope, x)));
+    if (is_transmission(scope, x)) result.back().plainer = "backlash";
+  }
   for (const std::string& x : variable_names(scope))
     if (!has_term(scope, equation, x) && range_of(scope, x).changes_sign())
       result.push_back(shaped_candidate(x + "-clip(" + x + ",-$edge,$edge)", x,
@@ -41,7 +43,7 @@ bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& 
 const EffectFamily kDeadZone{
     {"dead-zone", "Nothing happens about zero: no action within an edge", ""},
     "valve overlap, a threshold, crossover distortion",
-    "piecewise-linear",
+    {},
     make,
     plausible};
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <numbers>
 
 #include "lacuna/effects/families.hpp"
@@ -13,16 +12,16 @@ using std::numbers::pi;
 std::vector<Candidate> make(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const SpectralLine& line : scope.lines) {
-    if (line.equation != equation) continue;
-    // A line of the spectrum is known to within the resolution of the record.
+    // A line of the spectrum is known to within the resolution of the record; what does not
+    // come to two periods in it is a trend or a drift.
     const double resolution = 1.0 / scope.duration;
+    if (line.equation != equation || line.frequency < 2.0 * resolution) continue;
     Candidate candidate =
         plain_candidate("sin(2*pi*$frequency*t+$phase)", "t",
                         "periodic forcing of d" + scope.state(equation).name + "/dt");
-    candidate.shapes = {
-        {"frequency", "1/" + scope.model.time_unit(),
-         std::max(0.0, line.frequency - resolution), line.frequency + resolution, false},
-        {"phase", "rad", line.phase - pi, line.phase + pi, false}};
+    candidate.shapes = {{"frequency", "1/" + scope.model.time_unit(),
+                         line.frequency - resolution, line.frequency + resolution, false},
+                        {"phase", "rad", line.phase - pi, line.phase + pi, false}};
     candidate.starts = {Vector{{line.frequency, line.phase}}};
     result.push_back(candidate);
   }

@@ -5,13 +5,18 @@
 namespace lacuna {
 namespace {
 
+// Below this share of the largest speed a change of slope is as good as a jump.
+constexpr double kStandstill = 0.1;
+
+// A bend between these quantiles lies in the middle of the motion.
+constexpr double kMiddle = 0.4;
+
 void add_bend(const Scope& scope, const std::string& x, std::vector<Candidate>& result) {
   const VariableRange range = range_of(scope, x);
   const auto at = [&](double level) { return range.quantile(level); };
   result.push_back(shaped_candidate(
       "max(" + x + "-$edge,0)", x, "bend in the characteristic of " + x,
       {"edge", range.unit, at(0.05), at(0.95), false}, starts_at({at(0.2), at(0.5), at(0.8)})));
-  result.back().plainer = "one-sided-stop";  // where the bend lies at the rim
 }
 
 void add_two_bends(const Scope& scope, const std::string& x, std::vector<Candidate>& result) {
@@ -21,6 +26,25 @@ void add_two_bends(const Scope& scope, const std::string& x, std::vector<Candida
       "clip(" + x + ",-$edge,$edge)", x, "two bends in the characteristic of " + x,
       {"edge", range_of(scope, x).unit, at(0.02), at(0.98), false},
       starts_at({at(0.15), at(0.4), at(0.7)})));
+}
+
+/// A slope that is 0 on one side of the bends has a name of its own: dead zone or saturation.
+/// So has a jump at standstill: dry friction.
+bool has_two_slopes(const Scope& scope, const Candidate& candidate,
+                    const FittedCandidate& fitted) {
+  const double outside = slope(fitted.nominal, candidate.equation, candidate.argument);
+  const double inside = outside + fitted.coefficient;
+  if (slopes_agree(outside, -fitted.coefficient, fitted.deviation)) return false;
+  if (slopes_agree(inside, fitted.coefficient, fitted.deviation)) return false;
+  const VariableRange& own = scope.state(candidate.equation);
+  const bool standstill = candidate.argument == own.name &&
+                          fitted.shapes[0] < kStandstill * own.magnitude() && inside < outside;
+  return !standstill;
+}
+
+bool bends_in_the_middle(const Scope& scope, const Candidate& candidate, double edge) {
+  const VariableRange range = range_of(scope, candidate.argument);
+  return edge > range.quantile(kMiddle) && edge < range.quantile(1.0 - kMiddle);
 }
 
 std::vector<Candidate> make(const Scope& scope, Index equation) {
@@ -37,12 +61,23 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
   return result;
 }
 
+bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted) {
+  if (fitted.shapes.size() == 0) return true;
+  if (candidate.form.rfind("clip", 0) == 0) return has_two_slopes(scope, candidate, fitted);
+  // At the rim a bend is a stop, unless it lets go of a position instead of pushing it back.
+  const auto position = scope.integral_of(candidate.equation);
+  const bool lets_go =
+      position && scope.state(*position).name == candidate.argument && fitted.coefficient > 0.0;
+  return lets_go || bends_in_the_middle(scope, candidate, fitted.shapes[0]);
+}
+
 }  // namespace
 
 const EffectFamily kPiecewiseLinear{
     {"piecewise-linear", "A characteristic of straight lines with one bend or two", ""},
     "a nonlinear resistor, a spring that lifts off, a rectifier",
     {},
-    make};
+    make,
+    plausible};
 
 }  // namespace lacuna

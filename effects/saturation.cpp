@@ -56,7 +56,7 @@ bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& 
 const EffectFamily kSaturation{
     {"saturation", "Something stops growing at a limit of both signs", ""},
     "an amplifier at its rails, a current limit, a magnetic core, a valve fully open",
-    "piecewise-linear",
+    {},
     make,
     plausible};
 

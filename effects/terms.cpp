@@ -86,6 +86,14 @@ std::vector<std::string> linear_arguments(const Scope& scope, Index equation) {
   return result;
 }
 
+bool is_transmission(const Scope& scope, const std::string& argument) {
+  if (argument.find('-') != std::string::npos) return true;
+  for (Index j = 0; j < scope.model.dimension(); ++j)
+    if (scope.state(j).name == argument)
+      return terms_of(scope.model, j).size() == 2 && !differences(scope, j).empty();
+  return false;
+}
+
 std::vector<std::string> nonlinear_terms(const Scope& scope, Index equation) {
   std::vector<std::string> result;
   for (const WeightedTerm& summand : terms_of(scope.model, equation))

@@ -31,6 +31,7 @@ void describe_program(CLI::App& app) {
       "Finds the equations of a dynamical system in measured data.\n\n"
       "  lacuna identify record.csv --model-out model.json\n"
       "  lacuna sync model.json other_record.csv\n"
+      "  lacuna diagnose --model nominal.json record.csv\n"
       "  lacuna simulate model.json --x0 1,0,0 --t-end 100 --dt 0.1 -o orbit.csv");
   app.footer(
       "Each command has its own --help. Exit status: 0 done; 1 the numbers do not allow "
@@ -99,7 +100,7 @@ int run_cli(int argc, const char* const* argv, const Registry& registry, CliStre
   describe_program(app);
   const std::vector<cli::Command> commands = {
       cli::declare_identify(app), cli::declare_simulate(app), cli::declare_sync(app),
-      cli::declare_list(app), cli::declare_describe(app)};
+      cli::declare_diagnose(app), cli::declare_list(app),     cli::declare_describe(app)};
   if (const auto status = parse(app, argc, argv, streams)) return *status;
 
   const cli::InterruptGuard interrupt;

@@ -29,6 +29,7 @@ struct Command {
 Command declare_identify(CLI::App& root);
 Command declare_simulate(CLI::App& root);
 Command declare_sync(CLI::App& root);
+Command declare_diagnose(CLI::App& root);
 Command declare_list(CLI::App& root);
 Command declare_describe(CLI::App& root);
 

@@ -103,6 +103,9 @@ Dataset with_derived_states(const Dataset& data, const std::vector<Chain>& chain
       names[chain.root + "_d" + std::to_string(i + 1)] = chain.derivatives[i];
   }
   Dataset result = embed(data, orders, differentiator);
+  result.reconstructed.assign(result.states.size(), false);
+  for (const auto& rate : result.rate_of)
+    if (rate) result.reconstructed[static_cast<std::size_t>(*rate)] = true;
   for (Quantity& state : result.states)
     if (const auto name = names.find(state.name); name != names.end())
       state.name = name->second;
@@ -127,6 +130,12 @@ void reorder(const OdeModel& model, Dataset& record) {
   for (Trajectory& trajectory : record.trajectories) {
     trajectory.states = Matrix(trajectory.states(Eigen::all, order));
     trajectory.derivatives.resize(0, 0);
+  }
+  if (!record.reconstructed.empty()) {
+    std::vector<bool> reconstructed;
+    for (const Index column : order)
+      reconstructed.push_back(record.reconstructed[static_cast<std::size_t>(column)]);
+    record.reconstructed = std::move(reconstructed);
   }
   record.states = model.states();
   record.rate_of.clear();

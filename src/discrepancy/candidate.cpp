@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/discrepancy/candidate.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <string_view>
 
@@ -21,12 +22,31 @@ std::string literal(double value) {
   return text.append(format_number(value)).append(")");
 }
 
-/// The word, or the number that stands in its place.
-std::string replacement(const Candidate& candidate, std::string_view word,
-                        std::span<const double> values) {
-  for (std::size_t i = 0; i < candidate.shapes.size(); ++i)
-    if (candidate.shapes[i].name == word) return literal(values[i]);
-  return std::string(word);
+/// The text with every word replaced by what `replace(word)` gives.
+template <class Replace>
+std::string replace_words(const std::string& text, Replace replace) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && is_word_character(text[end])) ++end;
+    if (end == i) {
+      result.push_back(text[i++]);
+      continue;
+    }
+    result.append(replace(text.substr(i, end - i)));
+    i = end;
+  }
+  return result;
+}
+
+void rename(Candidate& candidate, const std::string& old, const std::string& name) {
+  const auto replace = [&](const std::string& word) { return word == old ? name : word; };
+  candidate.form = replace_words(candidate.form, replace);
+  for (MemoryState& memory : candidate.memory) {
+    memory.name = replace(memory.name);
+    memory.rate = replace_words(memory.rate, replace);
+    memory.start = replace_words(memory.start, replace);
+  }
 }
 
 }  // namespace
@@ -38,22 +58,28 @@ Expression bind_formula(const Candidate& candidate, const std::string& text,
                         std::to_string(values.size()) + " values for " +
                             std::to_string(candidate.shapes.size()) + " shape parameters",
                         "give one value for each");
-  std::string bound;
-  for (std::size_t i = 0; i < text.size();) {
-    std::size_t end = i;
-    while (end < text.size() && is_word_character(text[end])) ++end;
-    if (end == i) {
-      bound.push_back(text[i++]);
-      continue;
-    }
-    bound.append(replacement(candidate, std::string_view(text).substr(i, end - i), values));
-    i = end;
-  }
-  return parse_expression(bound);
+  return parse_expression(replace_words(text, [&](const std::string& word) {
+    for (std::size_t i = 0; i < candidate.shapes.size(); ++i)
+      if (candidate.shapes[i].name == word) return literal(values[i]);
+    return word;
+  }));
 }
 
 Expression bind_form(const Candidate& candidate, std::span<const double> values) {
   return bind_formula(candidate, candidate.form, values);
+}
+
+Candidate without_clash(Candidate candidate, const std::vector<std::string>& taken) {
+  const auto is_taken = [&](const std::string& name) {
+    return std::find(taken.begin(), taken.end(), name) != taken.end();
+  };
+  for (std::size_t i = 0; i < candidate.memory.size(); ++i) {
+    const std::string old = candidate.memory[i].name;
+    std::string name = old;
+    for (int number = 2; is_taken(name); ++number) name = old + std::to_string(number);
+    if (name != old) rename(candidate, old, name);
+  }
+  return candidate;
 }
 
 }  // namespace lacuna

@@ -36,11 +36,12 @@ Allowed allowed_includes() {
   allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["attractor"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["refine"] = {"core", "numerics", "data", "model", "linear", "dynamics"};
+  allowed["innovation"] = {"core", "numerics", "data", "model"};
   allowed["discrepancy"] = allowed["pipeline"];
-  allowed["discrepancy"].insert({"pipeline", "dynamics", "refine"});
+  allowed["discrepancy"].insert({"pipeline", "dynamics", "refine", "innovation"});
   allowed["effects"] = {"core", "data", "model", "discrepancy"};
   allowed["report"] = allowed["discrepancy"];
-  allowed["report"].insert("discrepancy");
+  allowed["report"].insert({"discrepancy"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
   allowed["cli"] = allowed["config"];

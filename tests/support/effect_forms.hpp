@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/discrepancy/effect_family.hpp"
+#include "lacuna/effects/effect_family.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "support/diagnosis_scope.hpp"
 

@@ -29,8 +29,12 @@ struct Dataset {
   /// Either empty or m entries.
   std::vector<std::optional<Index>> rate_of;
 
+  /// States that were not measured but made from others (a derivative of a measured state).
+  /// Either empty or m entries.
+  std::vector<bool> reconstructed = {};
+
   /// What the reader did that a user should know of: "split at line 812: value missing".
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = {};
 
   Index state_count() const noexcept { return static_cast<Index>(states.size()); }
   Index input_count() const noexcept { return static_cast<Index>(inputs.size()); }
@@ -40,6 +44,11 @@ struct Dataset {
 
   /// Whether every trajectory brings dx/dt.
   bool has_derivatives() const noexcept;
+
+  /// Whether a state was measured and not made from others.
+  bool is_measured(Index state) const noexcept {
+    return reconstructed.empty() || !reconstructed[static_cast<std::size_t>(state)];
+  }
 
   /// The state that is dx_i/dt by an identity, if there is one.
   std::optional<Index> rate_state(Index state) const;

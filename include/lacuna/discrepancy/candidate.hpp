@@ -32,8 +32,8 @@ struct MemoryState {
 
 /// Where a candidate's form is added.
 enum class Place {
-  Equation,  ///< to the rate of change of a state: the system has this effect
-  Channel,   ///< to the measured value of a state: the measurement has it
+  Rate,     ///< to the rate of change of a state: the system has this effect
+  Channel,  ///< to the measured value of a state: the measurement has it
 };
 
 /// One concrete thing that may be missing: coefficient x form in one equation.
@@ -53,7 +53,7 @@ struct Candidate {
   std::vector<ShapeParameter> shapes = {};
   std::vector<Vector> starts = {};  ///< starting points of the search, one entry per shape each
   std::vector<MemoryState> memory = {};
-  Place place = Place::Equation;
+  Place place = Place::Rate;
   Index equation = 0;  ///< whose equation, or whose measured value
 };
 
@@ -63,6 +63,9 @@ struct Candidate {
 ///   the formula cannot be read.
 Expression bind_formula(const Candidate& candidate, const std::string& text,
                         std::span<const double> values);
+
+/// The candidate with other names for those of its memory states whose names are taken already.
+Candidate without_clash(Candidate candidate, const std::vector<std::string>& taken);
 
 /// bind_formula() of the form itself.
 Expression bind_form(const Candidate& candidate, std::span<const double> values);

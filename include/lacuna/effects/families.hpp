@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/discrepancy/effect_family.hpp"
+#include "lacuna/effects/effect_family.hpp"
 
 // The named effects of lacuna; each is one source file on the shelf effects/.
 namespace lacuna {

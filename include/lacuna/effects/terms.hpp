@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/discrepancy/effect_family.hpp"
+#include "lacuna/effects/effect_family.hpp"
 
 // What the sources of effects share: looking at the nominal model, putting candidates together.
 namespace lacuna {
@@ -32,6 +32,10 @@ std::vector<std::string> differences(const Scope& scope, Index equation);
 
 /// What acts linearly in an equation: variables, then differences().
 std::vector<std::string> linear_arguments(const Scope& scope, Index equation);
+
+/// Whether an argument is a distance between two places: a difference "a-b", or a state whose
+/// rate is such a difference and nothing else (the twist of a shaft).
+bool is_transmission(const Scope& scope, const std::string& argument);
 
 /// Terms of an equation that are not a number and not a variable alone.
 std::vector<std::string> nonlinear_terms(const Scope& scope, Index equation);

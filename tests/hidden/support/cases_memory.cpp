@@ -29,9 +29,9 @@ HiddenCase bouc_wen(double s) {
 
 std::vector<HiddenCase> memory_cases(double s) {
   return {
-      CaseBuilder("van-der-pol-delay", "Self-excited circuit with delayed feedback",
-                  van_der_pol(), s)
-          .hide({"v", {"delay"}, {}, "delay(q,1.5)", -0.4})
+      CaseBuilder("beam-late-control", "Buckled beam whose controller acts late", double_well(),
+                  s)
+          .hide({"v", {"delay"}, {}, "delay(q,1.5)", -0.3})
           .build(),
       CaseBuilder("oscillator-late-drive", "Mass whose drive acts late", oscillator(), s)
           .hide({"v", {"delay"}, {}, "delay(u,0.15)-u", 1.0})

@@ -23,7 +23,6 @@ TEST(DeadZone, LeavesNoSlopeInside) {
   EXPECT_TRUE(plausible_with<kDeadZone>(scope, zone, 4.0));
   EXPECT_FALSE(plausible_with<kDeadZone>(scope, zone, 2.0));
   EXPECT_FALSE(plausible_with<kDeadZone>(scope, zone, -4.0));
-  EXPECT_EQ(zone.plainer, "piecewise-linear");
 }
 
 TEST(Saturation, LeavesNoSlopeOutside) {
@@ -55,6 +54,27 @@ TEST(PiecewiseLinear, HasOneBendOrTwo) {
   EXPECT_TRUE(forms.contains("max(q-edge,0)"));
   EXPECT_TRUE(forms.contains("clip(q,-edge,edge)"));
   EXPECT_FALSE(forms.contains("abs(q)")) << "with q in the equation the bend covers it";
+}
+
+TEST(PiecewiseLinear, LeavesNamesOfTheirOwnToOthers) {
+  const Scope scope = oscillator_scope();
+  const Candidate bends = candidate_of<kPiecewiseLinear>(scope, 1, "clip(q,-edge,edge)");
+  EXPECT_TRUE(plausible_with<kPiecewiseLinear>(scope, bends, 1.5));
+  EXPECT_FALSE(plausible_with<kPiecewiseLinear>(scope, bends, 4.0)) << "a dead zone";
+  const Candidate bend = candidate_of<kPiecewiseLinear>(scope, 1, "max(q-edge,0)");
+  EXPECT_FALSE(plausible_with<kPiecewiseLinear>(scope, bend, -5.0)) << "a stop, at the rim";
+  EXPECT_TRUE(plausible_with<kPiecewiseLinear>(scope, bend, 5.0)) << "no stop pulls";
+}
+
+TEST(PiecewiseLinear, LeavesAJumpAtStandstillToFriction) {
+  const Scope scope = oscillator_scope();
+  const Candidate bends = candidate_of<kPiecewiseLinear>(scope, 1, "clip(v,-edge,edge)");
+  const auto plausible_at = [&](double edge) {
+    return FamilyEffect<kPiecewiseLinear>().plausible(
+        scope, bends, {scope.model, -0.5, 0.01, Vector::Constant(1, edge)});
+  };
+  EXPECT_FALSE(plausible_at(0.05));
+  EXPECT_TRUE(plausible_at(1.0));
 }
 
 TEST(Overflow, LosesHereAndGainsThere) {

@@ -48,6 +48,12 @@ TEST(EffectTerms, PartsAreWhatNoTermConnects) {
   EXPECT_FALSE(in_other_part(drive(), 0, "u"));
 }
 
+TEST(EffectTerms, TransmissionsLieBetweenTwoPlaces) {
+  EXPECT_TRUE(is_transmission(drive(), "w1-w2"));
+  EXPECT_TRUE(is_transmission(drive(), "d"));
+  EXPECT_FALSE(is_transmission(drive(), "w1"));
+}
+
 TEST(EffectTerms, NonlinearTermsAndTheWholeEquation) {
   EXPECT_EQ(nonlinear_terms(drive(), 0), std::vector<std::string>{"w1*abs(w1)"});
   EXPECT_EQ(right_hand_side(drive(), 1), "(1)*(w1)+(-1)*(w2)");

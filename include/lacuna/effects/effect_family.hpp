@@ -42,7 +42,7 @@ class FamilyEffect final : public Configured<Effect, FamilyOptions<Family>> {
   std::vector<Candidate> do_candidates(const Scope& scope, Index equation) const override {
     std::vector<Candidate> made = Family.candidates(scope, equation);
     if (scope.is_identity(equation))
-      std::erase_if(made, [](const Candidate& c) { return c.place == Place::Equation; });
+      std::erase_if(made, [](const Candidate& c) { return c.place == Place::Rate; });
     return made;
   }
 

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "lacuna/core/atomic_file.hpp"
+#include "lacuna/core/text.hpp"
+#include "support/table.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+std::string kind_name(hidden::Kind kind) {
+  switch (kind) {
+    case hidden::Kind::Nothing:
+      return "nothing missing";
+    case hidden::Kind::Coefficients:
+      return "wrong coefficients";
+    case hidden::Kind::Effects:
+      return "effects";
+    case hidden::Kind::Inexpressible:
+      break;
+  }
+  return "inexpressible";
+}
+
+std::string group_of(const Trial& trial) {
+  if (trial.hidden.effects.size() > 1) return "two effects";
+  return kind_name(trial.hidden.kind);
+}
+
+std::string family_of(const Trial& trial) {
+  const auto& effects = trial.hidden.effects;
+  if (effects.empty() || effects[0].names.empty()) return to_string(trial.hidden.noise);
+  return effects[0].names[0];
+}
+
+std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
+
+/// Counts of one group of trials.
+struct Tally {
+  double trials = 0.0, verdict = 0.0, equation = 0.0, name = 0.0, listed = 0.0, spurious = 0.0;
+  double sized = 0.0, size_right = 0.0, named = 0.0, seconds = 0.0;
+
+  void add(const Outcome& outcome) {
+    const hidden::Score& score = outcome.score;
+    ++trials;
+    verdict += score.verdict;
+    equation += score.equation;
+    name += score.name;
+    listed += score.listed;
+    spurious += score.spurious > 0;
+    if (score.size) {
+      ++sized;
+      size_right += std::abs(*score.size - 1.0) <= 0.1;
+    }
+    seconds = std::max(seconds, outcome.seconds);
+  }
+
+  std::vector<std::string> cells(const std::string& label) const {
+    return {label,
+            format_number(trials),
+            percent(verdict / trials),
+            percent(equation / trials),
+            percent(name / trials),
+            percent(listed / trials),
+            sized > 0.0 ? percent(size_right / sized) : "",
+            percent(spurious / trials),
+            format_number(seconds, 3)};
+  }
+};
+
+using Grouping = std::function<std::string(const Trial&)>;
+
+std::string grouped(const std::vector<Trial>& trials, const std::vector<Outcome>& outcomes,
+                    const std::string& heading, const Grouping& group) {
+  std::map<std::string, Tally> tallies;
+  for (std::size_t i = 0; i < trials.size(); ++i) tallies[group(trials[i])].add(outcomes[i]);
+  ResultTable table{{heading, "trials", "verdict", "equation", "name first", "name listed",
+                     "size within 10 %", "names too many", "slowest, s"},
+                    {}};
+  for (const auto& [label, tally] : tallies) table.rows.push_back(tally.cells(label));
+  return table.markdown() + "\n";
+}
+
+ResultTable all_trials(const std::vector<Trial>& trials, const std::vector<Outcome>& outcomes) {
+  ResultTable table{{"case", "kind", "family", "noise", "level", "strength", "seed", "verdict",
+                     "equation", "name", "listed", "too many", "size", "seconds", "answer"},
+                    {}};
+  const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Trial& t = trials[i];
+    const hidden::Score& s = outcomes[i].score;
+    std::string answer = s.answer + outcomes[i].failure;
+    std::replace(answer.begin(), answer.end(), ',', ' ');
+    table.rows.push_back({t.hidden.name, group_of(t), family_of(t), to_string(t.hidden.noise),
+                          format_number(t.level), format_number(t.strength),
+                          std::to_string(t.seed), flag(s.verdict), flag(s.equation),
+                          flag(s.name), flag(s.listed), std::to_string(s.spurious),
+                          s.size ? format_number(*s.size, 4) : "",
+                          format_number(outcomes[i].seconds, 3), answer});
+  }
+  return table;
+}
+
+}  // namespace
+
+void write_tables(const std::filesystem::path& folder, const std::string& name,
+                  const std::vector<Trial>& trials, const std::vector<Outcome>& outcomes,
+                  double seconds) {
+  const auto level = [](const Trial& t) { return format_number(100.0 * t.level) + " %"; };
+  std::string text = "# Hidden effects: " + name + "\n\n`study_hidden " + name + "`, " +
+                     today() + ", " + machine_description() + ", " + format_number(seconds, 3) +
+                     " s.\n\n";
+  text += grouped(trials, outcomes, "kind, noise",
+                  [&](const Trial& t) { return group_of(t) + ", " + level(t); });
+  if (name == "power")
+    text += grouped(trials, outcomes, "strength, noise", [&](const Trial& t) {
+      return format_number(t.strength) + ", " + level(t);
+    });
+  text += grouped(trials, outcomes, name == "alarm" ? "kind of noise" : "family", family_of);
+  if (name == "alarm")
+    text += grouped(trials, outcomes, "system", [](const Trial& t) { return t.hidden.name; });
+  write_file_atomically(folder / (name + ".md"), text);
+  write_file_atomically(folder / (name + ".csv"), all_trials(trials, outcomes).csv());
+}
+
+}  // namespace lacuna::benchmarks

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/discrepancy/explanation.hpp"
+
+namespace lacuna {
+
+/// How far records and model are apart, before and after.
+struct Gap {
+  std::string metric;
+  double before = 0.0;       ///< nominal model as it was given
+  double after = 0.0;        ///< augmented model
+  double noise_floor = 0.0;  ///< measurement noise alone
+  double window = 0.0;       ///< length of the windows, time units
+  std::vector<std::string> records;
+
+  double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }
+};
+
+/// Measures the gap on records that were not used to find the effects.
+///
+/// The records are cut into windows of one mean period of their fastest state. In each window
+/// the model runs freely from the initial state that fits best; the gap is the root mean square
+/// of (measured - model) / (standard deviation of the state) over all samples of all measured
+/// states. The noise floor is the same for the measurement noise alone, as the records show it.
+Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
+          const RunContext& context);
+
+}  // namespace lacuna

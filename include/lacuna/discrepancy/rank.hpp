@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/discrepancy/effect.hpp"
+#include "lacuna/discrepancy/explanation.hpp"
+#include "lacuna/discrepancy/screening.hpp"
+
+namespace lacuna {
+
+/// One more effect, fitted together with all that were there before.
+struct RankedEffect {
+  Explanation explanation;    ///< the new effect is the last
+  double criterion = 0.0;     ///< deviance + parameters x log n (BIC)
+  double gain = 0.0;          ///< drop of the deviance against the explanation without it
+  double sigma = 0.0;         ///< of the gain, for the number of candidates tried
+  double contribution = 0.0;  ///< rms of coefficient x form over that of the state's rate
+  double probability = 0.0;   ///< among all ranked and "none of them"
+
+  const FittedEffect& effect() const { return explanation.effects.back(); }
+};
+
+/// What a search over all candidates found.
+struct Ranking {
+  std::vector<RankedEffect> effects;  ///< best first
+  double none = 1.0;                  ///< probability of "none of them"
+  Index tried = 0;                    ///< candidates and shapes that were tried
+};
+
+/// What ranking needs to know besides data.
+struct RankOptions {
+  Index refits = 10;  ///< candidates that are fitted in few passes with their shapes fixed
+  Index exact = 4;    ///< of these the best, which are fitted exactly
+};
+
+/// Ranks the candidates that may come next: score tests of all, then the best of each effect
+/// and equation is fitted exactly, with all coefficients, shapes and variances, and compared by
+/// BIC = deviance + parameters x log n. "None of them" is the model with its disturbances as
+/// they are. Where the plainer name of an effect is within the evidence that cannot tell them
+/// apart (a factor of 20 in probability), it leads.
+/// @param current the explanation so far; @param base the nominal model brought onto the
+/// records.
+Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& current,
+             const std::vector<Stage<Effect>>& effects, const Scope& scope,
+             const AssimilationOptions& options, const RankOptions& rank_options,
+             const RunContext& context);
+
+}  // namespace lacuna

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "lacuna/discrepancy/diagnosis.hpp"
+
+namespace lacuna {
+
+/// The answer for people, three to ten lines: verdict, each effect with numbers and units, what
+/// the coefficients say, the gap on records not used, what is left.
+std::string format_text(const Diagnosis& diagnosis);
+
+/// JSON text of the format "lacuna.diagnosis/1".
+std::string format_json(const Diagnosis& diagnosis);
+
+}  // namespace lacuna

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "command.hpp"
+#include "data_options.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/discrepancy/diagnose.hpp"
+#include "lacuna/model/model_file.hpp"
+#include "lacuna/report/diagnosis_report.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+struct Options {
+  std::string model;
+  DataOptions data;
+  std::vector<std::string> held_out;
+  RunOptions run;
+  std::string differentiator = "finite-differences";
+  std::vector<std::string> effects;
+  std::vector<std::string> tolerances;
+  int max_effects = 4;
+  std::optional<std::string> json, model_out;
+};
+
+/// "w:sin(th)=5%" or "w:sin(th)=0.2": the standard deviation of a nominal coefficient.
+CoefficientPrior parse_tolerance(const OdeModel& model, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::size_t equals = text.rfind('=');
+  if (colon == std::string::npos || equals == std::string::npos || equals < colon)
+    throw ConfigError("--tolerance " + text, "this is not STATE:TERM=DEVIATION",
+                      "write e.g. --tolerance 'w:sin(th)=5%'");
+  const Index equation = model.state_index(text.substr(0, colon));
+  const std::string name =
+      Term::parse(text.substr(colon + 1, equals - colon - 1), model.variables()).name();
+  std::string number = text.substr(equals + 1);
+  const bool relative = !number.empty() && number.back() == '%';
+  if (relative) number.pop_back();
+  const auto value = parse_number(number);
+  if (!value || !(*value > 0.0))
+    throw ConfigError("--tolerance " + text, "the deviation is not a number above 0",
+                      "write e.g. 5% or 0.2");
+  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
+  for (std::size_t j = 0; j < terms.size(); ++j)
+    if (terms[j].term.name() == name)
+      return {{equation, static_cast<Index>(j)},
+              terms[j].coefficient,
+              relative ? 0.01 * *value * std::abs(terms[j].coefficient) : *value};
+  throw ConfigError("--tolerance " + text, "the equation has no term " + name,
+                    "name a term of the nominal model");
+}
+
+DiagnosisOptions diagnosis_options(const Session& session, const OdeModel& model,
+                                   const Options& options) {
+  DiagnosisOptions result;
+  std::vector<std::string> names = options.effects;
+  if (names.empty()) names = session.registry.names(Effect::kKind);
+  for (const std::string& name : names)
+    result.effects.push_back(session.registry.make<Effect>(name));
+  for (const std::string& text : options.tolerances)
+    result.tolerances.push_back(parse_tolerance(model, text));
+  result.max_effects = options.max_effects;
+  return result;
+}
+
+Dataset read_held_out(const OdeModel& model, const Options& options,
+                      const Differentiator& differentiator) {
+  if (options.held_out.empty()) return {};
+  DataOptions data = options.data;
+  data.paths = options.held_out;
+  return read_data_for(model, data, differentiator);
+}
+
+int diagnose_command(const Session& session, const Options& options) {
+  const OdeModel model = load_model(options.model);
+  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
+  const RunContext context = make_context(session, options.run);
+  context.report("reading data", 0.0);
+  const Dataset data = read_data_for(model, options.data, *differentiator);
+  const Dataset held_out = read_held_out(model, options, *differentiator);
+  const Diagnosis diagnosis =
+      diagnose(model, data, held_out, diagnosis_options(session, model, options), context);
+  finish_progress(session, options.run);
+  if (options.model_out)
+    write_output(session, *options.model_out, format_model(diagnosis.augmented));
+  if (options.json) write_output(session, *options.json, format_json(diagnosis));
+  if (options.json != "-") session.streams.out << format_text(diagnosis);
+  return 0;
+}
+
+void declare_search_options(CLI::App& app, Options& options) {
+  app.add_option("--effect", options.effects, "Try only these effects (see `list effect`)")
+      ->type_name("NAME");
+  app.add_option("--max-effects", options.max_effects, "Name at most so many effects")
+      ->check(CLI::Range(0, 20))
+      ->capture_default_str();
+  app.add_option("--tolerance", options.tolerances,
+                 "Standard deviation of a nominal coefficient, e.g. 'w:sin(th)=5%'")
+      ->type_name("STATE:TERM=DEVIATION");
+}
+
+}  // namespace
+
+Command declare_diagnose(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = root.add_subcommand("diagnose", "Find what a nominal model lacks");
+  app->add_option("--model", options->model, "Nominal model file")->required();
+  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      ->required();
+  app->add_option("--holdout", options->held_out,
+                  "Records to gauge the gap on [default: the last quarter of the data]")
+      ->type_name("DATA");
+  declare_column_options(*app, options->data, false);
+  declare_search_options(*app, *options);
+  app->add_option("--differentiator", options->differentiator,
+                  "How states without a column are made from those that have one")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app->add_option("--model-out", options->model_out, "Write the augmented model")
+      ->type_name("FILE|-");
+  app->add_option("--json", options->json, "Write the diagnosis as JSON; - for standard output")
+      ->type_name("FILE|-");
+  declare_run_options(*app, options->run);
+  return {app,
+          [options](const Session& session) { return diagnose_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/candidate_column.hpp"
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+/// The variables of a candidate's formulas: those of the model, its memory states as inputs.
+Variables with_memory(const Candidate& candidate, const Variables& variables) {
+  Variables all = variables;
+  for (const MemoryState& memory : candidate.memory) all.inputs.push_back(memory.name);
+  return all;
+}
+
+/// The slots of a record with columns for memory states before the time.
+Matrix with_memory(const Matrix& slots, const Matrix& memory) {
+  const Index width = slots.cols() - 1;
+  Matrix all(slots.rows(), slots.cols() + memory.cols());
+  all << slots.leftCols(width), memory, slots.col(width);
+  return all;
+}
+
+/// (exp(x) - 1) / x.
+double growth(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
+
+/// Rates of the memory states and their own derivatives, as one program.
+Program memory_program(const Candidate& candidate, std::span<const double> shapes,
+                       const Variables& variables) {
+  std::vector<Expression> outputs;
+  for (const MemoryState& memory : candidate.memory) {
+    outputs.push_back(bind_formula(candidate, memory.rate, shapes));
+    outputs.push_back(differentiate(outputs.back(), memory.name));
+  }
+  return {outputs, variables};
+}
+
+}  // namespace
+
+Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
+                    const Variables& variables, const LinearisedRecord& record) {
+  const auto count = static_cast<Index>(candidate.memory.size());
+  const Matrix& slots = record.slots;
+  const Index width = slots.cols() - 1;
+  Matrix values(slots.rows(), count);
+  for (Index k = 0; k < count; ++k)
+    values(0, k) =
+        evaluate_on(record, variables,
+                    bind_formula(candidate, candidate.memory[static_cast<std::size_t>(k)].start,
+                                 shapes))[0];
+  const Program program = memory_program(candidate, shapes, with_memory(candidate, variables));
+  Program::Workspace workspace;
+  Vector point(program.slots()), out(program.outputs());
+  for (Index i = 0; i + 1 < slots.rows(); ++i) {
+    const double length = slots(i + 1, width) - slots(i, width);
+    point.head(width) = 0.5 * (slots.row(i) + slots.row(i + 1)).head(width).transpose();
+    point.segment(width, count) = values.row(i).transpose();
+    point[width + count] = slots(i, width) + 0.5 * length;
+    program.evaluate(point.data(), out.data(), workspace);
+    for (Index k = 0; k < count; ++k)
+      values(i + 1, k) = values(i, k) + length * growth(out[2 * k + 1] * length) * out[2 * k];
+  }
+  return values;
+}
+
+Vector form_along(const Candidate& candidate, std::span<const double> shapes,
+                  const Variables& variables, const LinearisedRecord& record) {
+  const Expression form = bind_form(candidate, shapes);
+  if (candidate.memory.empty()) return evaluate_on(record, variables, form);
+  const Program program({&form, 1}, with_memory(candidate, variables));
+  Program::Workspace workspace;
+  Matrix out(record.slots.rows(), 1);
+  program.evaluate(
+      with_memory(record.slots, memory_along(candidate, shapes, variables, record)), out,
+      workspace);
+  return out.col(0);
+}
+
+std::optional<Vector> candidate_column(const Candidate& original,
+                                       std::span<const double> shapes,
+                                       const Assimilation& assimilation,
+                                       const InnovationSystem& system) {
+  std::vector<Vector> values;
+  const Variables variables = assimilation.model.variables();
+  const Candidate candidate = without_clash(original, variables.names());
+  for (const LinearisedRecord& record : assimilation.records) {
+    values.push_back(form_along(candidate, shapes, variables, record));
+    if (!values.back().allFinite()) return std::nullopt;
+    if (candidate.place == Place::Channel)
+      values.back() = Vector(values.back()(Eigen::seq(0, Eigen::last, 2)));
+  }
+  if (candidate.place == Place::Channel)
+    return system.channel_column(candidate.equation, values);
+  return system.rate_column(candidate.equation, values);
+}
+
+}  // namespace lacuna

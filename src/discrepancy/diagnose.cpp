@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/diagnose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/text.hpp"
+#include "lacuna/data/noise.hpp"
+#include "lacuna/innovation/innovation_system.hpp"
+#include "lacuna/numerics/significance.hpp"
+#include "records.hpp"
+#include "search.hpp"
+
+namespace lacuna {
+namespace {
+
+double mean_step(const Dataset& data) {
+  const Trajectory& record = data.trajectories.front();
+  return (record.time[record.samples() - 1] - record.time[0]) /
+         static_cast<double>(record.samples() - 1);
+}
+
+/// The steps of a diagnosis in their order.
+class Workflow {
+ public:
+  Workflow(const OdeModel& nominal, const Dataset& data, const DiagnosisOptions& options,
+           const RunContext& context)
+      : nominal_(nominal),
+        data_(data),
+        options_(options),
+        context_(context),
+        result_{Verdict::NoDiscrepancy, nominal, {}, {}, {}, {}, {}, nominal, {}, {}, {}} {}
+
+  Diagnosis run(const Dataset& held_out) {
+    bring_onto_records();
+    SearchResult found = search(fitted_);
+    if (any_substantial(found.left) || !found.named.empty())
+      found = or_coloured(std::move(found));
+    conclude(found);
+    result_.gap = gauge(nominal_, final_, held_out, context_);
+    return std::move(result_);
+  }
+
+ private:
+  void bring_onto_records() {
+    context_.report("bringing the model onto the records", 0.0);
+    given_ = assimilate(nominal_, data_, mark_outliers(data_), AssimilationOptions{}, context_);
+    if (clear_false_outliers(data_, *given_, result_.notes))
+      given_ = assimilate_from(nominal_, data_, *given_, AssimilationOptions{}, context_);
+    result_.disagreement = locate(*given_, context_);
+    fit_options_.free = free_coefficients(nominal_);
+    fit_options_.priors = options_.tolerances;
+    context_.report("fitting the nominal coefficients", 0.0);
+    fitted_ = assimilate_from(nominal_, data_, *given_, fit_options_, context_);
+    fit_options_.passes = 8;
+  }
+
+  SearchResult search(const std::optional<Assimilation>& base) const {
+    constexpr Index kLines = 3;
+    const Scope scope =
+        make_scope(nominal_, data_, estimate_noise(data_), spectral_lines(*base, kLines));
+    return search_effects(data_, *base, scope, fit_options_, options_, context_);
+  }
+
+  bool any_substantial(const std::vector<EquationStructure>& left) const {
+    return std::any_of(left.begin(), left.end(),
+                       [&](const auto& s) { return is_substantial(s, options_); });
+  }
+
+  /// The other explanation: noise of the measurement that has a memory. It is taken when it
+  /// explains the records better than the effects do; the search is repeated on top of it.
+  SearchResult or_coloured(SearchResult found) {
+    const Assimilation coloured = best_coloured();
+    const double log_samples = std::log(static_cast<double>(coloured.used));
+    const double price = 2.0 * static_cast<double>(coloured.noise.measured()) * log_samples;
+    if (coloured.deviance + price >= criterion_of(found.explanation)) return found;
+    result_.notes.push_back(
+        "the measurement noise has a memory, which explains the records better than any effect "
+        "with white noise");
+    fitted_ = coloured;
+    return search(fitted_);
+  }
+
+  Assimilation best_coloured() const {
+    std::optional<Assimilation> best;
+    for (const double steps : {3.0, 30.0, 300.0}) {
+      Assimilation start = *fitted_;
+      for (std::size_t k = 0; k < start.noise.coloured.size(); ++k)
+        if (const auto& white = start.noise.measurement[k])
+          start.noise.coloured[k] = ColouredNoise{*white, steps * mean_step(data_)};
+      Assimilation fit = assimilate_from(fitted_->model, data_, start, fit_options_, context_);
+      if (!best || fit.deviance < best->deviance) best = std::move(fit);
+    }
+    return std::move(*best);
+  }
+
+  void conclude(SearchResult& found) {
+    result_.rounds = found.rounds;
+    const bool left = any_substantial(found.left);
+    if (left && !closes_most(found)) {
+      found.named.clear();
+      found.explanation = {{}, *fitted_};
+      found.left = test_structure(*fitted_, context_);
+    }
+    result_.effects = found.named;
+    final_ = found.explanation;
+    result_.noise = final_.fit.noise;
+    list_changes();
+    set_remaining(found.left);
+    result_.verdict = verdict(left);
+    set_augmented();
+  }
+
+  /// Whether the effects take away more than half of the disturbance of each equation they are
+  /// in; less is no explanation.
+  bool closes_most(const SearchResult& found) const {
+    if (found.named.empty()) return false;
+    double before = 0.0, after = 0.0;
+    const Vector rates = rate_rms(*fitted_);
+    for (Index k = 0; k < nominal_.dimension(); ++k) {
+      before += std::pow(fitted_->noise.disturbance[k] / rates[k], 2);
+      after += std::pow(found.explanation.fit.noise.disturbance[k] / rates[k], 2);
+    }
+    return after < 0.5 * before;
+  }
+
+  void list_changes() {
+    const Assimilation& fit = final_.fit;
+    for (std::size_t j = 0; j < fit_options_.free.size(); ++j) {
+      const CoefficientPlace& place = fit_options_.free[j];
+      const auto equation = static_cast<std::size_t>(place.equation);
+      const WeightedTerm& before =
+          nominal_.equations()[equation][static_cast<std::size_t>(place.term)];
+      const double now =
+          fit.model.equations()[equation][static_cast<std::size_t>(place.term)].coefficient;
+      const auto row = static_cast<Index>(j);
+      const double deviation = std::sqrt(std::max(0.0, fit.covariance(row, row)));
+      const double sigma =
+          deviation > 0.0 ? std::abs(now - before.coefficient) / deviation : 0.0;
+      result_.coefficient_changes.push_back(
+          {place.equation, before.term.name(), before.coefficient, now, deviation, sigma});
+    }
+    std::stable_sort(result_.coefficient_changes.begin(), result_.coefficient_changes.end(),
+                     [](const auto& a, const auto& b) { return a.sigma > b.sigma; });
+  }
+
+  void set_remaining(const std::vector<EquationStructure>& left) {
+    for (const EquationStructure& structure : left) {
+      result_.remaining.sigma = std::max(result_.remaining.sigma, structure.sigma);
+      if (is_substantial(structure, options_))
+        result_.remaining.equations.push_back(structure.equation);
+    }
+    result_.remaining.structure = !result_.remaining.equations.empty();
+  }
+
+  Verdict verdict(bool left) const {
+    if (!result_.effects.empty()) return left ? Verdict::PartlyExplained : Verdict::Explained;
+    if (left) return Verdict::UnnamedStructure;
+    return coefficients_off() ? Verdict::CoefficientsOnly : Verdict::NoDiscrepancy;
+  }
+
+  /// Whether the fit of the coefficients is a significant gain, and of substance in some
+  /// equation.
+  bool coefficients_off() const {
+    const double gain = given_->deviance - fitted_->deviance;
+    const auto free = static_cast<double>(fit_options_.free.size());
+    if (sigma_of_gain(gain, free, 1.0) < options_.significance) return false;
+    return change_of_rates() >= options_.substance;
+  }
+
+  /// Largest rms of the change of a rate by the new coefficients, over that of the rate.
+  double change_of_rates() const {
+    const Vector rates = rate_rms(*fitted_);
+    double largest = 0.0;
+    for (Index k = 0; k < nominal_.dimension(); ++k) {
+      double sum = 0.0, count = 0.0;
+      for (const LinearisedRecord& record : fitted_->records) {
+        Vector change = Vector::Zero(record.slots.rows());
+        const Equation& before = nominal_.equations()[static_cast<std::size_t>(k)];
+        const Equation& after = fitted_->model.equations()[static_cast<std::size_t>(k)];
+        for (std::size_t j = 0; j < before.size(); ++j)
+          change += (after[j].coefficient - before[j].coefficient) *
+                    evaluate_on(record, nominal_.variables(), before[j].term.expression());
+        sum += change.squaredNorm();
+        count += static_cast<double>(change.size());
+      }
+      if (rates[k] > 0.0) largest = std::max(largest, std::sqrt(sum / count) / rates[k]);
+    }
+    return largest;
+  }
+
+  /// The final model with standard errors and intervals; the nominal model where nothing is
+  /// wrong.
+  void set_augmented() {
+    if (result_.verdict == Verdict::NoDiscrepancy) return;
+    std::vector<Equation> equations = final_.fit.model.equations();
+    for (std::size_t j = 0; j < final_.fit.free.size(); ++j) {
+      const CoefficientPlace& place = final_.fit.free[j];
+      WeightedTerm& summand = equations[static_cast<std::size_t>(place.equation)]
+                                       [static_cast<std::size_t>(place.term)];
+      const auto row = static_cast<Index>(j);
+      summand.standard_error = std::sqrt(std::max(0.0, final_.fit.covariance(row, row)));
+      summand.ci95 = {{summand.coefficient - 1.96 * *summand.standard_error,
+                       summand.coefficient + 1.96 * *summand.standard_error}};
+    }
+    const OdeModel& model = final_.fit.model;
+    result_.augmented =
+        OdeModel(model.states(), model.inputs(), std::move(equations), model.time_unit());
+  }
+
+  const OdeModel& nominal_;
+  const Dataset& data_;
+  const DiagnosisOptions& options_;
+  const RunContext& context_;
+  AssimilationOptions fit_options_;
+  std::optional<Assimilation> given_, fitted_;
+  Explanation final_{{}, {nominal_, {}, {}, {}, {}, 0.0, 0, {}, {}, {}}};
+  Diagnosis result_;
+};
+
+}  // namespace
+
+std::string to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::NoDiscrepancy:
+      return "no-discrepancy";
+    case Verdict::CoefficientsOnly:
+      return "coefficients-only";
+    case Verdict::Explained:
+      return "explained";
+    case Verdict::PartlyExplained:
+      return "partly-explained";
+    case Verdict::UnnamedStructure:
+      return "unnamed-structure";
+  }
+  return "";
+}
+
+Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
+                   const DiagnosisOptions& options, const RunContext& context) {
+  if (!held_out.trajectories.empty())
+    return Workflow(nominal, data, options, context).run(held_out);
+  const auto [find, check] = split_in_time(data);
+  return Workflow(nominal, find, options, context).run(check);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/explanation.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/discrepancy/candidate_column.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The start of an assimilation whose model has more states than the base has.
+Assimilation widened(const Assimilation& base, const AugmentedProblem& problem) {
+  Assimilation start = base;
+  const Index m = problem.model.dimension();
+  const Index old = base.noise.states();
+  start.noise.disturbance.conservativeResize(m);
+  start.noise.disturbance.tail(m - old).setZero();
+  start.noise.measurement.resize(static_cast<std::size_t>(m));
+  start.noise.coloured.resize(static_cast<std::size_t>(m));
+  for (std::size_t r = 0; r < start.records.size(); ++r) {
+    const Matrix& states = problem.data.trajectories[r].states;
+    Matrix path(states.rows(), m);
+    path << base.records[r].path.leftCols(old), states.rightCols(m - old);
+    start.records[r].path = std::move(path);
+    if (!start.omitted.empty() && start.omitted[r].size() > 0) {
+      start.omitted[r].conservativeResize(states.rows(), m);
+      start.omitted[r].rightCols(m - old).setZero();
+    }
+  }
+  start.channel_terms = problem.channel_terms;
+  return start;
+}
+
+/// The nominal part of a model that has effects behind it.
+OdeModel nominal_part(const OdeModel& augmented, const OdeModel& nominal) {
+  std::vector<Equation> equations;
+  for (std::size_t k = 0; k < nominal.equations().size(); ++k)
+    equations.emplace_back(augmented.equations()[k].begin(),
+                           augmented.equations()[k].begin() +
+                               static_cast<std::ptrdiff_t>(nominal.equations()[k].size()));
+  for (Equation& equation : equations)
+    for (WeightedTerm& summand : equation)
+      summand.term = Term::parse(summand.term.name(), nominal.variables());
+  return {nominal.states(), nominal.inputs(), std::move(equations), nominal.time_unit()};
+}
+
+std::vector<Matrix> nominal_paths(const Assimilation& fit, Index states) {
+  std::vector<Matrix> paths;
+  for (const LinearisedRecord& record : fit.records)
+    paths.push_back(record.path.leftCols(states));
+  return paths;
+}
+
+/// Fits with the shapes as they are.
+class JointFit {
+ public:
+  JointFit(const Dataset& data, const Assimilation& base, const AssimilationOptions& options,
+           const RunContext& context)
+      : data_(data), base_(base), options_(options), context_(context) {}
+
+  Explanation at(const OdeModel& nominal, const Assimilation& from,
+                 std::vector<FittedEffect> effects, int passes) const {
+    const Index m = nominal.dimension();
+    const AugmentedProblem problem =
+        augment(nominal, data_, options_.free, effects, nominal_paths(from, m));
+    AssimilationOptions options = options_;
+    options.free = problem.free;
+    options.passes = passes;
+    Assimilation start = widened(nominal_start(from, m), problem);
+    Explanation result{std::move(effects),
+                       assimilate_from(problem.model, problem.data, start, options, context_)};
+    read_coefficients(result);
+    return result;
+  }
+
+  /// Moves the shapes and fits again until the likelihood rises no more.
+  Explanation with_shapes(Explanation best) const {
+    constexpr int kSteps = 3;
+    for (int step = 0; step < kSteps; ++step) {
+      std::vector<FittedEffect> moved = best.effects;
+      if (!move_shapes(best, moved)) break;
+      Explanation next =
+          at(nominal_part(best.fit.model, base_.model), best.fit, std::move(moved), 3);
+      const double drop = best.fit.deviance - next.fit.deviance;
+      if (!(drop > 0.0)) break;
+      best = std::move(next);
+      if (drop < 0.1) break;
+    }
+    return best;
+  }
+
+ private:
+  /// The fit without its memory states.
+  Assimilation nominal_start(const Assimilation& from, Index m) const {
+    Assimilation start = from;
+    start.noise.disturbance.conservativeResize(m);
+    start.noise.measurement.resize(static_cast<std::size_t>(m));
+    start.noise.coloured.resize(static_cast<std::size_t>(m));
+    for (LinearisedRecord& record : start.records)
+      record.path = Matrix(record.path.leftCols(m));
+    for (Matrix& omitted : start.omitted)
+      if (omitted.size() > 0) omitted.conservativeResize(Eigen::NoChange, m);
+    return start;
+  }
+
+  void read_coefficients(Explanation& result) const {
+    const Assimilation& fit = result.fit;
+    auto place = static_cast<Index>(options_.free.size());
+    auto channel = static_cast<Index>(fit.free.size());
+    std::size_t term = 0;
+    for (FittedEffect& effect : result.effects) {
+      const bool in_equation = effect.candidate.place == Place::Rate;
+      const Index row = in_equation ? place++ : channel++;
+      if (in_equation) {
+        const CoefficientPlace& where = fit.free[static_cast<std::size_t>(row)];
+        effect.coefficient = fit.model
+                                 .equations()[static_cast<std::size_t>(where.equation)]
+                                             [static_cast<std::size_t>(where.term)]
+                                 .coefficient;
+      } else {
+        effect.coefficient = fit.channel_terms[term++].coefficient;
+      }
+      if (row < fit.covariance.rows())
+        effect.deviation = std::sqrt(std::max(0.0, fit.covariance(row, row)));
+    }
+  }
+
+  /// One Gauss-Newton step of all shapes; false when there are none or it goes nowhere.
+  bool move_shapes(const Explanation& at, std::vector<FittedEffect>& effects) const;
+
+  const Dataset& data_;
+  const Assimilation& base_;
+  const AssimilationOptions& options_;
+  const RunContext& context_;
+};
+
+/// d(column)/d(shape) times the coefficient, by central differences inside the range.
+std::optional<Vector> shape_column(const FittedEffect& effect, Index shape,
+                                   const Assimilation& fit, const InnovationSystem& system) {
+  const ShapeParameter& range = effect.candidate.shapes[static_cast<std::size_t>(shape)];
+  const double value = effect.shapes[shape];
+  const double reach =
+      1e-3 * (range.logarithmic ? std::abs(value) : std::abs(range.high - range.low));
+  Vector low = effect.shapes, high = effect.shapes;
+  low[shape] = std::max(range.low, value - reach);
+  high[shape] = std::min(range.high, value + reach);
+  if (!(high[shape] > low[shape])) return std::nullopt;
+  const auto size = static_cast<std::size_t>(low.size());
+  const auto below = candidate_column(effect.candidate, {low.data(), size}, fit, system);
+  const auto above = candidate_column(effect.candidate, {high.data(), size}, fit, system);
+  if (!below || !above) return std::nullopt;
+  return Vector(effect.coefficient / (high[shape] - low[shape]) * (*above - *below));
+}
+
+/// Steps of the last columns in the joint least-squares problem.
+Vector joint_step(const Matrix& fitted, const std::vector<Vector>& shapes,
+                  const Vector& innovations) {
+  Matrix columns(fitted.rows(), fitted.cols() + static_cast<Index>(shapes.size()));
+  columns.leftCols(fitted.cols()) = fitted;
+  for (std::size_t j = 0; j < shapes.size(); ++j)
+    columns.col(fitted.cols() + static_cast<Index>(j)) = shapes[j];
+  const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+  columns = columns * scale.asDiagonal();
+  const Vector step = Matrix(columns.transpose() * columns)
+                          .ldlt()
+                          .solve(Vector(columns.transpose() * innovations));
+  return (scale.asDiagonal() * step).tail(static_cast<Index>(shapes.size()));
+}
+
+bool JointFit::move_shapes(const Explanation& at, std::vector<FittedEffect>& effects) const {
+  const InnovationSystem system(at.fit);
+  std::vector<Vector> columns;
+  std::vector<std::pair<std::size_t, Index>> places;
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    for (Index s = 0; s < effects[e].shapes.size(); ++s)
+      if (auto column = shape_column(at.effects[e], s, at.fit, system)) {
+        columns.push_back(std::move(*column));
+        places.emplace_back(e, s);
+      }
+  if (columns.empty()) return false;
+  const Vector step = joint_step(system.fitted_columns(), columns, system.innovations());
+  if (!step.allFinite()) return false;
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    const auto [effect, shape] = places[j];
+    const ShapeParameter& range =
+        effects[effect].candidate.shapes[static_cast<std::size_t>(shape)];
+    const double moved = effects[effect].shapes[shape] + step[static_cast<Index>(j)];
+    effects[effect].shapes[shape] = std::clamp(moved, range.low, range.high);
+  }
+  return true;
+}
+
+}  // namespace
+
+Index Explanation::parameters() const noexcept {
+  Index count = 0;
+  for (const FittedEffect& effect : effects) count += 1 + effect.shapes.size();
+  return count;
+}
+
+Explanation explain_roughly(const Dataset& data, const Assimilation& base,
+                            const std::vector<FittedEffect>& effects,
+                            const AssimilationOptions& options, const RunContext& context) {
+  constexpr int kFew = 3;
+  return JointFit(data, base, options, context).at(base.model, base, effects, kFew);
+}
+
+Explanation explain(const Dataset& data, const Assimilation& base,
+                    const std::vector<FittedEffect>& effects,
+                    const AssimilationOptions& options, const RunContext& context) {
+  const JointFit joint(data, base, options, context);
+  return joint.with_shapes(joint.at(base.model, base, effects, options.passes));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/gauge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/innovation/innovation_filter.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Samples between upward crossings of the mean, on average; the whole record when there are
+/// fewer than two.
+double mean_period(const Eigen::Ref<const Vector>& values) {
+  const double mean = values.mean();
+  Index first = -1, last = -1, crossings = 0;
+  for (Index i = 1; i < values.size(); ++i) {
+    if (!(values[i - 1] < mean && values[i] >= mean)) continue;
+    if (first < 0) first = i;
+    last = i;
+    ++crossings;
+  }
+  if (crossings < 2) return static_cast<double>(values.size());
+  return static_cast<double>(last - first) / static_cast<double>(crossings - 1);
+}
+
+/// Samples of a window: the shortest mean period of the smoothed states, no fewer than 20
+/// samples.
+Index window_length(const std::vector<LinearisedRecord>& records, const NoiseModel& noise) {
+  double shortest = static_cast<double>(records.front().samples());
+  for (const LinearisedRecord& record : records)
+    for (Index k = 0; k < record.states(); ++k)
+      if (noise.measurement[static_cast<std::size_t>(k)])
+        shortest = std::min(shortest, mean_period(record.path.col(k)));
+  return std::max<Index>(20, static_cast<Index>(shortest));
+}
+
+/// Sum of squares of the relative deviations, and how many there are.
+struct Squares {
+  double sum = 0.0;
+  double count = 0.0;
+};
+
+/// Windows of one record, each fitted with its initial state free. The record is linearised as
+/// a whole, so that delayed terms know what was before a window.
+Squares window_squares(const LinearisedRecord& record, const Matrix& measured,
+                       const NoiseModel& noise, const Vector& scale, Index length) {
+  Squares squares;
+  NoiseModel exact = noise;
+  exact.disturbance.setZero();
+  for (Index first = 0; first + length <= record.samples(); first += length) {
+    const LinearisedRecord window = part_of(record, first, length);
+    const SmoothedRecord smoothed =
+        smooth(window, measured.middleRows(first, length), Matrix(), exact);
+    for (Index k = 0; k < record.states(); ++k) {
+      if (!noise.measurement[static_cast<std::size_t>(k)]) continue;
+      const Vector left = measured.col(k).segment(first, length) - window.path.col(k) -
+                          smoothed.deviation.col(k);
+      squares.sum += left.squaredNorm() / (scale[k] * scale[k]);
+      squares.count += static_cast<double>(length);
+    }
+  }
+  return squares;
+}
+
+Vector deviations(const Dataset& data) {
+  Vector sum = Vector::Zero(data.state_count());
+  double count = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    sum += (record.states.rowwise() - record.states.colwise().mean())
+               .colwise()
+               .squaredNorm()
+               .transpose();
+    count += static_cast<double>(record.samples());
+  }
+  return (sum / count).cwiseSqrt().cwiseMax(1e-300);
+}
+
+double noise_floor(const NoiseModel& noise, const Vector& scale) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
+    if (!noise.measurement[k]) continue;
+    const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
+    sum += (*noise.measurement[k] * *noise.measurement[k] + colour * colour) /
+           (scale[static_cast<Index>(k)] * scale[static_cast<Index>(k)]);
+    count += 1.0;
+  }
+  return std::sqrt(sum / count);
+}
+
+/// The noise of a model with fewer states.
+NoiseModel narrowed(NoiseModel noise, Index m) {
+  noise.disturbance.conservativeResize(m);
+  noise.measurement.resize(static_cast<std::size_t>(m));
+  noise.coloured.resize(static_cast<std::size_t>(m));
+  return noise;
+}
+
+}  // namespace
+
+Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
+          const RunContext& context) {
+  context.report("gauging on records not used before", 0.0);
+  const Index m = nominal.dimension();
+  std::vector<Matrix> paths;
+  for (const Trajectory& record : held_out.trajectories) paths.push_back(record.states);
+  AugmentedProblem problem = augment(nominal, held_out, {}, explanation.effects, paths);
+  AssimilationOptions options;
+  Assimilation fit = assimilate(explanation.fit.model, problem.data, {}, options, context);
+  const Vector scale = deviations(problem.data);
+  const Index length = window_length(fit.records, fit.noise);
+  Squares before, after;
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Index samples = std::min(length, fit.records[r].samples());
+    const LinearisedRecord bare_record =
+        linearise(nominal, held_out.trajectories[r], Matrix(fit.records[r].path.leftCols(m)),
+                  1e-4 * scale.head(m));
+    const Squares full =
+        window_squares(fit.records[r], fit.measured[r], fit.noise, scale, samples);
+    const Squares bare = window_squares(bare_record, held_out.trajectories[r].states,
+                                        narrowed(fit.noise, m), scale, samples);
+    after = {after.sum + full.sum, after.count + full.count};
+    before = {before.sum + bare.sum, before.count + bare.count};
+  }
+  Gap gap{
+      "rms of (measured - model) / standard deviation in windows of one mean period, initial "
+      "state fitted",
+      std::sqrt(before.sum / before.count),
+      std::sqrt(after.sum / after.count),
+      noise_floor(fit.noise, scale),
+      0.0,
+      {}};
+  const LinearisedRecord& first = fit.records.front();
+  gap.window = static_cast<double>(length) * (first.time[1] - first.time[0]);
+  for (const Trajectory& record : held_out.trajectories) gap.records.push_back(record.source);
+  return gap;
+}
+
+}  // namespace lacuna

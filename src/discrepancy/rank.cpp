@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/rank.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "lacuna/discrepancy/structure.hpp"
+#include "lacuna/numerics/significance.hpp"
+
+namespace lacuna {
+namespace {
+
+std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
+                                      const Scope& scope, const Explanation& current) {
+  std::vector<Candidate> result;
+  const std::vector<std::string> taken = current.fit.model.variables().names();
+  for (const Stage<Effect>& effect : effects)
+    for (Index k = 0; k < scope.model.dimension(); ++k)
+      for (Candidate& candidate : effect->candidates(scope, k))
+        result.push_back(without_clash(std::move(candidate), taken));
+  return result;
+}
+
+/// The best of each effect and equation, with and without shapes, in the order of the
+/// screening: those that may be significant and that are not far behind the best, whose lead
+/// only grows by an exact fit.
+std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& screened,
+                                          Index count) {
+  constexpr double kPossible = 2.0;  // standard deviations
+  constexpr double kFarBehind = 0.05;
+  std::vector<ScreenedCandidate> result;
+  const auto tried = static_cast<double>(screened.size());
+  const double best = screened.empty() ? 0.0 : screened.front().gain;
+  std::set<std::tuple<std::string, Index, bool>> seen;
+  for (const ScreenedCandidate& candidate : screened) {
+    if (static_cast<Index>(result.size()) == count) break;
+    const double freedom = 1.0 + static_cast<double>(candidate.shapes.size());
+    if (candidate.gain < kFarBehind * best ||
+        sigma_of_gain(candidate.gain, freedom, tried) < kPossible)
+      continue;
+    const bool shaped = candidate.shapes.size() > 0;
+    if (seen.insert({candidate.candidate.effect, candidate.candidate.equation, shaped}).second)
+      result.push_back(candidate);
+  }
+  return result;
+}
+
+/// rms of coefficient x form over that of the rate of the state it acts on.
+double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
+  const Candidate candidate = without_clash(effect.candidate, fit.model.variables().names());
+  double sum = 0.0;
+  Index count = 0;
+  for (const LinearisedRecord& record : fit.records) {
+    const Vector values = form_along(
+        candidate, {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
+        fit.model.variables(), record);
+    const double mean = candidate.form == "1" ? 0.0 : values.mean();
+    sum += (values.array() - mean).square().sum();
+    count += values.size();
+  }
+  const double rms = std::abs(effect.coefficient) * std::sqrt(sum / static_cast<double>(count));
+  if (candidate.place == Place::Channel) {
+    const auto& path = fit.records.front().path.col(candidate.equation);
+    return rms / std::sqrt((path.array() - path.mean()).square().mean());
+  }
+  return rms / rate_rms(fit)[candidate.equation];
+}
+
+class Ranker {
+ public:
+  Ranker(const Dataset& data, const Assimilation& base, const Explanation& current,
+         const AssimilationOptions& options, const RunContext& context)
+      : data_(data), base_(base), current_(current), options_(options), context_(context) {}
+
+  RankedEffect rough(const ScreenedCandidate& screened, double tried) const {
+    std::vector<FittedEffect> effects = current_.effects;
+    effects.push_back({screened.candidate, screened.shapes, screened.coefficient, 0.0});
+    return judged(explain_roughly(data_, base_, effects, options_, context_), tried);
+  }
+
+  RankedEffect exact(const RankedEffect& ranked, double tried) const {
+    return judged(explain(data_, base_, ranked.explanation.effects, options_, context_), tried);
+  }
+
+ private:
+  RankedEffect judged(Explanation explanation, double tried) const {
+    RankedEffect ranked{std::move(explanation)};
+    const double log_samples = std::log(static_cast<double>(ranked.explanation.fit.used));
+    const double deviance = ranked.explanation.fit.deviance;
+    ranked.criterion =
+        deviance + static_cast<double>(ranked.explanation.parameters()) * log_samples;
+    ranked.gain = current_.fit.deviance - deviance;
+    ranked.sigma = sigma_of_gain(
+        ranked.gain, 1.0 + static_cast<double>(ranked.effect().shapes.size()), tried);
+    ranked.contribution = contribution_of(ranked.effect(), ranked.explanation.fit);
+    return ranked;
+  }
+
+  const Dataset& data_;
+  const Assimilation& base_;
+  const Explanation& current_;
+  const AssimilationOptions& options_;
+  const RunContext& context_;
+};
+
+bool is_plausible(const RankedEffect& ranked, const std::vector<Stage<Effect>>& effects,
+                  const Scope& scope) {
+  const FittedEffect& fitted = ranked.effect();
+  for (const Stage<Effect>& effect : effects)
+    if (effect->info().name == fitted.candidate.effect)
+      return effect->plausible(
+          scope, fitted.candidate,
+          {ranked.explanation.fit.model, fitted.coefficient, fitted.deviation, fitted.shapes});
+  return true;
+}
+
+void sort_by_criterion(std::vector<RankedEffect>& effects) {
+  std::stable_sort(effects.begin(), effects.end(),
+                   [](const auto& a, const auto& b) { return a.criterion < b.criterion; });
+}
+
+void set_probabilities(Ranking& ranking, double none_criterion) {
+  double least = none_criterion;
+  for (const RankedEffect& effect : ranking.effects) least = std::min(least, effect.criterion);
+  double sum = std::exp(-0.5 * (none_criterion - least));
+  ranking.none = sum;
+  for (RankedEffect& effect : ranking.effects) {
+    effect.probability = std::exp(-0.5 * (effect.criterion - least));
+    sum += effect.probability;
+  }
+  ranking.none /= sum;
+  for (RankedEffect& effect : ranking.effects) effect.probability /= sum;
+}
+
+/// Evidence up to which two explanations are not told apart: 2 log B of Kass and Raftery, JASA
+/// 90 (1995), from where on it is very strong.
+constexpr double kUndecided = 10.0;
+
+/// Shape parameters and memory states: what makes a candidate less plain.
+Index intricacy(const RankedEffect& ranked) {
+  const Candidate& candidate = ranked.effect().candidate;
+  return static_cast<Index>(candidate.shapes.size() + 2 * candidate.memory.size());
+}
+
+/// Of those in the same equation that the data cannot tell from the best, the least intricate
+/// goes first.
+void put_least_intricate_first(std::vector<RankedEffect>& effects) {
+  if (effects.empty()) return;
+  const double limit = effects.front().criterion + kUndecided;
+  const Index equation = effects.front().effect().candidate.equation;
+  auto place = effects.begin();
+  for (auto other = effects.begin(); other != effects.end(); ++other)
+    if (other->criterion <= limit && other->effect().candidate.equation == equation &&
+        intricacy(*other) < intricacy(*place))
+      place = other;
+  std::rotate(effects.begin(), place, place + 1);
+}
+
+/// The plainer of two names goes first where the data cannot tell them apart.
+void put_plainer_first(std::vector<RankedEffect>& effects) {
+  if (effects.empty() || !effects.front().effect().candidate.plainer) return;
+  const double limit = effects.front().criterion + kUndecided;
+  const auto place =
+      std::find_if(effects.begin() + 1, effects.end(), [&](const RankedEffect& other) {
+        return other.effect().candidate.effect == *effects.front().effect().candidate.plainer &&
+               other.criterion <= limit &&
+               other.effect().candidate.equation == effects.front().effect().candidate.equation;
+      });
+  if (place != effects.end()) std::rotate(effects.begin(), place, place + 1);
+}
+
+}  // namespace
+
+Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& current,
+             const std::vector<Stage<Effect>>& effects, const Scope& scope,
+             const AssimilationOptions& options, const RankOptions& rank_options,
+             const RunContext& context) {
+  const Screening screening(current.fit);
+  const std::vector<ScreenedCandidate> screened =
+      screen(all_candidates(effects, scope, current), screening, context);
+  Ranking ranking;
+  for (const ScreenedCandidate& candidate : screened) ranking.tried += candidate.tried;
+  const Ranker ranker(data, base, current, options, context);
+  const auto tried = static_cast<double>(screened.size());
+  for (const ScreenedCandidate& candidate : short_list(screened, rank_options.refits)) {
+    context.report("fitting candidates", 0.0);
+    RankedEffect ranked = ranker.rough(candidate, tried);
+    if (std::isfinite(ranked.criterion) && is_plausible(ranked, effects, scope))
+      ranking.effects.push_back(std::move(ranked));
+  }
+  sort_by_criterion(ranking.effects);
+  for (std::size_t i = 0; i < ranking.effects.size(); ++i) {
+    if (static_cast<Index>(i) == rank_options.exact) break;
+    context.report("fitting candidates exactly", 0.0);
+    ranking.effects[i] = ranker.exact(ranking.effects[i], tried);
+  }
+  std::erase_if(ranking.effects, [&](const RankedEffect& ranked) {
+    return !std::isfinite(ranked.criterion) || !is_plausible(ranked, effects, scope);
+  });
+  sort_by_criterion(ranking.effects);
+  const double log_samples = std::log(static_cast<double>(current.fit.used));
+  set_probabilities(
+      ranking, current.fit.deviance + static_cast<double>(current.parameters()) * log_samples);
+  put_least_intricate_first(ranking.effects);
+  put_plainer_first(ranking.effects);
+  return ranking;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The rounds of a diagnosis: one effect after another.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/discrepancy/diagnose.hpp"
+
+namespace lacuna {
+
+/// What the rounds ended with.
+struct SearchResult {
+  Explanation explanation;
+  std::vector<NamedEffect> named;  ///< one for each effect of the explanation
+  std::vector<Round> rounds;
+  std::vector<EquationStructure> left;
+};
+
+/// Adds effects until none is significant and of substance, or there are enough; effects that
+/// later ones make superfluous are taken out again.
+SearchResult search_effects(const Dataset& data, const Assimilation& base, const Scope& scope,
+                            const AssimilationOptions& fit_options,
+                            const DiagnosisOptions& options, const RunContext& context);
+
+/// Whether structure is significant and of substance.
+bool is_substantial(const EquationStructure& structure, const DiagnosisOptions& options);
+
+/// BIC of an explanation.
+double criterion_of(const Explanation& explanation);
+
+}  // namespace lacuna

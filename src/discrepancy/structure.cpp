@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/innovation/innovation_filter.hpp"
+#include "lacuna/numerics/significance.hpp"
+
+namespace lacuna {
+namespace {
+
+const Matrix kNone;
+
+const Matrix& omitted_of(const Assimilation& fit, std::size_t record) {
+  return fit.omitted.empty() ? kNone : fit.omitted[record];
+}
+
+/// One fixed-point step of all variances on the linearisation as it is.
+void update_variances(const Assimilation& fit, NoiseModel& noise) {
+  Vector found, expected;
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const SmoothedRecord smoothed =
+        smooth(fit.records[r], fit.measured[r], omitted_of(fit, r), noise);
+    found = r == 0 ? smoothed.found : Vector(found + smoothed.found);
+    expected = r == 0 ? smoothed.expected : Vector(expected + smoothed.expected);
+  }
+  const Vector factor = (found.array() / expected.array()).sqrt();
+  Index channel = noise.states();
+  for (Index k = 0; k < noise.states(); ++k) {
+    if (std::isfinite(factor[k])) noise.disturbance[k] *= factor[k];
+    auto& white = noise.measurement[static_cast<std::size_t>(k)];
+    if (white && std::isfinite(factor[channel])) *white *= factor[channel];
+    if (white) ++channel;
+  }
+}
+
+double deviance(const Assimilation& fit, const NoiseModel& noise) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < fit.records.size(); ++r)
+    sum += filter_deviance(fit.records[r], fit.measured[r], omitted_of(fit, r), noise);
+  return sum;
+}
+
+double deviance_without(const Assimilation& fit, Index equation) {
+  constexpr int kTurns = 5;
+  NoiseModel noise = fit.noise;
+  noise.disturbance[equation] = 0.0;
+  double least = deviance(fit, noise);
+  for (int turn = 0; turn < kTurns; ++turn) {
+    update_variances(fit, noise);
+    least = std::min(least, deviance(fit, noise));
+  }
+  return least;
+}
+
+/// log of half the tail of chi-squared with one degree of freedom.
+double boundary_sigma(double drop) {
+  return drop > 0.0 ? sigma_of_log_probability(log_chi_squared_tail(drop, 1.0) - std::log(2.0))
+                    : 0.0;
+}
+
+}  // namespace
+
+Matrix disturbance_along(const Assimilation& fit, std::size_t record) {
+  return smooth(fit.records[record], fit.measured[record], omitted_of(fit, record), fit.noise)
+      .disturbance;
+}
+
+Vector rate_rms(const Assimilation& fit) {
+  const Index m = fit.model.dimension();
+  Vector sum = Vector::Zero(m);
+  Index count = 0;
+  for (const LinearisedRecord& record : fit.records) {
+    // The path's own change, so that delayed terms need no special care.
+    const Matrix change =
+        record.path.bottomRows(record.steps()) - record.path.topRows(record.steps());
+    const Vector length = record.time.tail(record.steps()) - record.time.head(record.steps());
+    sum += (length.cwiseInverse().asDiagonal() * change).colwise().squaredNorm().transpose();
+    count += record.steps();
+  }
+  return (sum / static_cast<double>(count)).cwiseSqrt();
+}
+
+std::vector<EquationStructure> test_structure(const Assimilation& fit,
+                                              const RunContext& context) {
+  const double now = deviance(fit, fit.noise);
+  const Vector rates = rate_rms(fit);
+  std::vector<EquationStructure> result;
+  Vector squares = Vector::Zero(fit.model.dimension());
+  double count = 0.0;
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Matrix disturbance = disturbance_along(fit, r);
+    squares += disturbance.colwise().squaredNorm().transpose();
+    count += static_cast<double>(disturbance.rows());
+  }
+  for (Index k = 0; k < fit.model.dimension(); ++k) {
+    if (fit.noise.disturbance[k] == 0.0) continue;
+    context.check_stop();
+    EquationStructure structure{k, 0.0, 0.0, std::sqrt(squares[k] / count), 0.0};
+    structure.drop = std::max(0.0, deviance_without(fit, k) - now);
+    structure.sigma = boundary_sigma(structure.drop);
+    structure.relative = rates[k] > 0.0 ? structure.rms / rates[k] : 0.0;
+    result.push_back(structure);
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.drop > b.drop; });
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/innovation/assimilation.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/data/noise.hpp"
+#include "lacuna/innovation/innovation_system.hpp"
+
+namespace lacuna {
+namespace {
+
+bool is_identity(const OdeModel& model, Index equation) {
+  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
+  if (terms.size() != 1 || terms.front().coefficient != 1.0) return false;
+  const std::string& name = terms.front().term.name();
+  return std::any_of(model.states().begin(), model.states().end(),
+                     [&](const Quantity& state) { return state.name == name; });
+}
+
+Vector spans(const Dataset& data) {
+  Vector low = data.trajectories.front().states.colwise().minCoeff();
+  Vector high = data.trajectories.front().states.colwise().maxCoeff();
+  for (const Trajectory& record : data.trajectories) {
+    low = low.cwiseMin(record.states.colwise().minCoeff().transpose());
+    high = high.cwiseMax(record.states.colwise().maxCoeff().transpose());
+  }
+  return (high - low).cwiseMax(std::numeric_limits<double>::min());
+}
+
+OdeModel with_coefficients(const OdeModel& model, const std::vector<CoefficientPlace>& places,
+                           const Vector& change) {
+  std::vector<Equation> equations = model.equations();
+  for (std::size_t j = 0; j < places.size(); ++j)
+    equations[static_cast<std::size_t>(places[j].equation)]
+             [static_cast<std::size_t>(places[j].term)]
+                 .coefficient += change[static_cast<Index>(j)];
+  return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
+}
+
+/// Takes turns at path, variances and coefficients.
+class Turns {
+ public:
+  Turns(const Dataset& data, const AssimilationOptions& options, Assimilation start,
+        const RunContext& context)
+      : data_(data),
+        options_(options),
+        context_(context),
+        floor_(resolution_of(data)),
+        state_(std::move(start)) {}
+
+  /// @param fresh whether the variances are first guesses.
+  Assimilation run(bool fresh) {
+    double last = std::numeric_limits<double>::infinity();
+    relinearise();
+    for (int pass = 0; pass < options_.passes; ++pass) {
+      context_.check_stop();
+      // The noise of the measurement is known roughly from the start, the disturbances are not.
+      white_moves_ = !fresh || pass >= kSettlingPasses;
+      for (int turn = 0; turn < kTurns; ++turn) update_variances(turn + 1 == kTurns);
+      relinearise();
+      update_coefficients();
+      if (white_moves_ && std::abs(last - state_.deviance) < kSettled) break;
+      last = state_.deviance;
+    }
+    relinearise();
+    return std::move(state_);
+  }
+
+ private:
+  static constexpr int kTurns = 4;
+  static constexpr int kSettlingPasses = 3;
+  /// A change of the deviance that no test would notice.
+  static constexpr double kSettled = 0.2;
+
+  Vector accuracy() const {
+    Vector result = spans(data_) * 1e-4;
+    for (Index k = 0; k < result.size(); ++k)
+      if (const auto& sd = state_.noise.measurement[static_cast<std::size_t>(k)])
+        result[k] = *sd;
+    return result;
+  }
+
+  void relinearise() {
+    for (std::size_t r = 0; r < data_.trajectories.size(); ++r)
+      state_.records[r] =
+          linearise(state_.model, data_.trajectories[r], state_.records[r].path, accuracy());
+    correct_channels();
+  }
+
+  /// What was measured, without the summands that the measurement has.
+  void correct_channels() {
+    for (std::size_t r = 0; r < state_.records.size(); ++r) {
+      state_.measured[r] = data_.trajectories[r].states;
+      for (const ChannelTerm& term : state_.channel_terms)
+        state_.measured[r].col(term.state) -=
+            term.coefficient * evaluate_on(state_.records[r], state_.model.variables(),
+                                           term.form)(Eigen::seq(0, Eigen::last, 2));
+    }
+  }
+
+  /// One fixed-point step of all variances; the last one of a pass moves the path too.
+  void update_variances(bool move_path) {
+    Vector found, expected;
+    for (std::size_t r = 0; r < state_.records.size(); ++r) {
+      const Matrix none;
+      SmoothedRecord smoothed =
+          smooth(state_.records[r], state_.measured[r],
+                 state_.omitted.empty() ? none : state_.omitted[r], state_.noise);
+      if (move_path) state_.records[r].path += smoothed.deviation;
+      found = r == 0 ? smoothed.found : Vector(found + smoothed.found);
+      expected = r == 0 ? smoothed.expected : Vector(expected + smoothed.expected);
+    }
+    if (!move_path) scale_variances(found.cwiseQuotient(expected));
+  }
+
+  /// The fixed point's factor for a standard deviation. Far above the maximum the square root
+  /// that makes each step safe is left out.
+  static double factor_of(double ratio) { return ratio < 0.25 ? ratio : std::sqrt(ratio); }
+
+  void scale_variances(const Vector& ratio) {
+    const Index m = state_.noise.states();
+    const Vector factor = ratio.unaryExpr(&factor_of);
+    for (Index k = 0; k < m; ++k)
+      if (std::isfinite(factor[k])) state_.noise.disturbance[k] *= factor[k];
+    const Index channels = state_.noise.measured();
+    Index channel = 0;
+    for (Index k = 0; k < m; ++k) {
+      auto& white = state_.noise.measurement[static_cast<std::size_t>(k)];
+      auto& coloured = state_.noise.coloured[static_cast<std::size_t>(k)];
+      if (!white) continue;
+      if (white_moves_ && std::isfinite(factor[m + channel])) *white *= factor[m + channel];
+      white = std::max(*white, floor_[k]);
+      if (coloured && std::isfinite(factor[m + channels + channel]))
+        coloured->deviation *= factor[m + channels + channel];
+      ++channel;
+    }
+  }
+
+  void update_coefficients() {
+    const InnovationSystem system(state_);
+    state_.deviance = system.deviance();
+    state_.used = system.used();
+    const Matrix columns = system.fitted_columns();
+    if (columns.cols() == 0) return;
+    Matrix normal = columns.transpose() * columns;
+    Vector right = columns.transpose() * system.innovations();
+    add_priors(normal, right);
+    const Vector scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Matrix scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    const Eigen::LDLT<Matrix> factor(scaled);
+    const Vector change = scale.asDiagonal() * factor.solve(scale.asDiagonal() * right);
+    state_.covariance = scale.asDiagonal() *
+                        factor.solve(Matrix::Identity(scaled.rows(), scaled.cols())) *
+                        scale.asDiagonal();
+    if (!change.allFinite()) return;
+    const auto free = static_cast<Index>(state_.free.size());
+    shift_defects(change.head(free));
+    state_.model = with_coefficients(state_.model, state_.free, change);
+    for (std::size_t j = 0; j < state_.channel_terms.size(); ++j)
+      state_.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
+    correct_channels();
+  }
+
+  /// What new coefficients predict beyond the path, to first order, so that the records need
+  /// not be linearised again for them.
+  void shift_defects(const Vector& change) {
+    const Index m = state_.noise.states();
+    for (LinearisedRecord& record : state_.records)
+      for (std::size_t j = 0; j < state_.free.size(); ++j) {
+        const auto [equation, term] = state_.free[j];
+        const Vector values = evaluate_on(
+            record, state_.model.variables(),
+            state_.model
+                .equations()[static_cast<std::size_t>(equation)][static_cast<std::size_t>(term)]
+                .term.expression());
+        for (Index i = 0; i < record.steps(); ++i) {
+          const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * equation, m,
+                                           3);
+          record.defect.col(i) += change[static_cast<Index>(j)] * w * values.segment<3>(2 * i);
+        }
+      }
+  }
+
+  void add_priors(Matrix& normal, Vector& right) const {
+    for (const CoefficientPrior& prior : options_.priors)
+      for (std::size_t j = 0; j < state_.free.size(); ++j) {
+        if (!(state_.free[j] == prior.place)) continue;
+        const double now = state_.model
+                               .equations()[static_cast<std::size_t>(prior.place.equation)]
+                                           [static_cast<std::size_t>(prior.place.term)]
+                               .coefficient;
+        const double weight = 1.0 / (prior.deviation * prior.deviation);
+        normal(static_cast<Index>(j), static_cast<Index>(j)) += weight;
+        right[static_cast<Index>(j)] += weight * (prior.mean - now);
+      }
+  }
+
+  const Dataset& data_;
+  const AssimilationOptions& options_;
+  const RunContext& context_;
+  Vector floor_;
+  Assimilation state_;
+  bool white_moves_ = false;
+};
+
+/// Variances to begin with: noise as the differences of the record show it, disturbances as if
+/// the model explained half of each rate.
+NoiseModel first_noise(const OdeModel& model, const Dataset& data,
+                       const AssimilationOptions& options) {
+  Vector white = resolution_of(data);
+  const std::vector<StateNoise> seen = analyse_noise(data);
+  for (Index k = 0; k < white.size(); ++k)
+    white[k] = std::max(white[k], seen[static_cast<std::size_t>(k)].sigma);
+  const Trajectory& record = data.trajectories.front();
+  const double step = (record.time[record.samples() - 1] - record.time[0]) /
+                      static_cast<double>(record.samples() - 1);
+  NoiseModel noise;
+  noise.disturbance = Vector::Zero(model.dimension());
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const auto measured = data.is_measured(k) ? std::optional(white[k]) : std::nullopt;
+    noise.measurement.push_back(measured);
+    const bool coloured = options.coloured && measured;
+    noise.coloured.push_back(coloured ? std::optional(ColouredNoise{*measured, 30.0 * step})
+                                      : std::nullopt);
+    const bool disturbed = options.disturbed.empty()
+                               ? !is_identity(model, k)
+                               : options.disturbed[static_cast<std::size_t>(k)];
+    const Vector change = record.states.col(k).tail(record.samples() - 1) -
+                          record.states.col(k).head(record.samples() - 1);
+    if (disturbed)
+      noise.disturbance[k] =
+          0.1 * std::sqrt(change.squaredNorm() / static_cast<double>(change.size()) / step);
+  }
+  return noise;
+}
+
+}  // namespace
+
+Vector resolution_of(const Dataset& data) {
+  // Text with six digits, the least that is in use, leaves steps of 1e-6 of the span.
+  return 1e-7 * spans(data);
+}
+
+std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {
+  std::vector<CoefficientPlace> places;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    if (is_identity(model, k)) continue;
+    const auto terms =
+        static_cast<Index>(model.equations()[static_cast<std::size_t>(k)].size());
+    for (Index j = 0; j < terms; ++j) places.push_back({k, j});
+  }
+  return places;
+}
+
+Assimilation assimilate(const OdeModel& model, const Dataset& data,
+                        const std::vector<Matrix>& omitted, const AssimilationOptions& options,
+                        const RunContext& context) {
+  check_dataset(data);
+  Assimilation start{model, {}, {}, omitted, first_noise(model, data, options),
+                     0.0,   0,  {}, {},      {}};
+  for (const Trajectory& record : data.trajectories) {
+    start.records.emplace_back();
+    start.records.back().path = record.states;
+    start.measured.push_back(record.states);
+  }
+  start.free = options.free;
+  return Turns(data, options, std::move(start), context).run(true);
+}
+
+Assimilation assimilate_from(const OdeModel& model, const Dataset& data,
+                             const Assimilation& start, const AssimilationOptions& options,
+                             const RunContext& context) {
+  Assimilation begin = start;
+  begin.model = model;
+  begin.free = options.free;
+  begin.measured.clear();
+  for (const Trajectory& record : data.trajectories) begin.measured.push_back(record.states);
+  return Turns(data, options, std::move(begin), context).run(false);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The backward pass of the smoother.
+#include <vector>
+
+#include "kalman_step.hpp"
+#include "lacuna/innovation/innovation_filter.hpp"
+
+namespace lacuna {
+namespace {
+
+/// What the forward pass leaves for the way back.
+struct Forward {
+  Matrix mean;        ///< N x n, before the sample
+  Matrix covariance;  ///< N^2 x n, before the sample
+  Matrix gain;        ///< N channels x n
+  Matrix value;       ///< channels x n
+  Matrix variance;    ///< channels x n; 0 where a sample is left out
+};
+
+Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
+                   const Matrix& omitted, const NoiseModel& noise, const ChannelMap& map) {
+  const Index n = record.samples();
+  const Index size = map.size;
+  Forward forward{Matrix(size, n), Matrix(size * size, n), Matrix(size * map.channels(), n),
+                  Matrix::Zero(map.channels(), n), Matrix::Zero(map.channels(), n)};
+  KalmanStep step(record, noise, map);
+  for (Index i = 0; i < n; ++i) {
+    forward.mean.col(i) = step.mean();
+    forward.covariance.col(i) = step.covariance().reshaped();
+    for (Index c = 0; c < map.channels(); ++c) {
+      const Index state = map.state[static_cast<std::size_t>(c)];
+      if (omitted.size() > 0 && omitted(i, state) != 0.0) continue;
+      const Innovation seen = step.update(c, measured(i, state) - record.path(i, state));
+      forward.gain.col(i).segment(c * size, size) = step.gain();
+      forward.value(c, i) = seen.value;
+      forward.variance(c, i) = seen.variance;
+    }
+    if (i + 1 < n) step.predict(i);
+  }
+  return forward;
+}
+
+/// The adjoint of the filter: its vector, its covariance and the sums they give.
+class Backward {
+ public:
+  Backward(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map,
+           const Forward& forward)
+      : record_(record),
+        noise_(noise),
+        map_(map),
+        forward_(forward),
+        m_(record.states()),
+        adjoint_(Vector::Zero(map.size)),
+        moved_(Vector::Zero(map.size)),
+        covariance_(Matrix::Zero(map.size, map.size)),
+        transition_(Matrix::Zero(map.size, map.size)) {
+    for (Index k = m_; k < map.size; ++k)
+      transition_(k, k) = map.decay[static_cast<std::size_t>(k - m_)];
+    const Index sums = m_ + 2 * map.channels();
+    result_ = {Matrix(record.samples(), m_), Matrix::Zero(record.samples(), map.channels()),
+               Vector::Zero(sums), Vector::Zero(sums), Matrix::Zero(record.steps(), m_)};
+  }
+
+  SmoothedRecord run() {
+    for (Index i = record_.samples() - 1; i >= 0; --i) {
+      for (Index c = map_.channels() - 1; c >= 0; --c)
+        if (forward_.variance(c, i) > 0.0) measure(i, c);
+      keep(i);
+      if (i > 0) step(i - 1);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void measure(Index i, Index c) {
+    const auto gain = forward_.gain.col(i).segment(c * map_.size, map_.size);
+    const double variance = forward_.variance(c, i);
+    const double pull = forward_.value(c, i) / variance - gain.dot(adjoint_);
+    moved_ = covariance_.lazyProduct(gain);
+    const double weight = 1.0 / variance + gain.dot(moved_);
+    result_.found[m_ + c] += pull * pull;
+    result_.expected[m_ + c] += weight;
+    const Index state = map_.state[static_cast<std::size_t>(c)];
+    const Index colour = map_.colour[static_cast<std::size_t>(c)];
+    add_measurement(state, colour, pull, weight);
+  }
+
+  /// adjoint += h pull; covariance += weight h h' - h moved' - moved h'.
+  void add_measurement(Index state, Index colour, double pull, double weight) {
+    for (const Index a : {state, colour}) {
+      if (a >= map_.size) continue;
+      adjoint_[a] += pull;
+      covariance_.row(a) -= moved_.transpose();
+      covariance_.col(a) -= moved_;
+      for (const Index b : {state, colour})
+        if (b < map_.size) covariance_(a, b) += weight;
+    }
+  }
+
+  void keep(Index i) {
+    const Eigen::Map<const Matrix> before(forward_.covariance.col(i).data(), map_.size,
+                                          map_.size);
+    moved_ = before.lazyProduct(adjoint_) + forward_.mean.col(i);
+    result_.deviation.row(i) = moved_.head(m_).transpose();
+    for (Index c = 0; c < map_.channels(); ++c) {
+      const Index colour = map_.colour[static_cast<std::size_t>(c)];
+      if (colour < map_.size) result_.colour(i, c) = moved_[colour];
+    }
+  }
+
+  /// Back over step i.
+  void step(Index i) {
+    const double length = record_.time[i + 1] - record_.time[i];
+    for (Index k = 0; k < m_; ++k) {
+      constant_response(record_, i, k, moved_.data());
+      const auto response = moved_.head(m_);
+      const double pull = response.dot(adjoint_.head(m_));
+      const double density = noise_.disturbance[k] * noise_.disturbance[k] / length;
+      result_.found[k] += pull * pull / length;
+      result_.expected[k] +=
+          response.dot(covariance_.topLeftCorner(m_, m_).lazyProduct(response)) / length;
+      result_.disturbance(i, k) = density * pull;
+    }
+    for (Index c = 0; c < map_.channels(); ++c) {
+      const Index colour = map_.colour[static_cast<std::size_t>(c)];
+      if (colour >= map_.size) continue;
+      const Index sum = m_ + map_.channels() + c;
+      result_.found[sum] += adjoint_[colour] * adjoint_[colour];
+      result_.expected[sum] += covariance_(colour, colour);
+    }
+    transition_.topLeftCorner(m_, m_) =
+        Eigen::Map<const Matrix>(record_.transition.col(i).data(), m_, m_);
+    moved_ = transition_.transpose().lazyProduct(adjoint_);
+    adjoint_ = moved_;
+    half_ = transition_.transpose().lazyProduct(covariance_);
+    covariance_ = half_.lazyProduct(transition_);
+    half_ = covariance_.transpose();
+    covariance_ = 0.5 * (covariance_ + half_);
+  }
+
+  const LinearisedRecord& record_;
+  const NoiseModel& noise_;
+  const ChannelMap& map_;
+  const Forward& forward_;
+  Index m_;
+  Vector adjoint_, moved_;
+  Matrix covariance_, transition_, half_;
+  SmoothedRecord result_;
+};
+
+}  // namespace
+
+SmoothedRecord smooth(const LinearisedRecord& record, const Matrix& measured,
+                      const Matrix& omitted, const NoiseModel& noise) {
+  const ChannelMap map(record, noise);
+  const Forward forward = go_forward(record, measured, omitted, noise, map);
+  return Backward(record, noise, map, forward).run();
+}
+
+}  // namespace lacuna

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/diagnosis_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "lacuna/model/model_file.hpp"
+
+namespace lacuna {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string state_name(const Diagnosis& diagnosis, Index equation) {
+  return diagnosis.nominal.states()[static_cast<std::size_t>(equation)].name;
+}
+
+Json to_json(const Location& place) {
+  Json json;
+  if (place.frequency) {
+    json["frequency"] = *place.frequency;
+  } else {
+    json["variable"] = place.variable;
+    json["range"] = {place.low, place.high};
+  }
+  json["sigma"] = place.sigma;
+  return json;
+}
+
+Json disagreement_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Disagreement& entry : diagnosis.disagreement) {
+    Json json{{"equation", state_name(diagnosis, entry.equation)},
+              {"rms", entry.rms},
+              {"noise_floor", entry.noise_floor},
+              {"sigma", entry.sigma},
+              {"share", entry.share},
+              {"relative", entry.relative},
+              {"where", Json::array()}};
+    for (const Location& place : entry.where) json["where"].push_back(to_json(place));
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
+  Json json{{"equation", state_name(diagnosis, effect.equation)},
+            {"name", effect.name},
+            {"description", effect.description},
+            {"cause", effect.cause},
+            {"term", effect.term},
+            {"coefficient", effect.coefficient},
+            {"ci95", effect.ci95()},
+            {"parameters", Json::object()},
+            {"sigma", effect.sigma},
+            {"gap_closed", effect.gap_closed},
+            {"contribution", effect.contribution},
+            {"probability", effect.probability},
+            {"alternatives", Json::array()}};
+  for (const NamedParameter& parameter : effect.parameters)
+    json["parameters"][parameter.name] = parameter.value;
+  for (const Alternative& other : effect.alternatives)
+    json["alternatives"].push_back(
+        {{"name", other.name}, {"term", other.term}, {"probability", other.probability}});
+  return json;
+}
+
+Json changes_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const CoefficientChange& change : diagnosis.coefficient_changes)
+    list.push_back({{"equation", state_name(diagnosis, change.equation)},
+                    {"term", change.term},
+                    {"nominal", change.nominal},
+                    {"estimated", change.estimated},
+                    {"ci95", change.ci95()},
+                    {"sigma", change.sigma}});
+  return list;
+}
+
+Json gap_json(const Gap& gap) {
+  return {{"metric", gap.metric},           {"before", gap.before}, {"after", gap.after},
+          {"noise_floor", gap.noise_floor}, {"ratio", gap.ratio()}, {"window", gap.window},
+          {"records", gap.records}};
+}
+
+Json remaining_json(const Diagnosis& diagnosis) {
+  Json json{{"structure", diagnosis.remaining.structure},
+            {"sigma", diagnosis.remaining.sigma},
+            {"equations", Json::array()}};
+  for (const Index equation : diagnosis.remaining.equations)
+    json["equations"].push_back(state_name(diagnosis, equation));
+  return json;
+}
+
+Json noise_json(const Diagnosis& diagnosis) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < diagnosis.noise.measurement.size(); ++k) {
+    const auto& white = diagnosis.noise.measurement[k];
+    if (white && k < diagnosis.nominal.states().size())
+      json[diagnosis.nominal.states()[k].name] = *white;
+  }
+  return json;
+}
+
+Json rounds_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Round& round : diagnosis.rounds)
+    list.push_back({{"tried", round.tried},
+                    {"best", round.best},
+                    {"sigma", round.sigma},
+                    {"accepted", round.accepted}});
+  return list;
+}
+
+}  // namespace
+
+std::string format_json(const Diagnosis& diagnosis) {
+  Json json{{"format", "lacuna.diagnosis/1"},
+            {"verdict", to_string(diagnosis.verdict)},
+            {"disagreement", disagreement_json(diagnosis)},
+            {"effects", Json::array()}};
+  for (const NamedEffect& effect : diagnosis.effects)
+    json["effects"].push_back(to_json(diagnosis, effect));
+  json["coefficient_changes"] = changes_json(diagnosis);
+  json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
+  json["remaining"] = remaining_json(diagnosis);
+  json["augmented_model"] = Json::parse(format_model(diagnosis.augmented));
+  json["noise"] = noise_json(diagnosis);
+  json["rounds"] = rounds_json(diagnosis);
+  json["notes"] = diagnosis.notes;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace lacuna

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The answer in sentences that can be pasted into a letter.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "lacuna/core/text.hpp"
+#include "lacuna/report/diagnosis_report.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Coefficients further off than this are told of.
+constexpr double kTold = 3.0;
+
+const Quantity& state_of(const Diagnosis& diagnosis, Index equation) {
+  return diagnosis.nominal.states()[static_cast<std::size_t>(equation)];
+}
+
+std::string percent(double share) { return format_number(100.0 * share, 2) + " %"; }
+
+/// Unit of a rate of change: "rad/s per s", "V/s".
+std::string rate_unit(const Diagnosis& diagnosis, Index equation) {
+  const std::string& unit = state_of(diagnosis, equation).unit;
+  return (unit.empty() ? "1" : unit) + "/" + diagnosis.nominal.time_unit();
+}
+
+/// The number and its error, to the digits that the error allows.
+std::string with_error(double value, double deviation) {
+  const double error = 1.96 * deviation;
+  int digits = 4;
+  if (error > 0.0 && value != 0.0)
+    digits =
+        std::clamp(static_cast<int>(std::ceil(std::log10(std::abs(value) / error))) + 1, 2, 8);
+  return format_number(value, digits) + " +- " + format_number(error, 2);
+}
+
+std::string headline(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case Verdict::NoDiscrepancy:
+      return "No discrepancy: the model fits the records to their noise.";
+    case Verdict::CoefficientsOnly:
+      return "No structure is missing; coefficients are off.";
+    case Verdict::Explained:
+      return "Explained: what is missing has a name, nothing significant is left.";
+    case Verdict::PartlyExplained:
+      return "Partly explained: effects are named, but significant structure is left.";
+    case Verdict::UnnamedStructure:
+      return "Something is missing that no known effect explains.";
+  }
+  return "";
+}
+
+void write_effect(const Diagnosis& diagnosis, const NamedEffect& effect, std::ostream& out) {
+  out << "Equation " << state_of(diagnosis, effect.equation).name << ": " << effect.description
+      << " (" << effect.name << "), " << with_error(effect.coefficient, effect.deviation) << " "
+      << rate_unit(diagnosis, effect.equation) << " x " << effect.term << ", explains "
+      << percent(effect.gap_closed) << " of the disagreement ("
+      << format_number(effect.sigma, 3) << " sigma).\n";
+  for (const Alternative& other : effect.alternatives)
+    if (other.probability >= 0.01)
+      out << "  It might also be " << other.name << " " << other.term << " (probability "
+          << percent(other.probability) << ").\n";
+}
+
+void write_changes(const Diagnosis& diagnosis, std::ostream& out) {
+  constexpr int kMost = 4;
+  int written = 0;
+  for (const CoefficientChange& change : diagnosis.coefficient_changes) {
+    if (change.sigma < kTold || written == kMost) break;
+    if (std::abs(change.estimated - change.nominal) < 1e-3 * std::abs(change.nominal)) continue;
+    ++written;
+    out << "Equation " << state_of(diagnosis, change.equation).name << ": the coefficient of "
+        << change.term << " is " << with_error(change.estimated, change.deviation) << ", not "
+        << format_number(change.nominal, 6) << " (" << format_number(change.sigma, 3)
+        << " sigma).\n";
+  }
+}
+
+void write_unnamed(const Diagnosis& diagnosis, std::ostream& out) {
+  for (const Disagreement& entry : diagnosis.disagreement) {
+    const auto& left = diagnosis.remaining.equations;
+    if (std::find(left.begin(), left.end(), entry.equation) == left.end()) continue;
+    out << "Equation " << state_of(diagnosis, entry.equation).name << ": a rate of "
+        << format_number(entry.rms, 3) << " " << rate_unit(diagnosis, entry.equation)
+        << " rms (" << percent(entry.relative) << " of its rate of change) is unexplained";
+    const auto place = std::find_if(entry.where.begin(), entry.where.end(),
+                                    [](const Location& w) { return !w.frequency; });
+    if (place != entry.where.end())
+      out << ", mostly where " << place->variable << " is in " << format_number(place->low, 3)
+          << " .. " << format_number(place->high, 3);
+    out << ".\n";
+  }
+}
+
+void write_gap(const Gap& gap, std::ostream& out) {
+  out << "On records not used (" << join(gap.records, ", ") << ") the gap "
+      << (gap.after < gap.before ? "falls" : "goes") << " from " << percent(gap.before)
+      << " to " << percent(gap.after) << " (noise floor " << percent(gap.noise_floor) << ").\n";
+}
+
+}  // namespace
+
+std::string format_text(const Diagnosis& diagnosis) {
+  std::ostringstream out;
+  out << headline(diagnosis) << "\n";
+  for (const NamedEffect& effect : diagnosis.effects) write_effect(diagnosis, effect, out);
+  if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
+    write_changes(diagnosis, out);
+  if (diagnosis.remaining.structure) write_unnamed(diagnosis, out);
+  if (diagnosis.gap) write_gap(*diagnosis.gap, out);
+  for (const std::string& note : diagnosis.notes) out << "Note: " << note << ".\n";
+  return out.str();
+}
+
+}  // namespace lacuna

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The diagnosis on a few of the hidden cases; the study of that name runs all of them.
+#include <gtest/gtest.h>
+
+#include "hidden/support/cases.hpp"
+#include "hidden/support/records.hpp"
+#include "hidden/support/score.hpp"
+#include "lacuna/config/registry.hpp"
+#include "lacuna/discrepancy/diagnose.hpp"
+
+namespace lacuna::hidden {
+namespace {
+
+Score diagnosed(const std::string& name) {
+  const HiddenCase hidden = case_named(name);
+  const auto [find, check] = make_records(hidden, 0.01, 1);
+  const Registry registry = default_registry();
+  DiagnosisOptions options;
+  for (const std::string& effect : registry.names(Effect::kKind))
+    options.effects.push_back(registry.make<Effect>(effect));
+  return score(hidden, diagnose(hidden.nominal, find, check, options, RunContext{}),
+               clean_record(hidden, 2));
+}
+
+TEST(HiddenDiagnosis, NamesAHardeningSpring) {
+  const Score found = diagnosed("oscillator-hardening");
+  EXPECT_TRUE(found.verdict && found.equation && found.name) << found.answer;
+  EXPECT_EQ(found.spurious, 0) << found.answer;
+  EXPECT_NEAR(found.size.value(), 1.0, 0.1);
+}
+
+TEST(HiddenDiagnosis, TellsWrongCoefficientsFromMissingStructure) {
+  const Score found = diagnosed("oscillator-off");
+  EXPECT_TRUE(found.verdict) << found.answer;
+}
+
+TEST(HiddenDiagnosis, NamesNothingWhereNothingIsMissing) {
+  const Score found = diagnosed("pendulum-null");
+  EXPECT_TRUE(found.verdict) << found.answer;
+}
+
+}  // namespace
+}  // namespace lacuna::hidden

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "hidden/support/score.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hidden/support/cases.hpp"
+#include "hidden/support/records.hpp"
+
+namespace lacuna::hidden {
+namespace {
+
+NamedEffect named(Index equation, const std::string& name,
+                  const std::vector<std::string>& alternatives = {}) {
+  NamedEffect effect;
+  effect.equation = equation;
+  effect.name = name;
+  effect.term = "made";
+  for (const std::string& other : alternatives) effect.alternatives.push_back({other, "", 0.1});
+  return effect;
+}
+
+Diagnosis answer(const HiddenCase& hidden, Verdict verdict, std::vector<NamedEffect> effects) {
+  Diagnosis diagnosis{verdict, hidden.nominal, {}, {}, {}, {}, {}, hidden.nominal, {}, {}, {}};
+  diagnosis.effects = std::move(effects);
+  if (hidden.augmented) diagnosis.augmented = *hidden.augmented;
+  return diagnosis;
+}
+
+TEST(Score, RightNameInTheRightEquation) {
+  const HiddenCase hidden = case_named("oscillator-hardening");
+  const Dataset clean = clean_record(hidden, 1);
+  const Score good =
+      score(hidden, answer(hidden, Verdict::Explained, {named(1, "cubic-stiffness")}), clean);
+  EXPECT_TRUE(good.verdict && good.equation && good.name && good.listed);
+  EXPECT_EQ(good.spurious, 0);
+  EXPECT_NEAR(good.size.value(), 1.0, 1e-3);
+  const Score misplaced =
+      score(hidden, answer(hidden, Verdict::Explained, {named(0, "cubic-stiffness")}), clean);
+  EXPECT_FALSE(misplaced.equation || misplaced.name);
+  EXPECT_EQ(misplaced.spurious, 1);
+}
+
+TEST(Score, AlternativesAreListedButDoNotLead) {
+  const HiddenCase hidden = case_named("oscillator-hardening");
+  const Diagnosis diagnosis =
+      answer(hidden, Verdict::Explained, {named(1, "higher-order-term", {"cubic-stiffness"})});
+  const Score found = score(hidden, diagnosis, clean_record(hidden, 1));
+  EXPECT_TRUE(found.equation && found.listed);
+  EXPECT_FALSE(found.name);
+}
+
+TEST(Score, APlainNameLeadsOnlyWithTheSpecificOneBehind) {
+  const HiddenCase hidden = case_named("motor-stribeck");
+  const Dataset clean = clean_record(hidden, 1);
+  EXPECT_TRUE(score(hidden,
+                    answer(hidden, Verdict::Explained,
+                           {named(0, "coulomb-friction", {"stribeck-friction"})}),
+                    clean)
+                  .name);
+  EXPECT_FALSE(
+      score(hidden, answer(hidden, Verdict::Explained, {named(0, "coulomb-friction")}), clean)
+          .name);
+}
+
+TEST(Score, EveryHiddenEffectHasToBeNamed) {
+  const HiddenCase hidden = case_named("buoy-hardening-drag");
+  const Dataset clean = clean_record(hidden, 1);
+  const auto name_right = [&](std::vector<NamedEffect> effects) {
+    return score(hidden, answer(hidden, Verdict::Explained, std::move(effects)), clean).name;
+  };
+  EXPECT_TRUE(name_right({named(1, "quadratic-drag"), named(1, "cubic-stiffness")}));
+  EXPECT_FALSE(name_right({named(1, "quadratic-drag"), named(1, "quadratic-term")}));
+  EXPECT_FALSE(name_right({named(1, "quadratic-drag")}));
+}
+
+TEST(Score, VerdictsFollowTheKind) {
+  const auto right = [](const std::string& name, Verdict verdict) {
+    const HiddenCase hidden = case_named(name);
+    return score(hidden, answer(hidden, verdict, {}), Dataset{}).verdict;
+  };
+  EXPECT_TRUE(right("lorenz-null", Verdict::NoDiscrepancy));
+  EXPECT_FALSE(right("lorenz-null", Verdict::CoefficientsOnly));
+  EXPECT_TRUE(right("rossler-off", Verdict::CoefficientsOnly));
+  EXPECT_TRUE(right("stage-cogging", Verdict::UnnamedStructure));
+  EXPECT_FALSE(right("stage-cogging", Verdict::Explained));
+}
+
+TEST(Score, AnswerFitsOnALine) {
+  const HiddenCase hidden = case_named("oscillator-hardening");
+  EXPECT_EQ(in_one_line(answer(hidden, Verdict::UnnamedStructure, {})), "unnamed-structure");
+  EXPECT_EQ(in_one_line(answer(hidden, Verdict::Explained, {named(1, "delay")})),
+            "explained: v delay 0*made");
+}
+
+}  // namespace
+}  // namespace lacuna::hidden

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The command on simulated and measured records.
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "integration/program.hpp"
+
+namespace lacuna::testing {
+namespace {
+
+nlohmann::json diagnosis_of(const std::string& folder, const std::string& level) {
+  const std::string base =
+      std::string(std::getenv("LACUNA_DATA")) + "/practice/" + folder + "/";
+  const CommandResult run =
+      run_program("diagnose --model " + base + "nominal.json " + base + "r1_" + level +
+                  ".csv.gz --holdout " + base + "r2_" + level + ".csv.gz --json -");
+  EXPECT_EQ(run.status, 0) << run.err;
+  return nlohmann::json::parse(run.out);
+}
+
+class DiagnosePractice : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::getenv("LACUNA_DATA") == nullptr) GTEST_SKIP() << "LACUNA_DATA is not set";
+  }
+};
+
+TEST_F(DiagnosePractice, DryFrictionOfAPendulum) {
+  const auto json = diagnosis_of("pendulum_coulomb", "n1");
+  EXPECT_EQ(json.at("verdict"), "explained");
+  ASSERT_EQ(json.at("effects").size(), 1u);
+  EXPECT_EQ(json["effects"][0]["equation"], "w");
+  EXPECT_EQ(json["effects"][0]["name"], "coulomb-friction");
+  EXPECT_NEAR(json["effects"][0]["coefficient"].get<double>(), -0.4, 0.04);
+  EXPECT_LT(json["gap"]["after"].get<double>(), 1.1 * json["gap"]["noise_floor"].get<double>());
+}
+
+TEST_F(DiagnosePractice, NothingIsMissing) {
+  EXPECT_EQ(diagnosis_of("lorenz_null", "n1").at("verdict"), "no-discrepancy");
+}
+
+TEST_F(DiagnosePractice, OnlyACoefficientIsOff) {
+  const auto json = diagnosis_of("lorenz_param_only", "n1");
+  EXPECT_EQ(json.at("verdict"), "coefficients-only");
+  EXPECT_EQ(json["coefficient_changes"][0]["term"], "x");
+  EXPECT_NEAR(json["coefficient_changes"][0]["estimated"].get<double>(), 28.0, 0.1);
+}
+
+}  // namespace
+}  // namespace lacuna::testing

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/candidate_column.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+Candidate lag(double tau) {
+  Candidate candidate = support::plain_candidate("lagged-F");
+  candidate.memory = {{"lagged", "(F-lagged)/tau", "F"}};
+  candidate.shapes = {{"tau", "s", 1e-4, 10.0, true}};
+  candidate.starts = {Vector::Constant(1, tau)};
+  return candidate;
+}
+
+LinearisedRecord step_record() {
+  Dataset data = support::hidden_record(support::nothing, 0.0);
+  Trajectory& record = data.trajectories.front();
+  record.inputs.setOnes();
+  record.inputs(0, 0) = 0.0;
+  return grid_of(record, record.states);
+}
+
+TEST(CandidateColumn, MemoryFollowsItsEquation) {
+  const std::vector<double> tau{0.5};
+  const LinearisedRecord record = step_record();
+  const Matrix memory = memory_along(lag(0.5), tau, support::oscillator().variables(), record);
+  ASSERT_EQ(memory.rows(), 3001);
+  // From 1 s to 1.5 s a first-order lag goes the share 1 - 1/e of what is left.
+  EXPECT_NEAR((1.0 - memory(150, 0)) / (1.0 - memory(100, 0)), std::exp(-1.0), 1e-3);
+}
+
+TEST(CandidateColumn, StiffMemoryStaysStable) {
+  const std::vector<double> tau{1e-4};
+  const LinearisedRecord record = step_record();
+  const Matrix memory = memory_along(lag(1e-4), tau, support::oscillator().variables(), record);
+  EXPECT_TRUE(memory.allFinite());
+  EXPECT_NEAR(memory(100, 0), 1.0, 1e-9);
+}
+
+TEST(CandidateColumn, FormsThatAreNotFiniteAreNoCandidates) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01);
+  const Assimilation fit = support::assimilated(data);
+  const InnovationSystem system(fit);
+  EXPECT_FALSE(candidate_column(support::plain_candidate("log(q)"), {}, fit, system));
+  EXPECT_TRUE(candidate_column(support::plain_candidate("q^3"), {}, fit, system));
+}
+
+}  // namespace
+}  // namespace lacuna

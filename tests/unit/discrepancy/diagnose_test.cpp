@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/diagnose.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/assimilated_oscillator.hpp"
+#include "support/own_effects.hpp"
+
+namespace lacuna {
+namespace {
+
+Diagnosis diagnosis_of(const support::Hidden& hidden) {
+  DiagnosisOptions options;
+  options.effects = support::own_effects();
+  return diagnose(support::oscillator(), support::hidden_record(hidden, 0.01, 3),
+                  support::hidden_record(hidden, 0.01, 4, -0.7), options, RunContext{});
+}
+
+TEST(Diagnose, NamesWhatIsMissing) {
+  const Diagnosis diagnosis = diagnosis_of(support::dry_friction);
+  EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_EQ(diagnosis.effects[0].name, "dry");
+  EXPECT_GT(diagnosis.effects[0].gap_closed, 0.9);
+  EXPECT_NEAR(diagnosis.augmented.coefficient(1, "sign(v)"), -0.3, 0.02);
+  EXPECT_FALSE(diagnosis.remaining.structure) << diagnosis.remaining.sigma;
+  ASSERT_TRUE(diagnosis.gap.has_value());
+  EXPECT_LT(diagnosis.gap->ratio(), 0.5);
+}
+
+TEST(Diagnose, ACompleteModelHasNoDiscrepancy) {
+  const Diagnosis diagnosis = diagnosis_of(support::nothing);
+  EXPECT_EQ(diagnosis.verdict, Verdict::NoDiscrepancy);
+  EXPECT_TRUE(diagnosis.effects.empty());
+}
+
+TEST(Diagnose, WrongCoefficientsAreToldFromMissingStructure) {
+  const Diagnosis diagnosis = diagnosis_of([](double, double q, double) { return 0.4 * q; });
+  EXPECT_EQ(diagnosis.verdict, Verdict::CoefficientsOnly);
+  ASSERT_FALSE(diagnosis.coefficient_changes.empty());
+  EXPECT_EQ(diagnosis.coefficient_changes[0].term, "q");
+  EXPECT_NEAR(diagnosis.coefficient_changes[0].estimated, -3.6, 0.02);
+}
+
+TEST(Diagnose, WhatNoCandidateExpressesIsNotNamed) {
+  const Diagnosis diagnosis =
+      diagnosis_of([](double t, double, double) { return 0.5 * std::sin(5.0 * t); });
+  EXPECT_EQ(diagnosis.verdict, Verdict::UnnamedStructure);
+  EXPECT_TRUE(diagnosis.effects.empty());
+  EXPECT_TRUE(diagnosis.remaining.structure);
+}
+
+TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
+  DiagnosisOptions options;
+  options.effects = support::own_effects();
+  const Diagnosis diagnosis =
+      diagnose(support::oscillator(), support::hidden_record(support::dry_friction, 0.01), {},
+               options, RunContext{});
+  ASSERT_TRUE(diagnosis.gap.has_value());
+  EXPECT_EQ(diagnosis.gap->records, std::vector<std::string>{"made, last quarter"});
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/discrepancy/gauge.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+TEST(Gauge, FallsToTheNoiseWithTheRightEffect) {
+  const Dataset data = support::hidden_record(support::dry_friction, 0.01, 3);
+  const Dataset other = support::hidden_record(support::dry_friction, 0.01, 4, -0.7);
+  const Assimilation base = support::assimilated(data);
+  const Explanation found =
+      explain(data, base, {{support::plain_candidate("sign(v)"), Vector(0), -0.2}},
+              support::oscillator_fit_options(), RunContext{});
+  const Gap gap = gauge(support::oscillator(), found, other, RunContext{});
+  EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
+  EXPECT_NEAR(gap.after / gap.noise_floor, 1.0, 0.1);
+  EXPECT_LT(gap.ratio(), 0.5);
+  EXPECT_EQ(gap.records, std::vector<std::string>{"made"});
+}
+
+TEST(Gauge, StaysWhereNothingIsMissing) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Explanation nothing{{}, support::assimilated(data)};
+  const Gap gap = gauge(support::oscillator(), nothing,
+                        support::hidden_record(support::nothing, 0.01, 5), RunContext{});
+  EXPECT_NEAR(gap.ratio(), 1.0, 0.05);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/innovation/assimilation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/innovation/innovation_system.hpp"
+#include "support/driven_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+Assimilation fitted(const Dataset& data, std::vector<CoefficientPrior> priors = {}) {
+  AssimilationOptions options;
+  options.free = free_coefficients(support::oscillator());
+  options.priors = std::move(priors);
+  return assimilate(support::oscillator(), data, {}, options, RunContext{});
+}
+
+Dataset softer_spring() {
+  return support::hidden_record([](double, double q, double) { return 0.4 * q; }, 0.01);
+}
+
+TEST(Assimilation, IdentitiesHaveNoFreeCoefficients) {
+  const auto free = free_coefficients(support::oscillator());
+  ASSERT_EQ(free.size(), 3u);
+  EXPECT_EQ(free.front().equation, 1);
+}
+
+TEST(Assimilation, FindsCoefficientsAndNoise) {
+  const Assimilation fit = fitted(softer_spring());
+  EXPECT_NEAR(fit.model.coefficient(1, "q"), -3.6, 0.02);
+  EXPECT_NEAR(fit.model.coefficient(1, "F"), 1.0, 0.01);
+  EXPECT_NEAR(*fit.noise.measurement[0], 0.01, 1e-3);
+  EXPECT_NEAR(*fit.noise.measurement[1], 0.02, 2e-3);
+  EXPECT_LT(fit.noise.disturbance[1], 0.02);
+  EXPECT_EQ(fit.noise.disturbance[0], 0.0) << "an identity is exact";
+}
+
+TEST(Assimilation, ErrorsOfCoefficientsAreHonest) {
+  const Assimilation fit = fitted(softer_spring());
+  const double error = (fit.model.coefficient(1, "q") + 3.6) / std::sqrt(fit.covariance(0, 0));
+  EXPECT_LT(std::abs(error), 4.0);
+  EXPECT_GT(std::sqrt(fit.covariance(0, 0)), 1e-4);
+}
+
+TEST(Assimilation, TightToleranceHoldsACoefficient) {
+  const Assimilation fit = fitted(softer_spring(), {{{1, 0}, -4.0, 1e-6}});
+  EXPECT_NEAR(fit.model.coefficient(1, "q"), -4.0, 1e-3);
+}
+
+TEST(Assimilation, MissingTermsAppearAsDisturbance) {
+  const Assimilation fit = fitted(support::hidden_record(
+      [](double, double, double v) { return -0.3 * (v > 0 ? 1 : -1); }, 0.01));
+  EXPECT_GT(fit.noise.disturbance[1], 0.03);
+}
+
+TEST(Assimilation, StatesMadeFromOthersAreNotMeasurements) {
+  Dataset data = softer_spring();
+  data.reconstructed = {false, true};
+  const Assimilation fit = fitted(data);
+  EXPECT_FALSE(fit.noise.measurement[1].has_value());
+  EXPECT_NEAR(fit.model.coefficient(1, "q"), -3.6, 0.03);
+}
+
+}  // namespace
+}  // namespace lacuna

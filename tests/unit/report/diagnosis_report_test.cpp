@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/diagnosis_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/diagnosis_scope.hpp"
+
+namespace lacuna {
+namespace {
+
+Diagnosis made() {
+  const OdeModel model = support::oscillator();
+  Diagnosis diagnosis{Verdict::Explained, model, {}, {}, {}, {}, {}, model, {}, {}, {}};
+  diagnosis.disagreement.push_back(
+      {1, 0.21, 0.03, 57.0, 1.0, 0.1, {{"v", -0.1, 0.1, {}, 31.0}, {"", 0, 0, 0.291, 12.0}}});
+  NamedEffect effect;
+  effect.equation = 1;
+  effect.name = "coulomb-friction";
+  effect.description = "dry friction opposing v";
+  effect.term = "sign(v)";
+  effect.coefficient = -0.4;
+  effect.deviation = 0.01;
+  effect.sigma = 44.0;
+  effect.gap_closed = 0.93;
+  effect.alternatives.push_back({"quadratic-drag", "v*abs(v)", 0.02});
+  diagnosis.effects.push_back(effect);
+  diagnosis.coefficient_changes.push_back({1, "q", -4.0, -3.9, 0.01, 10.0});
+  diagnosis.gap = Gap{"rms", 0.049, 0.0031, 0.003, 1.0, {"r2.csv"}};
+  return diagnosis;
+}
+
+TEST(DiagnosisReport, SaysItInAFewLines) {
+  const std::string text = format_text(made());
+  EXPECT_THAT(text,
+              testing::HasSubstr("Equation v: dry friction opposing v (coulomb-friction), "
+                                 "-0.4 +- 0.02 m/s/s x sign(v), explains 93 %"));
+  EXPECT_THAT(text, testing::HasSubstr("might also be quadratic-drag"));
+  EXPECT_THAT(text, testing::HasSubstr("from 4.9 % to 0.31 % (noise floor 0.3 %)"));
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);
+}
+
+TEST(DiagnosisReport, JsonHasTheKeysOfTheFormat) {
+  const auto json = nlohmann::json::parse(format_json(made()));
+  EXPECT_EQ(json.at("format"), "lacuna.diagnosis/1");
+  EXPECT_EQ(json.at("verdict"), "explained");
+  const auto& disagreement = json.at("disagreement").at(0);
+  EXPECT_EQ(disagreement.at("equation"), "v");
+  EXPECT_EQ(disagreement.at("where").at(0).at("range").size(), 2u);
+  EXPECT_DOUBLE_EQ(disagreement.at("where").at(1).at("frequency"), 0.291);
+  const auto& effect = json.at("effects").at(0);
+  for (const char* key : {"equation", "name", "description", "term", "coefficient", "ci95",
+                          "parameters", "sigma", "gap_closed", "probability", "alternatives"})
+    EXPECT_TRUE(effect.contains(key)) << key;
+  EXPECT_EQ(json.at("coefficient_changes").at(0).at("term"), "q");
+  EXPECT_EQ(json.at("gap").at("records").at(0), "r2.csv");
+  EXPECT_FALSE(json.at("remaining").at("structure"));
+  EXPECT_EQ(json.at("augmented_model").at("format"), "lacuna.model/1");
+}
+
+TEST(DiagnosisReport, VerdictsHaveTheirWords) {
+  EXPECT_EQ(to_string(Verdict::NoDiscrepancy), "no-discrepancy");
+  EXPECT_EQ(to_string(Verdict::CoefficientsOnly), "coefficients-only");
+  EXPECT_EQ(to_string(Verdict::PartlyExplained), "partly-explained");
+  EXPECT_EQ(to_string(Verdict::UnnamedStructure), "unnamed-structure");
+}
+
+}  // namespace
+}  // namespace lacuna
