@@ -157,11 +157,12 @@ std::optional<double> lattice_of(const Dataset& data, Index state) {
   const double smallest = spacing / kMostLevels;
   for (std::size_t i = 1; i < values.size() && spacing > smallest; ++i) {
     // Euclid's algorithm on the gaps.
-    double gap = values[i] - values[i - 1];
-    while (gap > kRounding * spacing) {
-      const double rest = std::abs(std::remainder(spacing, gap));
-      spacing = gap;
-      gap = rest;
+    double rest = values[i] - values[i - 1];
+    const double limit = kRounding * std::min(spacing, rest);
+    while (rest > limit) {
+      const double next = std::abs(std::remainder(spacing, rest));
+      spacing = rest;
+      rest = next;
     }
   }
   if (!(spacing > smallest)) return std::nullopt;

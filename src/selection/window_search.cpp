@@ -42,6 +42,23 @@ std::vector<std::optional<Index>> exact_rates(const Dataset& data) {
   return exact;
 }
 
+/// The dataset without states that were computed from others.
+Dataset measured_part(const Dataset& data) {
+  std::vector<Index> measured;
+  for (Index k = 0; k < data.state_count(); ++k)
+    if (!is_derived(data, k)) measured.push_back(k);
+  Dataset result;
+  for (const Index k : measured)
+    result.states.push_back(data.states[static_cast<std::size_t>(k)]);
+  for (const Trajectory& record : data.trajectories) {
+    Trajectory part;
+    part.time = record.time;
+    part.states = record.states(Eigen::all, measured);
+    result.trajectories.push_back(std::move(part));
+  }
+  return result;
+}
+
 Index longest_record(const Dataset& data) {
   Index longest = 0;
   for (const Trajectory& record : data.trajectories)
@@ -72,7 +89,7 @@ WindowSearch::WindowSearch(const SearchTask& task, const RunContext& context)
 /// which a signal does what can be told from its noise; at least so many that initial states
 /// leave half of the samples.
 Index WindowSearch::first_window() const {
-  const TestFunction function = choose_test_function(data_);
+  const TestFunction function = choose_test_function(measured_part(data_));
   const Trajectory& record = data_.trajectories.front();
   const double step = (record.time[record.samples() - 1] - record.time[0]) /
                       static_cast<double>(record.samples() - 1);
@@ -212,8 +229,11 @@ WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
   return fit;
 }
 
-/// Whether longer windows fit no worse: by four standard deviations of chi squared.
+/// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
+/// so short that terms do not show yet a straight line fits; what they leave is no measure.
 bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) const {
+  if (after.settled && after.subset.size() > before.subset.size() && after.scale > before.scale)
+    return true;
   if (!after.settled && before.settled) return false;
   const double scatter =
       4.0 * std::sqrt(2.0 / static_cast<double>(std::max<Index>(1, after.rows)));
