@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
+// A coarse converter may show 0 most of the time: the least limit is a share of the largest.
+constexpr double kLeast = 1e-3;
+
 ShapeParameter limit_of(const Scope& scope, const std::string& x, double widest) {
-  return {"limit", range_of(scope, x).unit, magnitude_quantile(scope, x, 0.05),
-          widest * magnitude_quantile(scope, x, 1.0), true};
+  const double largest = magnitude_quantile(scope, x, 1.0);
+  const double least = std::max(magnitude_quantile(scope, x, 0.05), kLeast * largest);
+  return {"limit", range_of(scope, x).unit, least, widest * largest, true};
 }
 
 std::vector<Vector> starts(const Scope& scope, const std::string& x) {

@@ -149,6 +149,7 @@ Candidate shaped_candidate(const std::string& form, const std::string& argument,
   Candidate candidate = plain_candidate(form, argument, description);
   candidate.shapes = {shape};
   candidate.starts = std::move(starts);
+  for (Vector& start : candidate.starts) start = start.cwiseMax(shape.low).cwiseMin(shape.high);
   return candidate;
 }
 

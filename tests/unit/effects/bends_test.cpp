@@ -39,6 +39,15 @@ TEST(Saturation, OfWhatTheEquationHasNot) {
   EXPECT_TRUE(forms_of<kSaturation>(scope, 0).contains("clip(y,-limit,limit)"));
 }
 
+TEST(Saturation, CopesWithRecordsThatAreMostlyZero) {
+  Dataset data = support::oscillator_record();
+  data.trajectories[0].inputs.topRows(900).setZero();
+  const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
+  const Candidate limit = candidate_of<kSaturation>(scope, 1, "(F)-clip(F,-limit,limit)");
+  EXPECT_GT(limit.shapes[0].low, 0.0);
+  for (const Vector& start : limit.starts) EXPECT_GE(start[0], limit.shapes[0].low);
+}
+
 TEST(OneSidedStop, PushesAPositionBack) {
   const Scope scope = oscillator_scope();
   const Candidate upper = candidate_of<kOneSidedStop>(scope, 1, "max(q-edge,0)");
