@@ -17,10 +17,6 @@ std::vector<Index> sorted(std::vector<Index> columns) {
   return columns;
 }
 
-Index position_of(const std::vector<Index>& columns, Index column) {
-  return std::find(columns.begin(), columns.end(), column) - columns.begin();
-}
-
 }  // namespace
 
 /// Least squares in a subset.
@@ -163,8 +159,7 @@ SubsetSearch::Exchanges SubsetSearch::exchanges(const std::vector<Index>& subset
   const Index q = columns();
   const Fit found = fit(subset);
   Exchanges result{deflate(subset), {}, {}, {}, 0.0};
-  result.directions =
-      scaled_(Eigen::all, subset) * (found.inverse * found.inverse.transpose());
+  result.directions = scaled_(Eigen::all, subset) * (found.inverse * found.inverse.transpose());
   result.directions.colwise().normalize();
   result.shares = result.directions.transpose() * scaled_;
   const auto target = result.deflated.columns.col(q);
@@ -200,8 +195,7 @@ bool SubsetSearch::exchange(Subset& subset, Index together) const {
   const auto k = static_cast<Index>(subset.columns.size());
   if (k < together) return false;
   const Exchanges all = exchanges(subset.columns);
-  const double limit =
-      subset.score - least - price_ * static_cast<double>(k - together + 1);
+  const double limit = subset.score - least - price_ * static_cast<double>(k - together + 1);
   for (Index i = 0; i < k; ++i)
     for (Index j = together == 1 ? i : 0; j < (together == 1 ? i + 1 : i); ++j) {
       const std::optional<Index> in = replacement(all, i, j, limit);
@@ -224,24 +218,26 @@ std::vector<Index> SubsetSearch::eliminated() const {
   std::vector<Index> left(static_cast<std::size_t>(columns()));
   std::iota(left.begin(), left.end(), Index{0});
   const Index q = columns();
-  const Matrix root = scaled_.topLeftCorner(q, q).triangularView<Eigen::Upper>().solve(
-      Matrix::Identity(q, q));
+  const Matrix root =
+      scaled_.topLeftCorner(q, q).triangularView<Eigen::Upper>().solve(Matrix::Identity(q, q));
   Matrix inverse = root * root.transpose();
   Vector h = root * scaled_.col(q).head(q);
   if (!inverse.allFinite() || inverse.diagonal().maxCoeff() > 1e12) return {};
-  while (!left.empty()) {
-    Index worst = -1;
-    double least = price_;
-    for (const Index j : left)
-      if (h[j] * h[j] < least * inverse(j, j)) {
-        least = h[j] * h[j] / inverse(j, j);
-        worst = j;
-      }
-    if (worst < 0) break;
-    const Vector column = inverse.col(worst);
-    h -= column * (h[worst] / column[worst]);
-    inverse -= column * column.transpose() / column[worst];
-    left.erase(left.begin() + position_of(left, worst));
+  for (Index size = q; size > 0; --size) {
+    Index worst = 0;
+    const double least = (h.head(size).array().square() / inverse.diagonal().head(size).array())
+                             .minCoeff(&worst);
+    if (!(least < price_)) break;
+    const Vector column = inverse.col(worst).head(size);
+    h.head(size) -= column * (h[worst] / column[worst]);
+    inverse.topLeftCorner(size, size) -= column * (column / column[worst]).transpose();
+    // The last one takes the place of the one that leaves.
+    const Index last = size - 1;
+    h[worst] = h[last];
+    inverse.row(worst).head(size) = inverse.row(last).head(size).eval();
+    inverse.col(worst).head(size) = inverse.col(last).head(size).eval();
+    left[static_cast<std::size_t>(worst)] = left.back();
+    left.pop_back();
   }
   return left;
 }
