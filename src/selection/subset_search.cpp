@@ -12,6 +12,9 @@ namespace {
 /// Share of a column that is not rounding.
 constexpr double kNew = 1e-9;
 
+/// Scores that differ by less are equal.
+double least_gain(double score) { return 1e-9 * std::abs(score) + 1e-6; }
+
 std::vector<Index> sorted(std::vector<Index> columns) {
   std::sort(columns.begin(), columns.end());
   return columns;
@@ -112,26 +115,45 @@ Vector SubsetSearch::variances(const std::vector<Index>& subset) const {
   return variances;
 }
 
-Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
-  // Each round lowers the score; the bound is for rounding.
-  for (Index round = 0; round < 4 * columns(); ++round) {
-    while (!subset.empty()) {
-      Index worst = 0;
-      if (!(losses(subset).minCoeff(&worst) < price_)) break;
-      subset.erase(subset.begin() + worst);
-    }
-    Deflated deflated = deflate(subset);
-    const std::size_t before = subset.size();
-    Index best = 0;
-    for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > price_ * (1.0 + 1e-9);
-         gain = deflated.gains()) {
-      subset.push_back(best);
-      deflated.take(best);
-    }
-    if (subset.size() == before) break;
+/// Takes members away while the worst is worth less than the price.
+void SubsetSearch::shrink(std::vector<Index>& subset) const {
+  while (!subset.empty()) {
+    Index worst = 0;
+    if (!(losses(subset).minCoeff(&worst) < price_)) return;
+    subset.erase(subset.begin() + worst);
   }
-  subset = sorted(std::move(subset));
-  return {subset, residual(subset) + price_ * static_cast<double>(subset.size())};
+}
+
+/// Takes columns in while the best is worth more than the price.
+void SubsetSearch::extend(std::vector<Index>& subset) const {
+  Deflated deflated = deflate(subset);
+  Index best = 0;
+  for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > price_ * (1.0 + 1e-9);
+       gain = deflated.gains()) {
+    if (std::find(subset.begin(), subset.end(), best) != subset.end()) return;
+    subset.push_back(best);
+    deflated.take(best);
+  }
+}
+
+double SubsetSearch::score(const std::vector<Index>& subset) const {
+  return residual(subset) + price_ * static_cast<double>(subset.size());
+}
+
+Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
+  shrink(subset);
+  Subset best{sorted(subset), score(subset)};
+  // A round that does not lower the score has met rounding: columns that nearly depend on each
+  // other would go and come for ever.
+  for (;;) {
+    const std::size_t before = subset.size();
+    extend(subset);
+    if (subset.size() == before) return best;
+    shrink(subset);
+    const double now = score(subset);
+    if (!(now < best.score - least_gain(best.score))) return best;
+    best = {sorted(subset), now};
+  }
 }
 
 /// What taking members out of a subset gives back to all other columns: directions d_i in the
@@ -191,7 +213,7 @@ std::optional<Index> SubsetSearch::replacement(const Exchanges& all, Index i, In
 
 /// Exchanges one member, or two of them, for the best other column. @return whether it helped.
 bool SubsetSearch::exchange(Subset& subset, Index together) const {
-  const double least = 1e-9 * std::abs(subset.score) + 1e-6;
+  const double least = least_gain(subset.score);
   const auto k = static_cast<Index>(subset.columns.size());
   if (k < together) return false;
   const Exchanges all = exchanges(subset.columns);

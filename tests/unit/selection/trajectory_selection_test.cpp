@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "lacuna/data/noise.hpp"
 #include "noisy_records.hpp"
 
 namespace lacuna {
@@ -140,14 +141,40 @@ TEST(TrajectorySelection, RecordsWithMeasuredDerivativesAreLeftAlone) {
   EXPECT_FALSE(search(data, test_system("lorenz").model).usable);
 }
 
-TEST(TrajectorySelection, StartsFromAModelAndNamesDisputes) {
+TrajectorySelection from_model() {
+  return TrajectorySelection{
+      {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}};
+}
+
+TEST(TrajectorySelection, StartsFromAModel) {
   const Dataset data = noisy_record("lorenz", 2000, 0.01, 12);
   const OdeModel& truth = test_system("lorenz").model;
-  const TrajectorySelection from_model{
-      {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}};
-  const RefinedModel found = from_model.refine({data, quadratic_library(truth), truth});
+  const RefinedModel found = from_model().refine({data, quadratic_library(truth), truth});
   EXPECT_EQ(structure_of(found.model), structure_of(truth));
   EXPECT_TRUE(found.notes.empty());
+}
+
+TEST(TrajectorySelection, ModelsOfRecordsWithoutNoiseStand) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.0, 12);
+  const OdeModel& truth = test_system("lorenz").model;
+  const RefinedModel found = from_model().refine({data, quadratic_library(truth), truth});
+  EXPECT_FALSE(found.usable);
+  EXPECT_TRUE(found.message.empty());
+}
+
+TEST(TrajectorySelection, AModelWithoutTermsIsNoStart) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.01, 12);
+  const OdeModel& truth = test_system("lorenz").model;
+  EXPECT_FALSE(from_model().refine({data, quadratic_library(truth), empty_model(data)}).usable);
+}
+
+TEST(TrajectorySelection, NoiseIsThatOfTheRecordWhereTheModelIsWrong) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.01, 5);
+  const TermLibrary linear =
+      Monomials{{.max_degree = 1}}.library(test_system("lorenz").model.variables());
+  const RefinedModel found = TrajectorySelection{}.refine({data, linear, empty_model(data)});
+  const Vector expected = estimate_noise(data);
+  EXPECT_NEAR(found.noise[1], expected[1], 1e-12);
 }
 
 }  // namespace
