@@ -214,7 +214,7 @@ class Workflow {
   const RunContext& context_;
   AssimilationOptions fit_options_;
   std::optional<Assimilation> given_, fitted_;
-  Explanation final_{{}, {nominal_, {}, {}, {}, {}, 0.0, 0, {}, {}, {}}};
+  Explanation final_{{}, {nominal_, {}, {}, {}, {}, {}, 0.0, 0, {}, {}, {}}};
   Diagnosis result_;
 };
 
