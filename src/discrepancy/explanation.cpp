@@ -56,15 +56,15 @@ std::vector<Matrix> nominal_paths(const Assimilation& fit, Index states) {
 /// Fits with the shapes as they are.
 class JointFit {
  public:
-  JointFit(const Dataset& data, const Assimilation& base, const AssimilationOptions& options,
+  JointFit(const Dataset& data, const OdeModel& nominal, const AssimilationOptions& options,
            const RunContext& context)
-      : data_(data), base_(base), options_(options), context_(context) {}
+      : data_(data), nominal_(nominal), options_(options), context_(context) {}
 
-  Explanation at(const OdeModel& nominal, const Assimilation& from,
-                 std::vector<FittedEffect> effects, int passes) const {
-    const Index m = nominal.dimension();
-    const AugmentedProblem problem =
-        augment(nominal, data_, options_.free, effects, nominal_paths(from, m));
+  Explanation at(const Assimilation& from, std::vector<FittedEffect> effects,
+                 int passes) const {
+    const Index m = nominal_.dimension();
+    const AugmentedProblem problem = augment(nominal_part(from.model, nominal_), data_,
+                                             options_.free, effects, nominal_paths(from, m));
     AssimilationOptions options = options_;
     options.free = problem.free;
     options.passes = passes;
@@ -81,8 +81,7 @@ class JointFit {
     for (int step = 0; step < kSteps; ++step) {
       std::vector<FittedEffect> moved = best.effects;
       if (!move_shapes(best, moved)) break;
-      Explanation next =
-          at(nominal_part(best.fit.model, base_.model), best.fit, std::move(moved), 3);
+      Explanation next = at(best.fit, std::move(moved), 3);
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
       best = std::move(next);
@@ -132,7 +131,7 @@ class JointFit {
   bool move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const;
 
   const Dataset& data_;
-  const Assimilation& base_;
+  const OdeModel& nominal_;
   const AssimilationOptions& options_;
   const RunContext& context_;
 };
@@ -223,18 +222,18 @@ Index Explanation::parameters() const noexcept {
   return count;
 }
 
-Explanation explain_roughly(const Dataset& data, const Assimilation& base,
-                            const std::vector<FittedEffect>& effects,
+Explanation explain_roughly(const Dataset& data, const OdeModel& nominal,
+                            const Assimilation& start, const std::vector<FittedEffect>& effects,
                             const AssimilationOptions& options, const RunContext& context) {
   constexpr int kFew = 3;
-  return JointFit(data, base, options, context).at(base.model, base, effects, kFew);
+  return JointFit(data, nominal, options, context).at(start, effects, kFew);
 }
 
-Explanation explain(const Dataset& data, const Assimilation& base,
+Explanation explain(const Dataset& data, const OdeModel& nominal, const Assimilation& start,
                     const std::vector<FittedEffect>& effects,
                     const AssimilationOptions& options, const RunContext& context) {
-  const JointFit joint(data, base, options, context);
-  return joint.with_shapes(joint.at(base.model, base, effects, options.passes));
+  const JointFit fit(data, nominal, options, context);
+  return fit.with_shapes(fit.at(start, effects, options.passes));
 }
 
 }  // namespace lacuna
