@@ -43,7 +43,8 @@ Pipeline algorithm1(Tolerances tolerances) {
           .filter = Abm{},
           .regressor = Ols{},
           .pruner = MinorTerms{},
-          .refiner = NoRefiner{}};
+          .refiner = TrajectorySelection{
+              {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}}};
 }
 
 Pipeline sindy() {
