@@ -113,6 +113,7 @@ std::vector<Index> WindowSearch::present(const Matrix& coefficients) const {
 bool WindowSearch::round(WindowFit& fit) {
   fit.triangle = windows_.linearise(fit.coefficients, candidates_);
   fit.rows = windows_.rows();
+  if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
   const auto q = static_cast<double>(candidates_.size());
   const auto n = static_cast<double>(fit.rows);
   const double all =
@@ -236,6 +237,7 @@ WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
 /// so short that terms do not show yet a straight line fits; what they leave is no measure.
 bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) const {
+  if (after.rows == 0) return false;
   if (after.settled && after.subset.size() > before.subset.size() && after.scale > before.scale)
     return true;
   if (!after.settled && before.settled) return false;
@@ -252,20 +254,18 @@ bool WindowSearch::begin(const Matrix& coefficients) {
 }
 
 bool WindowSearch::grow() {
-  constexpr int kDoublings = 4;
   const Index samples = 2 * fit_.samples;
-  if (doublings_ == kDoublings || samples > longest_record(task_.data)) return false;
+  if (longest_ || samples > longest_record(task_.data)) return false;
   const LinearWindows windows = windows_;
   const Vector sigma = sigma_;
   WindowFit longer = stage(fit_.coefficients, samples);
   if (acceptable(fit_, longer)) {
     fit_ = std::move(longer);
-    ++doublings_;
     return true;
   }
   windows_ = windows;
   sigma_ = sigma;
-  doublings_ = kDoublings;
+  longest_ = true;
   return false;
 }
 

@@ -73,7 +73,7 @@ class WindowSearch {
   std::vector<Coefficient> candidates_;
   LinearWindows windows_;
   WindowFit fit_;
-  int doublings_ = 0;
+  bool longest_ = false;  ///< longer windows were tried and do not fit
 };
 
 }  // namespace lacuna

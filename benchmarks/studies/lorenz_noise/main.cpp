@@ -25,12 +25,19 @@
 namespace lacuna::benchmarks {
 namespace {
 
+/// What a level of noise is relative to.
+enum class Scale {
+  Deviation,  ///< the standard deviation of each state
+  Signal,     ///< the root mean square over all states, as weak SINDy's noise ratio
+};
+
 /// Records of one kind.
 struct Condition {
   const char* system;
   double step;
   Index samples;
-  double noise;  ///< ratio of the noise to the signal, both root mean squares over all states
+  double noise;  ///< standard deviation relative to that of `scale`
+  Scale scale;
   int degree;
   int draws;
 };
@@ -44,12 +51,13 @@ struct Cell {
 
 std::vector<Condition> conditions(int draws) {
   std::vector<Condition> all;
-  for (const double noise : {0.1, 0.2, 0.025, 0.05, 0.4})
-    for (const Index samples : {1000, 800, 600, 400}) {
-      all.push_back({"lorenz", 0.01, samples, noise, 2, draws});
-      all.push_back({"rossler", 0.05, samples, noise, 2, draws});
-    }
-  all.push_back({"lorenz", 0.001, 10001, 0.1, 5, std::max(1, draws / 8)});
+  for (const Scale scale : {Scale::Deviation, Scale::Signal})
+    for (const double noise : {0.025, 0.05, 0.1, 0.2, 0.4})
+      for (const Index samples : {400, 600, 800, 1000}) {
+        all.push_back({"lorenz", 0.01, samples, noise, scale, 2, draws});
+        all.push_back({"rossler", 0.05, samples, noise, scale, 2, draws});
+      }
+  all.push_back({"lorenz", 0.001, 10001, 0.1, Scale::Signal, 5, std::max(1, draws / 8)});
   return all;
 }
 
@@ -64,6 +72,8 @@ Dataset draw_record(const Condition& condition, std::uint64_t seed) {
   orbit = {orbit.source, Vector(orbit.time.head(condition.samples)),
            Matrix(orbit.states.bottomRows(condition.samples)), Matrix(condition.samples, 0),
            Matrix()};
+  if (condition.scale == Scale::Deviation)
+    return add_relative_noise(record, condition.noise, seed);
   const double signal = std::sqrt(orbit.states.array().square().mean());
   const Vector sigma = Vector::Constant(record.state_count(), condition.noise * signal);
   return add_noise(record, sigma, seed);
@@ -108,7 +118,7 @@ void add_row(const Cell& cell, ResultTable& table) {
 }
 
 int run(const std::filesystem::path& folder, int draws, const std::string& preset) {
-  ResultTable table{{"system", "step", "samples", "degree", "noise %", "draws",
+  ResultTable table{{"system", "step", "samples", "degree", "noise %", "of", "draws",
                      "exact structure %", "median coefficient error", "median seconds"},
                     {}};
   std::filesystem::create_directories(folder);
