@@ -203,7 +203,7 @@ bool WindowSearch::learn_noise(WindowFit& fit) {
 /// sigma.
 /// @return whether the steps are finer than before.
 bool WindowSearch::refine_steps(WindowFit& fit) {
-  constexpr Index kMostSubsteps = 8;
+  constexpr Index kMostSubsteps = 64;
   constexpr double kTruncation = 0.1;
   const Index before = windows_.substeps();
   while (windows_.substeps() < kMostSubsteps) {
