@@ -102,15 +102,9 @@ class OrderChoice {
   std::vector<Matrix> rates_;
 };
 
-const Trajectory& longest(const Dataset& data) {
-  return *std::max_element(
-      data.trajectories.begin(), data.trajectories.end(),
-      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
-}
-
 /// The middle of the longest record: so many samples tell mean squares to two per cent.
 Dataset middle_of(const Dataset& data) {
-  const Trajectory& record = longest(data);
+  const Trajectory& record = longest_record(data);
   const Index count = std::min<Index>(record.samples(), 4096);
   const Index first = (record.samples() - count) / 2;
   Dataset part;

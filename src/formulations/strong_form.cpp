@@ -17,6 +17,13 @@ std::vector<std::string> target_names(const Variables& variables) {
   return names;
 }
 
+/// Whether a record is a piece between gaps from which derivatives cannot be taken; the longest
+/// record is never left out.
+bool too_short(const Trajectory& record, const Dataset& data, const Differentiator& method) {
+  if (data.has_derivatives() || record.samples() >= method.fewest_samples()) return false;
+  return record.samples() < longest_record(data).samples();
+}
+
 /// rms over the record of the derivative of white noise of standard deviation 1: the root of
 /// the sum of squared responses to a unit impulse, as a mean over a few places of the impulse
 /// because on a grid that is not uniform, and near the ends, the place matters.
@@ -41,6 +48,7 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
   records.reserve(data.trajectories.size());
   for (const Trajectory& record : data.trajectories) {
     context.check_stop();
+    if (too_short(record, data, *method)) continue;
     records.push_back(with_derivatives(record, *method, options().smooth_states));
   }
   const Index margin = data.has_derivatives() ? 0 : method->margin();
@@ -60,10 +68,8 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
 
 std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,
                                                   const Vector& state_noise) const {
-  const auto longest = std::max_element(
-      data.trajectories.begin(), data.trajectories.end(),
-      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
-  return state_noise * noise_gain(*longest, *fitted_to(options().differentiator, data));
+  return state_noise *
+         noise_gain(longest_record(data), *fitted_to(options().differentiator, data));
 }
 
 }  // namespace lacuna

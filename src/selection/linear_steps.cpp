@@ -33,10 +33,14 @@ void compute_maps(const Eigen::Ref<const Matrix>& jacobians, Index m, double h,
 void LinearStep::compute(const Eigen::Ref<const Matrix>& jacobians, Index dimension,
                          double length) {
   switch (dimension) {
-    case 2: return compute_maps<2>(jacobians, dimension, length, *this);
-    case 3: return compute_maps<3>(jacobians, dimension, length, *this);
-    case 4: return compute_maps<4>(jacobians, dimension, length, *this);
-    default: return compute_maps<Eigen::Dynamic>(jacobians, dimension, length, *this);
+    case 2:
+      return compute_maps<2>(jacobians, dimension, length, *this);
+    case 3:
+      return compute_maps<3>(jacobians, dimension, length, *this);
+    case 4:
+      return compute_maps<4>(jacobians, dimension, length, *this);
+    default:
+      return compute_maps<Eigen::Dynamic>(jacobians, dimension, length, *this);
   }
 }
 

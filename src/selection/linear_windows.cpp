@@ -154,7 +154,8 @@ void LinearWindows::add_forcing(const Block& block, Index local) {
     }
     for (Index i = 0; i < count; ++i) {
       const Index row = block.terms[static_cast<std::size_t>(i)];
-      target[i] += a * theta(row, local) + b * theta(row, local + 1) + c * theta(row, local + 2);
+      target[i] +=
+          a * theta(row, local) + b * theta(row, local + 1) + c * theta(row, local + 2);
     }
   }
 }
@@ -169,10 +170,10 @@ void LinearWindows::take_step(Index local, double length) {
       columns_next_.col(k) += step_.whole(k, j) * columns_now_.col(j);
   }
   for (const Block& block : blocks_) add_forcing(block, local);
-  columns_next_.bottomRows(1) += (step_.first * offsets_.col(local) +
-                                  step_.middle * offsets_.col(local + 1) +
-                                  step_.last * offsets_.col(local + 2))
-                                     .transpose();
+  columns_next_.bottomRows(1) +=
+      (step_.first * offsets_.col(local) + step_.middle * offsets_.col(local + 1) +
+       step_.last * offsets_.col(local + 2))
+          .transpose();
   columns_now_.swap(columns_next_);
 }
 

@@ -163,8 +163,7 @@ SubsetSearch::Exchanges SubsetSearch::exchanges(const std::vector<Index>& subset
   const Index q = columns();
   const Fit found = fit(subset);
   Exchanges result{deflate(subset), {}, {}, {}, 0.0};
-  result.directions =
-      scaled_(Eigen::all, subset) * (found.inverse * found.inverse.transpose());
+  result.directions = scaled_(Eigen::all, subset) * (found.inverse * found.inverse.transpose());
   result.directions.colwise().normalize();
   result.shares = result.directions.transpose() * scaled_;
   const auto target = result.deflated.columns.col(q);
@@ -200,8 +199,7 @@ bool SubsetSearch::exchange(Subset& subset, Index together) const {
   const auto k = static_cast<Index>(subset.columns.size());
   if (k < together) return false;
   const Exchanges all = exchanges(subset.columns);
-  const double limit =
-      subset.score - least - price_ * static_cast<double>(k - together + 1);
+  const double limit = subset.score - least - price_ * static_cast<double>(k - together + 1);
   for (Index i = 0; i < k; ++i)
     for (Index j = together == 1 ? i : 0; j < (together == 1 ? i + 1 : i); ++j) {
       const std::optional<Index> in = replacement(all, i, j, limit);
@@ -224,8 +222,8 @@ std::vector<Index> SubsetSearch::eliminated() const {
   std::vector<Index> left(static_cast<std::size_t>(columns()));
   std::iota(left.begin(), left.end(), Index{0});
   const Index q = columns();
-  const Matrix root = scaled_.topLeftCorner(q, q).triangularView<Eigen::Upper>().solve(
-      Matrix::Identity(q, q));
+  const Matrix root =
+      scaled_.topLeftCorner(q, q).triangularView<Eigen::Upper>().solve(Matrix::Identity(q, q));
   Matrix inverse = root * root.transpose();
   Vector h = root * scaled_.col(q).head(q);
   if (!inverse.allFinite() || inverse.diagonal().maxCoeff() > 1e12) return {};

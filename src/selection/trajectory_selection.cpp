@@ -162,10 +162,6 @@ std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNois
   if (task.data.has_derivatives() && task.data.rate_of.empty())
     return "the record brings derivatives of its own";
   if (!from_model) return "";
-  const auto& equations = task.start.equations();
-  if (std::all_of(equations.begin(), equations.end(),
-                  [](const Equation& equation) { return equation.empty(); }))
-    return "there is no model to start from";
   if (std::all_of(noise.begin(), noise.end(),
                   [](const StateNoise& state) { return state.kind == NoiseKind::None; }))
     return "the record has no noise that could be told from the signal";
@@ -232,6 +228,8 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   same.message = "no windows of the record could be fitted";
   if (!fit) return same;
   RefinedModel result = Outcome(task, *fit, noise).make();
+  if (from_model && start.isZero())
+    result.notes.push_back("the stages before found no term; the search began from nothing");
   if (searches.other()) note_disputes(task, *fit, *searches.other(), result.notes);
   return result;
 }

@@ -68,13 +68,6 @@ Dataset measured_part(const Dataset& data) {
   return result;
 }
 
-Index longest_record(const Dataset& data) {
-  Index longest = 0;
-  for (const Trajectory& record : data.trajectories)
-    longest = std::max(longest, record.samples());
-  return longest;
-}
-
 }  // namespace
 
 WindowSearch::WindowSearch(SearchTask task, const RunContext& context)
@@ -247,7 +240,7 @@ bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) c
 }
 
 bool WindowSearch::begin(const Matrix& coefficients) {
-  const Index longest = longest_record(task_.data);
+  const Index longest = longest_record(task_.data).samples();
   if (longest < 4) return false;
   fit_ = stage(coefficients, std::min(first_window(), longest));
   return fit_.rows > 0;
@@ -255,7 +248,7 @@ bool WindowSearch::begin(const Matrix& coefficients) {
 
 bool WindowSearch::grow() {
   const Index samples = 2 * fit_.samples;
-  if (longest_ || samples > longest_record(task_.data)) return false;
+  if (longest_ || samples > longest_record(task_.data).samples()) return false;
   const LinearWindows windows = windows_;
   const Vector sigma = sigma_;
   WindowFit longer = stage(fit_.coefficients, samples);

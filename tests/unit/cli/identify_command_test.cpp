@@ -110,8 +110,9 @@ TEST(IdentifyCommand, ADivergingVerificationIsAWarning) {
 
 TEST(IdentifyCommand, NoModelIsStatus1) {
   const Records records;
-  const auto result = run_command({"identify", records.rossler(), "--set", "regressor=stlsq",
-                                   "--set", "regressor.threshold=1e6", "--json", "-"});
+  const auto result =
+      run_command({"identify", records.rossler(), "--set", "regressor=stlsq", "--set",
+                   "regressor.threshold=1e6", "--set", "refiner=none", "--json", "-"});
   expect_failure(result, 1, {"no equation was found"});
   EXPECT_FALSE(nlohmann::json::parse(result.out)["warnings"].empty());
 }

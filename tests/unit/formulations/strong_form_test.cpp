@@ -115,6 +115,13 @@ TEST(StrongForm, NoiseOfGivenDerivativesIsNotKnown) {
   EXPECT_FALSE(with_differences().target_noise(data, Eigen::Vector2d(1.0, 1.0)));
 }
 
+TEST(StrongForm, PiecesTooShortForDifferencesAreLeftOut) {
+  Dataset data = oscillation_data();
+  data.trajectories.push_back(oscillation(8, 10.0));
+  const auto system = with_differences(8).assemble(data, library_of({"x", "v"}));
+  EXPECT_EQ(system.rows(), 400 - 2 * 4);
+}
+
 TEST(StrongForm, RecordTooShortForTheDifferentiatorIsNamed) {
   const std::string problem = problem_with(oscillation_data(7), library_of({"x"}));
   EXPECT_NE(problem.find("run.csv"), std::string::npos) << problem;
