@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lacuna/formulations/derived_record.hpp"
 #include "lacuna/formulations/library_rows.hpp"
@@ -70,6 +71,13 @@ std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,
                                                   const Vector& state_noise) const {
   return state_noise *
          noise_gain(longest_record(data), *fitted_to(options().differentiator, data));
+}
+
+std::shared_ptr<const Formulation> StrongForm::do_fit(const Dataset& data) const {
+  if (data.has_derivatives()) return nullptr;
+  Options fitted = options();
+  fitted.differentiator = fitted_to(options().differentiator, data);
+  return std::make_shared<const StrongForm>(std::move(fitted));
 }
 
 }  // namespace lacuna

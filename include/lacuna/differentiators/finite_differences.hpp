@@ -61,6 +61,7 @@ class FiniteDifferences final : public Configured<Differentiator, FiniteDifferen
   std::optional<Vector> do_truncation_error(const Dataset& data) const override;
 
   static constexpr int kHighest = 20;
+  std::optional<Vector> truncation_;  ///< of the records to which the order was fitted
 };
 
 }  // namespace lacuna

@@ -115,6 +115,17 @@ TEST(StrongForm, NoiseOfGivenDerivativesIsNotKnown) {
   EXPECT_FALSE(with_differences().target_noise(data, Eigen::Vector2d(1.0, 1.0)));
 }
 
+TEST(StrongForm, FittedToRecordsItGivesTheSameSystem) {
+  const Dataset data = oscillation_data();
+  const TermLibrary library = library_of({"x", "v"});
+  const Stage<Formulation> form = StrongForm{{.differentiator = FiniteDifferences{}}};
+  const Stage<Formulation> fitted = fitted_to(form, data);
+  EXPECT_EQ(fitted->assemble(data, library).subproblem(1, {0, 1}).solve(),
+            form->assemble(data, library).subproblem(1, {0, 1}).solve());
+  EXPECT_EQ(*fitted->target_noise(data, Vector::Ones(2)),
+            *form->target_noise(data, Vector::Ones(2)));
+}
+
 TEST(StrongForm, PiecesTooShortForDifferencesAreLeftOut) {
   Dataset data = oscillation_data();
   data.trajectories.push_back(oscillation(8, 10.0));
