@@ -40,7 +40,7 @@ class LibraryValues {
   Program compile(const TermLibrary& library, bool delayed);
 
   Choice choice_;
-  Index first_ = 0;  // output of the first term
+  Index first_ = 0;                // output of the first term
   std::vector<Partial> partials_;  // those that are not always zero
   Program program_;
   Program::Workspace workspace_;

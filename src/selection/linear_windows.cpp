@@ -6,16 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lacuna/linear/tile_kernels.hpp"
-
 namespace lacuna {
 namespace {
-
-constexpr Index kFoldRows = 256;
-
-Index padded(Index rows) {
-  return (rows + Scratch::kRowPadding - 1) / Scratch::kRowPadding * Scratch::kRowPadding;
-}
 
 bool consecutive(const std::vector<Index>& places) {
   for (std::size_t i = 1; i < places.size(); ++i)
@@ -32,35 +24,6 @@ std::vector<Index> present_terms(const Matrix& coefficients) {
 }
 
 }  // namespace
-
-RowFold::RowFold(Index columns)
-    : capacity_(padded(std::max(kFoldRows, columns))),
-      scratch_(capacity_, columns),
-      triangle_(Matrix::Zero(columns, columns)) {}
-
-void RowFold::add(const Eigen::Ref<const Matrix>& rows) {
-  for (Index done = 0; done < rows.cols();) {
-    if (rows_ == capacity_) fold();
-    const Index count = std::min(capacity_ - rows_, rows.cols() - done);
-    scratch_.block(rows_ + count, 0, scratch_.columns()).bottomRows(count) =
-        rows.middleCols(done, count).transpose();
-    rows_ += count;
-    done += count;
-  }
-}
-
-void RowFold::fold() {
-  if (rows_ == 0) return;
-  const Index all = padded(rows_);
-  scratch_.block(all, 0, scratch_.columns()).bottomRows(all - rows_).setZero();
-  fold_triangle(scratch_, rows_, triangle_);
-  rows_ = 0;
-}
-
-const Matrix& RowFold::triangle() {
-  fold();
-  return triangle_;
-}
 
 LinearWindows::LinearWindows(const TermLibrary& library,
                              std::vector<std::optional<Index>> exact,
@@ -221,18 +184,28 @@ void LinearWindows::eliminate(Window& window, RowFold& fold) {
   rows_ += rest;
 }
 
-Matrix LinearWindows::linearise(const Matrix& h0, const std::vector<Coefficient>& columns) {
-  columns_ = columns;
-  linearised_at_ = h0;
+std::optional<Matrix> LinearWindows::fold_windows(Folding folding) {
   rows_ = 0;
-  make_blocks();
-  RowFold fold(static_cast<Index>(columns.size()) + 1);
+  RowFold fold(static_cast<Index>(columns_.size()) + 1, folding);
   for (Window& window : windows_) {
     load(window);
     window_rows(window);
     eliminate(window, fold);
   }
   return fold.triangle();
+}
+
+Matrix LinearWindows::linearise(const Matrix& h0, const std::vector<Coefficient>& columns) {
+  // So few columns are folded orthogonally in no time.
+  constexpr std::size_t kFewColumns = 32;
+  columns_ = columns;
+  linearised_at_ = h0;
+  make_blocks();
+  if (resolved_by_gram_ && columns.size() > kFewColumns) {
+    if (const std::optional<Matrix> triangle = fold_windows(Folding::Gram)) return *triangle;
+    resolved_by_gram_ = false;
+  }
+  return *fold_windows(Folding::Orthogonal);
 }
 
 Vector LinearWindows::start_of(const Window& window, const Vector& values) const {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "lacuna/core/run_context.hpp"
-#include "lacuna/linear/row_pass.hpp"
 #include "library_values.hpp"
 #include "linear_steps.hpp"
 #include "reference_path.hpp"
+#include "row_fold.hpp"
 
 namespace lacuna {
 
@@ -17,25 +17,6 @@ struct Coefficient {
   Index equation = 0;
   Index term = 0;
   auto operator<=>(const Coefficient&) const = default;
-};
-
-/// Folds rows into a triangle.
-class RowFold {
- public:
-  explicit RowFold(Index columns);
-
-  /// @param rows one in each column.
-  void add(const Eigen::Ref<const Matrix>& rows);
-
-  /// R of all rows so far. @return columns x columns.
-  const Matrix& triangle();
-
- private:
-  void fold();
-  Index capacity_;
-  Scratch scratch_;
-  Index rows_ = 0;
-  Matrix triangle_;
 };
 
 /// The trajectory fit as a linear problem: equations are linearised about a path in phase space
@@ -109,6 +90,7 @@ class LinearWindows {
   void load(const Window& window);
   void take_step(Index local, double length);
   void add_forcing(const Block& block, Index local);
+  std::optional<Matrix> fold_windows(Folding folding);
   void window_rows(const Window& window);
   void add_rows(const PathRecord& record, Index sample);
   void eliminate(Window& window, RowFold& fold);
@@ -124,7 +106,8 @@ class LinearWindows {
   std::vector<Window> windows_;
   std::vector<Coefficient> columns_;
   std::vector<Block> blocks_;
-  Matrix linearised_at_;  // h0
+  Matrix linearised_at_;          // h0
+  bool resolved_by_gram_ = true;  // as long as no Gram has failed
   Index rows_ = 0;
 
   // Of the loaded window.

@@ -12,13 +12,12 @@ namespace {
 /// Share of a column that is not rounding.
 constexpr double kNew = 1e-9;
 
+/// Scores that differ by less are equal.
+double least_gain(double score) { return 1e-9 * std::abs(score) + 1e-6; }
+
 std::vector<Index> sorted(std::vector<Index> columns) {
   std::sort(columns.begin(), columns.end());
   return columns;
-}
-
-Index position_of(const std::vector<Index>& columns, Index column) {
-  return std::find(columns.begin(), columns.end(), column) - columns.begin();
 }
 
 }  // namespace
@@ -116,26 +115,45 @@ Vector SubsetSearch::variances(const std::vector<Index>& subset) const {
   return variances;
 }
 
-Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
-  // Each round lowers the score; the bound is for rounding.
-  for (Index round = 0; round < 4 * columns(); ++round) {
-    while (!subset.empty()) {
-      Index worst = 0;
-      if (!(losses(subset).minCoeff(&worst) < price_)) break;
-      subset.erase(subset.begin() + worst);
-    }
-    Deflated deflated = deflate(subset);
-    const std::size_t before = subset.size();
-    Index best = 0;
-    for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > price_ * (1.0 + 1e-9);
-         gain = deflated.gains()) {
-      subset.push_back(best);
-      deflated.take(best);
-    }
-    if (subset.size() == before) break;
+/// Takes members away while the worst is worth less than the price.
+void SubsetSearch::shrink(std::vector<Index>& subset) const {
+  while (!subset.empty()) {
+    Index worst = 0;
+    if (!(losses(subset).minCoeff(&worst) < price_)) return;
+    subset.erase(subset.begin() + worst);
   }
-  subset = sorted(std::move(subset));
-  return {subset, residual(subset) + price_ * static_cast<double>(subset.size())};
+}
+
+/// Takes columns in while the best is worth more than the price.
+void SubsetSearch::extend(std::vector<Index>& subset) const {
+  Deflated deflated = deflate(subset);
+  Index best = 0;
+  for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > price_ * (1.0 + 1e-9);
+       gain = deflated.gains()) {
+    if (std::find(subset.begin(), subset.end(), best) != subset.end()) return;
+    subset.push_back(best);
+    deflated.take(best);
+  }
+}
+
+double SubsetSearch::score(const std::vector<Index>& subset) const {
+  return residual(subset) + price_ * static_cast<double>(subset.size());
+}
+
+Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
+  shrink(subset);
+  Subset best{sorted(subset), score(subset)};
+  // A round that does not lower the score has met rounding: columns that nearly depend on each
+  // other would go and come for ever.
+  for (;;) {
+    const std::size_t before = subset.size();
+    extend(subset);
+    if (subset.size() == before) return best;
+    shrink(subset);
+    const double now = score(subset);
+    if (!(now < best.score - least_gain(best.score))) return best;
+    best = {sorted(subset), now};
+  }
 }
 
 /// What taking members out of a subset gives back to all other columns: directions d_i in the
@@ -195,7 +213,7 @@ std::optional<Index> SubsetSearch::replacement(const Exchanges& all, Index i, In
 
 /// Exchanges one member, or two of them, for the best other column. @return whether it helped.
 bool SubsetSearch::exchange(Subset& subset, Index together) const {
-  const double least = 1e-9 * std::abs(subset.score) + 1e-6;
+  const double least = least_gain(subset.score);
   const auto k = static_cast<Index>(subset.columns.size());
   if (k < together) return false;
   const Exchanges all = exchanges(subset.columns);
@@ -227,19 +245,21 @@ std::vector<Index> SubsetSearch::eliminated() const {
   Matrix inverse = root * root.transpose();
   Vector h = root * scaled_.col(q).head(q);
   if (!inverse.allFinite() || inverse.diagonal().maxCoeff() > 1e12) return {};
-  while (!left.empty()) {
-    Index worst = -1;
-    double least = price_;
-    for (const Index j : left)
-      if (h[j] * h[j] < least * inverse(j, j)) {
-        least = h[j] * h[j] / inverse(j, j);
-        worst = j;
-      }
-    if (worst < 0) break;
-    const Vector column = inverse.col(worst);
-    h -= column * (h[worst] / column[worst]);
-    inverse -= column * column.transpose() / column[worst];
-    left.erase(left.begin() + position_of(left, worst));
+  for (Index size = q; size > 0; --size) {
+    Index worst = 0;
+    const double least = (h.head(size).array().square() / inverse.diagonal().head(size).array())
+                             .minCoeff(&worst);
+    if (!(least < price_)) break;
+    const Vector column = inverse.col(worst).head(size);
+    h.head(size) -= column * (h[worst] / column[worst]);
+    inverse.topLeftCorner(size, size) -= column * (column / column[worst]).transpose();
+    // The last one takes the place of the one that leaves.
+    const Index last = size - 1;
+    h[worst] = h[last];
+    inverse.row(worst).head(size) = inverse.row(last).head(size).eval();
+    inverse.col(worst).head(size) = inverse.col(last).head(size).eval();
+    left[static_cast<std::size_t>(worst)] = left.back();
+    left.pop_back();
   }
   return left;
 }

@@ -162,7 +162,10 @@ std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNois
   if (task.data.has_derivatives() && task.data.rate_of.empty())
     return "the record brings derivatives of its own";
   if (!from_model) return "";
-  if (std::all_of(noise.begin(), noise.end(),
+  // What differences of a clean record leave; more is for the trajectories to explain.
+  constexpr double kTruncation = 1e-3;
+  if (task.unexplained <= kTruncation &&
+      std::all_of(noise.begin(), noise.end(),
                   [](const StateNoise& state) { return state.kind == NoiseKind::None; }))
     return "the record has no noise that could be told from the signal";
   return "";

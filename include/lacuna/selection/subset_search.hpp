@@ -50,6 +50,9 @@ class SubsetSearch {
   struct Deflated;
   Fit fit(const std::vector<Index>& subset) const;
   Deflated deflate(const std::vector<Index>& subset) const;
+  void shrink(std::vector<Index>& subset) const;
+  void extend(std::vector<Index>& subset) const;
+  double score(const std::vector<Index>& subset) const;
   Subset stepwise(std::vector<Index> start) const;
   struct Exchanges;
   Exchanges exchanges(const std::vector<Index>& subset) const;

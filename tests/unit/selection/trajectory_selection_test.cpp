@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lacuna/data/noise.hpp"
 #include "support/noisy_records.hpp"
 
 namespace lacuna {
@@ -109,12 +110,15 @@ TEST(TrajectorySelection, RecordsWithMeasuredDerivativesAreLeftAlone) {
   EXPECT_FALSE(search(data, test_system("lorenz").model).usable);
 }
 
-TEST(TrajectorySelection, StartsFromAModelAndNamesDisputes) {
+TrajectorySelection from_model() {
+  return TrajectorySelection{
+      {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}};
+}
+
+TEST(TrajectorySelection, StartsFromAModel) {
   const Dataset data = noisy_record("lorenz", 2000, 0.01, 12);
   const OdeModel& truth = test_system("lorenz").model;
-  const TrajectorySelection from_model{
-      {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}};
-  const RefinedModel found = from_model.refine({data, quadratic_library(truth), truth});
+  const RefinedModel found = from_model().refine({data, quadratic_library(truth), truth});
   EXPECT_EQ(structure_of(found.model), structure_of(truth));
   EXPECT_TRUE(found.notes.empty());
 }
@@ -122,12 +126,28 @@ TEST(TrajectorySelection, StartsFromAModelAndNamesDisputes) {
 TEST(TrajectorySelection, BeginsFromNothingWhereThereIsNoModel) {
   const Dataset data = noisy_record("lorenz", 2000, 0.01, 13);
   const OdeModel& truth = test_system("lorenz").model;
-  const TrajectorySelection from_model{{.start = TrajectorySelectionOptions::Start::Model}};
   const RefinedModel found =
-      from_model.refine({data, quadratic_library(truth), empty_model(data)});
+      from_model().refine({data, quadratic_library(truth), empty_model(data)});
   EXPECT_EQ(structure_of(found.model), structure_of(truth));
   ASSERT_EQ(found.notes.size(), 1U);
   EXPECT_NE(found.notes[0].find("from nothing"), std::string::npos);
+}
+
+TEST(TrajectorySelection, ModelsOfRecordsWithoutNoiseStand) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.0, 12);
+  const OdeModel& truth = test_system("lorenz").model;
+  const RefinedModel found = from_model().refine({data, quadratic_library(truth), truth, 1e-6});
+  EXPECT_FALSE(found.usable);
+  EXPECT_TRUE(found.message.empty());
+}
+
+TEST(TrajectorySelection, NoiseIsThatOfTheRecordWhereTheModelIsWrong) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.01, 5);
+  const TermLibrary linear =
+      Monomials{{.max_degree = 1}}.library(test_system("lorenz").model.variables());
+  const RefinedModel found = TrajectorySelection{}.refine({data, linear, empty_model(data)});
+  const Vector expected = estimate_noise(data);
+  EXPECT_NEAR(found.noise[1], expected[1], 1e-12);
 }
 
 }  // namespace
