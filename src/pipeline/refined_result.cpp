@@ -87,7 +87,8 @@ double unexplained(const IdentificationResult& result) {
 
 bool apply_refiner(const Refiner& refiner, const Dataset& data, const TermLibrary& library,
                    IdentificationResult& result, const RunContext& context) {
-  RefinedModel refined = refiner.refine({data, library, result.model, unexplained(result)}, context);
+  RefinedModel refined =
+      refiner.refine({data, library, result.model, unexplained(result)}, context);
   if (!refined.usable) {
     if (!refined.message.empty())
       result.warnings.push_back("not refined on the trajectories: " + refined.message);

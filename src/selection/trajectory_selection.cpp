@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lacuna/core/text.hpp"
+#include "refitted.hpp"
 #include "window_search.hpp"
 
 namespace lacuna {
@@ -233,6 +234,12 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   RefinedModel result = Outcome(task, *fit, noise).make();
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
+  const bool is_noise =
+      std::all_of(result.fits_to_noise.begin(), result.fits_to_noise.end(),
+                  [](const std::optional<bool>& fits) { return fits.value_or(true); });
+  if (!is_noise)
+    if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
+      result.model = std::move(*model);
   if (searches.other()) note_disputes(task, *fit, *searches.other(), result.notes);
   return result;
 }

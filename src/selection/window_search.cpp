@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lacuna/formulations/weak_form.hpp"
+#include "refitted.hpp"
 
 namespace lacuna {
 namespace {
@@ -49,23 +51,6 @@ std::vector<std::optional<Index>> exact_rates(const Dataset& data) {
   std::vector<std::optional<Index>> exact;
   for (Index k = 0; k < data.state_count(); ++k) exact.push_back(data.rate_state(k));
   return exact;
-}
-
-/// The dataset without states that were computed from others.
-Dataset measured_part(const Dataset& data) {
-  std::vector<Index> measured;
-  for (Index k = 0; k < data.state_count(); ++k)
-    if (!is_derived(data, k)) measured.push_back(k);
-  Dataset result;
-  for (const Index k : measured)
-    result.states.push_back(data.states[static_cast<std::size_t>(k)]);
-  for (const Trajectory& record : data.trajectories) {
-    Trajectory part;
-    part.time = record.time;
-    part.states = record.states(Eigen::all, measured);
-    result.trajectories.push_back(std::move(part));
-  }
-  return result;
 }
 
 }  // namespace
@@ -198,12 +183,17 @@ bool WindowSearch::learn_noise(WindowFit& fit) {
 bool WindowSearch::refine_steps(WindowFit& fit) {
   constexpr Index kMostSubsteps = 64;
   constexpr double kTruncation = 0.1;
+  constexpr double kGain = 0.25;  // fourth order gives 1/16; where terms jump nothing is gained
   const Index before = windows_.substeps();
+  double last = std::numeric_limits<double>::infinity();
   while (windows_.substeps() < kMostSubsteps) {
     const Index coarse = windows_.substeps();
     windows_.set_substeps(2 * coarse);
-    if (settle(fit, 0.0, 1) > kTruncation) continue;
-    windows_.set_substeps(coarse);
+    const double moved = settle(fit, 0.0, 1);
+    const bool gains = moved < kGain * last;
+    last = moved;
+    if (moved > kTruncation && gains) continue;
+    windows_.set_substeps(gains ? coarse : before);
     settle(fit, kSmallMove, 1);
     break;
   }

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lacuna/data/write.hpp"
+#include "support/noisy_records.hpp"
 #include "unit/cli/records.hpp"
-#include "unit/selection/noisy_records.hpp"
 
 namespace lacuna {
 namespace {
