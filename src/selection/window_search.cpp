@@ -181,7 +181,7 @@ bool WindowSearch::learn_noise(WindowFit& fit) {
 /// sigma.
 /// @return whether the steps are finer than before.
 bool WindowSearch::refine_steps(WindowFit& fit) {
-  constexpr Index kMostSubsteps = 64;
+  constexpr Index kMostSubsteps = 8;
   constexpr double kTruncation = 0.1;
   constexpr double kGain = 0.25;  // fourth order gives 1/16; where terms jump nothing is gained
   const Index before = windows_.substeps();
@@ -197,7 +197,21 @@ bool WindowSearch::refine_steps(WindowFit& fit) {
     settle(fit, kSmallMove, 1);
     break;
   }
+  // The finest steps leave a fifteenth of what the last halving moved.
+  if (windows_.substeps() == kMostSubsteps && before < kMostSubsteps)
+    raise_floor(last / 15.0 / kTruncation);
   return windows_.substeps() > before;
+}
+
+/// Noise that is not known is taken to be no less than what the integration resolves.
+void WindowSearch::raise_floor(double factor) {
+  if (!(factor > 1.0)) return;
+  Vector factors = Vector::Ones(sigma_.size());
+  for (Index k = 0; k < sigma_.size(); ++k)
+    if (task_.noise[static_cast<std::size_t>(k)].kind == NoiseKind::None) factors[k] = factor;
+  windows_.rescale(factors);
+  sigma_ = sigma_.cwiseProduct(factors);
+  floor_ = floor_.cwiseMax(sigma_);
 }
 
 WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
