@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/discrepancy/structure.hpp"
 #include "lacuna/numerics/significance.hpp"
 
@@ -69,30 +71,39 @@ double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
   return rms / rate_rms(fit)[candidate.equation];
 }
 
+double bic_of(const Explanation& explanation) {
+  return explanation.fit.deviance + static_cast<double>(explanation.parameters()) *
+                                        std::log(static_cast<double>(explanation.fit.used));
+}
+
 class Ranker {
  public:
-  Ranker(const Dataset& data, const Assimilation& base, const Explanation& current,
+  Ranker(const Dataset& data, const OdeModel& nominal, const Explanation& current,
          const AssimilationOptions& options, const RunContext& context)
-      : data_(data), base_(base), current_(current), options_(options), context_(context) {}
+      : data_(data),
+        nominal_(nominal),
+        current_(current),
+        options_(options),
+        context_(context) {}
 
   RankedEffect rough(const ScreenedCandidate& screened, double tried) const {
     std::vector<FittedEffect> effects = current_.effects;
     effects.push_back({screened.candidate, screened.shapes, screened.coefficient, 0.0});
-    return judged(explain_roughly(data_, base_, effects, options_, context_), tried);
+    return judged(explain_roughly(data_, nominal_, current_.fit, effects, options_, context_),
+                  tried);
   }
 
   RankedEffect exact(const RankedEffect& ranked, double tried) const {
-    return judged(explain(data_, base_, ranked.explanation.effects, options_, context_), tried);
+    return judged(explain(data_, nominal_, ranked.explanation.fit, ranked.explanation.effects,
+                          options_, context_),
+                  tried);
   }
 
  private:
   RankedEffect judged(Explanation explanation, double tried) const {
     RankedEffect ranked{std::move(explanation)};
-    const double log_samples = std::log(static_cast<double>(ranked.explanation.fit.used));
-    const double deviance = ranked.explanation.fit.deviance;
-    ranked.criterion =
-        deviance + static_cast<double>(ranked.explanation.parameters()) * log_samples;
-    ranked.gain = current_.fit.deviance - deviance;
+    ranked.criterion = bic_of(ranked.explanation);
+    ranked.gain = current_.fit.deviance - ranked.explanation.fit.deviance;
     ranked.sigma = sigma_of_gain(
         ranked.gain, 1.0 + static_cast<double>(ranked.effect().shapes.size()), tried);
     ranked.contribution = contribution_of(ranked.effect(), ranked.explanation.fit);
@@ -100,11 +111,21 @@ class Ranker {
   }
 
   const Dataset& data_;
-  const Assimilation& base_;
+  const OdeModel& nominal_;
   const Explanation& current_;
   const AssimilationOptions& options_;
   const RunContext& context_;
 };
+
+/// fit(0) ... fit(count - 1), in this order.
+template <class Fit>
+std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit fit) {
+  std::vector<std::optional<RankedEffect>> places(count);
+  parallel_for(count, threads, [&](std::size_t i) { places[i] = fit(i); });
+  std::vector<RankedEffect> result;
+  for (auto& place : places) result.push_back(std::move(*place));
+  return result;
+}
 
 /// Whether the disturbance of the effect's equation is less with it. A form that follows the
 /// path's own rate (a delay or a lag of the state itself, shorter than a step) can take the
@@ -145,10 +166,6 @@ void set_probabilities(Ranking& ranking, double none_criterion) {
   for (RankedEffect& effect : ranking.effects) effect.probability /= sum;
 }
 
-/// Evidence up to which two explanations are not told apart: 2 log B of Kass and Raftery, JASA
-/// 90 (1995), from where on it is very strong.
-constexpr double kUndecided = 10.0;
-
 /// Shape parameters and memory states: what makes a candidate less plain.
 Index intricacy(const RankedEffect& ranked) {
   const Candidate& candidate = ranked.effect().candidate;
@@ -184,7 +201,7 @@ void put_plainer_first(std::vector<RankedEffect>& effects) {
 
 }  // namespace
 
-Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& current,
+Ranking rank(const Dataset& data, const Explanation& current,
              const std::vector<Stage<Effect>>& effects, const Scope& scope,
              const AssimilationOptions& options, const RankOptions& rank_options,
              const RunContext& context) {
@@ -193,29 +210,30 @@ Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& c
       screen(all_candidates(effects, scope, current), screening, context);
   Ranking ranking;
   for (const ScreenedCandidate& candidate : screened) ranking.tried += candidate.tried;
-  const Ranker ranker(data, base, current, options, context);
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Ranker ranker(data, scope.model, current, options, quiet);
   const auto tried = static_cast<double>(screened.size());
-  for (const ScreenedCandidate& candidate : short_list(screened, rank_options.refits)) {
-    context.report("fitting candidates", 0.0);
-    RankedEffect ranked = ranker.rough(candidate, tried);
-    if (std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current) &&
-        is_plausible(ranked, effects, scope))
-      ranking.effects.push_back(std::move(ranked));
-  }
-  sort_by_criterion(ranking.effects);
-  for (std::size_t i = 0; i < ranking.effects.size(); ++i) {
-    if (static_cast<Index>(i) == rank_options.exact) break;
-    context.report("fitting candidates exactly", 0.0);
-    ranking.effects[i] = ranker.exact(ranking.effects[i], tried);
-  }
-  std::erase_if(ranking.effects, [&](const RankedEffect& ranked) {
-    return !std::isfinite(ranked.criterion) || !lessens_disturbance(ranked, current) ||
-           !is_plausible(ranked, effects, scope);
+  const auto is_possible = [&](const RankedEffect& ranked) {
+    return std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current) &&
+           is_plausible(ranked, effects, scope);
+  };
+  const std::vector<ScreenedCandidate> chosen = short_list(screened, rank_options.refits);
+  context.report("fitting candidates", 0.0);
+  ranking.effects = fitted_in_parallel(chosen.size(), context.threads, [&](std::size_t i) {
+    return ranker.rough(chosen[i], tried);
   });
+  std::erase_if(ranking.effects, [&](const auto& ranked) { return !is_possible(ranked); });
   sort_by_criterion(ranking.effects);
-  const double log_samples = std::log(static_cast<double>(current.fit.used));
-  set_probabilities(
-      ranking, current.fit.deviance + static_cast<double>(current.parameters()) * log_samples);
+  const auto exact =
+      std::min(ranking.effects.size(), static_cast<std::size_t>(rank_options.exact));
+  context.report("fitting candidates exactly", 0.0);
+  std::vector<RankedEffect> fitted = fitted_in_parallel(
+      exact, context.threads,
+      [&](std::size_t i) { return ranker.exact(ranking.effects[i], tried); });
+  std::move(fitted.begin(), fitted.end(), ranking.effects.begin());
+  std::erase_if(ranking.effects, [&](const auto& ranked) { return !is_possible(ranked); });
+  sort_by_criterion(ranking.effects);
+  set_probabilities(ranking, bic_of(current));
   put_least_intricate_first(ranking.effects);
   put_plainer_first(ranking.effects);
   return ranking;
