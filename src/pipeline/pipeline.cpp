@@ -263,11 +263,13 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   check_dataset(data);
   const TermLibrary library = pipeline.basis->library(variables_of(data));
   context.report("reading rows", 0.0);
-  const LeastSquaresSystem system = pipeline.formulation->assemble(data, library, context);
+  Pipeline fitted = pipeline;
+  fitted.formulation = fitted_to(pipeline.formulation, data);
+  const LeastSquaresSystem system = fitted.formulation->assemble(data, library, context);
   context.report("filtering terms", 0.0);
-  const FilterResult filtered = pipeline.filter->filter(system, context);
+  const FilterResult filtered = fitted.filter->filter(system, context);
   IdentificationResult result =
-      run_equations({data, pipeline, context, library, system, filtered});
+      run_equations({data, fitted, context, library, system, filtered});
   context.report("fitting equations", 1.0);
   return result;
 }

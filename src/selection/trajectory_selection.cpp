@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lacuna/core/text.hpp"
+#include "refitted.hpp"
 #include "window_search.hpp"
 
 namespace lacuna {
@@ -162,11 +163,10 @@ std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNois
   if (task.data.has_derivatives() && task.data.rate_of.empty())
     return "the record brings derivatives of its own";
   if (!from_model) return "";
-  const auto& equations = task.start.equations();
-  if (std::all_of(equations.begin(), equations.end(),
-                  [](const Equation& equation) { return equation.empty(); }))
-    return "there is no model to start from";
-  if (std::all_of(noise.begin(), noise.end(),
+  // What differences of a clean record leave; more is for the trajectories to explain.
+  constexpr double kTruncation = 1e-3;
+  if (task.unexplained <= kTruncation &&
+      std::all_of(noise.begin(), noise.end(),
                   [](const StateNoise& state) { return state.kind == NoiseKind::None; }))
     return "the record has no noise that could be told from the signal";
   return "";
@@ -232,6 +232,14 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   same.message = "no windows of the record could be fitted";
   if (!fit) return same;
   RefinedModel result = Outcome(task, *fit, noise).make();
+  if (from_model && start.isZero())
+    result.notes.push_back("the stages before found no term; the search began from nothing");
+  const bool is_noise =
+      std::all_of(result.fits_to_noise.begin(), result.fits_to_noise.end(),
+                  [](const std::optional<bool>& fits) { return fits.value_or(true); });
+  if (!is_noise)
+    if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
+      result.model = std::move(*model);
   if (searches.other()) note_disputes(task, *fit, *searches.other(), result.notes);
   return result;
 }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lacuna/formulations/weak_form.hpp"
+#include "refitted.hpp"
 
 namespace lacuna {
 namespace {
@@ -51,30 +53,6 @@ std::vector<std::optional<Index>> exact_rates(const Dataset& data) {
   return exact;
 }
 
-/// The dataset without states that were computed from others.
-Dataset measured_part(const Dataset& data) {
-  std::vector<Index> measured;
-  for (Index k = 0; k < data.state_count(); ++k)
-    if (!is_derived(data, k)) measured.push_back(k);
-  Dataset result;
-  for (const Index k : measured)
-    result.states.push_back(data.states[static_cast<std::size_t>(k)]);
-  for (const Trajectory& record : data.trajectories) {
-    Trajectory part;
-    part.time = record.time;
-    part.states = record.states(Eigen::all, measured);
-    result.trajectories.push_back(std::move(part));
-  }
-  return result;
-}
-
-Index longest_record(const Dataset& data) {
-  Index longest = 0;
-  for (const Trajectory& record : data.trajectories)
-    longest = std::max(longest, record.samples());
-  return longest;
-}
-
 }  // namespace
 
 WindowSearch::WindowSearch(SearchTask task, const RunContext& context)
@@ -113,6 +91,7 @@ std::vector<Index> WindowSearch::present(const Matrix& coefficients) const {
 bool WindowSearch::round(WindowFit& fit) {
   fit.triangle = windows_.linearise(fit.coefficients, candidates_);
   fit.rows = windows_.rows();
+  if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
   const auto q = static_cast<double>(candidates_.size());
   const auto n = static_cast<double>(fit.rows);
   const double all =
@@ -204,16 +183,35 @@ bool WindowSearch::learn_noise(WindowFit& fit) {
 bool WindowSearch::refine_steps(WindowFit& fit) {
   constexpr Index kMostSubsteps = 8;
   constexpr double kTruncation = 0.1;
+  constexpr double kGain = 0.25;  // fourth order gives 1/16; where terms jump nothing is gained
   const Index before = windows_.substeps();
+  double last = std::numeric_limits<double>::infinity();
   while (windows_.substeps() < kMostSubsteps) {
     const Index coarse = windows_.substeps();
     windows_.set_substeps(2 * coarse);
-    if (settle(fit, 0.0, 1) > kTruncation) continue;
-    windows_.set_substeps(coarse);
+    const double moved = settle(fit, 0.0, 1);
+    const bool gains = moved < kGain * last;
+    last = moved;
+    if (moved > kTruncation && gains) continue;
+    windows_.set_substeps(gains ? coarse : before);
     settle(fit, kSmallMove, 1);
     break;
   }
+  // The finest steps leave a fifteenth of what the last halving moved.
+  if (windows_.substeps() == kMostSubsteps && before < kMostSubsteps)
+    raise_floor(last / 15.0 / kTruncation);
   return windows_.substeps() > before;
+}
+
+/// Noise that is not known is taken to be no less than what the integration resolves.
+void WindowSearch::raise_floor(double factor) {
+  if (!(factor > 1.0)) return;
+  Vector factors = Vector::Ones(sigma_.size());
+  for (Index k = 0; k < sigma_.size(); ++k)
+    if (task_.noise[static_cast<std::size_t>(k)].kind == NoiseKind::None) factors[k] = factor;
+  windows_.rescale(factors);
+  sigma_ = sigma_.cwiseProduct(factors);
+  floor_ = floor_.cwiseMax(sigma_);
 }
 
 WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
@@ -236,6 +234,7 @@ WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
 /// so short that terms do not show yet a straight line fits; what they leave is no measure.
 bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) const {
+  if (after.rows == 0) return false;
   if (after.settled && after.subset.size() > before.subset.size() && after.scale > before.scale)
     return true;
   if (!after.settled && before.settled) return false;
@@ -245,27 +244,25 @@ bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) c
 }
 
 bool WindowSearch::begin(const Matrix& coefficients) {
-  const Index longest = longest_record(task_.data);
+  const Index longest = longest_record(task_.data).samples();
   if (longest < 4) return false;
   fit_ = stage(coefficients, std::min(first_window(), longest));
   return fit_.rows > 0;
 }
 
 bool WindowSearch::grow() {
-  constexpr int kDoublings = 4;
   const Index samples = 2 * fit_.samples;
-  if (doublings_ == kDoublings || samples > longest_record(task_.data)) return false;
+  if (longest_ || samples > longest_record(task_.data).samples()) return false;
   const LinearWindows windows = windows_;
   const Vector sigma = sigma_;
   WindowFit longer = stage(fit_.coefficients, samples);
   if (acceptable(fit_, longer)) {
     fit_ = std::move(longer);
-    ++doublings_;
     return true;
   }
   windows_ = windows;
   sigma_ = sigma;
-  doublings_ = kDoublings;
+  longest_ = true;
   return false;
 }
 

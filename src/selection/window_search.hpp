@@ -62,6 +62,7 @@ class WindowSearch {
   void summarise(WindowFit& fit) const;
   bool learn_noise(WindowFit& fit);
   bool refine_steps(WindowFit& fit);
+  void raise_floor(double factor);
   WindowFit stage(const Matrix& coefficients, Index samples);
   bool acceptable(const WindowFit& before, const WindowFit& after) const;
   Index first_window() const;
@@ -73,7 +74,7 @@ class WindowSearch {
   std::vector<Coefficient> candidates_;
   LinearWindows windows_;
   WindowFit fit_;
-  int doublings_ = 0;
+  bool longest_ = false;  ///< longer windows were tried and do not fit
 };
 
 }  // namespace lacuna

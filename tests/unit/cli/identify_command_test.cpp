@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lacuna/data/write.hpp"
+#include "support/noisy_records.hpp"
 #include "unit/cli/records.hpp"
-#include "unit/selection/noisy_records.hpp"
 
 namespace lacuna {
 namespace {
@@ -138,8 +138,9 @@ TEST(IdentifyCommand, NamesTermsOnWhichTheRobustPresetDisagrees) {
 
 TEST(IdentifyCommand, NoModelIsStatus1) {
   const Records records;
-  const auto result = run_command({"identify", records.rossler(), "--set", "regressor=stlsq",
-                                   "--set", "regressor.threshold=1e6", "--json", "-"});
+  const auto result =
+      run_command({"identify", records.rossler(), "--set", "regressor=stlsq", "--set",
+                   "regressor.threshold=1e6", "--set", "refiner=none", "--json", "-"});
   expect_failure(result, 1, {"no equation was found"});
   EXPECT_FALSE(nlohmann::json::parse(result.out)["warnings"].empty());
 }
