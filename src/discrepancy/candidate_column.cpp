@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/discrepancy/candidate_column.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -35,19 +36,26 @@ Program memory_program(const Candidate& candidate, std::span<const double> shape
   return {outputs, variables};
 }
 
-}  // namespace
+/// Where memory states begin.
+Vector begin_of_memory(const Candidate& candidate, std::span<const double> shapes,
+                       const Variables& variables, const LinearisedRecord& record) {
+  Vector begin(static_cast<Index>(candidate.memory.size()));
+  for (Index k = 0; k < begin.size(); ++k) {
+    const std::string& start = candidate.memory[static_cast<std::size_t>(k)].start;
+    begin[k] = evaluate_on(record, variables, bind_formula(candidate, start, shapes))[0];
+  }
+  return begin;
+}
 
-Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
-                    const Variables& variables, const LinearisedRecord& record) {
-  const auto count = static_cast<Index>(candidate.memory.size());
+/// memory_along() from given values on.
+Matrix memory_from(const Candidate& candidate, std::span<const double> shapes,
+                   const Variables& variables, const LinearisedRecord& record,
+                   const Vector& begin) {
+  const Index count = begin.size();
   const Matrix& slots = record.slots;
   const Index width = slots.cols() - 1;
   Matrix values(slots.rows(), count);
-  for (Index k = 0; k < count; ++k)
-    values(0, k) =
-        evaluate_on(record, variables,
-                    bind_formula(candidate, candidate.memory[static_cast<std::size_t>(k)].start,
-                                 shapes))[0];
+  values.row(0) = begin.transpose();
   const Program program = memory_program(candidate, shapes, with_memory(candidate, variables));
   Program::Workspace workspace;
   Vector point(program.slots()), out(program.outputs());
@@ -61,6 +69,65 @@ Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
       values(i + 1, k) = values(i, k) + length * growth(out[2 * k + 1] * length) * out[2 * k];
   }
   return values;
+}
+
+/// Longest delay in a formula; 0 when there is none.
+double longest_delay(const Expression& formula, const Variables& variables) {
+  double longest = 0.0;
+  const Program program({&formula, 1}, variables);
+  for (const DelayedVariable& delay : program.delays())
+    longest = std::max(longest, delay.delay);
+  return longest;
+}
+
+/// Index of the first row from which on two memories are closer than a twentieth of where they
+/// began; the number of rows when they never are.
+Index forgotten_from(const Matrix& one, const Matrix& other) {
+  constexpr double kForgotten = 0.05;
+  const Matrix apart = (one - other).cwiseAbs();
+  Index row = apart.rows();
+  while (row > 0 && (apart.row(row - 1).array() <= kForgotten * apart.row(0).array()).all())
+    --row;
+  return row;
+}
+
+/// Nothing acts before a time.
+void forget_before(double time, const LinearisedRecord& record, Vector& values) {
+  const auto t = record.slots.col(record.slots.cols() - 1);
+  for (Index i = 0; i < values.size() && t[i] < time; ++i) values[i] = 0.0;
+}
+
+/// Row of the grid from which on memory has forgotten where it began.
+std::optional<Index> memory_known_from(const Candidate& candidate,
+                                       std::span<const double> shapes,
+                                       const Variables& variables,
+                                       const LinearisedRecord& record) {
+  const Vector begin = begin_of_memory(candidate, shapes, variables, record);
+  const Matrix values = memory_from(candidate, shapes, variables, record, begin);
+  const Vector range = (values.colwise().maxCoeff() - values.colwise().minCoeff()).transpose();
+  if (!(range.minCoeff() > 0.0)) return std::nullopt;
+  const auto from = [&](double sign) {
+    return memory_from(candidate, shapes, variables, record, begin + sign * range);
+  };
+  const Index row = forgotten_from(from(0.5), from(-0.5));
+  return row < values.rows() ? std::optional(row) : std::nullopt;
+}
+
+}  // namespace
+
+Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
+                    const Variables& variables, const LinearisedRecord& record) {
+  return memory_from(candidate, shapes, variables, record,
+                     begin_of_memory(candidate, shapes, variables, record));
+}
+
+std::optional<double> known_from(const Candidate& candidate, std::span<const double> shapes,
+                                 const Variables& variables, const LinearisedRecord& record) {
+  if (candidate.memory.empty())
+    return record.time[0] + longest_delay(bind_form(candidate, shapes), variables);
+  const auto row = memory_known_from(candidate, shapes, variables, record);
+  if (!row) return std::nullopt;
+  return record.slots(*row, record.slots.cols() - 1);
 }
 
 Vector form_along(const Candidate& candidate, std::span<const double> shapes,
@@ -83,9 +150,12 @@ std::optional<Vector> candidate_column(const Candidate& original,
   std::vector<Vector> values;
   const Variables variables = assimilation.model.variables();
   const Candidate candidate = without_clash(original, variables.names());
+  const bool is_delayed = candidate.form.find("delay(") != std::string::npos;
   for (const LinearisedRecord& record : assimilation.records) {
     values.push_back(form_along(candidate, shapes, variables, record));
     if (!values.back().allFinite()) return std::nullopt;
+    if (is_delayed)
+      forget_before(*known_from(candidate, shapes, variables, record), record, values.back());
     if (candidate.place == Place::Channel)
       values.back() = Vector(values.back()(Eigen::seq(0, Eigen::last, 2)));
   }

@@ -13,6 +13,37 @@
 namespace lacuna {
 namespace {
 
+bool same_place(const Candidate& a, const Candidate& b) {
+  return a.equation == b.equation && a.place == b.place && a.argument == b.argument;
+}
+
+/// Whether an effect that is there covers a candidate: another one of its kind with other
+/// numbers, or what it is a special case of.
+bool covers(const Candidate& adopted, const Candidate& candidate) {
+  if (!same_place(adopted, candidate)) return false;
+  if (adopted.plainer == candidate.effect) return true;
+  if (adopted.effect != candidate.effect || candidate.repeats) return false;
+  const bool same_form =
+      adopted.form == candidate.form || (!adopted.memory.empty() && !candidate.memory.empty());
+  return same_form || candidate.shapes.size() < adopted.shapes.size();
+}
+
+/// Whether a candidate takes the place of an effect that is there: a special case of it.
+bool takes_place_of(const Candidate& candidate, const Candidate& adopted) {
+  if (!same_place(adopted, candidate)) return false;
+  return candidate.plainer == adopted.effect ||
+         (candidate.effect == adopted.effect && adopted.shapes.empty() &&
+          !candidate.shapes.empty());
+}
+
+/// Whether a candidate is for the search: not a free input, not covered by what is there.
+bool is_searched(const Candidate& candidate, const Explanation& current) {
+  if (candidate.is_driven()) return false;
+  return std::none_of(
+      current.effects.begin(), current.effects.end(),
+      [&](const FittedEffect& adopted) { return covers(adopted.candidate, candidate); });
+}
+
 std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
                                       const Scope& scope, const Explanation& current) {
   std::vector<Candidate> result;
@@ -20,7 +51,8 @@ std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
   for (const Stage<Effect>& effect : effects)
     for (Index k = 0; k < scope.model.dimension(); ++k)
       for (Candidate& candidate : effect->candidates(scope, k))
-        result.push_back(without_clash(std::move(candidate), taken));
+        if (is_searched(candidate, current))
+          result.push_back(without_clash(std::move(candidate), taken));
   return result;
 }
 
@@ -76,13 +108,25 @@ class Ranker {
       : data_(data), base_(base), current_(current), options_(options), context_(context) {}
 
   RankedEffect rough(const ScreenedCandidate& screened, double tried) const {
-    std::vector<FittedEffect> effects = current_.effects;
+    std::vector<FittedEffect> effects;
+    std::vector<std::size_t> replaced;
+    for (std::size_t e = 0; e < current_.effects.size(); ++e)
+      if (takes_place_of(screened.candidate, current_.effects[e].candidate))
+        replaced.push_back(e);
+      else
+        effects.push_back(current_.effects[e]);
     effects.push_back({screened.candidate, screened.shapes, screened.coefficient, 0.0});
-    return judged(explain_roughly(data_, base_, effects, options_, context_), tried);
+    RankedEffect ranked =
+        judged(explain_roughly(data_, base_, effects, options_, context_), tried);
+    ranked.replaced = std::move(replaced);
+    return ranked;
   }
 
   RankedEffect exact(const RankedEffect& ranked, double tried) const {
-    return judged(explain(data_, base_, ranked.explanation.effects, options_, context_), tried);
+    RankedEffect result =
+        judged(explain(data_, base_, ranked.explanation.effects, options_, context_), tried);
+    result.replaced = ranked.replaced;
+    return result;
   }
 
  private:

@@ -82,7 +82,8 @@ Screening::Score Screening::score(const Candidate& candidate,
   const double inner = column->dot(innovations_);
   const double own = length - (nominal_.transpose() * *column).squaredNorm();
   if (!(own > kDistinct * length) || length == 0.0) return {};
-  return {inner * inner / own, inner / own};
+  const double coefficient = std::clamp(inner / own, candidate.least, candidate.most);
+  return {std::max(0.0, coefficient * (2.0 * inner - coefficient * own)), coefficient};
 }
 
 ScreenedCandidate Screening::at_starts(const Candidate& candidate) const {

@@ -68,8 +68,12 @@ class Search {
         result_{{{}, base}, {}, {}, {}} {}
 
   SearchResult run() {
-    while (static_cast<int>(result_.named.size()) < options_.max_effects && add_one())
+    // An effect may take the place of another one, so that there may be more rounds than
+    // effects.
+    for (int round = 0; round < 2 * options_.max_effects; ++round) {
+      if (static_cast<int>(result_.named.size()) >= options_.max_effects || !add_one()) break;
       look_back();
+    }
     update_numbers(result_.explanation, result_.named);
     result_.left = test_structure(result_.explanation.fit, context_);
     return std::move(result_);
@@ -93,10 +97,20 @@ class Search {
     }
     result_.rounds.push_back(round);
     if (!round.accepted) return false;
-    result_.named.push_back(name_effect(*best, ranking, options_));
-    result_.named.back().gap_closed = closed_by(best->explanation);
-    result_.explanation = best->explanation;
+    adopt(*best, name_effect(*best, ranking, options_));
     return true;
+  }
+
+  /// Takes an effect in, and those out whose place it takes.
+  void adopt(const RankedEffect& best, NamedEffect named) {
+    named.gap_closed = closed_by(best.explanation);
+    for (auto place = best.replaced.rbegin(); place != best.replaced.rend(); ++place) {
+      const auto old = result_.named.begin() + static_cast<std::ptrdiff_t>(*place);
+      named.gap_closed = std::min(1.0, named.gap_closed + old->gap_closed);
+      result_.named.erase(old);
+    }
+    result_.named.push_back(std::move(named));
+    result_.explanation = best.explanation;
   }
 
   /// Share of the nominal model's disturbance variance that goes with the newest effect.
@@ -141,6 +155,23 @@ bool is_substantial(const EquationStructure& structure, const DiagnosisOptions& 
 double criterion_of(const Explanation& explanation) {
   return explanation.fit.deviance + static_cast<double>(explanation.parameters()) *
                                         std::log(static_cast<double>(explanation.fit.used));
+}
+
+SearchResult name_free_input(const RankedEffect& input, const Assimilation& base,
+                             const DiagnosisOptions& options, std::vector<Round> rounds,
+                             const RunContext& context) {
+  SearchResult result{
+      input.explanation, {name_effect(input, {}, options)}, std::move(rounds), {}};
+  update_numbers(result.explanation, result.named);
+  const Index k = result.named.front().equation;
+  const double share = input.explanation.fit.noise.disturbance[k] / base.noise.disturbance[k];
+  result.named.front().gap_closed = std::clamp(1.0 - share * share, 0.0, 1.0);
+  result.rounds.push_back({1, "unmeasured-input", input.sigma, true});
+  result.left = test_structure(input.explanation.fit, context);
+  std::erase_if(result.left, [&](const EquationStructure& structure) {
+    return structure.equation >= base.model.dimension();
+  });
+  return result;
 }
 
 SearchResult search_effects(const Dataset& data, const Assimilation& base, const Scope& scope,

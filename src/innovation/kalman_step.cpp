@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kalman_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -89,16 +90,22 @@ void KalmanStep::predict(Index i) {
 void KalmanStep::add_disturbance(Index i) {
   const double step = record_.time[i + 1] - record_.time[i];
   for (Index k = 0; k < m_; ++k) {
-    if (disturbance_[k] == 0.0) continue;
+    const double density = density_in(record_, i, k, disturbance_[k]);
+    if (density == 0.0) continue;
     constant_response(record_, i, k, gain_.data());
     const auto moved = gain_.head(m_);
     covariance_.topLeftCorner(m_, m_) +=
-        (disturbance_[k] / step) * moved.lazyProduct(moved.transpose());
+        (density / step) * moved.lazyProduct(moved.transpose());
   }
   for (Index k = m_; k < map_.size; ++k) {
     const double decay = map_.decay[static_cast<std::size_t>(k - m_)];
     covariance_(k, k) += colour_[k - m_] * (1.0 - decay * decay);
   }
+}
+
+double density_in(const LinearisedRecord& record, Index i, Index equation, double density) {
+  return record.is_bridged(i, equation) ? std::max(density, record.bridge(equation, i))
+                                        : density;
 }
 
 void constant_response(const LinearisedRecord& record, Index i, Index equation, double* out) {

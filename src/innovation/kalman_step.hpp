@@ -54,6 +54,10 @@ class KalmanStep {
   Matrix covariance_, half_, transition_;
 };
 
+/// Spectral density of the disturbance of an equation in step i: `density`, or that of the
+/// bridge where it is larger.
+double density_in(const LinearisedRecord& record, Index i, Index equation, double density);
+
 /// Response at the end of step i to a constant rate in an equation: w0 + w1 + w2.
 void constant_response(const LinearisedRecord& record, Index i, Index equation, double* out);
 

@@ -115,11 +115,13 @@ class Backward {
       constant_response(record_, i, k, moved_.data());
       const auto response = moved_.head(m_);
       const double pull = response.dot(adjoint_.head(m_));
-      const double density = noise_.disturbance[k] * noise_.disturbance[k] / length;
+      const double density =
+          density_in(record_, i, k, noise_.disturbance[k] * noise_.disturbance[k]) / length;
+      result_.disturbance(i, k) = density * pull;
+      if (record_.is_bridged(i, k)) continue;
       result_.found[k] += pull * pull / length;
       result_.expected[k] +=
           response.dot(covariance_.topLeftCorner(m_, m_).lazyProduct(response)) / length;
-      result_.disturbance(i, k) = density * pull;
     }
     for (Index c = 0; c < map_.channels(); ++c) {
       const Index colour = map_.colour[static_cast<std::size_t>(c)];

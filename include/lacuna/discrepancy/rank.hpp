@@ -19,6 +19,9 @@ struct RankedEffect {
   double sigma = 0.0;         ///< of the gain, for the number of candidates tried
   double contribution = 0.0;  ///< rms of coefficient x form over that of the state's rate
   double probability = 0.0;   ///< among all ranked and "none of them"
+  /// Effects of the explanation before whose place it takes, rising: dry friction that turns
+  /// out to be larger at low speed is one effect, not two.
+  std::vector<std::size_t> replaced = {};
 
   const FittedEffect& effect() const { return explanation.effects.back(); }
 };

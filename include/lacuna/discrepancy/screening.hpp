@@ -28,8 +28,8 @@ class Screening {
   /// The assimilation must outlive the screening.
   explicit Screening(const Assimilation& assimilation);
 
-  /// Gain and coefficient at given shapes; gain 0 where the candidate cannot be told from the
-  /// nominal terms or is not finite.
+  /// Gain and coefficient (within the candidate's bounds) at given shapes; gain 0 where the
+  /// candidate cannot be told from the nominal terms or is not finite.
   struct Score {
     double gain = 0.0;
     double coefficient = 0.0;
