@@ -22,6 +22,10 @@ Matrix with_memory(const Matrix& slots, const Matrix& memory) {
   return all;
 }
 
+std::span<const double> as_span(const Vector& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
 /// (exp(x) - 1) / x.
 double growth(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
 
@@ -91,12 +95,6 @@ Index forgotten_from(const Matrix& one, const Matrix& other) {
   return row;
 }
 
-/// Nothing acts before a time.
-void forget_before(double time, const LinearisedRecord& record, Vector& values) {
-  const auto t = record.slots.col(record.slots.cols() - 1);
-  for (Index i = 0; i < values.size() && t[i] < time; ++i) values[i] = 0.0;
-}
-
 /// Row of the grid from which on memory has forgotten where it began.
 std::optional<Index> memory_known_from(const Candidate& candidate,
                                        std::span<const double> shapes,
@@ -143,25 +141,61 @@ Vector form_along(const Candidate& candidate, std::span<const double> shapes,
   return out.col(0);
 }
 
-std::optional<Vector> candidate_column(const Candidate& original,
+namespace {
+
+/// form_along(); 0 while a delayed value lies before the record.
+Vector acting_along(const Candidate& candidate, std::span<const double> shapes,
+                    const Variables& variables, const LinearisedRecord& record) {
+  Vector values = form_along(candidate, shapes, variables, record);
+  if (candidate.form.find("delay(") == std::string::npos) return values;
+  const double known = *known_from(candidate, shapes, variables, record);
+  const auto t = record.slots.col(record.slots.cols() - 1);
+  for (Index i = 0; i < values.size() && t[i] < known; ++i) values[i] = 0.0;
+  return values;
+}
+
+}  // namespace
+
+ProbeColumns probe_columns(std::span<const Probe> probes, const Assimilation& assimilation,
+                           const InnovationSystem& system) {
+  const Variables variables = assimilation.model.variables();
+  const std::vector<std::string> taken = variables.names();
+  const bool in_rate = probes.front().candidate->place == Place::Rate;
+  std::vector<Matrix> values;
+  for (const LinearisedRecord& record : assimilation.records)
+    values.emplace_back(in_rate ? record.slots.rows() : record.samples(),
+                        static_cast<Index>(probes.size()));
+  ProbeColumns result{{}, std::vector<bool>(probes.size(), true)};
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    const Candidate candidate = without_clash(*probes[p].candidate, taken);
+    for (std::size_t r = 0; r < values.size(); ++r) {
+      const Vector all = acting_along(candidate, as_span(probes[p].shapes), variables,
+                                      assimilation.records[r]);
+      result.finite[p] = result.finite[p] && all.allFinite();
+      auto column = values[r].col(static_cast<Index>(p));
+      if (!result.finite[p])
+        column.setZero();
+      else if (in_rate)
+        column = all;
+      else
+        column = all(Eigen::seq(0, Eigen::last, 2));
+    }
+  }
+  const Index equation = probes.front().candidate->equation;
+  result.columns = in_rate ? system.rate_columns(equation, values)
+                           : system.channel_columns(equation, values);
+  return result;
+}
+
+std::optional<Vector> candidate_column(const Candidate& candidate,
                                        std::span<const double> shapes,
                                        const Assimilation& assimilation,
                                        const InnovationSystem& system) {
-  std::vector<Vector> values;
-  const Variables variables = assimilation.model.variables();
-  const Candidate candidate = without_clash(original, variables.names());
-  const bool is_delayed = candidate.form.find("delay(") != std::string::npos;
-  for (const LinearisedRecord& record : assimilation.records) {
-    values.push_back(form_along(candidate, shapes, variables, record));
-    if (!values.back().allFinite()) return std::nullopt;
-    if (is_delayed)
-      forget_before(*known_from(candidate, shapes, variables, record), record, values.back());
-    if (candidate.place == Place::Channel)
-      values.back() = Vector(values.back()(Eigen::seq(0, Eigen::last, 2)));
-  }
-  if (candidate.place == Place::Channel)
-    return system.channel_column(candidate.equation, values);
-  return system.rate_column(candidate.equation, values);
+  const Probe probe{&candidate,
+                    Eigen::Map<const Vector>(shapes.data(), static_cast<Index>(shapes.size()))};
+  const ProbeColumns found = probe_columns({&probe, 1}, assimilation, system);
+  if (!found.finite.front()) return std::nullopt;
+  return Vector(found.columns.col(0));
 }
 
 }  // namespace lacuna

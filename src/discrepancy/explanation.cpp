@@ -210,8 +210,9 @@ class JointFit {
     }
   }
 
-  /// One Gauss-Newton step of all shapes; false when there are none or it goes nowhere.
-  bool move_shapes(const Explanation& at, std::vector<FittedEffect>& effects) const;
+  /// One Gauss-Newton step of all shapes; false when there are none or it goes nowhere. `at`
+  /// gets the standard errors of its shapes.
+  bool move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const;
 
   const Dataset& data_;
   const Assimilation& base_;
@@ -237,41 +238,63 @@ std::optional<Vector> shape_column(const FittedEffect& effect, Index shape,
   return Vector(effect.coefficient / (high[shape] - low[shape]) * (*above - *below));
 }
 
-/// Steps of the last columns in the joint least-squares problem.
-Vector joint_step(const Matrix& fitted, const std::vector<Vector>& shapes,
-                  const Vector& innovations) {
-  Matrix columns(fitted.rows(), fitted.cols() + static_cast<Index>(shapes.size()));
+/// The joint least-squares problem of everything that is fitted; the shapes are its last
+/// columns.
+struct ShapeSystem {
+  std::vector<std::pair<std::size_t, Index>> places;  ///< effect and shape
+  Vector step, deviation;                             ///< one entry each
+};
+
+ShapeSystem solve_shapes(const Matrix& fitted, const std::vector<Vector>& shapes,
+                         const Vector& innovations) {
+  const auto count = static_cast<Index>(shapes.size());
+  Matrix columns(fitted.rows(), fitted.cols() + count);
   columns.leftCols(fitted.cols()) = fitted;
-  for (std::size_t j = 0; j < shapes.size(); ++j)
-    columns.col(fitted.cols() + static_cast<Index>(j)) = shapes[j];
+  for (Index j = 0; j < count; ++j)
+    columns.col(fitted.cols() + j) = shapes[static_cast<std::size_t>(j)];
   const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   columns = columns * scale.asDiagonal();
-  const Vector step = Matrix(columns.transpose() * columns)
-                          .ldlt()
-                          .solve(Vector(columns.transpose() * innovations));
-  return (scale.asDiagonal() * step).tail(static_cast<Index>(shapes.size()));
+  const Eigen::LDLT<Matrix> factor(Matrix(columns.transpose() * columns));
+  const Vector step = factor.solve(Vector(columns.transpose() * innovations));
+  const Vector variance =
+      factor.solve(Matrix::Identity(columns.cols(), columns.cols())).diagonal();
+  return {{},
+          scale.cwiseProduct(step).tail(count),
+          scale.cwiseProduct(variance.cwiseMax(0.0).cwiseSqrt()).tail(count)};
 }
 
-bool JointFit::move_shapes(const Explanation& at, std::vector<FittedEffect>& effects) const {
+ShapeSystem shape_system(const Explanation& at) {
   const InnovationSystem system(at.fit);
   std::vector<Vector> columns;
   std::vector<std::pair<std::size_t, Index>> places;
-  for (std::size_t e = 0; e < effects.size(); ++e) {
-    if (effects[e].candidate.is_driven()) continue;
-    for (Index s = 0; s < effects[e].shapes.size(); ++s)
+  for (std::size_t e = 0; e < at.effects.size(); ++e) {
+    if (at.effects[e].candidate.is_driven()) continue;
+    for (Index s = 0; s < at.effects[e].shapes.size(); ++s)
       if (auto column = shape_column(at.effects[e], s, at.fit, system)) {
         columns.push_back(std::move(*column));
         places.emplace_back(e, s);
       }
   }
-  if (columns.empty()) return false;
-  const Vector step = joint_step(system.fitted_columns(), columns, system.innovations());
-  if (!step.allFinite()) return false;
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    const auto [effect, shape] = places[j];
+  if (columns.empty()) return {};
+  ShapeSystem result = solve_shapes(system.fitted_columns(), columns, system.innovations());
+  result.places = std::move(places);
+  return result;
+}
+
+bool JointFit::move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const {
+  const ShapeSystem found = shape_system(at);
+  if (found.places.empty() || !found.step.allFinite()) return false;
+  for (std::vector<FittedEffect>* all : {&at.effects, &effects})
+    for (FittedEffect& effect : *all)
+      effect.shape_deviations = Vector::Zero(effect.shapes.size());
+  for (std::size_t j = 0; j < found.places.size(); ++j) {
+    const auto [effect, shape] = found.places[j];
+    const auto row = static_cast<Index>(j);
+    at.effects[effect].shape_deviations[shape] = found.deviation[row];
+    effects[effect].shape_deviations[shape] = found.deviation[row];
     const ShapeParameter& range =
         effects[effect].candidate.shapes[static_cast<std::size_t>(shape)];
-    const double moved = effects[effect].shapes[shape] + step[static_cast<Index>(j)];
+    const double moved = effects[effect].shapes[shape] + found.step[row];
     effects[effect].shapes[shape] = std::clamp(moved, range.low, range.high);
   }
   return true;

@@ -28,19 +28,17 @@ Vector decile_edges(const Assimilation& fit, Index slot) {
 /// Columns of a constant rate in each bin.
 Matrix bin_columns(const Assimilation& fit, const InnovationSystem& system, Index equation,
                    Index slot, const Vector& edges) {
-  Matrix columns(system.rows(), kBins);
-  for (Index bin = 0; bin < kBins; ++bin) {
-    std::vector<Vector> values;
-    for (const LinearisedRecord& record : fit.records) {
+  std::vector<Matrix> values;
+  for (const LinearisedRecord& record : fit.records) {
+    const auto x = record.slots.col(slot).array();
+    values.emplace_back(x.size(), kBins);
+    for (Index bin = 0; bin < kBins; ++bin) {
       const double end =
           bin + 1 == kBins ? std::nextafter(edges[kBins], INFINITY) : edges[bin + 1];
-      const auto x = record.slots.col(slot).array();
-      values.push_back(
-          (x >= edges[bin] && x < end).select(Vector::Ones(x.size()), Vector::Zero(x.size())));
+      values.back().col(bin) = (x >= edges[bin] && x < end).cast<double>();
     }
-    columns.col(bin) = system.rate_column(equation, values);
   }
-  return columns;
+  return system.rate_columns(equation, values);
 }
 
 /// The range of deciles, not all of them, in which a constant rate explains most.
@@ -61,16 +59,15 @@ Location best_range(const Matrix& columns, const Vector& innovations, const Vect
 /// A line of the spectrum as a place; sine and cosine both fit.
 Location line_location(const Assimilation& fit, const InnovationSystem& system,
                        const SpectralLine& line) {
-  Matrix columns(system.rows(), 2);
-  for (Index part = 0; part < 2; ++part) {
-    std::vector<Vector> values;
-    for (const LinearisedRecord& record : fit.records) {
-      const auto t = record.slots.col(record.slots.cols() - 1).array();
-      const double shift = part == 0 ? 0.0 : 0.5 * std::numbers::pi;
-      values.push_back((2.0 * std::numbers::pi * line.frequency * t + shift).sin());
-    }
-    columns.col(part) = system.rate_column(line.equation, values);
+  std::vector<Matrix> values;
+  for (const LinearisedRecord& record : fit.records) {
+    const auto angle = (2.0 * std::numbers::pi * line.frequency) *
+                       record.slots.col(record.slots.cols() - 1).array();
+    values.emplace_back(angle.size(), 2);
+    values.back().col(0) = angle.sin();
+    values.back().col(1) = angle.cos();
   }
+  const Matrix columns = system.rate_columns(line.equation, values);
   const Vector inner = columns.transpose() * system.innovations();
   const Vector solved = Matrix(columns.transpose() * columns).ldlt().solve(inner);
   const double gain = solved.dot(inner);

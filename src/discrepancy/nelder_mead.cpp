@@ -23,8 +23,9 @@ class Simplex {
     sort();
   }
 
-  bool settled() const {
-    return (vertices_.back().second - vertices_.front().second).cwiseAbs().maxCoeff() < 1e-7;
+  bool settled(double unnoticed) const {
+    return vertices_.back().first - vertices_.front().first < unnoticed ||
+           (vertices_.back().second - vertices_.front().second).cwiseAbs().maxCoeff() < 1e-7;
   }
 
   void improve() {
@@ -77,9 +78,10 @@ class Simplex {
 }  // namespace
 
 Vector nelder_mead(FunctionRef<double(const Vector&)> function, const Vector& start,
-                   double reach, int evaluations) {
-  Simplex simplex(function, start, reach);
-  while (simplex.evaluations() < evaluations && !simplex.settled()) simplex.improve();
+                   const SimplexSettings& settings) {
+  Simplex simplex(function, start, settings.reach);
+  while (simplex.evaluations() < settings.evaluations && !simplex.settled(settings.unnoticed))
+    simplex.improve();
   return simplex.best();
 }
 

@@ -7,11 +7,17 @@
 
 namespace lacuna {
 
+/// When and how a search ends and begins.
+struct SimplexSettings {
+  double reach = 0.05;     ///< size of the first simplex
+  double unnoticed = 0.0;  ///< ends when the vertices' values differ by less
+  int evaluations = 100;   ///< at most about so many
+};
+
 /// Where the function is least, starting from a point in [0,1]^d.
-/// @param reach size of the first simplex.
 /// Source: Nelder and Mead, Computer J. 7:308-313 (1965); points that leave the cube are put on
 /// its faces.
 Vector nelder_mead(FunctionRef<double(const Vector&)> function, const Vector& start,
-                   double reach, int evaluations);
+                   const SimplexSettings& settings);
 
 }  // namespace lacuna

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/discrepancy/structure.hpp"
 #include "lacuna/numerics/significance.hpp"
 
@@ -101,6 +103,11 @@ double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
   return rms / rate_rms(fit)[candidate.equation];
 }
 
+double bic_of(const Explanation& explanation) {
+  return explanation.fit.deviance + static_cast<double>(explanation.parameters()) *
+                                        std::log(static_cast<double>(explanation.fit.used));
+}
+
 class Ranker {
  public:
   Ranker(const Dataset& data, const Assimilation& base, const Explanation& current,
@@ -132,11 +139,8 @@ class Ranker {
  private:
   RankedEffect judged(Explanation explanation, double tried) const {
     RankedEffect ranked{std::move(explanation)};
-    const double log_samples = std::log(static_cast<double>(ranked.explanation.fit.used));
-    const double deviance = ranked.explanation.fit.deviance;
-    ranked.criterion =
-        deviance + static_cast<double>(ranked.explanation.parameters()) * log_samples;
-    ranked.gain = current_.fit.deviance - deviance;
+    ranked.criterion = bic_of(ranked.explanation);
+    ranked.gain = current_.fit.deviance - ranked.explanation.fit.deviance;
     ranked.sigma = sigma_of_gain(
         ranked.gain, 1.0 + static_cast<double>(ranked.effect().shapes.size()), tried);
     ranked.contribution = contribution_of(ranked.effect(), ranked.explanation.fit);
@@ -149,6 +153,16 @@ class Ranker {
   const AssimilationOptions& options_;
   const RunContext& context_;
 };
+
+/// fit(0) ... fit(count - 1), in this order.
+template <class Fit>
+std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit fit) {
+  std::vector<std::optional<RankedEffect>> places(count);
+  parallel_for(count, threads, [&](std::size_t i) { places[i] = fit(i); });
+  std::vector<RankedEffect> result;
+  for (auto& place : places) result.push_back(std::move(*place));
+  return result;
+}
 
 /// Whether the disturbance of the effect's equation is less with it. A form that follows the
 /// path's own rate (a delay or a lag of the state itself, shorter than a step) can take the
@@ -237,29 +251,30 @@ Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& c
       screen(all_candidates(effects, scope, current), screening, context);
   Ranking ranking;
   for (const ScreenedCandidate& candidate : screened) ranking.tried += candidate.tried;
-  const Ranker ranker(data, base, current, options, context);
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Ranker ranker(data, base, current, options, quiet);
   const auto tried = static_cast<double>(screened.size());
-  for (const ScreenedCandidate& candidate : short_list(screened, rank_options.refits)) {
-    context.report("fitting candidates", 0.0);
-    RankedEffect ranked = ranker.rough(candidate, tried);
-    if (std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current) &&
-        is_plausible(ranked, effects, scope))
-      ranking.effects.push_back(std::move(ranked));
-  }
-  sort_by_criterion(ranking.effects);
-  for (std::size_t i = 0; i < ranking.effects.size(); ++i) {
-    if (static_cast<Index>(i) == rank_options.exact) break;
-    context.report("fitting candidates exactly", 0.0);
-    ranking.effects[i] = ranker.exact(ranking.effects[i], tried);
-  }
-  std::erase_if(ranking.effects, [&](const RankedEffect& ranked) {
-    return !std::isfinite(ranked.criterion) || !lessens_disturbance(ranked, current) ||
-           !is_plausible(ranked, effects, scope);
+  const auto is_possible = [&](const RankedEffect& ranked) {
+    return std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current) &&
+           is_plausible(ranked, effects, scope);
+  };
+  const std::vector<ScreenedCandidate> chosen = short_list(screened, rank_options.refits);
+  context.report("fitting candidates", 0.0);
+  ranking.effects = fitted_in_parallel(chosen.size(), context.threads, [&](std::size_t i) {
+    return ranker.rough(chosen[i], tried);
   });
+  std::erase_if(ranking.effects, [&](const auto& ranked) { return !is_possible(ranked); });
   sort_by_criterion(ranking.effects);
-  const double log_samples = std::log(static_cast<double>(current.fit.used));
-  set_probabilities(
-      ranking, current.fit.deviance + static_cast<double>(current.parameters()) * log_samples);
+  const auto exact =
+      std::min(ranking.effects.size(), static_cast<std::size_t>(rank_options.exact));
+  context.report("fitting candidates exactly", 0.0);
+  std::vector<RankedEffect> fitted = fitted_in_parallel(
+      exact, context.threads,
+      [&](std::size_t i) { return ranker.exact(ranking.effects[i], tried); });
+  std::move(fitted.begin(), fitted.end(), ranking.effects.begin());
+  std::erase_if(ranking.effects, [&](const auto& ranked) { return !is_possible(ranked); });
+  sort_by_criterion(ranking.effects);
+  set_probabilities(ranking, bic_of(current));
   put_least_intricate_first(ranking.effects);
   put_plainer_first(ranking.effects);
   return ranking;

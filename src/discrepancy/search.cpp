@@ -39,6 +39,15 @@ NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking,
   return named;
 }
 
+NamedParameter parameter_of(const FittedEffect& fitted, std::size_t s) {
+  const ShapeParameter& shape = fitted.candidate.shapes[s];
+  const auto i = static_cast<Index>(s);
+  NamedParameter parameter{shape.name, shape.unit, fitted.shapes[i], {}};
+  if (i < fitted.shape_deviations.size() && fitted.shape_deviations[i] > 0.0)
+    parameter.deviation = fitted.shape_deviations[i];
+  return parameter;
+}
+
 /// Numbers of the joint fit into the names.
 void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
   for (std::size_t e = 0; e < named.size(); ++e) {
@@ -48,9 +57,7 @@ void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& na
     named[e].deviation = fitted.deviation;
     named[e].parameters.clear();
     for (std::size_t s = 0; s < fitted.candidate.shapes.size(); ++s)
-      named[e].parameters.push_back({fitted.candidate.shapes[s].name,
-                                     fitted.candidate.shapes[s].unit,
-                                     fitted.shapes[static_cast<Index>(s)]});
+      named[e].parameters.push_back(parameter_of(fitted, s));
   }
 }
 

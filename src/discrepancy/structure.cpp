@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "lacuna/innovation/innovation_filter.hpp"
+#include "lacuna/innovation/variance_fit.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
@@ -16,42 +17,15 @@ const Matrix& omitted_of(const Assimilation& fit, std::size_t record) {
   return fit.omitted.empty() ? kNone : fit.omitted[record];
 }
 
-/// One fixed-point step of all variances on the linearisation as it is.
-void update_variances(const Assimilation& fit, NoiseModel& noise) {
-  Vector found, expected;
-  for (std::size_t r = 0; r < fit.records.size(); ++r) {
-    const SmoothedRecord smoothed =
-        smooth(fit.records[r], fit.measured[r], omitted_of(fit, r), noise);
-    found = r == 0 ? smoothed.found : Vector(found + smoothed.found);
-    expected = r == 0 ? smoothed.expected : Vector(expected + smoothed.expected);
-  }
-  const Vector factor = (found.array() / expected.array()).sqrt();
-  Index channel = noise.states();
-  for (Index k = 0; k < noise.states(); ++k) {
-    if (std::isfinite(factor[k])) noise.disturbance[k] *= factor[k];
-    auto& white = noise.measurement[static_cast<std::size_t>(k)];
-    if (white && std::isfinite(factor[channel])) *white *= factor[channel];
-    if (white) ++channel;
-  }
-}
-
-double deviance(const Assimilation& fit, const NoiseModel& noise) {
-  double sum = 0.0;
-  for (std::size_t r = 0; r < fit.records.size(); ++r)
-    sum += filter_deviance(fit.records[r], fit.measured[r], omitted_of(fit, r), noise);
-  return sum;
-}
-
-double deviance_without(const Assimilation& fit, Index equation) {
-  constexpr int kTurns = 5;
+/// Deviance with the variances that fit best; without the disturbance of an equation, if one is
+/// given.
+double least_deviance(const Assimilation& fit, std::optional<Index> without) {
+  constexpr int kIterations = 30;
   NoiseModel noise = fit.noise;
-  noise.disturbance[equation] = 0.0;
-  double least = deviance(fit, noise);
-  for (int turn = 0; turn < kTurns; ++turn) {
-    update_variances(fit, noise);
-    least = std::min(least, deviance(fit, noise));
-  }
-  return least;
+  if (without) noise.disturbance[*without] = 0.0;
+  return VarianceFit(fit.least_noise)
+      .run({fit.records, fit.measured, fit.omitted}, noise, kIterations)
+      .deviance;
 }
 
 /// log of half the tail of chi-squared with one degree of freedom.
@@ -84,7 +58,7 @@ Vector rate_rms(const Assimilation& fit) {
 
 std::vector<EquationStructure> test_structure(const Assimilation& fit,
                                               const RunContext& context) {
-  const double now = deviance(fit, fit.noise);
+  const double now = least_deviance(fit, {});
   const Vector rates = rate_rms(fit);
   std::vector<EquationStructure> result;
   Vector squares = Vector::Zero(fit.model.dimension());
@@ -98,7 +72,7 @@ std::vector<EquationStructure> test_structure(const Assimilation& fit,
     if (fit.noise.disturbance[k] == 0.0) continue;
     context.check_stop();
     EquationStructure structure{k, 0.0, 0.0, std::sqrt(squares[k] / count), 0.0};
-    structure.drop = std::max(0.0, deviance_without(fit, k) - now);
+    structure.drop = std::max(0.0, least_deviance(fit, k) - now);
     structure.sigma = boundary_sigma(structure.drop);
     structure.relative = rates[k] > 0.0 ? structure.rms / rates[k] : 0.0;
     result.push_back(structure);

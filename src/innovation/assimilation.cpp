@@ -9,6 +9,7 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/innovation/innovation_system.hpp"
+#include "lacuna/innovation/variance_fit.hpp"
 
 namespace lacuna {
 namespace {
@@ -49,8 +50,10 @@ class Turns {
       : data_(data),
         options_(options),
         context_(context),
-        floor_(resolution_of(data)),
-        state_(std::move(start)) {}
+        variances_(resolution_of(data)),
+        state_(std::move(start)) {
+    state_.least_noise = resolution_of(data);
+  }
 
   /// @param fresh whether the variances are first guesses.
   Assimilation run(bool fresh) {
@@ -59,11 +62,12 @@ class Turns {
     for (int pass = 0; pass < options_.passes; ++pass) {
       context_.check_stop();
       // The noise of the measurement is known roughly from the start, the disturbances are not.
-      white_moves_ = !fresh || pass >= kSettlingPasses;
-      for (int turn = 0; turn < kTurns; ++turn) update_variances(turn + 1 == kTurns);
+      const bool settling = fresh && pass < kSettlingPasses;
+      variances_.set_white_moves(!settling);
+      improve_noise_and_path();
       relinearise();
       update_coefficients();
-      if (white_moves_ && std::abs(last - state_.deviance) < kSettled) break;
+      if (!settling && std::abs(last - state_.deviance) < kSettled) break;
       last = state_.deviance;
     }
     relinearise();
@@ -71,10 +75,10 @@ class Turns {
   }
 
  private:
-  static constexpr int kTurns = 4;
-  static constexpr int kSettlingPasses = 3;
+  static constexpr int kIterations = 8;
+  static constexpr int kSettlingPasses = 2;
   /// A change of the deviance that no test would notice.
-  static constexpr double kSettled = 0.2;
+  static constexpr double kSettled = 0.1;
 
   Vector accuracy() const {
     Vector result = spans(data_) * 1e-4;
@@ -111,42 +115,12 @@ class Turns {
     }
   }
 
-  /// One fixed-point step of all variances; the last one of a pass moves the path too.
-  void update_variances(bool move_path) {
-    Vector found, expected;
-    for (std::size_t r = 0; r < state_.records.size(); ++r) {
-      const Matrix none;
-      SmoothedRecord smoothed =
-          smooth(state_.records[r], state_.measured[r],
-                 state_.omitted.empty() ? none : state_.omitted[r], state_.noise);
-      if (move_path) state_.records[r].path += smoothed.deviation;
-      found = r == 0 ? smoothed.found : Vector(found + smoothed.found);
-      expected = r == 0 ? smoothed.expected : Vector(expected + smoothed.expected);
-    }
-    if (!move_path) scale_variances(found.cwiseQuotient(expected));
-  }
-
-  /// The fixed point's factor for a standard deviation. Far above the maximum the square root
-  /// that makes each step safe is left out.
-  static double factor_of(double ratio) { return ratio < 0.25 ? ratio : std::sqrt(ratio); }
-
-  void scale_variances(const Vector& ratio) {
-    const Index m = state_.noise.states();
-    const Vector factor = ratio.unaryExpr(&factor_of);
-    for (Index k = 0; k < m; ++k)
-      if (std::isfinite(factor[k])) state_.noise.disturbance[k] *= factor[k];
-    const Index channels = state_.noise.measured();
-    Index channel = 0;
-    for (Index k = 0; k < m; ++k) {
-      auto& white = state_.noise.measurement[static_cast<std::size_t>(k)];
-      auto& coloured = state_.noise.coloured[static_cast<std::size_t>(k)];
-      if (!white) continue;
-      if (white_moves_ && std::isfinite(factor[m + channel])) *white *= factor[m + channel];
-      white = std::max(*white, floor_[k]);
-      if (coloured && std::isfinite(factor[m + channels + channel]))
-        coloured->deviation *= factor[m + channels + channel];
-      ++channel;
-    }
+  void improve_noise_and_path() {
+    SmoothedNoise best = variances_.run({state_.records, state_.measured, state_.omitted},
+                                        state_.noise, kIterations);
+    state_.noise = std::move(best.noise);
+    for (std::size_t r = 0; r < state_.records.size(); ++r)
+      state_.records[r].path += best.records[r].deviation;
   }
 
   void update_coefficients() {
@@ -166,6 +140,7 @@ class Turns {
                         factor.solve(Matrix::Identity(scaled.rows(), scaled.cols())) *
                         scale.asDiagonal();
     if (!change.allFinite()) return;
+    state_.deviance -= change.dot(right);
     const auto free = static_cast<Index>(state_.free.size());
     shift_defects(change.head(free));
     state_.model = with_coefficients(state_.model, state_.free, change);
@@ -177,21 +152,29 @@ class Turns {
   /// What new coefficients predict beyond the path, to first order, so that the records need
   /// not be linearised again for them.
   void shift_defects(const Vector& change) {
-    const Index m = state_.noise.states();
     for (LinearisedRecord& record : state_.records)
-      for (std::size_t j = 0; j < state_.free.size(); ++j) {
-        const auto [equation, term] = state_.free[j];
-        const Vector values = evaluate_on(
-            record, state_.model.variables(),
-            state_.model
-                .equations()[static_cast<std::size_t>(equation)][static_cast<std::size_t>(term)]
-                .term.expression());
-        for (Index i = 0; i < record.steps(); ++i) {
-          const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * equation, m,
-                                           3);
-          record.defect.col(i) += change[static_cast<Index>(j)] * w * values.segment<3>(2 * i);
-        }
-      }
+      for (Index k = 0; k < state_.noise.states(); ++k) shift_defect(record, k, change);
+  }
+
+  void shift_defect(LinearisedRecord& record, Index equation, const Vector& change) const {
+    const Index m = state_.noise.states();
+    const Equation& terms = state_.model.equations()[static_cast<std::size_t>(equation)];
+    std::vector<Expression> formulas;
+    std::vector<double> changes;
+    for (std::size_t j = 0; j < state_.free.size(); ++j) {
+      if (state_.free[j].equation != equation) continue;
+      formulas.push_back(
+          terms[static_cast<std::size_t>(state_.free[j].term)].term.expression());
+      changes.push_back(change[static_cast<Index>(j)]);
+    }
+    if (formulas.empty()) return;
+    const Vector rate =
+        evaluate_on(record, state_.model.variables(), formulas) *
+        Eigen::Map<const Vector>(changes.data(), static_cast<Index>(changes.size()));
+    for (Index i = 0; i < record.steps(); ++i) {
+      const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * equation, m, 3);
+      record.defect.col(i) += w.lazyProduct(rate.segment<3>(2 * i));
+    }
   }
 
   void add_priors(Matrix& normal, Vector& right) const {
@@ -211,9 +194,8 @@ class Turns {
   const Dataset& data_;
   const AssimilationOptions& options_;
   const RunContext& context_;
-  Vector floor_;
+  VarianceFit variances_;
   Assimilation state_;
-  bool white_moves_ = false;
 };
 
 /// Variances to begin with: noise as the differences of the record show it, disturbances as if
@@ -269,8 +251,8 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
                         const std::vector<Matrix>& omitted, const AssimilationOptions& options,
                         const RunContext& context) {
   check_dataset(data);
-  Assimilation start{model, {}, {}, omitted, first_noise(model, data, options),
-                     0.0,   0,  {}, {},      {}};
+  Assimilation start{model, {}, {}, omitted, first_noise(model, data, options), {}, 0.0,
+                     0,     {}, {}, {}};
   for (const Trajectory& record : data.trajectories) {
     start.records.emplace_back();
     start.records.back().path = record.states;

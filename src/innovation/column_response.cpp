@@ -1,37 +1,47 @@
 // SPDX-License-Identifier: MIT
-// What a term does to the innovations: the error of the filter when the record has the term and
-// the filter does not know it.
+// What terms do to the innovations: the error of the filter when the record has a term and the
+// filter does not know it. Several terms go through the record together.
 #include <vector>
 
+#include "fixed_size.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/innovation/innovation_filter.hpp"
 
 namespace lacuna {
 namespace {
 
-/// The filter's error e: taken in by the measurements, carried on by the model.
+/// Terms that go together: what fits into the registers.
+constexpr int kTogether = 8;
+using Lanes = Eigen::Array<double, kTogether, 1>;
+
+/// The filter's errors, one lane for each term: taken in by the measurements, carried on by the
+/// model. Size: states and states of coloured noise, or Eigen::Dynamic.
+template <int Size>
 class ErrorRecursion {
  public:
+  using Errors = Eigen::Array<double, kTogether, Size>;
+
   ErrorRecursion(const LinearisedRecord& record, const InnovationFilter& filter)
       : record_(record),
         filter_(filter),
         m_(record.states()),
-        error_(static_cast<std::size_t>(filter.size), 0.0),
-        next_(static_cast<std::size_t>(filter.size), 0.0) {}
+        error_(Errors::Zero(kTogether, filter.size)),
+        next_(Errors::Zero(kTogether, filter.size)) {}
 
   /// Measurements of sample i; `extra` is added to what is measured of `state`.
-  void measure(Index i, Index state, double extra, double* out) {
+  template <class Write>
+  void measure(Index i, Index state, const Lanes& extra, Write write) {
     const double* gain = filter_.gain.col(i).data();
     for (Index c = 0; c < filter_.channels; ++c, gain += filter_.size) {
       const Index own = filter_.state_of_channel[static_cast<std::size_t>(c)];
       const Index colour = filter_.colour_of_channel[static_cast<std::size_t>(c)];
       const double scale = filter_.inverse_deviation(c, i);
-      double seen = error_[static_cast<std::size_t>(own)] + (own == state ? extra : 0.0);
-      if (colour < filter_.size) seen += error_[static_cast<std::size_t>(colour)];
-      out[c] = scale * seen;
+      Lanes seen = error_.col(own);
+      if (own == state) seen += extra;
+      if (colour < filter_.size) seen += error_.col(colour);
+      write(c, Lanes(scale * seen));
       if (scale == 0.0) continue;
-      for (Index j = 0; j < filter_.size; ++j)
-        error_[static_cast<std::size_t>(j)] -= gain[j] * seen;
+      for (Index j = 0; j < error_.cols(); ++j) error_.col(j) -= gain[j] * seen;
     }
   }
 
@@ -39,64 +49,111 @@ class ErrorRecursion {
   void carry(Index i) {
     const double* phi = record_.transition.col(i).data();
     for (Index j = 0; j < m_; ++j) {
-      double sum = 0.0;
-      for (Index k = 0; k < m_; ++k)
-        sum += phi[j + m_ * k] * error_[static_cast<std::size_t>(k)];
-      next_[static_cast<std::size_t>(j)] = sum;
+      next_.col(j) = phi[j] * error_.col(0);
+      for (Index k = 1; k < m_; ++k) next_.col(j) += phi[j + m_ * k] * error_.col(k);
     }
     for (Index j = m_; j < filter_.size; ++j)
-      next_[static_cast<std::size_t>(j)] =
-          filter_.colour_decay[static_cast<std::size_t>(j - m_)] *
-          error_[static_cast<std::size_t>(j)];
-    error_.swap(next_);
+      next_.col(j) = filter_.colour_decay[static_cast<std::size_t>(j - m_)] * error_.col(j);
+    error_ = next_;
   }
 
-  /// A rate in an equation over step i, with values at its begin, middle and end.
-  void push(Index i, Index equation, double begin, double middle, double end) {
+  /// Rates in an equation over step i, with values at its begin, middle and end.
+  void push(Index i, Index equation, const Lanes& begin, const Lanes& middle,
+            const Lanes& end) {
     const double* w = record_.response.col(i).data() + 3 * m_ * equation;
     for (Index j = 0; j < m_; ++j)
-      error_[static_cast<std::size_t>(j)] +=
-          w[j] * begin + w[m_ + j] * middle + w[2 * m_ + j] * end;
+      error_.col(j) += w[j] * begin + w[m_ + j] * middle + w[2 * m_ + j] * end;
   }
 
  private:
   const LinearisedRecord& record_;
   const InnovationFilter& filter_;
   Index m_;
-  std::vector<double> error_, next_;
+  Errors error_, next_;
 };
 
-void check(const InnovationFilter& filter, const LinearisedRecord& record, Index values,
-           Index expected, const Eigen::Ref<Matrix>& out) {
-  if (values != expected || out.rows() != filter.channels || out.cols() != record.samples())
+void check(const InnovationFilter& filter, const LinearisedRecord& record,
+           const Eigen::Ref<const Matrix>& values, Index expected,
+           const Eigen::Ref<Matrix>& out) {
+  if (values.rows() != expected || out.rows() != filter.channels * record.samples() ||
+      out.cols() != values.cols())
     throw ArgumentError("column response", "the values do not fit the record",
                         "give one for each sample, and one for each step's middle");
+}
+
+/// Some columns of a matrix as lanes, row by row.
+class LaneColumns {
+ public:
+  LaneColumns(const Eigen::Ref<const Matrix>& values, Index first)
+      : values_(values),
+        first_(first),
+        count_(std::min<Index>(kTogether, values.cols() - first)) {}
+
+  Lanes row(Index i) const {
+    Lanes lanes = Lanes::Zero();
+    for (Index c = 0; c < count_; ++c) lanes[c] = values_(i, first_ + c);
+    return lanes;
+  }
+
+  void write(Eigen::Ref<Matrix>& out, Index row, const Lanes& lanes) const {
+    for (Index c = 0; c < count_; ++c) out(row, first_ + c) = lanes[c];
+  }
+
+ private:
+  const Eigen::Ref<const Matrix>& values_;
+  Index first_, count_;
+};
+
+template <int Size>
+void rate_lanes(const LinearisedRecord& record, const InnovationFilter& filter, Index equation,
+                const LaneColumns& columns, Eigen::Ref<Matrix>& out) {
+  ErrorRecursion<Size> error(record, filter);
+  const Lanes none = Lanes::Zero();
+  Lanes begin = columns.row(0);
+  for (Index i = 0; i < record.samples(); ++i) {
+    error.measure(i, -1, none, [&](Index c, const Lanes& lanes) {
+      columns.write(out, i * filter.channels + c, lanes);
+    });
+    if (i + 1 == record.samples()) break;
+    error.carry(i);
+    const Lanes end = columns.row(2 * i + 2);
+    error.push(i, equation, begin, columns.row(2 * i + 1), end);
+    begin = end;
+  }
+}
+
+template <int Size>
+void channel_lanes(const LinearisedRecord& record, const InnovationFilter& filter, Index state,
+                   const LaneColumns& columns, Eigen::Ref<Matrix>& out) {
+  ErrorRecursion<Size> error(record, filter);
+  for (Index i = 0; i < record.samples(); ++i) {
+    error.measure(i, state, columns.row(i), [&](Index c, const Lanes& lanes) {
+      columns.write(out, i * filter.channels + c, lanes);
+    });
+    if (i + 1 < record.samples()) error.carry(i);
+  }
 }
 
 }  // namespace
 
 void column_response(const LinearisedRecord& record, const InnovationFilter& filter,
-                     Index equation, const Eigen::Ref<const Vector>& values,
+                     Index equation, const Eigen::Ref<const Matrix>& values,
                      Eigen::Ref<Matrix> out) {
-  check(filter, record, values.size(), 2 * record.samples() - 1, out);
-  ErrorRecursion error(record, filter);
-  for (Index i = 0; i < record.samples(); ++i) {
-    error.measure(i, -1, 0.0, out.col(i).data());
-    if (i + 1 == record.samples()) break;
-    error.carry(i);
-    error.push(i, equation, values[2 * i], values[2 * i + 1], values[2 * i + 2]);
-  }
+  check(filter, record, values, 2 * record.samples() - 1, out);
+  with_size(filter.size, [&](auto size) {
+    for (Index first = 0; first < values.cols(); first += kTogether)
+      rate_lanes<size()>(record, filter, equation, LaneColumns(values, first), out);
+  });
 }
 
 void channel_response(const LinearisedRecord& record, const InnovationFilter& filter,
-                      Index state, const Eigen::Ref<const Vector>& values,
+                      Index state, const Eigen::Ref<const Matrix>& values,
                       Eigen::Ref<Matrix> out) {
-  check(filter, record, values.size(), record.samples(), out);
-  ErrorRecursion error(record, filter);
-  for (Index i = 0; i < record.samples(); ++i) {
-    error.measure(i, state, values[i], out.col(i).data());
-    if (i + 1 < record.samples()) error.carry(i);
-  }
+  check(filter, record, values, record.samples(), out);
+  with_size(filter.size, [&](auto size) {
+    for (Index first = 0; first < values.cols(); first += kTogether)
+      channel_lanes<size()>(record, filter, state, LaneColumns(values, first), out);
+  });
 }
 
 }  // namespace lacuna

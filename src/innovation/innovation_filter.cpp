@@ -23,26 +23,22 @@ void check(const LinearisedRecord& record, const Matrix& measured, const Matrix&
                         "give one column for each state");
 }
 
-/// Runs the recursion; `visit(i, channel, step, innovation)` sees each measurement that is
-/// taken in, `before(i, step)` the state before sample i.
-template <class Before, class Visit>
+/// Runs the recursion; `visit(i, channel, innovation, gain)` sees each measurement that is
+/// taken in.
+template <class Visit>
 void run(const LinearisedRecord& record, const Matrix& measured, const Matrix& omitted,
-         const NoiseModel& noise, const ChannelMap& map, Before before, Visit visit) {
-  KalmanStep step(record, noise, map);
-  for (Index i = 0; i < record.samples(); ++i) {
-    before(i, step);
-    for (Index c = 0; c < map.channels(); ++c) {
-      const Index state = map.state[static_cast<std::size_t>(c)];
-      if (is_omitted(omitted, i, state)) continue;
-      visit(i, c, step, step.update(c, measured(i, state) - record.path(i, state)));
+         const NoiseModel& noise, const ChannelMap& map, Visit visit) {
+  with_size(map.size, [&](auto size) {
+    KalmanStep<size()> step(record, noise, map);
+    for (Index i = 0; i < record.samples(); ++i) {
+      for (Index c = 0; c < map.channels(); ++c) {
+        const Index state = map.state[static_cast<std::size_t>(c)];
+        if (is_omitted(omitted, i, state)) continue;
+        visit(i, c, step.update(c, measured(i, state) - record.path(i, state)), step.gain());
+      }
+      if (i + 1 < record.samples()) step.predict(i);
     }
-    if (i + 1 < record.samples()) step.predict(i);
-  }
-}
-
-double deviance_of(const Innovation& innovation) {
-  return std::log(innovation.variance) +
-         innovation.value * innovation.value / innovation.variance;
+  });
 }
 
 }  // namespace
@@ -61,10 +57,9 @@ InnovationFilter run_filter(const LinearisedRecord& record, const Matrix& measur
   filter.gain = Matrix::Zero(map.size * map.channels(), n);
   filter.inverse_deviation = Matrix::Zero(map.channels(), n);
   filter.innovations = Matrix::Zero(map.channels(), n);
-  run(
-      record, measured, omitted, noise, map, [](Index, const KalmanStep&) {},
-      [&](Index i, Index c, const KalmanStep& step, const Innovation& innovation) {
-        filter.gain.col(i).segment(c * map.size, map.size) = step.gain();
+  run(record, measured, omitted, noise, map,
+      [&](Index i, Index c, const Innovation& innovation, const auto& gain) {
+        filter.gain.col(i).segment(c * map.size, map.size) = gain;
         filter.inverse_deviation(c, i) = 1.0 / std::sqrt(innovation.variance);
         filter.innovations(c, i) = innovation.value * filter.inverse_deviation(c, i);
         filter.deviance += deviance_of(innovation);
@@ -77,10 +72,8 @@ double filter_deviance(const LinearisedRecord& record, const Matrix& measured,
                        const Matrix& omitted, const NoiseModel& noise) {
   check(record, measured, omitted, noise);
   double deviance = 0.0;
-  run(
-      record, measured, omitted, noise, ChannelMap(record, noise),
-      [](Index, const KalmanStep&) {},
-      [&](Index, Index, const KalmanStep&, const Innovation& innovation) {
+  run(record, measured, omitted, noise, ChannelMap(record, noise),
+      [&](Index, Index, const Innovation& innovation, const auto&) {
         deviance += deviance_of(innovation);
       });
   return deviance;

@@ -2,8 +2,11 @@
 // The recursion of the filter, one sample at a time; what it leaves behind is the caller's.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "fixed_size.hpp"
 #include "lacuna/innovation/linearised_record.hpp"
 #include "lacuna/innovation/noise_model.hpp"
 
@@ -20,45 +23,133 @@ struct ChannelMap {
   Index channels() const { return static_cast<Index>(state.size()); }
 };
 
+/// Variances of a noise model in the order of a channel map.
+struct Variances {
+  Vector white;        ///< per channel
+  Vector colour;       ///< per colour state
+  Vector disturbance;  ///< spectral density per equation
+  Vector start;        ///< N: of the deviation before the first sample
+
+  Variances(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map);
+};
+
 /// One scalar measurement as the filter saw it.
 struct Innovation {
   double value = 0.0;     ///< nu
   double variance = 0.0;  ///< S
 };
 
-/// Mean and covariance of the deviation, carried along a record.
-class KalmanStep {
- public:
-  KalmanStep(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map);
+/// What it adds to -2 log likelihood.
+inline double deviance_of(const Innovation& innovation) {
+  return std::log(innovation.variance) +
+         innovation.value * innovation.value / innovation.variance;
+}
 
-  /// Takes in what was measured (minus the path) on one channel. The gain is left in gain().
-  Innovation update(Index channel, double measured);
-
-  /// Goes over step i of the record.
-  void predict(Index i);
-
-  const Vector& mean() const { return mean_; }
-  const Matrix& covariance() const { return covariance_; }
-  const Vector& gain() const { return gain_; }
-
- private:
-  void add_disturbance(Index i);
-
-  const LinearisedRecord& record_;
-  const ChannelMap& map_;
-  Index m_;
-  Vector white_;        ///< variance per channel
-  Vector colour_;       ///< variance per colour state
-  Vector disturbance_;  ///< spectral density per equation
-  Vector mean_, next_, gain_, row_;
-  Matrix covariance_, half_, transition_;
-};
+/// Response at the end of step i to a constant rate in an equation: w0 + w1 + w2.
+inline void constant_response(const LinearisedRecord& record, Index i, Index equation,
+                              double* out) {
+  const Index m = record.states();
+  const double* w = record.response.col(i).data() + 3 * m * equation;
+  for (Index j = 0; j < m; ++j) out[j] = w[j] + w[m + j] + w[2 * m + j];
+}
 
 /// Spectral density of the disturbance of an equation in step i: `density`, or that of the
 /// bridge where it is larger.
-double density_in(const LinearisedRecord& record, Index i, Index equation, double density);
+inline double density_in(const LinearisedRecord& record, Index i, Index equation,
+                         double density) {
+  return record.is_bridged(i, equation) ? std::max(density, record.bridge(equation, i))
+                                        : density;
+}
 
-/// Response at the end of step i to a constant rate in an equation: w0 + w1 + w2.
-void constant_response(const LinearisedRecord& record, Index i, Index equation, double* out);
+/// Transition of step i for the states and the coloured noise; the rest of `out` is as it was.
+template <class Out>
+void read_transition(const LinearisedRecord& record, Index i, Out& out) {
+  const Index m = record.states();
+  const double* phi = record.transition.col(i).data();
+  for (Index k = 0; k < m; ++k)
+    for (Index j = 0; j < m; ++j) out(j, k) = phi[j + m * k];
+}
+
+/// Mean and covariance (N x N) of the deviation, carried along a record.
+template <int Size>
+class KalmanStep {
+ public:
+  KalmanStep(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map)
+      : record_(record),
+        map_(map),
+        variances_(record, noise, map),
+        mean_(Column<Size>::Zero(map.size)),
+        next_(Column<Size>::Zero(map.size)),
+        gain_(Column<Size>::Zero(map.size)),
+        row_(Column<Size>::Zero(map.size)),
+        covariance_(variances_.start.asDiagonal()),
+        half_(map.size, map.size),
+        transition_(Square<Size>::Zero(map.size, map.size)) {
+    const Index m = record.states();
+    for (Index k = m; k < map.size; ++k)
+      transition_(k, k) = map.decay[static_cast<std::size_t>(k - m)];
+  }
+
+  /// Takes in what was measured (minus the path) on one channel. The gain is left in gain().
+  Innovation update(Index channel, double measured) {
+    const Index state = map_.state[static_cast<std::size_t>(channel)];
+    const Index colour = map_.colour[static_cast<std::size_t>(channel)];
+    row_ = covariance_.col(state);
+    double expected = mean_[state];
+    if (colour < map_.size) {
+      row_ += covariance_.col(colour);
+      expected += mean_[colour];
+    }
+    const double variance =
+        row_[state] + (colour < map_.size ? row_[colour] : 0.0) + variances_.white[channel];
+    const double value = measured - expected;
+    gain_ = row_ / variance;
+    mean_ += gain_ * value;
+    covariance_.noalias() -= gain_.lazyProduct(row_.transpose());
+    return {value, variance};
+  }
+
+  /// Goes over step i of the record.
+  void predict(Index i) {
+    read_transition(record_, i, transition_);
+    next_ = transition_.lazyProduct(mean_);
+    next_.head(record_.states()) += record_.defect.col(i);
+    mean_ = next_;
+    half_ = transition_.lazyProduct(covariance_);
+    covariance_ = half_.lazyProduct(transition_.transpose());
+    // Rounding must not grow where the model is unstable: the covariance stays symmetric.
+    half_ = covariance_.transpose();
+    covariance_ = 0.5 * (covariance_ + half_);
+    add_disturbance(i);
+  }
+
+  const Column<Size>& mean() const { return mean_; }
+  const Square<Size>& covariance() const { return covariance_; }
+  const Column<Size>& gain() const { return gain_; }
+
+ private:
+  void add_disturbance(Index i) {
+    const double step = record_.time[i + 1] - record_.time[i];
+    row_.setZero();
+    for (Index k = 0; k < record_.states(); ++k) {
+      const double density = density_in(record_, i, k, variances_.disturbance[k]);
+      if (density == 0.0) continue;
+      constant_response(record_, i, k, row_.data());
+      next_ = (density / step) * row_;
+      covariance_.noalias() += next_.lazyProduct(row_.transpose());
+    }
+    const Index m = record_.states();
+    for (Index k = m; k < map_.size; ++k) {
+      const double decay = map_.decay[static_cast<std::size_t>(k - m)];
+      covariance_(k, k) += variances_.colour[k - m] * (1.0 - decay * decay);
+    }
+  }
+
+  const LinearisedRecord& record_;
+  const ChannelMap& map_;
+  Variances variances_;
+  Column<Size> mean_, next_, gain_, row_;
+  Square<Size> covariance_, half_, transition_;
+};
 
 }  // namespace lacuna

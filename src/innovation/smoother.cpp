@@ -15,15 +15,21 @@ struct Forward {
   Matrix gain;        ///< N channels x n
   Matrix value;       ///< channels x n
   Matrix variance;    ///< channels x n; 0 where a sample is left out
+  double deviance = 0.0;
 };
 
+template <int Size>
 Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
                    const Matrix& omitted, const NoiseModel& noise, const ChannelMap& map) {
   const Index n = record.samples();
   const Index size = map.size;
-  Forward forward{Matrix(size, n), Matrix(size * size, n), Matrix(size * map.channels(), n),
-                  Matrix::Zero(map.channels(), n), Matrix::Zero(map.channels(), n)};
-  KalmanStep step(record, noise, map);
+  Forward forward{Matrix(size, n),
+                  Matrix(size * size, n),
+                  Matrix(size * map.channels(), n),
+                  Matrix::Zero(map.channels(), n),
+                  Matrix::Zero(map.channels(), n),
+                  0.0};
+  KalmanStep<Size> step(record, noise, map);
   for (Index i = 0; i < n; ++i) {
     forward.mean.col(i) = step.mean();
     forward.covariance.col(i) = step.covariance().reshaped();
@@ -34,6 +40,7 @@ Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
       forward.gain.col(i).segment(c * size, size) = step.gain();
       forward.value(c, i) = seen.value;
       forward.variance(c, i) = seen.variance;
+      forward.deviance += deviance_of(seen);
     }
     if (i + 1 < n) step.predict(i);
   }
@@ -41,6 +48,7 @@ Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
 }
 
 /// The adjoint of the filter: its vector, its covariance and the sums they give.
+template <int Size>
 class Backward {
  public:
   Backward(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map,
@@ -50,15 +58,19 @@ class Backward {
         map_(map),
         forward_(forward),
         m_(record.states()),
-        adjoint_(Vector::Zero(map.size)),
-        moved_(Vector::Zero(map.size)),
-        covariance_(Matrix::Zero(map.size, map.size)),
-        transition_(Matrix::Zero(map.size, map.size)) {
+        adjoint_(Column<Size>::Zero(map.size)),
+        moved_(Column<Size>::Zero(map.size)),
+        covariance_(Square<Size>::Zero(map.size, map.size)),
+        transition_(Square<Size>::Zero(map.size, map.size)) {
     for (Index k = m_; k < map.size; ++k)
       transition_(k, k) = map.decay[static_cast<std::size_t>(k - m_)];
     const Index sums = m_ + 2 * map.channels();
-    result_ = {Matrix(record.samples(), m_), Matrix::Zero(record.samples(), map.channels()),
-               Vector::Zero(sums), Vector::Zero(sums), Matrix::Zero(record.steps(), m_)};
+    result_ = {Matrix(record.samples(), m_),
+               Matrix::Zero(record.samples(), map.channels()),
+               Vector::Zero(sums),
+               Vector::Zero(sums),
+               Matrix::Zero(record.steps(), m_),
+               forward.deviance};
   }
 
   SmoothedRecord run() {
@@ -73,7 +85,8 @@ class Backward {
 
  private:
   void measure(Index i, Index c) {
-    const auto gain = forward_.gain.col(i).segment(c * map_.size, map_.size);
+    const Eigen::Map<const Column<Size>> gain(forward_.gain.col(i).data() + c * map_.size,
+                                              map_.size);
     const double variance = forward_.variance(c, i);
     const double pull = forward_.value(c, i) / variance - gain.dot(adjoint_);
     moved_ = covariance_.lazyProduct(gain);
@@ -98,9 +111,10 @@ class Backward {
   }
 
   void keep(Index i) {
-    const Eigen::Map<const Matrix> before(forward_.covariance.col(i).data(), map_.size,
-                                          map_.size);
-    moved_ = before.lazyProduct(adjoint_) + forward_.mean.col(i);
+    const Eigen::Map<const Square<Size>> before(forward_.covariance.col(i).data(), map_.size,
+                                                map_.size);
+    const Eigen::Map<const Column<Size>> mean(forward_.mean.col(i).data(), map_.size);
+    moved_ = before.lazyProduct(adjoint_) + mean;
     result_.deviation.row(i) = moved_.head(m_).transpose();
     for (Index c = 0; c < map_.channels(); ++c) {
       const Index colour = map_.colour[static_cast<std::size_t>(c)];
@@ -111,27 +125,29 @@ class Backward {
   /// Back over step i.
   void step(Index i) {
     const double length = record_.time[i + 1] - record_.time[i];
+    moved_.setZero();
     for (Index k = 0; k < m_; ++k) {
+      if (noise_.disturbance[k] == 0.0) continue;
       constant_response(record_, i, k, moved_.data());
-      const auto response = moved_.head(m_);
-      const double pull = response.dot(adjoint_.head(m_));
+      const double pull = moved_.dot(adjoint_);
       const double density =
           density_in(record_, i, k, noise_.disturbance[k] * noise_.disturbance[k]) / length;
       result_.disturbance(i, k) = density * pull;
       if (record_.is_bridged(i, k)) continue;
       result_.found[k] += pull * pull / length;
-      result_.expected[k] +=
-          response.dot(covariance_.topLeftCorner(m_, m_).lazyProduct(response)) / length;
+      spread_ = covariance_.lazyProduct(moved_);
+      result_.expected[k] += moved_.dot(spread_) / length;
     }
     for (Index c = 0; c < map_.channels(); ++c) {
       const Index colour = map_.colour[static_cast<std::size_t>(c)];
       if (colour >= map_.size) continue;
       const Index sum = m_ + map_.channels() + c;
-      result_.found[sum] += adjoint_[colour] * adjoint_[colour];
-      result_.expected[sum] += covariance_(colour, colour);
+      const double decay = map_.decay[static_cast<std::size_t>(colour - m_)];
+      const double renewed = 1.0 - decay * decay;  // share of its variance
+      result_.found[sum] += renewed * adjoint_[colour] * adjoint_[colour];
+      result_.expected[sum] += renewed * covariance_(colour, colour);
     }
-    transition_.topLeftCorner(m_, m_) =
-        Eigen::Map<const Matrix>(record_.transition.col(i).data(), m_, m_);
+    read_transition(record_, i, transition_);
     moved_ = transition_.transpose().lazyProduct(adjoint_);
     adjoint_ = moved_;
     half_ = transition_.transpose().lazyProduct(covariance_);
@@ -145,8 +161,8 @@ class Backward {
   const ChannelMap& map_;
   const Forward& forward_;
   Index m_;
-  Vector adjoint_, moved_;
-  Matrix covariance_, transition_, half_;
+  Column<Size> adjoint_, moved_, spread_;
+  Square<Size> covariance_, transition_, half_;
   SmoothedRecord result_;
 };
 
@@ -155,8 +171,10 @@ class Backward {
 SmoothedRecord smooth(const LinearisedRecord& record, const Matrix& measured,
                       const Matrix& omitted, const NoiseModel& noise) {
   const ChannelMap map(record, noise);
-  const Forward forward = go_forward(record, measured, omitted, noise, map);
-  return Backward(record, noise, map, forward).run();
+  return with_size(map.size, [&](auto size) {
+    const Forward forward = go_forward<size()>(record, measured, omitted, noise, map);
+    return Backward<size()>(record, noise, map, forward).run();
+  });
 }
 
 }  // namespace lacuna

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The answer in sentences that can be pasted into a letter.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "lacuna/core/text.hpp"
@@ -17,7 +19,9 @@ const Quantity& state_of(const Diagnosis& diagnosis, Index equation) {
   return diagnosis.nominal.states()[static_cast<std::size_t>(equation)];
 }
 
-std::string percent(double share) { return format_number(100.0 * share, 2) + " %"; }
+std::string percent(double share) {
+  return format_number(100.0 * share, std::abs(share) < 0.995 ? 2 : 3) + " %";
+}
 
 /// Unit of a rate of change: "rad/s per s", "V/s".
 std::string rate_unit(const Diagnosis& diagnosis, Index equation) {
@@ -25,14 +29,51 @@ std::string rate_unit(const Diagnosis& diagnosis, Index equation) {
   return (unit.empty() ? "1" : unit) + "/" + diagnosis.nominal.time_unit();
 }
 
+/// Significant digits that the error of a number allows.
+int digits_of(double value, double error) {
+  if (!(error > 0.0) || value == 0.0) return 4;
+  return std::clamp(static_cast<int>(std::ceil(std::log10(std::abs(value) / error))) + 1, 2, 8);
+}
+
 /// The number and its error, to the digits that the error allows.
 std::string with_error(double value, double deviation) {
   const double error = 1.96 * deviation;
-  int digits = 4;
-  if (error > 0.0 && value != 0.0)
-    digits =
-        std::clamp(static_cast<int>(std::ceil(std::log10(std::abs(value) / error))) + 1, 2, 8);
-  return format_number(value, digits) + " +- " + format_number(error, 2);
+  return format_number(value, digits_of(value, error)) + " +- " + format_number(error, 2);
+}
+
+/// A number of a formula for people: a parameter to the digits that its error allows.
+std::string readable_number(const std::string& text,
+                            const std::vector<NamedParameter>& parameters) {
+  const std::optional<double> value = parse_number(text);
+  if (!value || text.size() <= 6) return text;
+  if (*value == std::numbers::pi) return "pi";
+  for (const NamedParameter& parameter : parameters)
+    if (parameter.deviation && std::abs(parameter.value) == *value)
+      return format_number(*value, digits_of(*value, 1.96 * *parameter.deviation));
+  return format_number(*value, 4);
+}
+
+/// A formula with its numbers for people; all digits are in the JSON.
+std::string readable(const std::string& formula,
+                     const std::vector<NamedParameter>& parameters) {
+  std::string result;
+  const auto is_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+  };
+  for (std::size_t i = 0; i < formula.size();) {
+    std::size_t end = i;
+    while (end < formula.size() &&
+           (is_word(formula[end]) ||
+            (end > i && (formula[end] == '-' || formula[end] == '+') &&
+             formula[end - 1] == 'e' && std::isdigit(static_cast<unsigned char>(formula[i])))))
+      ++end;
+    const std::string word = formula.substr(i, std::max<std::size_t>(end - i, 1));
+    result += std::isdigit(static_cast<unsigned char>(word.front())) != 0
+                  ? readable_number(word, parameters)
+                  : word;
+    i += word.size();
+  }
+  return result;
 }
 
 std::string headline(const Diagnosis& diagnosis) {
@@ -54,13 +95,13 @@ std::string headline(const Diagnosis& diagnosis) {
 void write_effect(const Diagnosis& diagnosis, const NamedEffect& effect, std::ostream& out) {
   out << "Equation " << state_of(diagnosis, effect.equation).name << ": " << effect.description
       << " (" << effect.name << "), " << with_error(effect.coefficient, effect.deviation) << " "
-      << rate_unit(diagnosis, effect.equation) << " x " << effect.term << ", explains "
-      << percent(effect.gap_closed) << " of the disagreement ("
-      << format_number(effect.sigma, 3) << " sigma).\n";
+      << rate_unit(diagnosis, effect.equation) << " x "
+      << readable(effect.term, effect.parameters) << ", explains " << percent(effect.gap_closed)
+      << " of the disagreement (" << format_number(effect.sigma, 3) << " sigma).\n";
   for (const Alternative& other : effect.alternatives)
     if (other.probability >= 0.01)
-      out << "  It might also be " << other.name << " " << other.term << " (probability "
-          << percent(other.probability) << ").\n";
+      out << "  It might also be " << other.name << " " << readable(other.term, {})
+          << " (probability " << percent(other.probability) << ").\n";
 }
 
 void write_changes(const Diagnosis& diagnosis, std::ostream& out) {

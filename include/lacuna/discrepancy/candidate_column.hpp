@@ -26,9 +26,24 @@ Vector form_along(const Candidate& candidate, std::span<const double> shapes,
 std::optional<double> known_from(const Candidate& candidate, std::span<const double> shapes,
                                  const Variables& variables, const LinearisedRecord& record);
 
-/// What a candidate with coefficient 1 does to the whitened innovations; nothing when its form
-/// is not finite everywhere on the record. It does nothing while a delayed value lies before
-/// the record.
+/// A candidate with numbers for its shape parameters. The candidate must outlive it.
+struct Probe {
+  const Candidate* candidate;
+  Vector shapes;
+};
+
+/// What candidates with coefficient 1 do to the whitened innovations. They do nothing while a
+/// delayed value lies before the record.
+struct ProbeColumns {
+  Matrix columns;            ///< one for each probe; 0 where it is not finite
+  std::vector<bool> finite;  ///< whether the form is finite everywhere on the records
+};
+
+/// Columns of probes that are all in the same place and equation.
+ProbeColumns probe_columns(std::span<const Probe> probes, const Assimilation& assimilation,
+                           const InnovationSystem& system);
+
+/// The column of one candidate; nothing when its form is not finite everywhere on the records.
 std::optional<Vector> candidate_column(const Candidate& candidate,
                                        std::span<const double> shapes,
                                        const Assimilation& assimilation,

@@ -35,6 +35,7 @@ struct NamedParameter {
   std::string name;
   std::string unit;
   double value = 0.0;
+  std::optional<double> deviation = {};  ///< its standard error, where there is one
 };
 
 /// An effect that the nominal model lacks.

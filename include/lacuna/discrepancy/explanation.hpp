@@ -15,6 +15,8 @@ struct FittedEffect {
   Vector shapes;             ///< one value per shape parameter
   double coefficient = 0.0;  ///< of the form
   double deviation = 0.0;    ///< its standard error
+  /// Standard errors of the shapes; empty where they were not fitted, 0 at an end of the range.
+  Vector shape_deviations = {};
 };
 
 /// A nominal model with effects, brought onto records.

@@ -8,6 +8,12 @@
 
 namespace lacuna {
 
+/// What a candidate explains.
+struct Score {
+  double gain = 0.0;  ///< drop of the sum of squares of the whitened innovations
+  double coefficient = 0.0;
+};
+
 /// A candidate with the shape parameters at which it explains most.
 struct ScreenedCandidate {
   Candidate candidate;
@@ -15,6 +21,9 @@ struct ScreenedCandidate {
   double coefficient = 0.0;
   double gain = 0.0;  ///< drop of the sum of squares of the whitened innovations
   Index tried = 0;    ///< shapes that were tried
+
+  /// Takes these shapes when they explain more.
+  void consider(const Vector& at, const Score& score);
 };
 
 /// Score tests of candidates against a model that was brought onto records.
@@ -30,11 +39,10 @@ class Screening {
 
   /// Gain and coefficient (within the candidate's bounds) at given shapes; gain 0 where the
   /// candidate cannot be told from the nominal terms or is not finite.
-  struct Score {
-    double gain = 0.0;
-    double coefficient = 0.0;
-  };
   Score score(const Candidate& candidate, std::span<const double> shapes) const;
+
+  /// score() of several that are all in the same place and equation, which costs less.
+  std::vector<Score> scores(std::span<const Probe> probes) const;
 
   /// Best of the starting points.
   ScreenedCandidate at_starts(const Candidate& candidate) const;
@@ -48,15 +56,14 @@ class Screening {
   double residual() const noexcept { return innovations_.squaredNorm(); }
 
  private:
-  Vector project(const Vector& column) const;
-
   const Assimilation& assimilation_;
   InnovationSystem system_;
   Matrix nominal_;      ///< orthonormal columns of the nominal terms
   Vector innovations_;  ///< projected
 };
 
-/// Screens all candidates: starting points of all, then the shapes of those in the running.
+/// Screens all candidates: starting points of all, then the shapes of the best of each effect
+/// and equation. Uses the threads of the context.
 /// @return by falling gain less the price of the shapes.
 std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
                                       const Screening& screening, const RunContext& context);

@@ -46,16 +46,16 @@ struct AssimilationOptions {
 /// A model brought onto records: its coefficients, the path, and what separates the two.
 ///
 /// Path, coefficients and variances are the maximum of the likelihood of the linearised model,
-/// found by taking turns: linearise along the path, variances by the fixed point v <- v
-/// found/expected of the smoother's sums, coefficients by least squares on the whitened
-/// innovations, path by the smoother. Variances: Zhou et al., J. Comput. Graph. Stat. 28
-/// (2019).
+/// found by taking turns: linearise along the path, variances by the BFGS method with the
+/// gradient from the smoother's sums, coefficients by least squares on the whitened
+/// innovations, path by the smoother.
 struct Assimilation {
   OdeModel model;
   std::vector<LinearisedRecord> records;
   std::vector<Matrix> measured;  ///< per record n x m
   std::vector<Matrix> omitted;   ///< per record n x m, or 0 x 0
   NoiseModel noise;
+  Vector least_noise;     ///< m: what white measurement noise cannot be less than
   double deviance = 0.0;  ///< -2 log likelihood
   Index used = 0;         ///< samples of all channels
   std::vector<CoefficientPlace> free;

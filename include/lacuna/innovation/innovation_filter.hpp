@@ -35,7 +35,8 @@ struct SmoothedRecord {
   /// Sums for estimating variances: at the maximum of the likelihood `found` equals `expected`.
   /// m entries for the disturbances, then channels for white and channels for coloured noise.
   Vector found, expected;
-  Matrix disturbance;  ///< (n-1) x m: smoothed disturbance of each equation, as a mean rate
+  Matrix disturbance;     ///< (n-1) x m: smoothed disturbance of each equation, as a mean rate
+  double deviance = 0.0;  ///< that of the filter
 };
 
 /// Runs the filter.
@@ -53,16 +54,18 @@ double filter_deviance(const LinearisedRecord& record, const Matrix& measured,
 SmoothedRecord smooth(const LinearisedRecord& record, const Matrix& measured,
                       const Matrix& omitted, const NoiseModel& noise);
 
-/// Whitened response of the innovations to a rate `values` in one equation.
-/// @param values 2n-1: the rate at samples and midpoints. @param out channels x n, written.
+/// Whitened responses of the innovations to rates in one equation, one for each column of
+/// `values`; columns go through the record together, so many cost little more than one.
+/// @param values 2n-1 x count: the rates at samples and midpoints.
+/// @param out (channels n) x count, written sample by sample.
 void column_response(const LinearisedRecord& record, const InnovationFilter& filter,
-                     Index equation, const Eigen::Ref<const Vector>& values,
+                     Index equation, const Eigen::Ref<const Matrix>& values,
                      Eigen::Ref<Matrix> out);
 
-/// Whitened response of the innovations to `values` (n) being added to what is measured of a
-/// state.
+/// Whitened responses of the innovations to columns of `values` (n x count) being added to what
+/// is measured of a state. @param out (channels n) x count, written sample by sample.
 void channel_response(const LinearisedRecord& record, const InnovationFilter& filter,
-                      Index state, const Eigen::Ref<const Vector>& values,
+                      Index state, const Eigen::Ref<const Matrix>& values,
                       Eigen::Ref<Matrix> out);
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lacuna/innovation/assimilation.hpp"
@@ -25,17 +26,18 @@ class InnovationSystem {
   /// First row of each record, and the number of rows at the end.
   const std::vector<Index>& offsets() const noexcept { return offsets_; }
 
-  /// Column of a rate in an equation. @param values per record 2n-1 entries.
-  Vector rate_column(Index equation, const std::vector<Vector>& values) const;
+  /// Columns of rates in an equation. @param values per record 2n-1 x count.
+  Matrix rate_columns(Index equation, const std::vector<Matrix>& values) const;
 
-  /// Column of values added to what is measured of a state. @param values per record n entries.
-  Vector channel_column(Index state, const std::vector<Vector>& values) const;
+  /// Columns of values added to what is measured of a state.
+  /// @param values per record n x count.
+  Matrix channel_columns(Index state, const std::vector<Matrix>& values) const;
 
   /// Columns of everything that is fitted: the free coefficients, then the channel terms.
   Matrix fitted_columns() const;
 
  private:
-  Vector term_column(const CoefficientPlace& place) const;
+  Matrix term_columns(Index equation) const;
   Vector channel_term_column(const ChannelTerm& term) const;
 
   const Assimilation* assimilation_;
@@ -46,8 +48,12 @@ class InnovationSystem {
   Index used_ = 0;
 };
 
-/// Values of a formula at samples and midpoints (2n-1).
-/// @throws ModelError when it uses a name that is not a variable of the model.
+/// Values of formulas at samples and midpoints, (2n-1) x count.
+/// @throws ModelError when one uses a name that is not a variable of the model.
+Matrix evaluate_on(const LinearisedRecord& record, const Variables& variables,
+                   std::span<const Expression> formulas);
+
+/// Values of one formula at samples and midpoints (2n-1).
 Vector evaluate_on(const LinearisedRecord& record, const Variables& variables,
                    const Expression& formula);
 

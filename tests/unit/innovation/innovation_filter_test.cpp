@@ -52,13 +52,13 @@ TEST(InnovationFilter, InnovationsAreTheResponseToWhatIsMissing) {
   EXPECT_GT(mean_square(filter), 3.0);
   Vector sign = made.record.slots.col(1);
   for (double& v : sign) v = v > 0 ? 1.0 : -1.0;
-  Matrix column(2, 1501);
+  Matrix column(3002, 1);
   column_response(made.record, filter, 1, sign, column);
   const double coefficient =
-      column.cwiseProduct(filter.innovations).sum() / column.squaredNorm();
+      column.cwiseProduct(filter.innovations.reshaped()).sum() / column.squaredNorm();
   EXPECT_NEAR(coefficient, -0.3, 0.01);
   // The sign is that of the measured velocity here, wrong at some samples where it is small.
-  EXPECT_LT((filter.innovations - coefficient * column).squaredNorm() / 3002.0, 1.4);
+  EXPECT_LT((filter.innovations.reshaped() - coefficient * column).squaredNorm() / 3002.0, 1.4);
 }
 
 TEST(InnovationFilter, ChannelResponseIsWhatAnOffsetOfTheSensorDoes) {
@@ -67,9 +67,9 @@ TEST(InnovationFilter, ChannelResponseIsWhatAnOffsetOfTheSensorDoes) {
   const InnovationFilter before = run_filter(made.record, measured, Matrix(), noise_of(0.1));
   measured.col(0).array() += 0.05;
   const InnovationFilter after = run_filter(made.record, measured, Matrix(), noise_of(0.1));
-  Matrix column(2, 1501);
+  Matrix column(3002, 1);
   channel_response(made.record, after, 0, Vector::Ones(1501), column);
-  EXPECT_LT((after.innovations - before.innovations - 0.05 * column).norm(), 1e-9);
+  EXPECT_LT(((after.innovations - before.innovations).reshaped() - 0.05 * column).norm(), 1e-9);
 }
 
 TEST(InnovationFilter, OmittedSamplesAreNotUsed) {

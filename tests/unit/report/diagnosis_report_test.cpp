@@ -42,6 +42,15 @@ TEST(DiagnosisReport, SaysItInAFewLines) {
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);
 }
 
+TEST(DiagnosisReport, NumbersInTermsHaveTheDigitsThatTheirErrorsAllow) {
+  Diagnosis diagnosis = made();
+  NamedEffect& effect = diagnosis.effects.front();
+  effect.term = "sin(2*3.141592653589793*0.6999994750761255*t+0.3549071)-1.5e-05*x12345678";
+  effect.parameters = {{"frequency", "1/s", 0.6999994750761255, 2e-5}};
+  EXPECT_THAT(format_text(diagnosis),
+              testing::HasSubstr("x sin(2*pi*0.7*t+0.3549)-1.5e-05*x12345678,"));
+}
+
 TEST(DiagnosisReport, JsonHasTheKeysOfTheFormat) {
   const auto json = nlohmann::json::parse(format_json(made()));
   EXPECT_EQ(json.at("format"), "lacuna.diagnosis/1");

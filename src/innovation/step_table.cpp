@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "step_table.hpp"
+
+#include <algorithm>
+
+#include "fixed_size.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Steps that are done together and stay in cache.
+constexpr std::size_t kBlock = 256;
+
+/// A block of steps on its way from their begins to their ends.
+class StepBlock {
+ public:
+  StepBlock(const RateTable& table, const Matrix& slots, Index states,
+            std::span<const Index> steps)
+      : table_(table),
+        slots_(slots),
+        states_(states),
+        steps_(steps),
+        point_(static_cast<Index>(steps.size()), slots.cols()),
+        length_(point_.rows()) {
+    const Index time = time_column();
+    for (Index row = 0; row < point_.rows(); ++row) {
+      const Index i = step_at(row);
+      point_.row(row) = slots.row(2 * i);
+      length_[row] = slots(2 * i + 2, time) - slots(2 * i, time);
+    }
+    state_ = point_.leftCols(states);
+  }
+
+  Matrix run(int parts) {
+    for (int part = 0; part < parts; ++part) runge_kutta(part, parts);
+    return state_;
+  }
+
+ private:
+  Index step_at(Index row) const { return steps_[static_cast<std::size_t>(row)]; }
+  Index time_column() const {
+    return slots_.cols() - 1 - static_cast<Index>(table_.delays().size());
+  }
+
+  void runge_kutta(int part, int parts) {
+    constexpr std::array<double, 4> kNode{0.0, 0.5, 0.5, 1.0}, kWeight{1.0, 2.0, 2.0, 1.0};
+    Matrix slope = Matrix::Zero(state_.rows(), states_), sum = slope;
+    for (std::size_t stage = 0; stage < 4; ++stage) {
+      point_.leftCols(states_) = state_;
+      if (stage > 0)
+        point_.leftCols(states_) += (kNode[stage] / parts * length_).asDiagonal() * slope;
+      if (stage != 2) set_driven((part + kNode[stage]) / parts);
+      slope = table_.rates(point_);
+      sum += kWeight[stage] * slope;
+    }
+    state_ += (length_ / (6.0 * parts)).asDiagonal() * sum;
+  }
+
+  /// Inputs, t and delayed variables at the share `s` of the steps.
+  void set_driven(double s) {
+    const std::array<double, 3> weight = parabolas(s);
+    for (Index column = states_; column < slots_.cols(); ++column)
+      for (Index row = 0; row < point_.rows(); ++row) {
+        const double* value = slots_.col(column).data() + 2 * step_at(row);
+        point_(row, column) =
+            weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
+      }
+  }
+
+  const RateTable& table_;
+  const Matrix& slots_;
+  Index states_;
+  std::span<const Index> steps_;
+  Matrix point_;
+  Vector length_;
+  Matrix state_;
+};
+
+/// Transition and responses of one step: W_q is the response of the state to a rate that is
+/// the parabola q.
+template <int Size>
+class StepVariation {
+ public:
+  StepVariation(const Matrix& slopes, Index states)
+      : slopes_(slopes), identity_(Square<Size>::Identity(states, states)) {}
+
+  void run(Index i, double length, int parts) {
+    transition_ = identity_;
+    for (Square<Size>& w : response_)
+      w = Square<Size>::Zero(identity_.rows(), identity_.cols());
+    for (int part = 0; part < parts; ++part) add_part(i, length / parts, part, parts);
+  }
+
+  const Square<Size>& transition() const { return transition_; }
+  const std::array<Square<Size>, 3>& response() const { return response_; }
+
+ private:
+  Square<Size> slope_at(Index i, double s) const {
+    const std::array<double, 3> weight = parabolas(s);
+    const Index m = identity_.rows();
+    const double* a = slopes_.col(2 * i).data();
+    const Eigen::Map<const Square<Size>> begin(a, m, m), middle(a + m * m, m, m),
+        end(a + 2 * m * m, m, m);
+    return weight[0] * begin + weight[1] * middle + weight[2] * end;
+  }
+
+  /// Runge and Kutta for the transition, Simpson's rule for the responses.
+  void add_part(Index i, double h, int part, int parts) {
+    const double from = static_cast<double>(part) / parts, to = (part + 1.0) / parts;
+    const double half = 0.5 * (from + to);
+    const Square<Size> a = slope_at(i, from), b = slope_at(i, half), c = slope_at(i, to);
+    const Square<Size> k2 = b.lazyProduct(identity_ + 0.5 * h * a);
+    const Square<Size> k3 = b.lazyProduct(identity_ + 0.5 * h * k2);
+    const Square<Size> k4 = c.lazyProduct(identity_ + h * k3);
+    const Square<Size> whole = identity_ + h / 6.0 * (a + 2.0 * k2 + 2.0 * k3 + k4);
+    const Square<Size> second = 0.25 * h * (b + c);
+    const Square<Size> later = identity_ + second + 0.5 * second.lazyProduct(second);
+    const std::array<double, 3> first = parabolas(from), mid = parabolas(half),
+                                last = parabolas(to);
+    for (std::size_t q = 0; q < 3; ++q) {
+      const Square<Size> carried = whole.lazyProduct(response_[q]);
+      response_[q] =
+          carried + h / 6.0 * (first[q] * whole + 4.0 * mid[q] * later + last[q] * identity_);
+    }
+    const Square<Size> before = transition_;
+    transition_ = whole.lazyProduct(before);
+  }
+
+  const Matrix& slopes_;
+  Square<Size> identity_, transition_;
+  std::array<Square<Size>, 3> response_;
+};
+
+template <int Size>
+void write_responses(const Matrix& slopes, const Vector& length, Index m, int parts,
+                     StepResponses& out) {
+  StepVariation<Size> step(slopes, m);
+  for (Index i = 0; i < length.size(); ++i) {
+    step.run(i, length[i], parts);
+    out.transition.col(i) = step.transition().reshaped();
+    for (Index k = 0; k < m; ++k)
+      for (Index q = 0; q < 3; ++q)
+        out.response.col(i).segment(3 * m * k + m * q, m) =
+            step.response()[static_cast<std::size_t>(q)].col(k);
+  }
+}
+
+}  // namespace
+
+Matrix ends_of_steps(const RateTable& table, const Matrix& slots, Index states,
+                     const std::vector<Index>& steps, int parts) {
+  Matrix ends(static_cast<Index>(steps.size()), states);
+  const std::span<const Index> all(steps);
+  for (std::size_t first = 0; first < steps.size(); first += kBlock) {
+    const auto block = all.subspan(first, std::min(kBlock, steps.size() - first));
+    ends.middleRows(static_cast<Index>(first), static_cast<Index>(block.size())) =
+        StepBlock(table, slots, states, block).run(parts);
+  }
+  return ends;
+}
+
+int parts_for(const RateTable& table, const Matrix& slots, Index states,
+              const Vector& accuracy) {
+  constexpr int kMost = 32;
+  constexpr Index kTried = 400;
+  const Index count = (slots.rows() - 1) / 2;
+  std::vector<Index> steps;
+  for (Index i = 0; i < count; i += std::max<Index>(1, count / kTried)) steps.push_back(i);
+  int parts = 1;
+  Matrix coarse = ends_of_steps(table, slots, states, steps, 1);
+  while (parts < kMost) {
+    Matrix fine = ends_of_steps(table, slots, states, steps, 2 * parts);
+    const Vector error = (coarse - fine).cwiseAbs().colwise().maxCoeff();
+    if ((error.array() <= 0.1 * accuracy.array()).all()) break;
+    coarse = std::move(fine);
+    parts *= 2;
+  }
+  return parts;
+}
+
+StepResponses step_responses(const Matrix& slopes, const Vector& length, Index states,
+                             int parts) {
+  StepResponses out{Matrix(states * states, length.size()),
+                    Matrix(3 * states * states, length.size())};
+  with_size(states,
+            [&](auto size) { write_responses<size()>(slopes, length, states, parts, out); });
+  return out;
+}
+
+}  // namespace lacuna
