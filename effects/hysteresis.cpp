@@ -47,6 +47,11 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
   return result;
 }
 
+// A loop in a characteristic that is there takes over a part of it; a spring may be new.
+bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
+  return candidate.shapes.size() > 1 || is_part_of_term(candidate, fitted);
+}
+
 }  // namespace
 
 const EffectFamily kHysteresis{
@@ -54,6 +59,7 @@ const EffectFamily kHysteresis{
      "Bouc 1967; Wen, J. Eng. Mech. 102 (1976); Visintin, Differential Models of Hysteresis"},
     "magnetic cores, piezo actuators, wire rope, rubber, plastic deformation",
     {},
-    make};
+    make,
+    plausible};
 
 }  // namespace lacuna

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/terms.hpp"
 
@@ -29,10 +27,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 
 // Part of the term as it is fitted, or the whole of it.
 bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
-  const double whole = fitted.nominal.coefficient(candidate.equation, candidate.argument);
-  const bool is_part = std::abs(fitted.coefficient) < std::abs(whole);
-  return whole * fitted.coefficient > 0.0 &&
-         (is_part || slopes_agree(whole, fitted.coefficient, fitted.deviation));
+  return is_part_of_term(candidate, fitted);
 }
 
 }  // namespace

@@ -167,6 +167,13 @@ void bound_to_term(const Scope& scope, Index equation, const std::string& term,
   candidate.most = std::max(0.0, most);
 }
 
+bool is_part_of_term(const Candidate& candidate, const FittedCandidate& fitted) {
+  const double whole = slope(fitted.nominal, candidate.equation, candidate.argument);
+  const bool is_part = std::abs(fitted.coefficient) < std::abs(whole);
+  return whole * fitted.coefficient > 0.0 &&
+         (is_part || slopes_agree(whole, fitted.coefficient, fitted.deviation));
+}
+
 bool slopes_agree(double a, double b, double deviation) {
   const double larger = std::max(std::abs(a), std::abs(b));
   return std::abs(a - b) <= std::max(0.2 * larger, 3.0 * deviation);
