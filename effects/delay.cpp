@@ -8,20 +8,21 @@
 namespace lacuna {
 namespace {
 
-// Delays up to a quarter of the record; starts so dense that none lies further from the truth
+// Delays from a sampling step, below which a delay is a lag, up to a quarter of the record;
+// starts so dense that none lies further from the truth
 // than half the time in which the variable forgets, up to a hundred.
 constexpr double kMostStarts = 100.0;
 
 Candidate delayed(const Scope& scope, const std::string& form, const std::string& argument,
                   double timescale) {
   const double longest = 0.25 * scope.duration;
-  const double spacing = std::max(0.5 * timescale, 0.5 * scope.step);
+  const double spacing = std::max(0.5 * timescale, scope.step);
   std::vector<double> starts;
   for (double delay = spacing; delay < longest && delay <= kMostStarts * spacing;
        delay += spacing)
     starts.push_back(delay);
   return shaped_candidate(form, argument, "delayed action of " + argument,
-                          {"T", scope.model.time_unit(), 0.1 * scope.step, longest, false},
+                          {"T", scope.model.time_unit(), scope.step, longest, false},
                           starts_at(starts));
 }
 

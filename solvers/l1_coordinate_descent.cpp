@@ -34,16 +34,13 @@ L1Solution CoordinateDescent::do_solve(const L1Problem& problem,
   const Matrix gram = problem.triangle.transpose() * problem.triangle;
   const Vector correlation = problem.triangle.transpose() * problem.target;
   Vector z = problem.start;
-  Vector slope = correlation - gram * z;
-  int next_check = 1;
   for (int done = 1; done <= options().max_sweeps; ++done) {
-    sweep(gram, problem.penalty, z, slope);
-    if (done < next_check) continue;
     context.check_stop();
+    Vector slope = correlation - gram * z;
+    sweep(gram, problem.penalty, z, slope);
+    z = l1_face_minimum(problem, z);
     const L1Solution solution = l1_finished(problem, z, done, options().tolerance);
     if (solution.converged) return solution;
-    slope = correlation - gram * z;  // rounding gathers in the updates
-    next_check = 2 * done;
   }
   return l1_finished(problem, z, options().max_sweeps, options().tolerance);
 }

@@ -2,6 +2,7 @@
 #include "lacuna/solvers/l1_nlopt.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlopt.hpp>
 #include <stdexcept>
 #include <vector>
@@ -11,26 +12,40 @@
 namespace lacuna {
 namespace {
 
-/// The split problem with |c| = 1 as NLopt calls it.
-struct SplitForm {
-  Matrix triangle;
-  Vector target;
-  Vector penalty;
-  const RunContext& context;
+/// The objective of the split problem less that of the start, divided by how far the start is
+/// from the optimum: near it the differences are far below the rounding of |c|^2, and NLopt
+/// ends at gradients below 1e-8.
+class SplitForm {
+ public:
+  SplitForm(const L1Problem& problem, const Vector& start, const RunContext& context)
+      : scale_(1.0 / std::max(l1_violation(problem, start), 1e-16)),
+        triangle_(std::sqrt(scale_) * problem.triangle),
+        penalty_(scale_ * problem.penalty),
+        start_(start),
+        slope_(2.0 * scale_ * problem.triangle.transpose() *
+               (problem.target - problem.triangle * start)),
+        context_(context) {}
 
   double operator()(const std::vector<double>& pq, std::vector<double>& gradient) const {
-    context.check_stop();
-    const Index k = target.size();
+    context_.check_stop();
+    const Index k = start_.size();
     const Eigen::Map<const Vector> p(pq.data(), k);
     const Eigen::Map<const Vector> q(pq.data() + k, k);
-    const Vector residual = target - triangle * (p - q);
+    const Vector step = p - q - start_;
+    const Vector image = triangle_ * step;
     if (!gradient.empty()) {
-      const Vector slope = 2.0 * triangle.transpose() * residual;
-      Eigen::Map<Vector>(gradient.data(), k) = penalty - slope;
-      Eigen::Map<Vector>(gradient.data() + k, k) = penalty + slope;
+      const Vector slope = slope_ - 2.0 * triangle_.transpose() * image;
+      Eigen::Map<Vector>(gradient.data(), k) = penalty_ - slope;
+      Eigen::Map<Vector>(gradient.data() + k, k) = penalty_ + slope;
     }
-    return residual.squaredNorm() + penalty.dot(p + q);
+    return image.squaredNorm() - slope_.dot(step) + penalty_.dot(p + q - start_.cwiseAbs());
   }
+
+ private:
+  double scale_;
+  Matrix triangle_;
+  Vector penalty_, start_, slope_;
+  const RunContext& context_;
 };
 
 double call(const std::vector<double>& pq, std::vector<double>& gradient, void* form) {
@@ -49,8 +64,8 @@ Vector merged(const std::vector<double>& pq) {
   return Eigen::Map<const Vector>(pq.data(), k) - Eigen::Map<const Vector>(pq.data() + k, k);
 }
 
-/// One run from pq, which is left at the best point. It may give up with "roundoff limited"
-/// near the optimum, which is an outcome like any other.
+/// One run from pq, which is left at the best point; returns the number of evaluations. It may
+/// give up with "roundoff limited" near the optimum, which is an outcome like any other.
 int minimise(SplitForm& form, std::vector<double>& pq, int max_evaluations) {
   nlopt::opt method(nlopt::LD_LBFGS, static_cast<unsigned>(pq.size()));
   method.set_lower_bounds(0.0);
@@ -74,19 +89,21 @@ L1Solution NloptL1::do_solve(const L1Problem& problem, const RunContext& context
   const Index k = problem.target.size();
   const double norm = problem.target.norm();
   if (norm == 0.0 || k == 0) return {Vector::Zero(k), 0, true};
-  SplitForm form{problem.triangle, problem.target / norm, problem.penalty / norm, context};
-  std::vector<double> pq = split(problem.start / norm);
+  const L1Problem unit{problem.triangle, problem.target / norm, problem.penalty / norm,
+                       problem.start / norm};
+  Vector z = unit.start;
   L1Solution solution{problem.start, 0, false};
-  int before = -1;
-  // A run ends where its quasi-Newton matrix is used up; a new one goes on from there.
-  while (!solution.converged && solution.iterations < options().max_evaluations &&
-         solution.iterations != before) {
-    before = solution.iterations;
-    const int evaluations =
-        before + minimise(form, pq, options().max_evaluations - solution.iterations);
-    context.check_stop();
-    solution = l1_finished(problem, norm * merged(pq), evaluations, 1e-12);
+  // Long valleys are walked by the exact minimum on the nonzero coefficients; NLopt has to find
+  // which these are, for which a run of limited length does.
+  while (!solution.converged && solution.iterations < options().max_evaluations) {
+    SplitForm form(unit, z, context);
+    std::vector<double> pq = split(z);
+    const int left = options().max_evaluations - solution.iterations;
+    const int evaluations = minimise(form, pq, std::min(left, 10 * static_cast<int>(k)));
+    z = l1_face_minimum(unit, merged(pq));
+    solution = l1_finished(unit, z, solution.iterations + std::max(evaluations, 1), 1e-12);
   }
+  solution.coefficients *= norm;
   return solution;
 }
 

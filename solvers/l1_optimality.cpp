@@ -43,6 +43,21 @@ std::optional<Vector> stationary(const L1Problem& problem, const std::vector<Ind
   return z;
 }
 
+/// Moves z to `goal`, or up to where its first coefficient becomes zero; that one is then 0.
+/// @return whether the goal was reached.
+bool move_until_zero(Vector& z, const Vector& goal) {
+  double step = 1.0;
+  Index first = -1;
+  for (Index j = 0; j < z.size(); ++j) {
+    if (z[j] * goal[j] >= 0.0 || z[j] / (z[j] - goal[j]) >= step) continue;
+    step = z[j] / (z[j] - goal[j]);
+    first = j;
+  }
+  z += step * (goal - z);
+  if (first >= 0) z[first] = 0.0;
+  return first < 0;
+}
+
 }  // namespace
 
 double l1_violation(const L1Problem& problem, const Vector& z) {
@@ -71,6 +86,14 @@ std::optional<Vector> l1_polished(const L1Problem& problem, const Vector& guess)
     if (z && l1_violation(problem, *z) <= kExact) return z;
   }
   return std::nullopt;
+}
+
+Vector l1_face_minimum(const L1Problem& problem, Vector z) {
+  for (Index zeroed = 0; zeroed <= z.size(); ++zeroed) {
+    const std::optional<Vector> goal = stationary(problem, support(problem, z, 0.0), z);
+    if (!goal || move_until_zero(z, *goal)) break;
+  }
+  return z;
 }
 
 L1Solution l1_finished(const L1Problem& problem, const Vector& z, int iterations,

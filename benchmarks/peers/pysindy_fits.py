@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """PySINDy on the records that study_peers wrote, and the table of both programs.
 
-    python3 -m venv /tmp/peers && /tmp/peers/bin/pip install pysindy
+    python3 -m venv build/peers && build/peers/bin/pip install pysindy
     build/dev/benchmarks/study_peers build/studies/peers
-    OMP_NUM_THREADS=1 /tmp/peers/bin/python benchmarks/peers/pysindy_fits.py build/studies/peers
+    OMP_NUM_THREADS=1 build/peers/bin/python benchmarks/peers/pysindy_fits.py build/studies/peers
 
 Each variant runs with its defaults and "best": of a grid of thresholds the one with the smallest
 coefficient error against the truth, and an exact structure if any threshold gives it. That is more

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <memory>
+#include <thread>
 
 #include "command.hpp"
 #include "data_options.hpp"
@@ -124,6 +126,8 @@ Command declare_diagnose(CLI::App& root) {
       ->type_name("FILE|-");
   app->add_option("--json", options->json, "Write the diagnosis as JSON; - for standard output")
       ->type_name("FILE|-");
+  // Candidates are fitted side by side; all cores are in use unless told otherwise.
+  options->run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   declare_run_options(*app, options->run);
   return {app,
           [options](const Session& session) { return diagnose_command(session, *options); }};

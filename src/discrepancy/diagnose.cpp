@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coloured_noise.hpp"
 #include "free_input.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
@@ -14,12 +15,6 @@
 
 namespace lacuna {
 namespace {
-
-double mean_step(const Dataset& data) {
-  const Trajectory& record = data.trajectories.front();
-  return (record.time[record.samples() - 1] - record.time[0]) /
-         static_cast<double>(record.samples() - 1);
-}
 
 /// The steps of a diagnosis in their order.
 class Workflow {
@@ -105,16 +100,10 @@ class Workflow {
   }
 
   Assimilation best_coloured() const {
-    std::optional<Assimilation> best;
-    for (const double steps : {3.0, 30.0, 300.0}) {
-      Assimilation start = *fitted_;
-      for (std::size_t k = 0; k < start.noise.coloured.size(); ++k)
-        if (const auto& white = start.noise.measurement[k])
-          start.noise.coloured[k] = ColouredNoise{*white, steps * mean_step(data_)};
-      Assimilation fit = assimilate_from(fitted_->model, data_, start, fit_options_, context_);
-      if (!best || fit.deviance < best->deviance) best = std::move(fit);
-    }
-    return std::move(*best);
+    context_.report("fitting noise with a memory", 0.0);
+    Assimilation start = *fitted_;
+    start.noise = with_coloured_noise(*fitted_, context_);
+    return assimilate_from(fitted_->model, data_, start, fit_options_, context_);
   }
 
   void conclude(SearchResult& found) {
@@ -171,8 +160,9 @@ class Workflow {
   void set_remaining(const std::vector<EquationStructure>& left) {
     for (const EquationStructure& structure : left) {
       result_.remaining.sigma = std::max(result_.remaining.sigma, structure.sigma);
-      if (is_substantial(structure, options_))
-        result_.remaining.equations.push_back(structure.equation);
+      if (!is_substantial(structure, options_)) continue;
+      result_.remaining.equations.push_back(structure.equation);
+      result_.remaining.details.push_back(structure);
     }
     result_.remaining.structure = !result_.remaining.equations.empty();
   }

@@ -79,31 +79,38 @@ bool stands_twice(const OdeModel& nominal, const std::vector<FittedEffect>& effe
   return false;
 }
 
-/// Where an effect is not known yet its equation has the disturbance of the nominal model.
+/// Spectral density of the disturbance that an equation has without the effect that cannot be
+/// known: where a step is bridged already that of the bridge.
+double bridging_density(const Assimilation& from, Index equation) {
+  double density = from.noise.disturbance[equation] * from.noise.disturbance[equation];
+  for (const LinearisedRecord& record : from.records)
+    if (record.bridge.size() > 0)
+      density = std::max(density, record.bridge.row(equation).maxCoeff());
+  return density;
+}
+
+/// Where an effect is not known yet its equation has the disturbance that it has without it.
 /// @return whether every effect is known in the second half of each record.
-bool bridge(const Vector& disturbance, const std::vector<FittedEffect>& effects,
-            AugmentedProblem& problem) {
-  const Index old = disturbance.size();
-  Variables nominal = problem.model.variables();
-  nominal.states.resize(static_cast<std::size_t>(old));
+bool bridge(const Assimilation& from, const OdeModel& nominal,
+            const std::vector<FittedEffect>& effects, AugmentedProblem& problem) {
   problem.bridges.assign(problem.data.trajectories.size(), Matrix());
   for (std::size_t r = 0; r < problem.bridges.size(); ++r) {
     const Trajectory& record = problem.data.trajectories[r];
-    const LinearisedRecord grid = grid_of(record, record.states.leftCols(old));
+    const LinearisedRecord grid = grid_of(record, record.states.leftCols(nominal.dimension()));
     const double middle = 0.5 * (record.time[0] + record.time[record.samples() - 1]);
     for (const FittedEffect& effect : effects) {
-      const bool always =
-          effect.candidate.place == Place::Channel || effect.candidate.is_driven();
-      if (always) continue;
-      const auto known = known_from(effect.candidate, as_span(effect.shapes), nominal, grid);
+      const Candidate& candidate = effect.candidate;
+      if (candidate.place == Place::Channel || candidate.is_driven()) continue;
+      const auto known =
+          known_from(candidate, as_span(effect.shapes), nominal.variables(), grid);
       if (!known || *known > middle) return false;
       if (*known <= record.time[0]) continue;
       Matrix& bridge = problem.bridges[r];
       if (bridge.size() == 0)
         bridge = Matrix::Zero(problem.model.dimension(), record.samples() - 1);
-      const Index k = effect.candidate.equation;
+      const double density = bridging_density(from, candidate.equation);
       for (Index i = 0; i < bridge.cols() && record.time[i] < *known; ++i)
-        bridge(k, i) = disturbance[k] * disturbance[k];
+        bridge(candidate.equation, i) = density;
     }
   }
   return true;
@@ -112,17 +119,17 @@ bool bridge(const Vector& disturbance, const std::vector<FittedEffect>& effects,
 /// Fits with the shapes as they are.
 class JointFit {
  public:
-  JointFit(const Dataset& data, const Assimilation& base, const AssimilationOptions& options,
+  JointFit(const Dataset& data, const OdeModel& nominal, const AssimilationOptions& options,
            const RunContext& context)
-      : data_(data), base_(base), options_(options), context_(context) {}
+      : data_(data), nominal_(nominal), options_(options), context_(context) {}
 
-  Explanation at(const OdeModel& nominal, const Assimilation& from,
-                 std::vector<FittedEffect> effects, int passes) const {
-    const Index m = nominal.dimension();
-    if (stands_twice(nominal, effects)) return unknown(effects);
-    AugmentedProblem problem =
-        augment(nominal, data_, options_.free, effects, nominal_paths(from, m));
-    if (!bridge(base_.noise.disturbance, effects, problem)) return unknown(effects);
+  Explanation at(const Assimilation& from, std::vector<FittedEffect> effects,
+                 int passes) const {
+    const Index m = nominal_.dimension();
+    if (stands_twice(nominal_, effects)) return unknown(from, effects);
+    AugmentedProblem problem = augment(nominal_part(from.model, nominal_), data_, options_.free,
+                                       effects, nominal_paths(from, m));
+    if (!bridge(from, nominal_, effects, problem)) return unknown(from, effects);
     AssimilationOptions options = options_;
     options.free = problem.free;
     options.passes = passes;
@@ -140,8 +147,7 @@ class JointFit {
     for (int step = 0; step < kSteps; ++step) {
       std::vector<FittedEffect> moved = best.effects;
       if (!move_shapes(best, moved)) break;
-      Explanation next =
-          at(nominal_part(best.fit.model, base_.model), best.fit, std::move(moved), 3);
+      Explanation next = at(best.fit, std::move(moved), 3);
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
       best = std::move(next);
@@ -168,8 +174,9 @@ class JointFit {
   }
 
   /// An effect that the records do not show explains nothing.
-  Explanation unknown(const std::vector<FittedEffect>& effects) const {
-    Explanation result{effects, base_};
+  static Explanation unknown(const Assimilation& from,
+                             const std::vector<FittedEffect>& effects) {
+    Explanation result{effects, from};
     result.fit.deviance = std::numeric_limits<double>::infinity();
     return result;
   }
@@ -215,7 +222,7 @@ class JointFit {
   bool move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const;
 
   const Dataset& data_;
-  const Assimilation& base_;
+  const OdeModel& nominal_;
   const AssimilationOptions& options_;
   const RunContext& context_;
 };
@@ -308,18 +315,18 @@ Index Explanation::parameters() const noexcept {
   return count;
 }
 
-Explanation explain_roughly(const Dataset& data, const Assimilation& base,
-                            const std::vector<FittedEffect>& effects,
+Explanation explain_roughly(const Dataset& data, const OdeModel& nominal,
+                            const Assimilation& start, const std::vector<FittedEffect>& effects,
                             const AssimilationOptions& options, const RunContext& context) {
   constexpr int kFew = 3;
-  return JointFit(data, base, options, context).at(base.model, base, effects, kFew);
+  return JointFit(data, nominal, options, context).at(start, effects, kFew);
 }
 
-Explanation explain(const Dataset& data, const Assimilation& base,
+Explanation explain(const Dataset& data, const OdeModel& nominal, const Assimilation& start,
                     const std::vector<FittedEffect>& effects,
                     const AssimilationOptions& options, const RunContext& context) {
-  const JointFit joint(data, base, options, context);
-  return joint.with_shapes(joint.at(base.model, base, effects, options.passes));
+  const JointFit fit(data, nominal, options, context);
+  return fit.with_shapes(fit.at(start, effects, options.passes));
 }
 
 }  // namespace lacuna

@@ -48,8 +48,8 @@ class FreeInput {
     if (!candidate) return std::nullopt;
     const std::optional<Vector> memory = best_memory(*candidate);
     if (!memory) return std::nullopt;
-    RankedEffect input{explain(p_.data, p_.base, {{*candidate, *memory, 1.0, 0.0}},
-                               p_.fit_options, p_.context)};
+    RankedEffect input{explain(p_.data, p_.scope.model, p_.base,
+                               {{*candidate, *memory, 1.0, 0.0}}, p_.fit_options, p_.context)};
     judge(input);
     if (!(input.gain > price() + kVeryStrong) || leaves_structure(input)) return std::nullopt;
     if (depends_on_the_present(input) || follows_the_past(input)) return std::nullopt;
@@ -71,8 +71,9 @@ class FreeInput {
     double least = p_.base.deviance;
     for (const Vector& start : candidate.starts) {
       p_.context.report("fitting a free input", 0.0);
-      const Explanation fit = explain_roughly(p_.data, p_.base, {{candidate, start, 1.0, 0.0}},
-                                              p_.fit_options, p_.context);
+      const Explanation fit =
+          explain_roughly(p_.data, p_.scope.model, p_.base, {{candidate, start, 1.0, 0.0}},
+                          p_.fit_options, p_.context);
       if (!(fit.fit.deviance < least)) continue;
       least = fit.fit.deviance;
       best = start;
@@ -129,8 +130,9 @@ class FreeInput {
     std::erase_if(banks, [](const Bank& bank) { return bank.kind != Bank::Kind::Memory; });
     const auto best = best_bank(std::move(banks), screening);
     if (!best) return false;
-    const Explanation past = explain_roughly(
-        p_.data, p_.base, chosen_members(best->bank, best->score), p_.fit_options, p_.context);
+    const Explanation past =
+        explain_roughly(p_.data, p_.scope.model, p_.base,
+                        chosen_members(best->bank, best->score), p_.fit_options, p_.context);
     return criterion_of(past) < input.criterion;
   }
 
@@ -163,8 +165,8 @@ Unnamed describe_unnamed(const Unexplained& problem, bool fill, Explanation& exp
   if (!present || !(now > 0.0)) return unnamed;
   const auto fit = fill ? explain : explain_roughly;
   Explanation filled =
-      fit(problem.data, problem.base, chosen_members(present->bank, present->score),
-          problem.fit_options, problem.context);
+      fit(problem.data, problem.scope.model, problem.base,
+          chosen_members(present->bank, present->score), problem.fit_options, problem.context);
   const double before = variance_of(problem.base, problem.equation);
   if (!(criterion_of(filled) < problem.base.deviance) || !(before > 0.0)) return unnamed;
   unnamed.explained =

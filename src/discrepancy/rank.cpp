@@ -30,14 +30,6 @@ bool covers(const Candidate& adopted, const Candidate& candidate) {
   return same_form || candidate.shapes.size() < adopted.shapes.size();
 }
 
-/// Whether a candidate takes the place of an effect that is there: a special case of it.
-bool takes_place_of(const Candidate& candidate, const Candidate& adopted) {
-  if (!same_place(adopted, candidate)) return false;
-  return candidate.plainer == adopted.effect ||
-         (candidate.effect == adopted.effect && adopted.shapes.empty() &&
-          !candidate.shapes.empty());
-}
-
 /// Whether a candidate is for the search: not a free input, not covered by what is there.
 bool is_searched(const Candidate& candidate, const Explanation& current) {
   if (candidate.is_driven()) return false;
@@ -110,30 +102,25 @@ double bic_of(const Explanation& explanation) {
 
 class Ranker {
  public:
-  Ranker(const Dataset& data, const Assimilation& base, const Explanation& current,
+  Ranker(const Dataset& data, const OdeModel& nominal, const Explanation& current,
          const AssimilationOptions& options, const RunContext& context)
-      : data_(data), base_(base), current_(current), options_(options), context_(context) {}
+      : data_(data),
+        nominal_(nominal),
+        current_(current),
+        options_(options),
+        context_(context) {}
 
   RankedEffect rough(const ScreenedCandidate& screened, double tried) const {
-    std::vector<FittedEffect> effects;
-    std::vector<std::size_t> replaced;
-    for (std::size_t e = 0; e < current_.effects.size(); ++e)
-      if (takes_place_of(screened.candidate, current_.effects[e].candidate))
-        replaced.push_back(e);
-      else
-        effects.push_back(current_.effects[e]);
+    std::vector<FittedEffect> effects = current_.effects;
     effects.push_back({screened.candidate, screened.shapes, screened.coefficient, 0.0});
-    RankedEffect ranked =
-        judged(explain_roughly(data_, base_, effects, options_, context_), tried);
-    ranked.replaced = std::move(replaced);
-    return ranked;
+    return judged(explain_roughly(data_, nominal_, current_.fit, effects, options_, context_),
+                  tried);
   }
 
   RankedEffect exact(const RankedEffect& ranked, double tried) const {
-    RankedEffect result =
-        judged(explain(data_, base_, ranked.explanation.effects, options_, context_), tried);
-    result.replaced = ranked.replaced;
-    return result;
+    return judged(explain(data_, nominal_, ranked.explanation.fit, ranked.explanation.effects,
+                          options_, context_),
+                  tried);
   }
 
  private:
@@ -148,7 +135,7 @@ class Ranker {
   }
 
   const Dataset& data_;
-  const Assimilation& base_;
+  const OdeModel& nominal_;
   const Explanation& current_;
   const AssimilationOptions& options_;
   const RunContext& context_;
@@ -203,10 +190,6 @@ void set_probabilities(Ranking& ranking, double none_criterion) {
   for (RankedEffect& effect : ranking.effects) effect.probability /= sum;
 }
 
-/// Evidence up to which two explanations are not told apart: 2 log B of Kass and Raftery, JASA
-/// 90 (1995), from where on it is very strong.
-constexpr double kUndecided = 10.0;
-
 /// Shape parameters and memory states: what makes a candidate less plain.
 Index intricacy(const RankedEffect& ranked) {
   const Candidate& candidate = ranked.effect().candidate;
@@ -242,7 +225,7 @@ void put_plainer_first(std::vector<RankedEffect>& effects) {
 
 }  // namespace
 
-Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& current,
+Ranking rank(const Dataset& data, const Explanation& current,
              const std::vector<Stage<Effect>>& effects, const Scope& scope,
              const AssimilationOptions& options, const RankOptions& rank_options,
              const RunContext& context) {
@@ -252,7 +235,7 @@ Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& c
   Ranking ranking;
   for (const ScreenedCandidate& candidate : screened) ranking.tried += candidate.tried;
   const RunContext quiet{context.stop, {}, 1, context.seed};
-  const Ranker ranker(data, base, current, options, quiet);
+  const Ranker ranker(data, scope.model, current, options, quiet);
   const auto tried = static_cast<double>(screened.size());
   const auto is_possible = [&](const RankedEffect& ranked) {
     return std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current) &&

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -75,58 +76,110 @@ class Search {
         result_{{{}, base}, {}, {}, {}} {}
 
   SearchResult run() {
-    // An effect may take the place of another one, so that there may be more rounds than
-    // effects.
-    for (int round = 0; round < 2 * options_.max_effects; ++round) {
-      if (static_cast<int>(result_.named.size()) >= options_.max_effects || !add_one()) break;
-      look_back();
-    }
+    do {
+      result_.left = test_structure(result_.explanation.fit, context_);
+    } while (may_go_on() && add_one());
     update_numbers(result_.explanation, result_.named);
-    result_.left = test_structure(result_.explanation.fit, context_);
     return std::move(result_);
   }
 
  private:
-  bool acceptable(const RankedEffect& ranked) const {
-    return ranked.sigma >= options_.significance && ranked.contribution >= options_.substance;
+  /// Later effects are sought only where something is left; the first one may be of a kind that
+  /// a white disturbance hardly shows (a small constant, a line).
+  bool may_go_on() const {
+    if (static_cast<int>(result_.named.size()) >= options_.max_effects) return false;
+    return result_.named.empty() ||
+           std::any_of(result_.left.begin(), result_.left.end(),
+                       [&](const auto& left) { return is_substantial(left, options_); });
   }
 
+  bool acceptable(const RankedEffect& ranked) const {
+    return ranked.sigma >= options_.significance && ranked.contribution >= options_.substance &&
+           (result_.named.empty() || closes_enough(ranked));
+  }
+
+  /// Whether a later effect takes away a tenth of what is left in its equation. Less is not
+  /// what is missing there, however significant.
+  bool closes_enough(const RankedEffect& ranked) const {
+    constexpr double kTenth = 0.1;
+    const Candidate& candidate = ranked.effect().candidate;
+    if (candidate.place == Place::Channel) return true;
+    const double before = result_.explanation.fit.noise.disturbance[candidate.equation];
+    const double after = ranked.explanation.fit.noise.disturbance[candidate.equation];
+    return after * after <= (1.0 - kTenth) * before * before;
+  }
+
+  /// The best effect that may come in, or take the place of another form of itself.
   bool add_one() {
-    const Ranking ranking = rank(data_, base_, result_.explanation, options_.effects, scope_,
+    const Ranking ranking = rank(data_, result_.explanation, options_.effects, scope_,
                                  fit_options_, options_.rank, context_);
-    const auto best = std::find_if(ranking.effects.begin(), ranking.effects.end(),
-                                   [&](const RankedEffect& r) { return acceptable(r); });
-    Round round{ranking.tried, "", 0.0, best != ranking.effects.end()};
-    if (!ranking.effects.empty()) {
-      const RankedEffect& shown = round.accepted ? *best : ranking.effects.front();
-      round.best = shown.effect().candidate.effect + ": " + term_of(shown.effect());
-      round.sigma = shown.sigma;
+    Round round{ranking.tried, "", 0.0, false};
+    if (!ranking.effects.empty()) show(ranking.effects.front(), round);
+    for (const RankedEffect& ranked : ranking.effects) {
+      if (!acceptable(ranked)) continue;
+      const auto other = other_form_of(ranked.effect().candidate);
+      round.accepted = other ? replace(*other, ranked, ranking) : add(ranked, ranking);
+      if (!round.accepted) continue;
+      show(ranked, round);
+      break;
     }
     result_.rounds.push_back(round);
-    if (!round.accepted) return false;
-    adopt(*best, name_effect(*best, ranking, options_));
+    return round.accepted;
+  }
+
+  static void show(const RankedEffect& ranked, Round& round) {
+    round.best = ranked.effect().candidate.effect + ": " + term_of(ranked.effect());
+    round.sigma = ranked.sigma;
+  }
+
+  bool add(const RankedEffect& ranked, const Ranking& ranking) {
+    result_.named.push_back(name_effect(ranked, ranking, options_));
+    result_.named.back().gap_closed = closed_by(ranked.explanation);
+    result_.explanation = ranked.explanation;
+    look_back();
     return true;
   }
 
-  /// Takes an effect in, and those out whose place it takes.
-  void adopt(const RankedEffect& best, NamedEffect named) {
-    named.gap_closed = closed_by(best.explanation);
-    for (auto place = best.replaced.rbegin(); place != best.replaced.rend(); ++place) {
-      const auto old = result_.named.begin() + static_cast<std::ptrdiff_t>(*place);
-      named.gap_closed = std::min(1.0, named.gap_closed + old->gap_closed);
-      result_.named.erase(old);
+  /// An effect that is there already, of the same name and of the same variable, in another
+  /// form: dry friction as sign(v) when tanh(v/w) comes; or the plainer effect of which the
+  /// candidate is a special case.
+  std::optional<std::size_t> other_form_of(const Candidate& candidate) const {
+    const std::vector<FittedEffect>& effects = result_.explanation.effects;
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+      const Candidate& old = effects[e].candidate;
+      const bool same_kind = old.effect == candidate.effect && old.form != candidate.form;
+      if (old.equation == candidate.equation && old.argument == candidate.argument &&
+          (same_kind || candidate.plainer == old.effect))
+        return e;
     }
-    result_.named.push_back(std::move(named));
-    result_.explanation = best.explanation;
+    return std::nullopt;
+  }
+
+  /// Puts another form of an effect in its place, when that is better.
+  bool replace(std::size_t old, const RankedEffect& ranked, const Ranking& ranking) {
+    std::vector<FittedEffect> effects = result_.explanation.effects;
+    effects[old] = ranked.effect();
+    Explanation next = explain(data_, scope_.model, result_.explanation.fit, std::move(effects),
+                               fit_options_, context_);
+    if (!(criterion_of(next) < criterion_of(result_.explanation) - kUndecided)) return false;
+    const double closed = result_.named[old].gap_closed;
+    result_.named[old] = name_effect(ranked, ranking, options_);
+    const Index k = ranked.effect().candidate.equation;
+    result_.named[old].gap_closed = std::clamp(closed + drop_of(next, k), 0.0, 1.0);
+    result_.explanation = std::move(next);
+    return true;
   }
 
   /// Share of the nominal model's disturbance variance that goes with the newest effect.
   double closed_by(const Explanation& next) const {
-    const Index k = next.effects.back().candidate.equation;
+    return std::clamp(drop_of(next, next.effects.back().candidate.equation), 0.0, 1.0);
+  }
+
+  double drop_of(const Explanation& next, Index k) const {
     const double first = std::pow(base_.noise.disturbance[k], 2);
     const double before = std::pow(result_.explanation.fit.noise.disturbance[k], 2);
     const double after = std::pow(next.fit.noise.disturbance[k], 2);
-    return first > 0.0 ? std::clamp((before - after) / first, 0.0, 1.0) : 0.0;
+    return first > 0.0 ? (before - after) / first : 0.0;
   }
 
   /// Takes out an effect whose coefficient is no longer told from 0.
@@ -136,7 +189,8 @@ class Search {
       if (std::abs(effect.coefficient) >= options_.significance * effect.deviation) continue;
       std::vector<FittedEffect> rest = result_.explanation.effects;
       rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(e));
-      Explanation smaller = explain(data_, base_, rest, fit_options_, context_);
+      Explanation smaller =
+          explain(data_, scope_.model, result_.explanation.fit, rest, fit_options_, context_);
       if (criterion_of(smaller) > criterion_of(result_.explanation)) continue;
       result_.explanation = std::move(smaller);
       result_.named.erase(result_.named.begin() + static_cast<std::ptrdiff_t>(e));

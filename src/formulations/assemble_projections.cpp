@@ -14,7 +14,7 @@ LeastSquaresSystem assemble_projections(const Dataset& data, const TermLibrary& 
   std::vector<std::string> targets;
   for (const Quantity& state : data.states) targets.push_back("d" + state.name + "/dt");
   try {
-    return LeastSquaresSystem(rows, library.names(), targets, context);
+    return LeastSquaresSystem(kept_in_memory(rows), library.names(), targets, context);
   } catch (const DataError&) {
     if (const auto entry = rows->samples().find_non_finite()) throw_non_finite(*entry);
     throw;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/noise.hpp"
@@ -59,6 +60,7 @@ class Turns {
   Assimilation run(bool fresh) {
     double last = std::numeric_limits<double>::infinity();
     relinearise();
+    if (!fresh) update_coefficients();
     for (int pass = 0; pass < options_.passes; ++pass) {
       context_.check_stop();
       // The noise of the measurement is known roughly from the start, the disturbances are not.
@@ -67,9 +69,15 @@ class Turns {
       improve_noise_and_path();
       relinearise();
       update_coefficients();
-      if (!settling && std::abs(last - state_.deviance) < kSettled) break;
-      last = state_.deviance;
+      if (settling) continue;
+      if (state_.deviance < last - kSettled) {
+        last = state_.deviance;
+        best_ = state_;
+        continue;
+      }
+      if (std::abs(state_.deviance - last) <= kSettled || ++rises_ > kRises) break;
     }
+    if (best_ && !(state_.deviance < best_->deviance + kSettled)) state_ = std::move(*best_);
     relinearise();
     return std::move(state_);
   }
@@ -79,6 +87,9 @@ class Turns {
   static constexpr int kSettlingPasses = 2;
   /// A change of the deviance that no test would notice.
   static constexpr double kSettled = 0.1;
+  /// Steps that raise the deviance before the turns are given up; the linearisation need not
+  /// hold for a long first step.
+  static constexpr int kRises = 2;
 
   Vector accuracy() const {
     Vector result = spans(data_) * 1e-4;
@@ -196,6 +207,8 @@ class Turns {
   const RunContext& context_;
   VarianceFit variances_;
   Assimilation state_;
+  std::optional<Assimilation> best_;
+  int rises_ = 0;
 };
 
 /// Variances to begin with: noise as the differences of the record show it, disturbances as if

@@ -127,7 +127,6 @@ class Backward {
     const double length = record_.time[i + 1] - record_.time[i];
     moved_.setZero();
     for (Index k = 0; k < m_; ++k) {
-      if (noise_.disturbance[k] == 0.0) continue;
       constant_response(record_, i, k, moved_.data());
       const double pull = moved_.dot(adjoint_);
       const double density =

@@ -49,4 +49,13 @@ std::shared_ptr<const RowSource> make_row_source(Matrix theta, Matrix targets) {
   return std::make_shared<MatrixRows>(std::move(theta), std::move(targets));
 }
 
+std::shared_ptr<const RowSource> kept_in_memory(std::shared_ptr<const RowSource> source,
+                                                Index most_bytes) {
+  const Index row_bytes = (source->terms() + source->targets()) * Index{sizeof(double)};
+  if (source->rows() * row_bytes > most_bytes) return source;
+  Matrix theta(source->rows(), source->terms()), targets(source->rows(), source->targets());
+  source->open()->read(0, theta, targets);
+  return make_row_source(std::move(theta), std::move(targets));
+}
+
 }  // namespace lacuna

@@ -118,18 +118,23 @@ void write_changes(const Diagnosis& diagnosis, std::ostream& out) {
   }
 }
 
+/// Where the nominal model and the records disagree most, in a state or input.
+std::string main_place(const Diagnosis& diagnosis, Index equation) {
+  for (const Disagreement& entry : diagnosis.disagreement)
+    if (entry.equation == equation)
+      for (const Location& place : entry.where)
+        if (!place.frequency)
+          return ", mostly where " + place.variable + " is in " + format_number(place.low, 3) +
+                 " .. " + format_number(place.high, 3);
+  return "";
+}
+
 void write_unnamed(const Diagnosis& diagnosis, std::ostream& out) {
-  for (const Disagreement& entry : diagnosis.disagreement) {
-    const auto& left = diagnosis.remaining.equations;
-    if (std::find(left.begin(), left.end(), entry.equation) == left.end()) continue;
-    out << "Equation " << state_of(diagnosis, entry.equation).name << ": a rate of "
-        << format_number(entry.rms, 3) << " " << rate_unit(diagnosis, entry.equation)
-        << " rms (" << percent(entry.relative) << " of its rate of change) is unexplained";
-    const auto place = std::find_if(entry.where.begin(), entry.where.end(),
-                                    [](const Location& w) { return !w.frequency; });
-    if (place != entry.where.end())
-      out << ", mostly where " << place->variable << " is in " << format_number(place->low, 3)
-          << " .. " << format_number(place->high, 3);
+  for (const EquationStructure& left : diagnosis.remaining.details) {
+    out << "Equation " << state_of(diagnosis, left.equation).name << ": a rate of "
+        << format_number(left.rms, 3) << " " << rate_unit(diagnosis, left.equation) << " rms ("
+        << percent(left.relative) << " of its rate of change) is unexplained";
+    if (diagnosis.effects.empty()) out << main_place(diagnosis, left.equation);
     out << ".\n";
   }
 }

@@ -152,7 +152,7 @@ std::string heat_map_script(const Summary& summary) {
          "-0.5]\nset cbrange [0:100]\n"
          "set palette defined (0 '#f7f7f7', 50 '#92c5de', 100 '#4393c3')\n"
          "set tics scale 0\nunset key\nset colorbox\n"
-         "plot 'rossler.dat' matrix with image, \\\n"
+         "plot 'rossler.dat' matrix with image pixels, \\\n"
          "  'rossler.dat' matrix using 1:2:(sprintf('%.0f', $3)) with labels font ',11'\n";
 }
 

@@ -77,7 +77,8 @@ struct CoefficientChange {
 struct Remaining {
   bool structure = false;
   double sigma = 0.0;
-  std::vector<Index> equations;  ///< with significant structure
+  std::vector<Index> equations;            ///< with significant structure
+  std::vector<EquationStructure> details;  ///< one for each of them
 };
 
 /// One round of the search: what was tried and what came of it.

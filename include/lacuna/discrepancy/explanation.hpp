@@ -48,15 +48,16 @@ AugmentedProblem augment(const OdeModel& nominal, const Dataset& data,
 
 /// Fits a nominal model and effects to records with the shapes as they are, in few passes: good
 /// enough to tell which explanations are worth a full fit.
-Explanation explain_roughly(const Dataset& data, const Assimilation& base,
-                            const std::vector<FittedEffect>& effects,
+/// @param start the nominal model, perhaps with other effects, brought onto the same records;
+///   where the fit starts.
+Explanation explain_roughly(const Dataset& data, const OdeModel& nominal,
+                            const Assimilation& start, const std::vector<FittedEffect>& effects,
                             const AssimilationOptions& options, const RunContext& context);
 
 /// Fits a nominal model and effects to records, all coefficients and shapes jointly: the shapes
 /// by Gauss-Newton steps in which the rate of change of a form with a shape is one more column,
-/// as long as the likelihood rises.
-/// @param base the nominal model brought onto the same records, where the fit starts.
-Explanation explain(const Dataset& data, const Assimilation& base,
+/// as long as the likelihood rises. Arguments as of explain_roughly().
+Explanation explain(const Dataset& data, const OdeModel& nominal, const Assimilation& start,
                     const std::vector<FittedEffect>& effects,
                     const AssimilationOptions& options, const RunContext& context);
 

@@ -19,9 +19,6 @@ struct RankedEffect {
   double sigma = 0.0;         ///< of the gain, for the number of candidates tried
   double contribution = 0.0;  ///< rms of coefficient x form over that of the state's rate
   double probability = 0.0;   ///< among all ranked and "none of them"
-  /// Effects of the explanation before whose place it takes, rising: dry friction that turns
-  /// out to be larger at low speed is one effect, not two.
-  std::vector<std::size_t> replaced = {};
 
   const FittedEffect& effect() const { return explanation.effects.back(); }
 };
@@ -39,14 +36,18 @@ struct RankOptions {
   Index exact = 4;    ///< of these the best, which are fitted exactly
 };
 
+/// Evidence up to which two explanations are not told apart: 2 log B of Kass and Raftery, JASA
+/// 90 (1995), from where on it is very strong.
+inline constexpr double kUndecided = 10.0;
+
 /// Ranks the candidates that may come next: score tests of all, then the best of each effect
 /// and equation is fitted exactly, with all coefficients, shapes and variances, and compared by
 /// BIC = deviance + parameters x log n. "None of them" is the model with its disturbances as
 /// they are. Where the plainer name of an effect is within the evidence that cannot tell them
-/// apart (a factor of 20 in probability), it leads.
-/// @param current the explanation so far; @param base the nominal model brought onto the
-/// records.
-Ranking rank(const Dataset& data, const Assimilation& base, const Explanation& current,
+/// apart (kUndecided), it leads.
+/// @param current the explanation so far, where all fits start; @param scope of the nominal
+///   model.
+Ranking rank(const Dataset& data, const Explanation& current,
              const std::vector<Stage<Effect>>& effects, const Scope& scope,
              const AssimilationOptions& options, const RankOptions& rank_options,
              const RunContext& context);

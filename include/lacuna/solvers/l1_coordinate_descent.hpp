@@ -13,7 +13,7 @@ struct CoordinateDescentOptions {
                                    "Friedman, Hastie & Tibshirani, J. Stat. Softw. 33 (2010)"};
 
   double tolerance = 1e-12;
-  int max_sweeps = 200000;
+  int max_sweeps = 1000;
 
   void describe(OptionVisitor& v) {
     v.field({"tolerance", "", "Ends when the optimality conditions hold to this.", 1e-15, 1.0},
@@ -24,8 +24,9 @@ struct CoordinateDescentOptions {
 
 /// Cyclic coordinate descent in closed form,
 ///   z_j <- S(z_j G_jj + (R'(c - R z))_j, p_j / 2) / G_jj,  G = R'R, S the soft threshold,
-/// ended by the optimality conditions (see l1_violation). After 1, 2, 4, ... sweeps the optimum
-/// is solved for exactly on the nonzero coefficients and taken if it fulfils them.
+/// ended by the optimality conditions (see l1_violation). A sweep decides which coefficients
+/// come in; after each, those that are in go to their common minimum (see l1_face_minimum), so
+/// that the number of sweeps does not grow with the condition of R.
 class CoordinateDescent final : public Configured<L1Solver, CoordinateDescentOptions> {
  public:
   using Configured::Configured;

@@ -24,8 +24,9 @@ struct NloptL1Options {
 
 /// Splits the coefficients into parts that cannot be negative,
 ///   min_{p,q >= 0} |c - R(p - q)|^2 + sum_j penalty_j (p_j + q_j),  z = p - q,
-/// which is smooth with bounds, and gives it to NLopt (L-BFGS). The last point is made exact on
-/// its nonzero coefficients where the optimality conditions confirm it.
+/// which is smooth with bounds, and gives it to NLopt (L-BFGS) in runs of 10 evaluations for
+/// each coefficient. After each the nonzero coefficients go to their common minimum (see
+/// l1_face_minimum), until the optimality conditions hold.
 class NloptL1 final : public Configured<L1Solver, NloptL1Options> {
  public:
   using Configured::Configured;

@@ -19,6 +19,13 @@ double l1_violation(const L1Problem& problem, const Vector& z);
 /// largest are taken for zero or not, whichever fulfils them.
 std::optional<Vector> l1_polished(const L1Problem& problem, const Vector& guess);
 
+/// Descends from z over the coefficients that are not zero, as long as they keep their signs:
+/// to the stationary point of these, or to where the first of them becomes zero, which then
+/// stays so, and on. Never raises the objective, and ends after at most z.size() zeros; z comes
+/// back where the columns of its nonzero coefficients are dependent. The inner step of the
+/// feature-sign search (Lee, Battle, Raina & Ng, NIPS 19 (2007), Algorithm 1).
+Vector l1_face_minimum(const L1Problem& problem, Vector z);
+
 /// The solution to return from a solver's last point: polished where that succeeds.
 /// @param tolerance the violation up to which an unpolished point counts as converged.
 L1Solution l1_finished(const L1Problem& problem, const Vector& z, int iterations,

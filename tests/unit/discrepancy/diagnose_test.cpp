@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
 
@@ -58,6 +59,42 @@ TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
                options, RunContext{});
   ASSERT_TRUE(diagnosis.gap.has_value());
   EXPECT_EQ(diagnosis.gap->records, std::vector<std::string>{"made, last quarter"});
+}
+
+/// Of no period and of nothing in the record.
+double gusts(double t, double, double) {
+  double sum = 0.0;
+  for (int i = 0; i < 12; ++i) sum += std::sin((0.37 + 0.19 * i) * t + 1.3 * i * i);
+  return 0.3 * sum;
+}
+
+Diagnosis with_free_input(const support::Hidden& hidden, bool fill) {
+  DiagnosisOptions options;
+  options.effects = {FamilyEffect<kUnmeasuredInput>{}};
+  options.fill_gap = fill;
+  return diagnose(support::oscillator(), support::hidden_record(hidden, 0.005, 3),
+                  support::hidden_record(hidden, 0.005, 4, -0.7), options, RunContext{});
+}
+
+TEST(Diagnose, AnInputThatWasNotMeasuredHasAName) {
+  const Diagnosis diagnosis = with_free_input(gusts, false);
+  EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_EQ(diagnosis.effects[0].name, "unmeasured-input");
+  EXPECT_EQ(diagnosis.effects[0].coefficient, 1.0);
+}
+
+TEST(Diagnose, AFunctionOfAStateIsNoInput) {
+  const auto ripple = [](double, double q, double) { return 1.5 * std::sin(6.0 * q); };
+  const Diagnosis diagnosis = with_free_input(ripple, true);
+  EXPECT_EQ(diagnosis.verdict, Verdict::UnnamedStructure);
+  EXPECT_TRUE(diagnosis.effects.empty());
+  ASSERT_TRUE(diagnosis.unnamed.has_value());
+  EXPECT_EQ(diagnosis.unnamed->variables, std::vector<std::string>{"q"});
+  EXPECT_FALSE(diagnosis.unnamed->memory);
+  EXPECT_TRUE(diagnosis.unnamed->filled);
+  EXPECT_GT(diagnosis.unnamed->explained, 0.9);
+  EXPECT_LT(diagnosis.gap->ratio(), 0.3) << "the spline stands in the model";
 }
 
 }  // namespace

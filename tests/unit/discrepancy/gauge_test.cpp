@@ -13,7 +13,7 @@ TEST(Gauge, FallsToTheNoiseWithTheRightEffect) {
   const Dataset other = support::hidden_record(support::dry_friction, 0.01, 4, -0.7);
   const Assimilation base = support::assimilated(data);
   const Explanation found =
-      explain(data, base, {{support::plain_candidate("sign(v)"), Vector(0), -0.2}},
+      explain(data, base.model, base, {{support::plain_candidate("sign(v)"), Vector(0), -0.2}},
               support::oscillator_fit_options(), RunContext{});
   const Gap gap = gauge(support::oscillator(), found, other, RunContext{});
   EXPECT_GT(gap.before, 2.0 * gap.noise_floor);

@@ -13,7 +13,7 @@ Ranking ranking_of(const support::Hidden& hidden) {
   const Dataset data = support::hidden_record(hidden, 0.01);
   const Assimilation base = support::assimilated(data);
   const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
-  return rank(data, base, {{}, base}, support::own_effects(), scope,
+  return rank(data, {{}, base}, support::own_effects(), scope,
               support::oscillator_fit_options(), {}, RunContext{});
 }
 

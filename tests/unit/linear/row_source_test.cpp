@@ -39,5 +39,21 @@ TEST(RowSource, RejectsDifferentNumbersOfRows) {
   EXPECT_THROW(make_row_source(Matrix(3, 1), Matrix(4, 1)), ArgumentError);
 }
 
+TEST(KeptInMemory, HoldsTheSameRows) {
+  const auto source = make_row_source(Matrix::Random(50, 3), Matrix::Random(50, 2));
+  const auto kept = kept_in_memory(source, 50 * 5 * 8);
+  ASSERT_NE(kept, source);
+  Matrix theta(50, 3), targets(50, 2), kept_theta(50, 3), kept_targets(50, 2);
+  source->open()->read(0, theta, targets);
+  kept->open()->read(0, kept_theta, kept_targets);
+  EXPECT_EQ(theta, kept_theta);
+  EXPECT_EQ(targets, kept_targets);
+}
+
+TEST(KeptInMemory, LeavesRowsThatTakeTooMuchToTheirSource) {
+  const auto source = make_row_source(Matrix::Random(50, 3), Matrix::Random(50, 2));
+  EXPECT_EQ(kept_in_memory(source, 50 * 5 * 8 - 1), source);
+}
+
 }  // namespace
 }  // namespace lacuna

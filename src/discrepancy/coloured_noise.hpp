@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The explanation by the measurement: noise that has a memory.
+#pragma once
+
+#include "lacuna/innovation/assimilation.hpp"
+
+namespace lacuna {
+
+/// The noise model with an Ornstein-Uhlenbeck process on each channel: correlation times from
+/// a grid, the same for all channels first, then each by itself; deviations are those of the
+/// largest likelihood on the linearisation as it is.
+NoiseModel with_coloured_noise(const Assimilation& fit, const RunContext& context);
+
+}  // namespace lacuna
