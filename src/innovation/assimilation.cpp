@@ -93,12 +93,14 @@ class Turns {
 
   Vector accuracy() const {
     Vector result = spans(data_) * 1e-4;
-    // A free input has no column; it is as accurate as its path asks for.
-    for (Index k = 0; k < result.size(); ++k)
+    // A free input has no column: it is as accurate as its path asks for, to begin with as 1.
+    for (Index k = 0; k < result.size(); ++k) {
       for (const LinearisedRecord& record : state_.records) {
         const auto& path = record.path.col(k);
         result[k] = std::max(result[k], 1e-4 * (path.maxCoeff() - path.minCoeff()));
       }
+      if (result[k] <= std::numeric_limits<double>::min()) result[k] = 1.0;
+    }
     for (Index k = 0; k < result.size(); ++k)
       if (const auto& sd = state_.noise.measurement[static_cast<std::size_t>(k)])
         result[k] = *sd;
