@@ -61,11 +61,17 @@ TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
   EXPECT_EQ(diagnosis.gap->records, std::vector<std::string>{"made, last quarter"});
 }
 
-/// Of no period and of nothing in the record.
+/// A random function of time: straight lines between values half a second apart.
 double gusts(double t, double, double) {
-  double sum = 0.0;
-  for (int i = 0; i < 12; ++i) sum += std::sin((0.37 + 0.19 * i) * t + 1.3 * i * i);
-  return 0.3 * sum;
+  static const std::vector<double> values = [] {
+    Random random(5);
+    std::vector<double> drawn(70);
+    for (double& value : drawn) value = random.normal();
+    return drawn;
+  }();
+  const auto before = static_cast<std::size_t>(2.0 * t);
+  const double share = 2.0 * t - static_cast<double>(before);
+  return (1.0 - share) * values[before] + share * values[before + 1];
 }
 
 Diagnosis with_free_input(const support::Hidden& hidden, bool fill) {
