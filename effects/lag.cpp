@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/terms.hpp"
 

@@ -125,6 +125,12 @@ std::optional<Index> Dataset::rate_state(Index state) const {
   return index < rate_of.size() ? rate_of[index] : std::nullopt;
 }
 
+const Trajectory& longest_record(const Dataset& data) {
+  return *std::max_element(
+      data.trajectories.begin(), data.trajectories.end(),
+      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
+}
+
 void check_dataset(const Dataset& data) {
   check_names(data);
   check_rates(data);

@@ -76,35 +76,43 @@ class Differences {
   Vector differences_;
 };
 
-/// Noise seen by the differences of order 1, 2, ...
+/// Orders after the one at which the estimates level off that count: what is left of the signal
+/// goes on falling; much later ones only scatter more.
+constexpr std::size_t kSettling = 3;
+
+/// First estimate that the next one does not fall below noticeably; size() when all fall.
+std::size_t first_level(const std::vector<double>& sigmas) {
+  constexpr double kLevel = 0.93;
+  for (std::size_t k = 0; k + 1 < sigmas.size(); ++k)
+    if (sigmas[k + 1] >= kLevel * sigmas[k]) return k;
+  return sigmas.size();
+}
+
+/// Noise seen by the differences of order 1, 2, ..., as far as the level needs them.
 std::vector<double> noise_by_order(const Dataset& data, Index state) {
   std::vector<Differences> records;
   for (const Trajectory& trajectory : data.trajectories)
     records.emplace_back(trajectory, state);
   const auto samples = static_cast<std::size_t>(data.samples());
   const auto stride = static_cast<Index>(1 + samples / kSamplesOfMedian);
-  std::vector<double> sigmas;
+  std::vector<double> sigmas, sizes;
   for (Index order = 1; order <= kHighestOrder; ++order) {
-    std::vector<double> sizes;
+    sizes.clear();
     for (Differences& record : records) record.advance(order, stride, sizes);
     if (sizes.size() < kFewest) break;
     sigmas.push_back(median(sizes) / kNormalMedian);
+    if (first_level(sigmas) + 1 + kSettling < sigmas.size()) break;
   }
   return sigmas;
 }
 
 /// Value at which the estimates level off; nothing when they fall to the end.
 std::optional<double> plateau(const std::vector<double>& sigmas) {
-  constexpr double kLevel = 0.93;
-  constexpr std::size_t kSettling = 3;
-  for (std::size_t k = 0; k + 1 < sigmas.size(); ++k) {
-    if (sigmas[k + 1] < kLevel * sigmas[k]) continue;
-    // What is left of the signal goes on falling; much later orders only scatter more.
-    const std::size_t last = std::min(k + 1 + kSettling, sigmas.size() - 1);
-    return *std::min_element(sigmas.begin() + static_cast<std::ptrdiff_t>(k),
-                             sigmas.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-  }
-  return std::nullopt;
+  const std::size_t first = first_level(sigmas);
+  if (first == sigmas.size()) return std::nullopt;
+  const std::size_t last = std::min(first + 1 + kSettling, sigmas.size() - 1);
+  return *std::min_element(sigmas.begin() + static_cast<std::ptrdiff_t>(first),
+                           sigmas.begin() + static_cast<std::ptrdiff_t>(last) + 1);
 }
 
 double least(const std::vector<double>& values) {

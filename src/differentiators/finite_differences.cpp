@@ -28,29 +28,37 @@ auto inside(const Matrix& values, int highest) {
   return values.middleRows(margin, values.rows() - 2 * margin);
 }
 
-/// First derivatives of one record by every order, and of a unit impulse in its middle, whose
-/// square is that of the weights.
+/// First derivatives of one record by the orders that are asked for, and of a unit impulse in
+/// its middle, whose square is that of the weights.
 class OrderChoice {
  public:
   OrderChoice(const Trajectory& record, Vector noise, int highest)
-      : noise_(std::move(noise)), highest_(highest) {
-    const Index n = record.samples();
-    Matrix signals(n, record.states.cols() + 1);
-    signals << record.states, Vector::Unit(n, n / 2);
-    for (int p = 2; p <= highest; p += 2)
-      rates_.push_back(inside(differences(record.time, signals, p, 1), highest));
+      : time_(record.time),
+        signals_(record.samples(), record.states.cols() + 1),
+        noise_(std::move(noise)),
+        highest_(highest),
+        rates_(static_cast<std::size_t>(highest / 2)) {
+    signals_ << record.states, Vector::Unit(record.samples(), record.samples() / 2);
   }
 
-  /// The order of least error; the last one only tells the error of the one before.
-  int best() const {
-    std::vector<double> errors;
-    for (std::size_t i = 0; i + 1 < rates_.size(); ++i) errors.push_back(squared_error(i));
-    const auto least = std::min_element(errors.begin(), errors.end());
-    return 2 * static_cast<int>(least - errors.begin() + 1);
+  /// The order of least error; the last one only tells the error of the one before. Higher
+  /// orders amplify noise more: once noise alone is above the least error none of them is
+  /// better.
+  int best() {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < rates_.size(); ++i) {
+      if (squared_error(i, false) > least) break;
+      const double error = squared_error(i, true);
+      if (!(error < least)) continue;
+      least = error;
+      best = i;
+    }
+    return 2 * static_cast<int>(best + 1);
   }
 
   /// T_p of every state.
-  Vector truncation(int order) const {
+  Vector truncation(int order) {
     const std::size_t i = static_cast<std::size_t>(order / 2 - 1);
     Vector errors(states());
     for (Index k = 0; k < states(); ++k) errors[k] = truncation(i, k);
@@ -59,28 +67,36 @@ class OrderChoice {
 
  private:
   Index states() const { return noise_.size(); }
-  double rows() const { return static_cast<double>(rates_[0].rows()); }
+  double rows() const { return static_cast<double>(signals_.rows() - highest_ / 2 * 2); }
 
-  double squared_error(std::size_t i) const {
-    const double own_gain = rates_[i].col(states()).squaredNorm();
+  /// By order 2 (i + 1).
+  const Matrix& rates(std::size_t i) {
+    if (rates_[i].size() == 0)
+      rates_[i] =
+          inside(differences(time_, signals_, 2 * static_cast<int>(i + 1), 1), highest_);
+    return rates_[i];
+  }
+
+  double squared_error(std::size_t i, bool with_truncation) {
+    const double own_gain = rates(i).col(states()).squaredNorm();
     double sum = 0.0;
     for (Index k = 0; k < states(); ++k) {
-      const double rate = rates_[i].col(k).squaredNorm() / rows();
+      const double rate = rates(i).col(k).squaredNorm() / rows();
       if (!(rate > 0.0)) continue;
-      const double error = truncation(i, k);
+      const double error = with_truncation ? truncation(i, k) : 0.0;
       sum += (error * error + own_gain * noise_[k] * noise_[k] / rows()) / rate;
     }
     return sum;
   }
 
-  double truncation(std::size_t i, Index k) const {
+  double truncation(std::size_t i, Index k) {
     const double change = difference(i, k);
     if (change == 0.0) return 0.0;
     return change / (1.0 - std::min(ratio(i, change, k), 0.9));
   }
 
   /// Of a difference and the one before it; of the first, that of the one behind it.
-  double ratio(std::size_t i, double change, Index k) const {
+  double ratio(std::size_t i, double change, Index k) {
     if (i == 0) return rates_.size() > 2 ? difference(1, k) / change : 1.0;
     const double before = difference(i - 1, k);
     return before > 0.0 ? change / before : 1.0;
@@ -89,28 +105,24 @@ class OrderChoice {
   /// t_p: the rms of the next order's derivative minus this one's, without noise. The chance
   /// deviation of a mean square is sqrt(2/n) of it, times sqrt(highest) because neighbouring
   /// differences share samples.
-  double difference(std::size_t i, Index k) const {
-    const double square = (rates_[i + 1].col(k) - rates_[i].col(k)).squaredNorm() / rows();
-    const double gain = (rates_[i + 1].col(states()) - rates_[i].col(states())).squaredNorm();
+  double difference(std::size_t i, Index k) {
+    const double square = (rates(i + 1).col(k) - rates(i).col(k)).squaredNorm() / rows();
+    const double gain = (rates(i + 1).col(states()) - rates(i).col(states())).squaredNorm();
     const double noise = gain * noise_[k] * noise_[k];
     const double chance = 1.96 * noise * std::sqrt(2.0 * highest_ / rows());
     return square > noise + chance ? std::sqrt(square - noise) : 0.0;
   }
 
+  const Vector& time_;
+  Matrix signals_;
   Vector noise_;
   int highest_;
-  std::vector<Matrix> rates_;
+  std::vector<Matrix> rates_;  ///< empty where not asked for yet
 };
-
-const Trajectory& longest(const Dataset& data) {
-  return *std::max_element(
-      data.trajectories.begin(), data.trajectories.end(),
-      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
-}
 
 /// The middle of the longest record: so many samples tell mean squares to two per cent.
 Dataset middle_of(const Dataset& data) {
-  const Trajectory& record = longest(data);
+  const Trajectory& record = longest_record(data);
   const Index count = std::min<Index>(record.samples(), 4096);
   const Index first = (record.samples() - count) / 2;
   Dataset part;
@@ -166,11 +178,16 @@ std::shared_ptr<const Differentiator> FiniteDifferences::do_fit(const Dataset& d
   if (options().order) return nullptr;
   const Dataset part = middle_of(data);
   const int highest = highest_order(part, kHighest + 2);
-  const int order = highest < 4 ? 2 : choice_for(part, highest).best();
-  return std::make_shared<const FiniteDifferences>(Options{.order = order});
+  if (highest < 4) return std::make_shared<const FiniteDifferences>(Options{.order = 2});
+  OrderChoice choice = choice_for(part, highest);
+  const int order = choice.best();
+  auto fitted = std::make_shared<FiniteDifferences>(Options{.order = order});
+  if (highest >= std::max(order + 2, 6)) fitted->truncation_ = choice.truncation(order);
+  return fitted;
 }
 
 std::optional<Vector> FiniteDifferences::do_truncation_error(const Dataset& data) const {
+  if (truncation_) return truncation_;
   if (!options().order) return do_fit(data)->truncation_error(data);
   const Dataset part = middle_of(data);
   const int next = std::max(*options().order + 2, 6);

@@ -59,12 +59,6 @@ Index half_memory(const Vector& values) {
   return lag;
 }
 
-const Trajectory& longest_record(const Dataset& data) {
-  return *std::max_element(
-      data.trajectories.begin(), data.trajectories.end(),
-      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
-}
-
 void set_timescales(Scope& scope, const Dataset& data) {
   const Trajectory& record = longest_record(data);
   const Index states = data.state_count();

@@ -12,13 +12,6 @@ namespace {
 constexpr double kShare = 0.25;
 const double kAngle = std::acos(1.0 - kShare);
 
-Index longest(const Dataset& record) {
-  Index samples = 0;
-  for (const Trajectory& trajectory : record.trajectories)
-    samples = std::max(samples, trajectory.samples());
-  return samples;
-}
-
 double variance(const Dataset& record, Index state) {
   double sum = 0.0, squares = 0.0;
   Index count = 0;
@@ -58,7 +51,7 @@ Change change(const Dataset& record, Index state, double state_variance, Index l
 /// by doubling and halving, at a cost of n log n.
 double characteristic_time(const Dataset& record, Index state, double state_variance) {
   const auto at = [&](Index lag) { return change(record, state, state_variance, lag); };
-  const Index last = longest(record) - 1;
+  const Index last = longest_record(record).samples() - 1;
   Index low = 0, high = 1;
   while (high < last && at(high).share < kShare) {
     low = high;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lacuna/formulations/derived_record.hpp"
 #include "lacuna/formulations/library_rows.hpp"
@@ -15,6 +16,13 @@ std::vector<std::string> target_names(const Variables& variables) {
   std::vector<std::string> names;
   for (const std::string& state : variables.states) names.push_back("d" + state + "/dt");
   return names;
+}
+
+/// Whether a record is a piece between gaps from which derivatives cannot be taken; the longest
+/// record is never left out.
+bool too_short(const Trajectory& record, const Dataset& data, const Differentiator& method) {
+  if (data.has_derivatives() || record.samples() >= method.fewest_samples()) return false;
+  return record.samples() < longest_record(data).samples();
 }
 
 /// rms over the record of the derivative of white noise of standard deviation 1: the root of
@@ -41,6 +49,7 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
   records.reserve(data.trajectories.size());
   for (const Trajectory& record : data.trajectories) {
     context.check_stop();
+    if (too_short(record, data, *method)) continue;
     records.push_back(with_derivatives(record, *method, options().smooth_states));
   }
   const Index margin = data.has_derivatives() ? 0 : method->margin();
@@ -60,10 +69,15 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
 
 std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,
                                                   const Vector& state_noise) const {
-  const auto longest = std::max_element(
-      data.trajectories.begin(), data.trajectories.end(),
-      [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
-  return state_noise * noise_gain(*longest, *fitted_to(options().differentiator, data));
+  return state_noise *
+         noise_gain(longest_record(data), *fitted_to(options().differentiator, data));
+}
+
+std::shared_ptr<const Formulation> StrongForm::do_fit(const Dataset& data) const {
+  if (data.has_derivatives()) return nullptr;
+  Options fitted = options();
+  fitted.differentiator = fitted_to(options().differentiator, data);
+  return std::make_shared<const StrongForm>(std::move(fitted));
 }
 
 }  // namespace lacuna

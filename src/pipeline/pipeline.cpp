@@ -167,8 +167,8 @@ EquationOutcome fit_equation(const Run& run, Index state) {
 }
 
 /// Holds the residual against what measurement noise alone makes of the target.
-void compare_with_noise(double noise, EquationFit& fit, std::vector<std::string>& warnings) {
-  fit.noise_floor = noise;
+void compare_with_noise(EquationFit& fit, std::vector<std::string>& warnings) {
+  const double noise = fit.noise_floor.value_or(0.0);
   if (noise <= 0.0) return;
   fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
   if (*fit.fits_to_noise) return;
@@ -178,19 +178,44 @@ void compare_with_noise(double noise, EquationFit& fit, std::vector<std::string>
                      " times what measurement noise explains");
 }
 
-/// Judges every fitted equation, by the noise where it is known.
-void judge_fits(const Run& run, IdentificationResult& result) {
-  constexpr double kPoorFit = 0.1;
+void note_noise_floors(const Run& run, IdentificationResult& result) {
   const std::optional<Vector> floor =
       run.pipeline.formulation->target_noise(run.data, result.noise);
-  for (std::size_t k = 0; k < result.fit.size(); ++k) {
-    EquationFit& fit = result.fit[k];
+  for (std::size_t k = 0; k < result.fit.size() && floor; ++k)
+    if (!result.fit[k].identity) result.fit[k].noise_floor = (*floor)[static_cast<Index>(k)];
+}
+
+/// Judges every fitted equation, by the noise where it is known.
+void judge_fits(IdentificationResult& result) {
+  constexpr double kPoorFit = 0.1;
+  for (EquationFit& fit : result.fit) {
     if (fit.identity) continue;
-    if (floor) compare_with_noise((*floor)[static_cast<Index>(k)], fit, result.warnings);
+    compare_with_noise(fit, result.warnings);
     if (!fit.fits_to_noise && fit.residual_rms > kPoorFit * fit.target_rms)
       result.warnings.push_back("d" + fit.equation + "/dt: the terms leave " +
                                 format_number(100.0 * fit.residual_rms / fit.target_rms, 2) +
                                 " % of the derivative unexplained");
+  }
+}
+
+/// Residuals of the equations as a refiner has left them.
+void measure_residuals(const Run& run, IdentificationResult& result) {
+  const double root_rows = std::sqrt(static_cast<double>(run.system.rows()));
+  for (std::size_t k = 0; k < result.fit.size(); ++k) {
+    if (result.fit[k].identity) continue;
+    TermSet active;
+    std::vector<double> values;
+    for (Index l = 0; l < run.library.size(); ++l) {
+      const std::string& term = run.library.terms[static_cast<std::size_t>(l)].name();
+      const double value = result.model.coefficient(static_cast<Index>(k), term);
+      if (value == 0.0) continue;
+      active.push_back(l);
+      values.push_back(value);
+    }
+    const Subproblem problem = run.system.subproblem(static_cast<Index>(k), active);
+    const auto count = static_cast<Index>(values.size());
+    result.fit[k].residual_rms =
+        problem.residual_norm(Eigen::Map<const Vector>(values.data(), count)) / root_rows;
   }
 }
 
@@ -223,8 +248,11 @@ IdentificationResult run_equations(const Run& run) {
     append(result.trail, std::move(outcome.trail));
     append(result.warnings, std::move(outcome.warnings));
   }
-  if (!apply_refiner(*run.pipeline.refiner, run.data, run.library, result, run.context))
-    judge_fits(run, result);
+  note_noise_floors(run, result);
+  if (apply_refiner(*run.pipeline.refiner, run.data, run.library, result, run.context))
+    measure_residuals(run, result);
+  else
+    judge_fits(result);
   return result;
 }
 
@@ -235,11 +263,13 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   check_dataset(data);
   const TermLibrary library = pipeline.basis->library(variables_of(data));
   context.report("reading rows", 0.0);
-  const LeastSquaresSystem system = pipeline.formulation->assemble(data, library, context);
+  Pipeline fitted = pipeline;
+  fitted.formulation = fitted_to(pipeline.formulation, data);
+  const LeastSquaresSystem system = fitted.formulation->assemble(data, library, context);
   context.report("filtering terms", 0.0);
-  const FilterResult filtered = pipeline.filter->filter(system, context);
+  const FilterResult filtered = fitted.filter->filter(system, context);
   IdentificationResult result =
-      run_equations({data, pipeline, context, library, system, filtered});
+      run_equations({data, fitted, context, library, system, filtered});
   context.report("fitting equations", 1.0);
   return result;
 }

@@ -43,7 +43,8 @@ Pipeline algorithm1(Tolerances tolerances) {
           .filter = Abm{},
           .regressor = Ols{},
           .pruner = MinorTerms{},
-          .refiner = NoRefiner{}};
+          .refiner = TrajectorySelection{
+              {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}}};
 }
 
 Pipeline sindy() {
@@ -67,7 +68,9 @@ Pipeline robust() {
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
       {"algorithm1",
-       "ABM, then minor terms deleted from each equation while the fit stays good.",
+       "ABM, then minor terms deleted from each equation while the fit stays good; refined on "
+       "the "
+       "trajectories where they are noisy.",
        "Karimov et al., Nonlinear Dynamics 111 (2023) 871, Algorithm 1", algorithm1, true},
       {"robust",
        "Terms chosen and coefficients fitted on the trajectories themselves, for noisy "

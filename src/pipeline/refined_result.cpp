@@ -74,11 +74,21 @@ void drop_void_warnings(const OdeModel& model, std::vector<std::string>& warning
   }
 }
 
+/// The largest residual of an equation relative to its target.
+double unexplained(const IdentificationResult& result) {
+  double worst = 0.0;
+  for (const EquationFit& fit : result.fit)
+    if (!fit.identity && fit.target_rms > 0.0)
+      worst = std::max(worst, fit.residual_rms / fit.target_rms);
+  return worst;
+}
+
 }  // namespace
 
 bool apply_refiner(const Refiner& refiner, const Dataset& data, const TermLibrary& library,
                    IdentificationResult& result, const RunContext& context) {
-  RefinedModel refined = refiner.refine({data, library, result.model}, context);
+  RefinedModel refined =
+      refiner.refine({data, library, result.model, unexplained(result)}, context);
   if (!refined.usable) {
     if (!refined.message.empty())
       result.warnings.push_back("not refined on the trajectories: " + refined.message);

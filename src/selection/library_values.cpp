@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "library_values.hpp"
 
+#include <utility>
+
 namespace lacuna {
 
-LibraryValues::LibraryValues(const TermLibrary& library)
-    : terms_(library.size()),
-      dimension_(static_cast<Index>(library.variables.states.size())),
-      program_(compile(library, partials_)) {}
+LibraryValues::LibraryValues(const TermLibrary& library, Choice choice, bool delayed)
+    : choice_(std::move(choice)), program_(compile(library, delayed)) {}
 
-Program LibraryValues::compile(const TermLibrary& library, std::vector<Partial>& partials) {
+/// Delayed variables have their slots in the order in which outputs name them: where there are
+/// any, all terms come first, so that slots are those of the whole library.
+Program LibraryValues::compile(const TermLibrary& library, bool delayed) {
   std::vector<Expression> outputs;
-  for (const Term& term : library.terms) outputs.push_back(term.expression());
-  for (Index l = 0; l < library.size(); ++l) {
+  if (delayed)
+    for (const Term& term : library.terms) outputs.push_back(term.expression());
+  first_ = static_cast<Index>(outputs.size());
+  for (const Index l : choice_.terms)
+    outputs.push_back(library.terms[static_cast<std::size_t>(l)].expression());
+  for (const Index l : choice_.moving) {
     const Expression& term = library.terms[static_cast<std::size_t>(l)].expression();
     for (std::size_t j = 0; j < library.variables.states.size(); ++j) {
       Expression partial = differentiate(term, library.variables.states[j]);
       if (partial.operation() == Operation::Number && partial.value() == 0.0) continue;
-      partials.push_back({l, static_cast<Index>(j), static_cast<Index>(outputs.size())});
+      partials_.push_back({l, static_cast<Index>(j), static_cast<Index>(outputs.size())});
       outputs.push_back(std::move(partial));
     }
   }
@@ -24,16 +30,20 @@ Program LibraryValues::compile(const TermLibrary& library, std::vector<Partial>&
 }
 
 void LibraryValues::evaluate(const Eigen::Ref<const Matrix>& slots) {
-  rows_.resize(slots.rows(), program_.outputs());
-  program_.evaluate(slots, rows_, workspace_);
-  values_ = rows_.transpose();
+  values_.resize(slots.rows(), program_.outputs());
+  program_.evaluate(slots, values_, workspace_);
+  theta_ = values_.middleCols(first_, static_cast<Index>(choice_.terms.size())).transpose();
 }
 
-void LibraryValues::jacobian(Index point, const Matrix& coefficients, Matrix& jacobian) const {
-  jacobian.setZero(dimension_, dimension_);
+void LibraryValues::jacobians(const Matrix& coefficients, Matrix& jacobians) const {
+  const Index m = coefficients.rows();
+  jacobians.setZero(m * m, values_.rows());
   for (const Partial& partial : partials_)
-    jacobian.col(partial.state) +=
-        coefficients.col(partial.term) * values_(partial.output, point);
+    for (Index k = 0; k < m; ++k) {
+      const double share = coefficients(k, partial.term);
+      if (share == 0.0) continue;
+      jacobians.row(k + m * partial.state) += share * values_.col(partial.output).transpose();
+    }
 }
 
 }  // namespace lacuna

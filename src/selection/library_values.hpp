@@ -7,35 +7,44 @@
 
 namespace lacuna {
 
-/// Candidate terms and their derivatives with respect to the states, for blocks of points.
+/// Values of some terms of a library, and derivatives of some with respect to the states, for
+/// blocks of points.
 class LibraryValues {
  public:
-  explicit LibraryValues(const TermLibrary& library);
+  /// Which terms are wanted; both lists in increasing order.
+  struct Choice {
+    std::vector<Index> terms;   ///< by value
+    std::vector<Index> moving;  ///< by derivative
+    bool operator==(const Choice&) const = default;
+  };
 
-  Index terms() const noexcept { return terms_; }
-  Index dimension() const noexcept { return dimension_; }
-  const Program& program() const noexcept { return program_; }
+  /// @param delayed whether the library has delayed variables.
+  LibraryValues(const TermLibrary& library, Choice choice, bool delayed);
 
-  /// Evaluates at each row of slots.
+  const Choice& choice() const noexcept { return choice_; }
+
+  /// Evaluates at each row of slots, which are those of TermLibrary::compile().
   void evaluate(const Eigen::Ref<const Matrix>& slots);
 
-  /// Column i: all terms at point i of the last evaluation.
-  auto theta(Index point) const { return values_.col(point).head(terms_); }
+  /// Terms x points of the last evaluation.
+  const Matrix& theta() const noexcept { return theta_; }
 
-  /// J(k, j) = sum_l coefficients(k, l) d theta_l / dx_j at a point.
-  void jacobian(Index point, const Matrix& coefficients, Matrix& jacobian) const;
+  /// J(k, j) = sum_l coefficients(k, l) d theta_l / dx_j over the moving terms, in row k + m j
+  /// of column i for point i.
+  void jacobians(const Matrix& coefficients, Matrix& jacobians) const;
 
  private:
   struct Partial {
     Index term, state, output;
   };
-  static Program compile(const TermLibrary& library, std::vector<Partial>& partials);
+  Program compile(const TermLibrary& library, bool delayed);
 
-  Index terms_, dimension_;
+  Choice choice_;
+  Index first_ = 0;                // output of the first term
   std::vector<Partial> partials_;  // those that are not always zero
   Program program_;
   Program::Workspace workspace_;
-  Matrix rows_, values_;  // points x outputs, and transposed
+  Matrix values_, theta_;  // points x outputs, terms x points
 };
 
 }  // namespace lacuna

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "lacuna/core/run_context.hpp"
-#include "lacuna/linear/row_pass.hpp"
 #include "library_values.hpp"
+#include "linear_steps.hpp"
 #include "reference_path.hpp"
+#include "row_fold.hpp"
 
 namespace lacuna {
 
@@ -16,23 +17,6 @@ struct Coefficient {
   Index equation = 0;
   Index term = 0;
   auto operator<=>(const Coefficient&) const = default;
-};
-
-/// Folds rows into a triangle.
-class RowFold {
- public:
-  explicit RowFold(Index columns);
-  void add(const Eigen::Ref<const Matrix>& rows);
-
-  /// R of all rows so far. @return columns x columns.
-  const Matrix& triangle();
-
- private:
-  void fold();
-  Index capacity_;
-  Scratch scratch_;
-  Index rows_ = 0;
-  Matrix triangle_;
 };
 
 /// The trajectory fit as a linear problem: equations are linearised about a path in phase space
@@ -48,12 +32,8 @@ class RowFold {
 /// next path, h0 = h, the iteration is Newton's for the nonlinear problem; as it begins with
 /// the smoothed samples, it needs no model that can be simulated: h0 = 0 will do.
 ///
-/// S, G, c are integrated by the Runge-Kutta method of order 4, whose maps over a step,
-///   Lambda_4 = h/6, Lambda_3 = h/3 + h Lambda_4 J_1, Lambda_2 = h/3 + h/2 Lambda_3 J_m,
-///   Lambda_1 = h/6 + h/2 Lambda_2 J_m,
-///   x_1 = (1 + Lambda_1 J_0 + (Lambda_2 + Lambda_3) J_m + Lambda_4 J_1) x_0
-///         + Lambda_1 b_0 + (Lambda_2 + Lambda_3) b_m + Lambda_4 b_1   (b = Theta h - J path),
-/// are the same for all columns.
+/// S, G, c are integrated by the Runge-Kutta method of order 4, whose maps over a step are the
+/// same for all columns (LinearStep, b = Theta h - J path).
 class LinearWindows {
  public:
   /// @param exact the state that is the rate of each state, where that is known.
@@ -95,30 +75,50 @@ class LinearWindows {
     Matrix head;  ///< m x (m + q + 1): what determines s
   };
 
+  /// Columns of one equation.
+  struct Block {
+    Index equation = 0, first = 0;
+    std::vector<Index> terms;  ///< rows of theta
+    bool contiguous = false;
+  };
+
   /// Weighted deviation of a sample from the path.
   double deviation(const PathRecord& record, Index sample, Index state) const;
-  Index dimension() const noexcept { return values_.dimension(); }
-  void load(const Window& window, const Matrix& coefficients);
-  void step(const PathRecord& record, Index node, Index local, Matrix& columns);
-  void add_block(Index local, const Matrix& map, Matrix& columns) const;
-  Matrix window_rows(const Window& window);
-  void eliminate(Window& window, Matrix rows, RowFold& fold);
+  Index dimension() const noexcept { return static_cast<Index>(exact_.size()); }
+  void choose_values(const std::vector<Index>& terms);
+  void make_blocks();
+  void load(const Window& window);
+  void take_step(Index local, double length);
+  void add_forcing(const Block& block, Index local);
+  std::optional<Matrix> fold_windows(Folding folding);
+  void window_rows(const Window& window);
+  void add_rows(const PathRecord& record, Index sample);
+  void eliminate(Window& window, RowFold& fold);
   Vector start_of(const Window& window, const Vector& values) const;
   std::optional<double> move_window(const Window& window, const Vector& values,
                                     const Matrix& coefficients);
-  Matrix solve_window(const Window& window, Vector state, const Matrix& coefficients) const;
-  Vector rate(Index local, const Vector& state, const Matrix& coefficients) const;
+  Matrix solve_window(const Window& window, const Vector& start, const Matrix& forcing);
 
-  LibraryValues values_;
+  TermLibrary library_;
+  Program program_;  // of the whole library
   std::vector<std::optional<Index>> exact_;
   std::vector<PathRecord> records_;
   std::vector<Window> windows_;
   std::vector<Coefficient> columns_;
-  Matrix linearised_at_;           // h0
-  std::vector<Matrix> jacobians_;  // at the nodes of the loaded window
-  Matrix path_;                    // m x nodes of the loaded window
-  Matrix offsets_;                 // -J path, 0 for exact equations
+  std::vector<Block> blocks_;
+  Matrix linearised_at_;          // h0
+  bool resolved_by_gram_ = true;  // as long as no Gram has failed
   Index rows_ = 0;
+
+  // Of the loaded window.
+  std::optional<LibraryValues> values_;
+  Matrix jacobians_;  // m m x nodes
+  Matrix path_;       // m x nodes
+  Matrix offsets_;    // m x nodes: -J path, 0 for exact equations
+  LinearStep step_;
+  Matrix columns_now_, columns_next_;  // (m + q + 1) x m: [S G c]'
+  Matrix window_rows_;                 // (m + q + 1) x rows
+  Index used_ = 0;                     // rows of the window
 };
 
 }  // namespace lacuna

@@ -17,10 +17,6 @@ std::vector<Index> sorted(std::vector<Index> columns) {
   return columns;
 }
 
-Index position_of(const std::vector<Index>& columns, Index column) {
-  return std::find(columns.begin(), columns.end(), column) - columns.begin();
-}
-
 }  // namespace
 
 /// Least squares in a subset.
@@ -116,58 +112,129 @@ Vector SubsetSearch::variances(const std::vector<Index>& subset) const {
   return variances;
 }
 
-Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
-  // Each round lowers the score; the bound is for rounding.
-  for (Index round = 0; round < 4 * columns(); ++round) {
-    while (!subset.empty()) {
-      Index worst = 0;
-      if (!(losses(subset).minCoeff(&worst) < price_)) break;
-      subset.erase(subset.begin() + worst);
-    }
-    Deflated deflated = deflate(subset);
-    const std::size_t before = subset.size();
-    Index best = 0;
-    for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > price_ * (1.0 + 1e-9);
-         gain = deflated.gains()) {
-      subset.push_back(best);
-      deflated.take(best);
-    }
-    if (subset.size() == before) break;
+/// Takes members away while the worst is worth less than the price.
+void SubsetSearch::shrink(std::vector<Index>& subset) const {
+  while (!subset.empty()) {
+    Index worst = 0;
+    if (!(losses(subset).minCoeff(&worst) < price_)) return;
+    subset.erase(subset.begin() + worst);
   }
-  subset = sorted(std::move(subset));
-  return {subset, residual(subset) + price_ * static_cast<double>(subset.size())};
 }
 
-/// Whether taking `out` away and the best other column in makes it better.
-bool SubsetSearch::try_exchange(Subset& subset, const std::vector<Index>& out) const {
-  std::vector<Index> rest;
-  for (const Index column : subset.columns)
-    if (position_of(out, column) == static_cast<Index>(out.size())) rest.push_back(column);
-  const Deflated deflated = deflate(rest);
-  Vector gain = deflated.gains();
-  for (const Index column : out) gain[column] = 0.0;
+/// Takes columns in while the best is worth more than the price.
+void SubsetSearch::extend(std::vector<Index>& subset) const {
+  Deflated deflated = deflate(subset);
   Index best = 0;
-  const double score = deflated.residual() - gain.maxCoeff(&best) +
-                       price_ * static_cast<double>(rest.size() + 1);
-  const double least = 1e-9 * std::abs(subset.score) + 1e-6;
-  if (!(score < subset.score - least)) return false;
-  rest.push_back(best);
-  Subset next = stepwise(std::move(rest));
-  if (!(next.score < subset.score - least)) return false;
-  subset = std::move(next);
-  return true;
+  for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > price_ * (1.0 + 1e-9);
+       gain = deflated.gains()) {
+    if (std::find(subset.begin(), subset.end(), best) != subset.end()) return;
+    subset.push_back(best);
+    deflated.take(best);
+  }
 }
 
-bool SubsetSearch::exchange(Subset& subset, Index together) const {
-  const std::vector<Index> members = subset.columns;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (together == 1) {
-      if (try_exchange(subset, {members[i]})) return true;
-      continue;
-    }
-    for (std::size_t j = 0; j < i; ++j)
-      if (try_exchange(subset, {members[i], members[j]})) return true;
+/// Scores that differ by less are equal: a thousandth of a term, or rounding.
+double SubsetSearch::equality(double score) const {
+  return 1e-9 * std::abs(score) + 1e-3 * price_;
+}
+
+double SubsetSearch::score(const std::vector<Index>& subset) const {
+  return residual(subset) + price_ * static_cast<double>(subset.size());
+}
+
+Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
+  shrink(subset);
+  Subset best{sorted(subset), score(subset)};
+  // A round that does not lower the score has met rounding: columns that nearly depend on each
+  // other would go and come for ever.
+  for (;;) {
+    const std::size_t before = subset.size();
+    extend(subset);
+    if (subset.size() == before) return best;
+    shrink(subset);
+    const double now = score(subset);
+    if (!(now < best.score - equality(best.score))) return best;
+    best = {sorted(subset), now};
   }
+}
+
+/// What taking members out of a subset gives back to all other columns: directions d_i in the
+/// span of the subset that are orthogonal to all its other members.
+struct SubsetSearch::Exchanges {
+  Deflated deflated;
+  Matrix shares;      ///< k x (q + 1): of each direction in every column; the target last
+  Matrix directions;  ///< (q + 1) x k, unit
+  Vector products;    ///< q: of the deflated columns with the deflated target
+  double residual = 0.0;
+
+  /// Shares of an orthonormal basis of what members i and (when it is another one) j release.
+  Matrix released(Index i, Index j) const {
+    Matrix result(i == j ? 1 : 2, shares.cols());
+    result.row(0) = shares.row(i);
+    if (i == j) return result;
+    const double common = directions.col(i).dot(directions.col(j));
+    const double rest = std::sqrt(std::max(kNew * kNew, 1.0 - common * common));
+    result.row(1) = (shares.row(j) - common * shares.row(i)) / rest;
+    return result;
+  }
+};
+
+SubsetSearch::Exchanges SubsetSearch::exchanges(const std::vector<Index>& subset) const {
+  const Index q = columns();
+  const Fit found = fit(subset);
+  Exchanges result{deflate(subset), {}, {}, {}, 0.0};
+  result.directions = scaled_(Eigen::all, subset) * (found.inverse * found.inverse.transpose());
+  result.directions.colwise().normalize();
+  result.shares = result.directions.transpose() * scaled_;
+  const auto target = result.deflated.columns.col(q);
+  result.products = result.deflated.columns.leftCols(q).transpose() * target;
+  result.residual = target.squaredNorm();
+  return result;
+}
+
+/// The best column to take in when members i and j (the same one: only that) leave, if that
+/// lowers the sum of squares below a limit.
+std::optional<Index> SubsetSearch::replacement(const Exchanges& all, Index i, Index j,
+                                               double limit) const {
+  const Index q = columns();
+  const Matrix released = all.released(i, j);
+  double least = all.residual + released.col(q).squaredNorm();
+  const double before = least;
+  std::optional<Index> best;
+  for (Index c = 0; c < q; ++c) {
+    if (!(all.deflated.sizes[c] > kNew * kNew)) continue;
+    const double size = all.deflated.sizes[c] + released.col(c).squaredNorm();
+    const double product = all.products[c] + released.col(c).dot(released.col(q));
+    const double left = before - product * product / size;
+    if (!(left < std::min(least, limit))) continue;
+    least = left;
+    best = c;
+  }
+  return best;
+}
+
+/// Exchanges one member, or two of them, for the best other column. @return whether it helped.
+bool SubsetSearch::exchange(Subset& subset, Index together) const {
+  const double least = equality(subset.score);
+  const auto k = static_cast<Index>(subset.columns.size());
+  if (k < together) return false;
+  const Exchanges all = exchanges(subset.columns);
+  const double limit = subset.score - least - price_ * static_cast<double>(k - together + 1);
+  for (Index i = 0; i < k; ++i)
+    for (Index j = together == 1 ? i : 0; j < (together == 1 ? i + 1 : i); ++j) {
+      const std::optional<Index> in = replacement(all, i, j, limit);
+      if (!in) continue;
+      std::vector<Index> changed = subset.columns;
+      changed.erase(changed.begin() + i);
+      if (j != i) changed.erase(changed.begin() + j);
+      changed.push_back(*in);
+      // Among columns that nearly depend on each other the gain may be rounding.
+      if (!(score(changed) < subset.score - least)) continue;
+      Subset next = stepwise(std::move(changed));
+      if (!(next.score < subset.score - least)) continue;
+      subset = std::move(next);
+      return true;
+    }
   return false;
 }
 
@@ -176,23 +243,27 @@ bool SubsetSearch::exchange(Subset& subset, Index together) const {
 std::vector<Index> SubsetSearch::eliminated() const {
   std::vector<Index> left(static_cast<std::size_t>(columns()));
   std::iota(left.begin(), left.end(), Index{0});
-  const Fit all = fit(left);
-  Matrix inverse = all.inverse * all.inverse.transpose();
-  Vector h = all.solution;
+  const Index q = columns();
+  const Matrix root =
+      scaled_.topLeftCorner(q, q).triangularView<Eigen::Upper>().solve(Matrix::Identity(q, q));
+  Matrix inverse = root * root.transpose();
+  Vector h = root * scaled_.col(q).head(q);
   if (!inverse.allFinite() || inverse.diagonal().maxCoeff() > 1e12) return {};
-  while (!left.empty()) {
-    Index worst = -1;
-    double least = price_;
-    for (const Index j : left)
-      if (h[j] * h[j] < least * inverse(j, j)) {
-        least = h[j] * h[j] / inverse(j, j);
-        worst = j;
-      }
-    if (worst < 0) break;
-    const Vector column = inverse.col(worst);
-    h -= column * (h[worst] / column[worst]);
-    inverse -= column * column.transpose() / column[worst];
-    left.erase(left.begin() + position_of(left, worst));
+  for (Index size = q; size > 0; --size) {
+    Index worst = 0;
+    const double least = (h.head(size).array().square() / inverse.diagonal().head(size).array())
+                             .minCoeff(&worst);
+    if (!(least < price_)) break;
+    const Vector column = inverse.col(worst).head(size);
+    h.head(size) -= column * (h[worst] / column[worst]);
+    inverse.topLeftCorner(size, size) -= column * (column / column[worst]).transpose();
+    // The last one takes the place of the one that leaves.
+    const Index last = size - 1;
+    h[worst] = h[last];
+    inverse.row(worst).head(size) = inverse.row(last).head(size).eval();
+    inverse.col(worst).head(size) = inverse.col(last).head(size).eval();
+    left[static_cast<std::size_t>(worst)] = left.back();
+    left.pop_back();
   }
   return left;
 }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "lacuna/core/text.hpp"
+#include "refitted.hpp"
 #include "window_search.hpp"
 
 namespace lacuna {
@@ -37,7 +39,12 @@ class Outcome {
   RefinedModel make() const {
     RefinedModel result{.model = model()};
     result.noise = fit_.rms;
-    for (Index k = 0; k < fit_.rms.size(); ++k) judge(k, result);
+    for (Index k = 0; k < fit_.rms.size(); ++k) {
+      judge(k, result);
+      // What a wrong model leaves is no noise.
+      if (!result.fits_to_noise.back().value_or(true))
+        result.noise[k] = noise_[static_cast<std::size_t>(k)].sigma;
+    }
     result.path = path();
     return result;
   }
@@ -150,28 +157,90 @@ void note_disputes(const RefinerTask& task, const WindowFit& first, const Window
   }
 }
 
-RefinedModel untouched(const RefinerTask& task, const std::string& why) {
-  return {.model = task.start, .usable = false, .message = why};
+/// Why a record cannot be fitted, or, when a model is already there, why that needs no fit.
+std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNoise>& noise,
+                            bool from_model) {
+  if (task.data.has_derivatives() && task.data.rate_of.empty())
+    return "the record brings derivatives of its own";
+  if (!from_model) return "";
+  // What differences of a clean record leave; more is for the trajectories to explain.
+  constexpr double kTruncation = 1e-3;
+  if (task.unexplained <= kTruncation &&
+      std::all_of(noise.begin(), noise.end(),
+                  [](const StateNoise& state) { return state.kind == NoiseKind::None; }))
+    return "the record has no noise that could be told from the signal";
+  return "";
 }
+
+/// Searches from the start and, when asked to, beside it from nothing, until the two agree.
+class Searches {
+ public:
+  Searches(const WindowSearch& prepared, const Matrix& start, bool second_opinion)
+      : first_(prepared) {
+    usable_ = first_.begin(start);
+    if (!usable_ || !second_opinion) return;
+    second_.emplace(prepared);
+    second_->begin(Matrix::Zero(start.rows(), start.cols()));
+  }
+
+  /// What the search from the start found; nullptr when nothing could be fitted.
+  const WindowFit* run() {
+    drop_when_agreed();
+    while (usable_) {
+      const bool first = first_.grow(), second = second_ && second_->grow();
+      drop_when_agreed();
+      if (!first && !second) break;
+    }
+    if (usable_) first_.finish();
+    const WindowFit& fit = first_.fit();
+    usable_ = usable_ && !fit.subset.empty() && fit.coefficients.allFinite();
+    return usable_ ? &fit : nullptr;
+  }
+
+  /// What the search from nothing found where it is not the same.
+  const WindowFit* other() const { return second_ ? &second_->fit() : nullptr; }
+
+ private:
+  /// Searches of the same structure in the same windows will not part any more.
+  void drop_when_agreed() {
+    if (second_ && second_->fit().subset == first_.fit().subset) second_.reset();
+  }
+
+  WindowSearch first_;
+  std::optional<WindowSearch> second_;
+  bool usable_ = false;
+};
 
 }  // namespace
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
                                             const RunContext& context) const {
-  if (task.data.has_derivatives() && task.data.rate_of.empty())
-    return untouched(task, "the record brings derivatives of its own");
-  Matrix start = coefficients_of(task.start, task.library);
-  const Matrix nothing = Matrix::Zero(start.rows(), start.cols());
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
-  WindowSearch search({task.data, task.library, from_model ? start : nothing, options().price},
-                      context);
-  const std::optional<WindowFit> fit = search.run();
-  if (!fit || fit->subset.empty() || !fit->coefficients.allFinite())
-    return untouched(task, "no windows of the record could be fitted");
-  RefinedModel result = Outcome(task, *fit, search.noise()).make();
-  if (!options().second_opinion) return result;
-  WindowSearch other({task.data, task.library, nothing, options().price}, context);
-  if (const auto second = other.run()) note_disputes(task, *fit, *second, result.notes);
+  Dataset data = joined_across_gaps(task.data);
+  const std::vector<StateNoise> noise = analyse_noise(data);
+  RefinedModel same{.model = task.start, .usable = false};
+  same.message = reason_to_leave(task, noise, from_model);
+  if (!same.message.empty()) {
+    if (from_model) same.message.clear();  // the model stands as it is: nothing to warn of
+    return same;
+  }
+  Matrix start = coefficients_of(task.start, task.library);
+  if (!from_model) start.setZero();
+  const WindowSearch prepared({std::move(data), task.library, noise, options().price}, context);
+  Searches searches(prepared, start, options().second_opinion);
+  const WindowFit* fit = searches.run();
+  same.message = "no windows of the record could be fitted";
+  if (!fit) return same;
+  RefinedModel result = Outcome(task, *fit, noise).make();
+  if (from_model && start.isZero())
+    result.notes.push_back("the stages before found no term; the search began from nothing");
+  const bool is_noise =
+      std::all_of(result.fits_to_noise.begin(), result.fits_to_noise.end(),
+                  [](const std::optional<bool>& fits) { return fits.value_or(true); });
+  if (!is_noise)
+    if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
+      result.model = std::move(*model);
+  if (searches.other()) note_disputes(task, *fit, *searches.other(), result.notes);
   return result;
 }
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lacuna/formulations/weak_form.hpp"
+#include "refitted.hpp"
 
 namespace lacuna {
 namespace {
@@ -36,61 +38,41 @@ Vector spread_of(const Dataset& data) {
   return spread;
 }
 
+Vector rounding_floor(const Dataset& data) { return kRounding * spread_of(data); }
+
+Vector noise_or_floor(const SearchTask& task) {
+  Vector sigma = rounding_floor(task.data);
+  for (Index k = 0; k < sigma.size(); ++k)
+    sigma[k] = std::max(sigma[k], task.noise[static_cast<std::size_t>(k)].sigma);
+  return sigma;
+}
+
 std::vector<std::optional<Index>> exact_rates(const Dataset& data) {
   std::vector<std::optional<Index>> exact;
   for (Index k = 0; k < data.state_count(); ++k) exact.push_back(data.rate_state(k));
   return exact;
 }
 
-/// The dataset without states that were computed from others.
-Dataset measured_part(const Dataset& data) {
-  std::vector<Index> measured;
-  for (Index k = 0; k < data.state_count(); ++k)
-    if (!is_derived(data, k)) measured.push_back(k);
-  Dataset result;
-  for (const Index k : measured)
-    result.states.push_back(data.states[static_cast<std::size_t>(k)]);
-  for (const Trajectory& record : data.trajectories) {
-    Trajectory part;
-    part.time = record.time;
-    part.states = record.states(Eigen::all, measured);
-    result.trajectories.push_back(std::move(part));
-  }
-  return result;
-}
-
-Index longest_record(const Dataset& data) {
-  Index longest = 0;
-  for (const Trajectory& record : data.trajectories)
-    longest = std::max(longest, record.samples());
-  return longest;
-}
-
 }  // namespace
 
-WindowSearch::WindowSearch(const SearchTask& task, const RunContext& context)
-    : task_(task),
+WindowSearch::WindowSearch(SearchTask task, const RunContext& context)
+    : task_(std::move(task)),
       context_(context),
-      data_(joined_across_gaps(task.data)),
-      noise_(analyse_noise(data_)) {
-  floor_ = kRounding * spread_of(data_);
-  sigma_ = floor_;
-  for (Index k = 0; k < sigma_.size(); ++k)
-    sigma_[k] = std::max(floor_[k], noise_[static_cast<std::size_t>(k)].sigma);
-  for (Index k = 0; k < data_.state_count(); ++k)
-    for (Index l = 0; l < task.library.size() && !data_.rate_state(k); ++l)
+      sigma_(noise_or_floor(task_)),
+      floor_(rounding_floor(task_.data)),
+      windows_(task_.library, exact_rates(task_.data),
+               make_paths(task_.data, sigma_, task_.library.compile())) {
+  for (Index k = 0; k < task_.data.state_count(); ++k)
+    for (Index l = 0; l < task_.library.size() && !task_.data.rate_state(k); ++l)
       candidates_.push_back({k, l});
-  const LibraryValues values(task.library);
-  windows_ = std::make_unique<LinearWindows>(task.library, exact_rates(data_),
-                                             make_paths(data_, sigma_, values.program()));
 }
 
 /// Samples of the first windows: half the support of a test function, which is the time in
 /// which a signal does what can be told from its noise; at least so many that initial states
 /// leave half of the samples.
 Index WindowSearch::first_window() const {
-  const TestFunction function = choose_test_function(measured_part(data_));
-  const Trajectory& record = data_.trajectories.front();
+  const TestFunction function = choose_test_function(measured_part(task_.data));
+  const Trajectory& record = task_.data.trajectories.front();
   const double step = (record.time[record.samples() - 1] - record.time[0]) /
                       static_cast<double>(record.samples() - 1);
   constexpr Index kFewest = 8;
@@ -107,8 +89,9 @@ std::vector<Index> WindowSearch::present(const Matrix& coefficients) const {
 
 /// Linearises in all candidates, chooses, moves the path. @return whether nothing changed.
 bool WindowSearch::round(WindowFit& fit) {
-  fit.triangle = windows_->linearise(fit.coefficients, candidates_);
-  fit.rows = windows_->rows();
+  fit.triangle = windows_.linearise(fit.coefficients, candidates_);
+  fit.rows = windows_.rows();
+  if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
   const auto q = static_cast<double>(candidates_.size());
   const auto n = static_cast<double>(fit.rows);
   const double all =
@@ -128,7 +111,7 @@ bool WindowSearch::round(WindowFit& fit) {
     fit.coefficients(candidates_[column].equation, candidates_[column].term) =
         h[static_cast<Index>(i)];
   }
-  const std::optional<double> moved = windows_->move(values);
+  const std::optional<double> moved = windows_.move(values);
   return moved && *moved < kSmallMove && fit.subset == before;
 }
 
@@ -139,14 +122,14 @@ double WindowSearch::settle(WindowFit& fit, double tolerance, int iterations) {
   double last = 0.0;
   for (int i = 0; i < iterations && !active.empty(); ++i) {
     context_.check_stop();
-    const Matrix triangle = windows_->linearise(fit.coefficients, active);
+    const Matrix triangle = windows_.linearise(fit.coefficients, active);
     std::vector<Index> all(active.size());
     for (std::size_t c = 0; c < all.size(); ++c) all[c] = static_cast<Index>(c);
     const Vector h = SubsetSearch(triangle, 0.0).solve(all);
     if (!h.allFinite()) break;
     for (std::size_t c = 0; c < active.size(); ++c)
       fit.coefficients(active[c].equation, active[c].term) = h[static_cast<Index>(c)];
-    const std::optional<double> moved = windows_->move(h);
+    const std::optional<double> moved = windows_.move(h);
     if (!moved) break;
     last = *moved;
     if (last < tolerance) break;
@@ -167,8 +150,8 @@ void WindowSearch::converge(WindowFit& fit) {
 }
 
 void WindowSearch::summarise(WindowFit& fit) const {
-  const Vector misfits = windows_->misfits();
-  fit.counts = windows_->counts();
+  const Vector misfits = windows_.misfits();
+  fit.counts = windows_.counts();
   const double freedom =
       std::max(1.0, static_cast<double>(fit.rows) - static_cast<double>(fit.subset.size()));
   fit.misfit = misfits.sum() / freedom;
@@ -185,11 +168,11 @@ void WindowSearch::summarise(WindowFit& fit) const {
 bool WindowSearch::learn_noise(WindowFit& fit) {
   Vector factors = Vector::Ones(sigma_.size());
   for (Index k = 0; k < sigma_.size(); ++k) {
-    if (noise_[static_cast<std::size_t>(k)].kind != NoiseKind::None) continue;
+    if (task_.noise[static_cast<std::size_t>(k)].kind != NoiseKind::None) continue;
     const double next = std::clamp(fit.rms[k], floor_[k], sigma_[k]);
     factors[k] = next / sigma_[k];
   }
-  windows_->rescale(factors);
+  windows_.rescale(factors);
   sigma_ = sigma_.cwiseProduct(factors);
   return factors.minCoeff() < 0.5;
 }
@@ -200,21 +183,40 @@ bool WindowSearch::learn_noise(WindowFit& fit) {
 bool WindowSearch::refine_steps(WindowFit& fit) {
   constexpr Index kMostSubsteps = 8;
   constexpr double kTruncation = 0.1;
-  const Index before = windows_->substeps();
-  while (windows_->substeps() < kMostSubsteps) {
-    const Index coarse = windows_->substeps();
-    windows_->set_substeps(2 * coarse);
-    if (settle(fit, 0.0, 1) > kTruncation) continue;
-    windows_->set_substeps(coarse);
+  constexpr double kGain = 0.25;  // fourth order gives 1/16; where terms jump nothing is gained
+  const Index before = windows_.substeps();
+  double last = std::numeric_limits<double>::infinity();
+  while (windows_.substeps() < kMostSubsteps) {
+    const Index coarse = windows_.substeps();
+    windows_.set_substeps(2 * coarse);
+    const double moved = settle(fit, 0.0, 1);
+    const bool gains = moved < kGain * last;
+    last = moved;
+    if (moved > kTruncation && gains) continue;
+    windows_.set_substeps(gains ? coarse : before);
     settle(fit, kSmallMove, 1);
     break;
   }
-  return windows_->substeps() > before;
+  // The finest steps leave a fifteenth of what the last halving moved.
+  if (windows_.substeps() == kMostSubsteps && before < kMostSubsteps)
+    raise_floor(last / 15.0 / kTruncation);
+  return windows_.substeps() > before;
+}
+
+/// Noise that is not known is taken to be no less than what the integration resolves.
+void WindowSearch::raise_floor(double factor) {
+  if (!(factor > 1.0)) return;
+  Vector factors = Vector::Ones(sigma_.size());
+  for (Index k = 0; k < sigma_.size(); ++k)
+    if (task_.noise[static_cast<std::size_t>(k)].kind == NoiseKind::None) factors[k] = factor;
+  windows_.rescale(factors);
+  sigma_ = sigma_.cwiseProduct(factors);
+  floor_ = floor_.cwiseMax(sigma_);
 }
 
 WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
   constexpr int kPasses = 5;
-  windows_->set_windows(samples);
+  windows_.set_windows(samples);
   WindowFit fit;
   fit.columns = candidates_;
   fit.coefficients = coefficients;
@@ -225,13 +227,14 @@ WindowFit WindowSearch::stage(const Matrix& coefficients, Index samples) {
     const bool quieter = learn_noise(fit), finer = refine_steps(fit);
     if (!quieter && !finer) break;
   }
-  windows_->mask_beyond(kOutlier * std::sqrt(std::max(1.0, fit.misfit)));
+  windows_.mask_beyond(kOutlier * std::sqrt(std::max(1.0, fit.misfit)));
   return fit;
 }
 
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
 /// so short that terms do not show yet a straight line fits; what they leave is no measure.
 bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) const {
+  if (after.rows == 0) return false;
   if (after.settled && after.subset.size() > before.subset.size() && after.scale > before.scale)
     return true;
   if (!after.settled && before.settled) return false;
@@ -240,35 +243,34 @@ bool WindowSearch::acceptable(const WindowFit& before, const WindowFit& after) c
   return after.misfit <= before.misfit * (1.0 + scatter) + scatter;
 }
 
-std::optional<WindowFit> WindowSearch::run() {
-  constexpr int kDoublings = 4;
-  Index samples = first_window();
-  const Index longest = longest_record(data_);
-  if (longest < 4) return std::nullopt;
-  WindowFit best = stage(task_.coefficients, std::min(samples, longest));
-  if (best.rows == 0) return std::nullopt;
-  for (int i = 0; i < kDoublings && 2 * samples <= longest; ++i) {
-    samples *= 2;
-    const LinearWindows windows = *windows_;
-    const Vector sigma = sigma_;
-    WindowFit longer = stage(best.coefficients, samples);
-    if (!acceptable(best, longer)) {
-      *windows_ = windows;
-      sigma_ = sigma;
-      break;
-    }
-    best = std::move(longer);
-  }
-  polish(best);
-  return best;
+bool WindowSearch::begin(const Matrix& coefficients) {
+  const Index longest = longest_record(task_.data).samples();
+  if (longest < 4) return false;
+  fit_ = stage(coefficients, std::min(first_window(), longest));
+  return fit_.rows > 0;
 }
 
-/// The last iterations: a path that moves by a thousandth of sigma leaves the coefficients
-/// where they are.
-void WindowSearch::polish(WindowFit& fit) {
-  windows_->set_windows(fit.samples);
-  settle(fit, 1e-3, 2 * kIterations);
-  summarise(fit);
+bool WindowSearch::grow() {
+  const Index samples = 2 * fit_.samples;
+  if (longest_ || samples > longest_record(task_.data).samples()) return false;
+  const LinearWindows windows = windows_;
+  const Vector sigma = sigma_;
+  WindowFit longer = stage(fit_.coefficients, samples);
+  if (acceptable(fit_, longer)) {
+    fit_ = std::move(longer);
+    return true;
+  }
+  windows_ = windows;
+  sigma_ = sigma;
+  longest_ = true;
+  return false;
+}
+
+/// A path that moves by a thousandth of sigma leaves the coefficients where they are.
+void WindowSearch::finish() {
+  windows_.set_windows(fit_.samples);
+  settle(fit_, 1e-3, 2 * kIterations);
+  summarise(fit_);
 }
 
 }  // namespace lacuna

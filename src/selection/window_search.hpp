@@ -11,12 +11,12 @@
 
 namespace lacuna {
 
-/// What a search starts from.
+/// What is searched in.
 struct SearchTask {
-  const Dataset& data;
+  Dataset data;  ///< as joined_across_gaps() has it
   const TermLibrary& library;
-  Matrix coefficients;          ///< m x L to begin with
-  std::optional<double> price;  ///< of a term
+  std::vector<StateNoise> noise;  ///< of each state, as estimated from the record
+  std::optional<double> price;    ///< of a term
 };
 
 /// A structure with its coefficients at one length of windows.
@@ -36,25 +36,33 @@ struct WindowFit {
   Index samples = 0;     ///< of a window
 };
 
-/// The search for structure and coefficients in windows of growing length.
+/// The search for structure and coefficients in windows of growing length. A value: copies
+/// search on their own.
 class WindowSearch {
  public:
-  WindowSearch(const SearchTask& task, const RunContext& context);
+  WindowSearch(SearchTask task, const RunContext& context);
 
-  /// Nothing when the records are too short for windows.
-  std::optional<WindowFit> run();
+  /// Finds a model in the shortest windows. @param coefficients m x L to begin with.
+  /// @return false when the records are too short for windows.
+  bool begin(const Matrix& coefficients);
 
-  /// The noise of the record, as estimated before any fit.
-  const std::vector<StateNoise>& noise() const noexcept { return noise_; }
+  /// Tries windows of twice the length. @return false when they are too long, or fit worse:
+  /// the fit is then as it was.
+  bool grow();
+
+  /// The last iterations, after which coefficients no longer change.
+  void finish();
+
+  const WindowFit& fit() const noexcept { return fit_; }
 
  private:
   bool round(WindowFit& fit);
   double settle(WindowFit& fit, double tolerance, int iterations);
   void converge(WindowFit& fit);
   void summarise(WindowFit& fit) const;
-  void polish(WindowFit& fit);
   bool learn_noise(WindowFit& fit);
   bool refine_steps(WindowFit& fit);
+  void raise_floor(double factor);
   WindowFit stage(const Matrix& coefficients, Index samples);
   bool acceptable(const WindowFit& before, const WindowFit& after) const;
   Index first_window() const;
@@ -62,11 +70,11 @@ class WindowSearch {
 
   SearchTask task_;
   const RunContext& context_;
-  Dataset data_;
-  std::vector<StateNoise> noise_;
   Vector sigma_, floor_;
   std::vector<Coefficient> candidates_;
-  std::unique_ptr<LinearWindows> windows_;
+  LinearWindows windows_;
+  WindowFit fit_;
+  bool longest_ = false;  ///< longer windows were tried and do not fit
 };
 
 }  // namespace lacuna

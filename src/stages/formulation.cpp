@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "lacuna/core/text.hpp"
 
@@ -100,6 +101,11 @@ std::optional<Vector> Formulation::target_noise(const Dataset& data,
                                  [](const Trajectory& t) { return t.has_derivatives(); });
   if (given) return std::nullopt;
   return do_target_noise(data, state_noise);
+}
+
+Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data) {
+  auto fitted = form->do_fit(data);
+  return fitted ? Stage<Formulation>(std::move(fitted)) : form;
 }
 
 }  // namespace lacuna

@@ -28,7 +28,7 @@ Allowed allowed_includes() {
   for (const std::string& folder : kConcrete)
     allowed[folder] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["selection"] = allowed["formulations"];
-  allowed["selection"].insert("formulations");
+  allowed["selection"].insert({"formulations", "refine"});
   allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
   allowed["pipeline"].insert("selection");

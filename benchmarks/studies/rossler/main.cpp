@@ -2,12 +2,9 @@
 // Every filter x regressor x pruner x derivative on Rossler data: how often the structure is
 // exact, how far coefficients and synchronisation are off, how long it takes. Usage:
 // study_rossler [OUTPUT_FOLDER]      (default build/studies/rossler)
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <thread>
 
 #include "cases.hpp"
 #include "lacuna/core/atomic_file.hpp"
@@ -17,6 +14,7 @@
 #include "lacuna/systems/test_systems.hpp"
 #include "report.hpp"
 #include "support/accuracy.hpp"
+#include "support/parallel.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -68,18 +66,11 @@ std::vector<Cell> run_all(const std::vector<Composition>& compositions) {
   for (const Condition& condition : conditions) records.push_back(make_records(condition));
 
   std::vector<Cell> cells(compositions.size() * conditions.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < cells.size(); i = next++) {
-      const std::size_t condition = i % conditions.size();
-      cells[i] = run_cell(compositions[i / conditions.size()], conditions[condition],
-                          records[condition]);
-    }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-    threads.emplace_back(work);
-  threads.clear();  // joins
+  for_all(cells.size(), [&](std::size_t i) {
+    const std::size_t condition = i % conditions.size();
+    cells[i] = run_cell(compositions[i / conditions.size()], conditions[condition],
+                        records[condition]);
+  });
   return cells;
 }
 

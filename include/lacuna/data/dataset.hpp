@@ -54,6 +54,9 @@ struct Dataset {
   std::optional<Index> rate_state(Index state) const;
 };
 
+/// The trajectory with the most samples, the first of several; there must be one.
+const Trajectory& longest_record(const Dataset& data);
+
 /// Checks that a dataset can be worked with: at least one trajectory, at least two samples each,
 /// shapes that fit the names, names that are distinct, finite values, increasing time.
 /// @throws DataError naming trajectory, column, row and remedy.

@@ -35,6 +35,7 @@ class SavitzkyGolay final : public Configured<Differentiator, SavitzkyGolayOptio
  private:
   Matrix do_differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                           int order) const override;
+  Index do_fewest_samples() const override { return options().window; }
   Index do_margin() const override { return options().window / 2; }
 };
 

@@ -33,7 +33,8 @@ Pipeline preset(const std::string& name, Tolerances tolerances = Tolerances::Rep
 
 /// Algorithm 1 of Karimov et al. 2023: monomials of degree 0..3, strong form with finite
 /// differences, ABM, then per equation delMinorTerms; refits by least squares. Repaired: order
-/// by the record and tolerances relative to the residual; paper: order 4 and raw tolerances.
+/// by the record and tolerances relative to the residual, and, on noisy records, refinement on
+/// the trajectories (TrajectorySelection); paper: order 4 and raw tolerances, no refinement.
 Pipeline algorithm1(Tolerances tolerances = Tolerances::Repaired);
 
 /// SINDy: monomials of degree 0..3, strong form with finite differences, sequentially

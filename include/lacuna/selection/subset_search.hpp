@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lacuna/core/types.hpp"
@@ -49,9 +50,15 @@ class SubsetSearch {
   struct Deflated;
   Fit fit(const std::vector<Index>& subset) const;
   Deflated deflate(const std::vector<Index>& subset) const;
+  void shrink(std::vector<Index>& subset) const;
+  void extend(std::vector<Index>& subset) const;
+  double score(const std::vector<Index>& subset) const;
+  double equality(double score) const;
   Subset stepwise(std::vector<Index> start) const;
+  struct Exchanges;
+  Exchanges exchanges(const std::vector<Index>& subset) const;
+  std::optional<Index> replacement(const Exchanges& all, Index i, Index j, double limit) const;
   bool exchange(Subset& subset, Index together) const;
-  bool try_exchange(Subset& subset, const std::vector<Index>& out) const;
   std::vector<Index> eliminated() const;
 
   Matrix scaled_;  // unit columns

@@ -28,6 +28,9 @@ class Differentiator : public StageInterface {
   /// times the noise and the truncation error of the others there.
   Index margin() const { return do_margin(); }
 
+  /// Samples that a record must have for first derivatives.
+  Index fewest_samples() const { return do_fewest_samples(); }
+
   /// rms of what first derivatives of these records have of systematic error, one per state in
   /// state units per time unit; nothing when the method cannot tell.
   std::optional<Vector> truncation_error(const Dataset& data) const {
@@ -42,6 +45,8 @@ class Differentiator : public StageInterface {
                                   int order) const = 0;
 
   virtual Index do_margin() const { return 0; }
+
+  virtual Index do_fewest_samples() const { return 2; }
 
   virtual std::optional<Vector> do_truncation_error(const Dataset&) const {
     return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "lacuna/core/run_context.hpp"
@@ -39,12 +40,21 @@ class Formulation : public StageInterface {
   std::optional<Vector> target_noise(const Dataset& data, const Vector& state_noise) const;
 
  private:
+  friend Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data);
+
   virtual LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,
                                          const RunContext& context) const = 0;
 
   /// Called with a checked dataset of which no record brings derivatives.
   virtual std::optional<Vector> do_target_noise(const Dataset& data,
                                                 const Vector& state_noise) const = 0;
+
+  /// The form with what it leaves open chosen for these records; null when nothing is open.
+  virtual std::shared_ptr<const Formulation> do_fit(const Dataset&) const { return nullptr; }
 };
+
+/// The form with those of its parameters that were left open chosen for these records, so that
+/// they are chosen once; the form itself when none is. @param data checked (check_dataset).
+Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data);
 
 }  // namespace lacuna

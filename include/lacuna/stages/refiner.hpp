@@ -28,6 +28,8 @@ struct RefinerTask {
   const Dataset& data;
   const TermLibrary& library;  ///< candidate terms of every equation
   const OdeModel& start;       ///< the model that the stages before found
+  /// Share of its derivatives that `start` leaves unexplained, rms, in the worst equation.
+  double unexplained = 1.0;
 };
 
 /// What a refiner makes of a model.

@@ -109,5 +109,15 @@ TEST(CheckDataset, RefusesRatesOfStatesThatDoNotExist) {
   expect_refused(data, "dataset", "1 entries for 2 states", "each state");
 }
 
+TEST(LongestRecord, IsTheFirstOfThoseWithMostSamples) {
+  Dataset data;
+  for (const Index samples : {3, 5, 5, 2}) {
+    Trajectory record;
+    record.time = Vector::LinSpaced(samples, 0.0, 1.0);
+    data.trajectories.push_back(record);
+  }
+  EXPECT_EQ(&longest_record(data), &data.trajectories[1]);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -115,6 +115,24 @@ TEST(StrongForm, NoiseOfGivenDerivativesIsNotKnown) {
   EXPECT_FALSE(with_differences().target_noise(data, Eigen::Vector2d(1.0, 1.0)));
 }
 
+TEST(StrongForm, FittedToRecordsItGivesTheSameSystem) {
+  const Dataset data = oscillation_data();
+  const TermLibrary library = library_of({"x", "v"});
+  const Stage<Formulation> form = StrongForm{{.differentiator = FiniteDifferences{}}};
+  const Stage<Formulation> fitted = fitted_to(form, data);
+  EXPECT_EQ(fitted->assemble(data, library).subproblem(1, {0, 1}).solve(),
+            form->assemble(data, library).subproblem(1, {0, 1}).solve());
+  EXPECT_EQ(*fitted->target_noise(data, Vector::Ones(2)),
+            *form->target_noise(data, Vector::Ones(2)));
+}
+
+TEST(StrongForm, PiecesTooShortForDifferencesAreLeftOut) {
+  Dataset data = oscillation_data();
+  data.trajectories.push_back(oscillation(8, 10.0));
+  const auto system = with_differences(8).assemble(data, library_of({"x", "v"}));
+  EXPECT_EQ(system.rows(), 400 - 2 * 4);
+}
+
 TEST(StrongForm, RecordTooShortForTheDifferentiatorIsNamed) {
   const std::string problem = problem_with(oscillation_data(7), library_of({"x"}));
   EXPECT_NE(problem.find("run.csv"), std::string::npos) << problem;

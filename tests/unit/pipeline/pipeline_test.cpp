@@ -22,6 +22,7 @@ namespace {
 using testing::expect_same_model;
 using testing::random_points;
 using testing::rossler_record;
+using testing::without_derivatives;
 
 /// Plain least squares over linear terms.
 Pipeline linear_fit() {
@@ -156,6 +157,21 @@ TEST(Identify, HoldsResidualsAgainstTheMeasurementNoise) {
   EXPECT_TRUE(*good.fit[2].fits_to_noise);
   ASSERT_TRUE(bad.fit[2].noise_floor.has_value());
   EXPECT_GT(bad.fit[2].residual_rms, good.fit[2].residual_rms);
+}
+
+TEST(Identify, ResidualsAreThoseOfTheRefinedModel) {
+  const Dataset noisy = without_derivatives(add_relative_noise(rossler_record(4000), 0.01, 5));
+  Pipeline pipeline = algorithm1();
+  const IdentificationResult refined = identify(noisy, pipeline);
+  ASSERT_TRUE(refined.fit[0].misfit.has_value());
+  expect_same_model(refined.model, test_system("rossler").model, 0.02);
+  pipeline.refiner = NoRefiner{};
+  const IdentificationResult plain = identify(noisy, pipeline);
+  EXPECT_FALSE(plain.fit[0].misfit.has_value());
+  EXPECT_NEAR(refined.fit[0].residual_rms, plain.fit[0].residual_rms,
+              0.1 * plain.fit[0].residual_rms);
+  EXPECT_NE(refined.fit[0].residual_rms, plain.fit[0].residual_rms);
+  EXPECT_EQ(*refined.fit[0].noise_floor, *plain.fit[0].noise_floor);
 }
 
 TEST(Identify, WarnsOfAPoorFitWhereTheNoiseIsNotKnown) {

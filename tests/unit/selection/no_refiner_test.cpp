@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "noisy_records.hpp"
+#include "support/noisy_records.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <algorithm>
 
 #include "lacuna/core/random.hpp"
 
@@ -74,6 +75,43 @@ TEST(SubsetSearch, DependentAndEmptyColumnsAreNotAdded) {
   EXPECT_LE(found.columns.size(), 3U);
   EXPECT_TRUE(search.solve(found.columns).allFinite());
   EXPECT_EQ(search.gains({1, 4})[3], 0.0);
+}
+
+/// Score of the best of all subsets of so few columns.
+double best_of_all(const SubsetSearch& search, double price) {
+  double best = search.residual({});
+  for (unsigned mask = 1; mask < (1U << search.columns()); ++mask) {
+    std::vector<Index> subset;
+    for (Index j = 0; j < search.columns(); ++j)
+      if (mask >> j & 1U) subset.push_back(j);
+    best = std::min(best, search.residual(subset) + price * static_cast<double>(subset.size()));
+  }
+  return best;
+}
+
+TEST(SubsetSearch, IsTheBestOfAllSubsets) {
+  Random random(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    Matrix rows(60, 9);
+    for (double& entry : rows.reshaped()) entry = random.normal();
+    rows.col(1) += 3.0 * rows.col(0);
+    rows.col(2) += 3.0 * rows.col(1);
+    rows.col(8) += rows.col(2) + 0.7 * rows.col(3) - 0.4 * rows.col(5);
+    const SubsetSearch search(triangle_of(rows), 6.0);
+    EXPECT_NEAR(search.best({}, true).score, best_of_all(search, 6.0), 1e-6) << trial;
+  }
+}
+
+TEST(SubsetSearch, ColumnsOnTheVergeOfDependenceComeToAnEnd) {
+  Matrix rows = problem(1.0);
+  Random random(4);
+  for (Index j = 0; j < 6; ++j)
+    for (Index i = 0; i < rows.rows(); ++i)
+      rows(i, 2 * j + 1) = rows(i, 2 * j) + 1e-8 * random.normal();
+  rows.col(12) *= 1e6;
+  const SubsetSearch search(triangle_of(rows), 12.0);
+  const Subset found = search.best({{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}}, true);
+  EXPECT_LE(found.score, search.residual({}));
 }
 
 TEST(SubsetSearch, NothingIsChosenWhereNothingPays) {

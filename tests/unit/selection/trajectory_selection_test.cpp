@@ -4,23 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
-#include <utility>
 
-#include "noisy_records.hpp"
+#include "lacuna/data/noise.hpp"
+#include "support/noisy_records.hpp"
 
 namespace lacuna {
 namespace {
-
-using Structure = std::set<std::pair<std::size_t, std::string>>;
-
-Structure structure_of(const OdeModel& model) {
-  Structure structure;
-  for (std::size_t k = 0; k < model.equations().size(); ++k)
-    for (const WeightedTerm& summand : model.equations()[k])
-      structure.insert({k, summand.term.name()});
-  return structure;
-}
 
 OdeModel empty_model(const Dataset& data) {
   return OdeModel(data.states, data.inputs, std::vector<Equation>(data.states.size()));
@@ -107,25 +96,6 @@ TEST(TrajectorySelection, OutliersAreLeftOut) {
   expect_structure("lorenz", data);
 }
 
-/// The record without the samples for which `leave_out` says so, cut at gaps as readers do.
-Dataset cut_at_gaps(const Dataset& data, const std::vector<bool>& leave_out) {
-  Dataset result = data;
-  result.trajectories.clear();
-  const Trajectory& record = data.trajectories[0];
-  for (Index i = 0; i < record.samples();) {
-    Index end = i;
-    while (end < record.samples() && !leave_out[static_cast<std::size_t>(end)]) ++end;
-    if (end - i >= 2)
-      result.trajectories.push_back({record.source + ", record " + std::to_string(end),
-                                     record.time.segment(i, end - i),
-                                     record.states.middleRows(i, end - i),
-                                     Matrix(end - i, 0),
-                                     {}});
-    i = end + 1;
-  }
-  return result;
-}
-
 TEST(TrajectorySelection, MissingSamplesAreBridged) {
   const Dataset data = noisy_record("lorenz", 2500, 0.01, 10);
   Random random(6);
@@ -140,14 +110,44 @@ TEST(TrajectorySelection, RecordsWithMeasuredDerivativesAreLeftAlone) {
   EXPECT_FALSE(search(data, test_system("lorenz").model).usable);
 }
 
-TEST(TrajectorySelection, StartsFromAModelAndNamesDisputes) {
+TrajectorySelection from_model() {
+  return TrajectorySelection{
+      {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}};
+}
+
+TEST(TrajectorySelection, StartsFromAModel) {
   const Dataset data = noisy_record("lorenz", 2000, 0.01, 12);
   const OdeModel& truth = test_system("lorenz").model;
-  const TrajectorySelection from_model{
-      {.start = TrajectorySelectionOptions::Start::Model, .second_opinion = true}};
-  const RefinedModel found = from_model.refine({data, quadratic_library(truth), truth});
+  const RefinedModel found = from_model().refine({data, quadratic_library(truth), truth});
   EXPECT_EQ(structure_of(found.model), structure_of(truth));
   EXPECT_TRUE(found.notes.empty());
+}
+
+TEST(TrajectorySelection, BeginsFromNothingWhereThereIsNoModel) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.01, 13);
+  const OdeModel& truth = test_system("lorenz").model;
+  const RefinedModel found =
+      from_model().refine({data, quadratic_library(truth), empty_model(data)});
+  EXPECT_EQ(structure_of(found.model), structure_of(truth));
+  ASSERT_EQ(found.notes.size(), 1U);
+  EXPECT_NE(found.notes[0].find("from nothing"), std::string::npos);
+}
+
+TEST(TrajectorySelection, ModelsOfRecordsWithoutNoiseStand) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.0, 12);
+  const OdeModel& truth = test_system("lorenz").model;
+  const RefinedModel found = from_model().refine({data, quadratic_library(truth), truth, 1e-6});
+  EXPECT_FALSE(found.usable);
+  EXPECT_TRUE(found.message.empty());
+}
+
+TEST(TrajectorySelection, NoiseIsThatOfTheRecordWhereTheModelIsWrong) {
+  const Dataset data = noisy_record("lorenz", 2000, 0.01, 5);
+  const TermLibrary linear =
+      Monomials{{.max_degree = 1}}.library(test_system("lorenz").model.variables());
+  const RefinedModel found = TrajectorySelection{}.refine({data, linear, empty_model(data)});
+  const Vector expected = estimate_noise(data);
+  EXPECT_NEAR(found.noise[1], expected[1], 1e-12);
 }
 
 }  // namespace

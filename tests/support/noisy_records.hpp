@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/random.hpp"
@@ -44,6 +47,36 @@ inline Dataset noisy_record(const std::string& name, Index samples, double share
 
 inline TermLibrary quadratic_library(const OdeModel& model) {
   return Monomials{{.max_degree = 2}}.library(model.variables());
+}
+
+/// The record without the samples for which `leave_out` says so, cut at gaps as readers do.
+inline Dataset cut_at_gaps(const Dataset& data, const std::vector<bool>& leave_out) {
+  Dataset result = data;
+  result.trajectories.clear();
+  const Trajectory& record = data.trajectories[0];
+  for (Index i = 0; i < record.samples();) {
+    Index end = i;
+    while (end < record.samples() && !leave_out[static_cast<std::size_t>(end)]) ++end;
+    if (end - i >= 2)
+      result.trajectories.push_back({record.source + ", record " + std::to_string(end),
+                                     record.time.segment(i, end - i),
+                                     record.states.middleRows(i, end - i),
+                                     Matrix(end - i, 0),
+                                     {}});
+    i = end + 1;
+  }
+  return result;
+}
+
+using Structure = std::set<std::pair<std::size_t, std::string>>;
+
+/// The terms of every equation.
+inline Structure structure_of(const OdeModel& model) {
+  Structure structure;
+  for (std::size_t k = 0; k < model.equations().size(); ++k)
+    for (const WeightedTerm& summand : model.equations()[k])
+      structure.insert({k, summand.term.name()});
+  return structure;
 }
 
 }  // namespace lacuna
