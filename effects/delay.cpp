@@ -26,11 +26,14 @@ Candidate delayed(const Scope& scope, const std::string& form, const std::string
                           starts_at(starts));
 }
 
-// A short delay of a state acts like its rate of change, which could make up for the whole of
-// the equation: what acts on a state is no faster than the state itself.
-void bound_to_own_rate(const Scope& scope, Index equation, Candidate& candidate) {
-  const VariableRange& x = scope.state(equation);
-  candidate.most = 2.0 * (std::abs(slope(scope.model, equation, x.name)) + 1.0 / x.timescale);
+// A short delay acts like a rate of change, which could make up for the whole of the equation:
+// what comes late is no more than twice what the nominal model has of it, and what a state does
+// to itself no faster than the state is.
+void bound_to_its_term(const Scope& scope, Index equation, const VariableRange& x,
+                       Candidate& candidate) {
+  const bool own = x.name == scope.state(equation).name;
+  const double rate = own ? 1.0 / x.timescale : 0.0;
+  candidate.most = 2.0 * (std::abs(slope(scope.model, equation, x.name)) + rate);
   candidate.least = -candidate.most;
 }
 
@@ -49,7 +52,8 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
     const bool present = has_term(scope, equation, x.name);
     const std::string late = "delay(" + x.name + ",$T)";
     result.push_back(delayed(scope, present ? late + "-" + x.name : late, x.name, x.timescale));
-    if (x.name == scope.state(equation).name) bound_to_own_rate(scope, equation, result.back());
+    if (present || x.name == scope.state(equation).name)
+      bound_to_its_term(scope, equation, x, result.back());
   }
   for (const std::string& term : nonlinear_terms(scope, equation))
     result.push_back(delayed(scope, "delay(" + term + ",$T)-(" + term + ")", term,
