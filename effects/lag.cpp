@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/terms.hpp"
 
@@ -27,7 +29,8 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 // No more than the whole of a term can lag.
 bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
   const double whole = fitted.nominal.coefficient(candidate.equation, candidate.argument);
-  return whole * fitted.coefficient > 0.0;
+  return whole * fitted.coefficient > 0.0 &&
+         std::abs(fitted.coefficient) <= std::abs(whole) + 3.0 * fitted.deviation;
 }
 
 }  // namespace

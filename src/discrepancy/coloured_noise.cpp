@@ -50,10 +50,16 @@ class ColouredFit {
     return std::max(4.0, static_cast<double>(fit_.records.front().samples()) / 3.0);
   }
 
+  /// Noise in the place of the disturbances: as large as what these do to a state in the
+  /// correlation time. They start small, so that it is they who have to prove themselves.
   NoiseModel common(double time) const {
     NoiseModel noise = fit_.noise;
-    for (std::size_t k = 0; k < noise.coloured.size(); ++k)
-      if (noise.measurement[k]) noise.coloured[k] = ColouredNoise{*noise.measurement[k], time};
+    for (std::size_t k = 0; k < noise.coloured.size(); ++k) {
+      if (!noise.measurement[k]) continue;
+      const double moved = noise.disturbance[static_cast<Index>(k)] * std::sqrt(time);
+      noise.coloured[k] = ColouredNoise{std::hypot(*noise.measurement[k], moved), time};
+    }
+    noise.disturbance *= 0.1;
     return noise;
   }
 

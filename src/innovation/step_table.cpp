@@ -56,15 +56,34 @@ class StepBlock {
     state_ += (length_ / (6.0 * parts)).asDiagonal() * sum;
   }
 
-  /// Inputs, t and delayed variables at the share `s` of the steps.
+  /// Inputs, t and delayed variables at the share `s` of the steps: the parabola through begin,
+  /// middle and end, and what makes it the cubic through the nearest samples.
   void set_driven(double s) {
     const std::array<double, 3> weight = parabolas(s);
+    const double cubic = s * (s - 0.5) * (s - 1.0);
     for (Index column = states_; column < slots_.cols(); ++column)
       for (Index row = 0; row < point_.rows(); ++row) {
         const double* value = slots_.col(column).data() + 2 * step_at(row);
         point_(row, column) =
             weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
+        if (cubic != 0.0) point_(row, column) += cubic * third_difference(column, row);
       }
+  }
+
+  /// Third divided difference of the four samples nearest to a step, times its length cubed.
+  double third_difference(Index column, Index row) const {
+    const Index samples = (slots_.rows() + 1) / 2;
+    const Index first = std::clamp<Index>(step_at(row) - 1, 0, samples - 4);
+    const double* value = slots_.col(column).data() + 2 * first;
+    const double* time = slots_.col(time_column()).data() + 2 * first;
+    double sum = 0.0;
+    for (int i = 0; i < 8; i += 2) {
+      double product = 1.0;
+      for (int j = 0; j < 8; j += 2)
+        if (j != i) product *= (time[i] - time[j]) / length_[row];
+      sum += value[i] / product;
+    }
+    return sum;
   }
 
   const RateTable& table_;

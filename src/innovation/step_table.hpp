@@ -16,7 +16,7 @@ inline std::array<double, 3> parabolas(double s) {
 
 /// States at the ends of steps.
 /// @param slots (2n-1) x (m+p+1+d): begins, middles and ends of the steps; inputs and delayed
-///   variables are parabolas in a step.
+///   variables are cubics through the nearest samples.
 /// @param steps numbers of the steps; @param parts steps of Runge and Kutta's method of order 4
 ///   in each. @return one row for each of `steps`.
 Matrix ends_of_steps(const RateTable& table, const Matrix& slots, Index states,

@@ -12,9 +12,6 @@ namespace {
 /// Share of a column that is not rounding.
 constexpr double kNew = 1e-9;
 
-/// Scores that differ by less are equal.
-double least_gain(double score) { return 1e-9 * std::abs(score) + 1e-6; }
-
 std::vector<Index> sorted(std::vector<Index> columns) {
   std::sort(columns.begin(), columns.end());
   return columns;
@@ -136,6 +133,11 @@ void SubsetSearch::extend(std::vector<Index>& subset) const {
   }
 }
 
+/// Scores that differ by less are equal: a thousandth of a term, or rounding.
+double SubsetSearch::equality(double score) const {
+  return 1e-9 * std::abs(score) + 1e-3 * price_;
+}
+
 double SubsetSearch::score(const std::vector<Index>& subset) const {
   return residual(subset) + price_ * static_cast<double>(subset.size());
 }
@@ -151,7 +153,7 @@ Subset SubsetSearch::stepwise(std::vector<Index> subset) const {
     if (subset.size() == before) return best;
     shrink(subset);
     const double now = score(subset);
-    if (!(now < best.score - least_gain(best.score))) return best;
+    if (!(now < best.score - equality(best.score))) return best;
     best = {sorted(subset), now};
   }
 }
@@ -213,7 +215,7 @@ std::optional<Index> SubsetSearch::replacement(const Exchanges& all, Index i, In
 
 /// Exchanges one member, or two of them, for the best other column. @return whether it helped.
 bool SubsetSearch::exchange(Subset& subset, Index together) const {
-  const double least = least_gain(subset.score);
+  const double least = equality(subset.score);
   const auto k = static_cast<Index>(subset.columns.size());
   if (k < together) return false;
   const Exchanges all = exchanges(subset.columns);
@@ -226,6 +228,8 @@ bool SubsetSearch::exchange(Subset& subset, Index together) const {
       changed.erase(changed.begin() + i);
       if (j != i) changed.erase(changed.begin() + j);
       changed.push_back(*in);
+      // Among columns that nearly depend on each other the gain may be rounding.
+      if (!(score(changed) < subset.score - least)) continue;
       Subset next = stepwise(std::move(changed));
       if (!(next.score < subset.score - least)) continue;
       subset = std::move(next);

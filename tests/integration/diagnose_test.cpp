@@ -46,5 +46,36 @@ TEST_F(DiagnosePractice, OnlyACoefficientIsOff) {
   EXPECT_NEAR(json["coefficient_changes"][0]["estimated"].get<double>(), 28.0, 0.1);
 }
 
+TEST_F(DiagnosePractice, DryFrictionOfAMeasuredPositioningSystem) {
+  const std::string base = std::string(std::getenv("LACUNA_DATA")) + "/emps/";
+  const CommandResult run =
+      run_program("diagnose --model " + base + "nominal.json " + base +
+                  "emps_train.csv.gz --holdout " + base +
+                  "emps_validation.csv.gz --effect coulomb-friction --effect constant-offset "
+                  "--effect cubic-term --effect lag --json -");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_GE(json.at("effects").size(), 2u);
+  EXPECT_EQ(json["effects"][0]["name"], "coulomb-friction");
+  EXPECT_EQ(json["effects"][1]["name"], "constant-offset");
+  // The published reference: M = 95.11 kg, dry friction 20.39 N, a constant force of -3.16 N.
+  EXPECT_NEAR(95.11 * json["effects"][0]["coefficient"].get<double>(), -20.39, 0.05 * 20.39);
+  EXPECT_NEAR(95.11 * json["effects"][1]["coefficient"].get<double>(), 3.16, 0.05 * 3.16);
+  EXPECT_LT(json["gap"]["ratio"].get<double>(), 0.3);
+}
+
+TEST(DiagnoseCircuit, TellsInWhichEquationsTheAdjustedRosslerCircuitLacksSomething) {
+  const CommandResult run = run_program("diagnose --model rossler-adjusted " LACUNA_SOURCE_DIR
+                                        "/data/tl072_record.csv.gz --max-effects 2 --json -");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json.at("disagreement").size(), 3u) << "all three equations are off";
+  for (const auto& entry : json.at("disagreement"))
+    EXPECT_GT(entry.at("sigma").get<double>(), 10.0) << entry;
+  ASSERT_FALSE(json.at("effects").empty());
+  EXPECT_EQ(json["effects"][0]["equation"], "x");
+  EXPECT_LT(json["gap"]["ratio"].get<double>(), 0.7);
+}
+
 }  // namespace
 }  // namespace lacuna::testing

@@ -53,6 +53,7 @@ class SubsetSearch {
   void shrink(std::vector<Index>& subset) const;
   void extend(std::vector<Index>& subset) const;
   double score(const std::vector<Index>& subset) const;
+  double equality(double score) const;
   Subset stepwise(std::vector<Index> start) const;
   struct Exchanges;
   Exchanges exchanges(const std::vector<Index>& subset) const;
