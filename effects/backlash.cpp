@@ -14,7 +14,8 @@ void add_play(const Scope& scope, const std::string& x, std::vector<Candidate>& 
 }
 
 // Play between a measured place and one that is not: the follower is a state of its own.
-void add_follower(const Scope& scope, const std::string& x, std::vector<Candidate>& result) {
+void add_follower(const Scope& scope, Index equation, const std::string& x,
+                  std::vector<Candidate>& result) {
   const VariableRange range = range_of(scope, x);
   const double reach = 0.5 * (range.high - range.low);
   Candidate candidate =
@@ -22,6 +23,7 @@ void add_follower(const Scope& scope, const std::string& x, std::vector<Candidat
                        {"gap", range.unit, 0.01 * reach, reach, true},
                        starts_at({0.05 * reach, 0.15 * reach, 0.4 * reach}));
   candidate.memory = {follower(scope, x)};
+  bound_to_term(scope, equation, x, candidate);
   result.push_back(candidate);
 }
 
@@ -31,7 +33,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
     if (is_transmission(scope, x))
       add_play(scope, x, result);
     else
-      add_follower(scope, x, result);
+      add_follower(scope, equation, x, result);
   }
   return result;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/terms.hpp"
@@ -25,6 +26,14 @@ Candidate delayed(const Scope& scope, const std::string& form, const std::string
                           starts_at(starts));
 }
 
+// A short delay of a state acts like its rate of change, which could make up for the whole of
+// the equation: what acts on a state is no faster than the state itself.
+void bound_to_own_rate(const Scope& scope, Index equation, Candidate& candidate) {
+  const VariableRange& x = scope.state(equation);
+  candidate.most = 2.0 * (std::abs(slope(scope.model, equation, x.name)) + 1.0 / x.timescale);
+  candidate.least = -candidate.most;
+}
+
 // The fastest of the variables that stand in a term.
 double timescale_of(const Scope& scope, const std::string& term) {
   const auto names = parse_expression(term, scope.model.variables().names()).variables();
@@ -40,6 +49,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
     const bool present = has_term(scope, equation, x.name);
     const std::string late = "delay(" + x.name + ",$T)";
     result.push_back(delayed(scope, present ? late + "-" + x.name : late, x.name, x.timescale));
+    if (x.name == scope.state(equation).name) bound_to_own_rate(scope, equation, result.back());
   }
   for (const std::string& term : nonlinear_terms(scope, equation))
     result.push_back(delayed(scope, "delay(" + term + ",$T)-(" + term + ")", term,
@@ -48,11 +58,16 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
   return result;
 }
 
+bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
+  return candidate.least <= fitted.coefficient && fitted.coefficient <= candidate.most;
+}
+
 }  // namespace
 
 const EffectFamily kDelay{{"delay", "Something acts a fixed time later", ""},
                           "transport, a queue, a computer in the loop, sound, gestation",
                           {},
-                          make};
+                          make,
+                          plausible};
 
 }  // namespace lacuna

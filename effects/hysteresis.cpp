@@ -24,7 +24,7 @@ Candidate bouc_wen(const Scope& scope, Index equation, Index position) {
 }
 
 // A follower with play gives a loop of straight lines.
-Candidate straight_loop(const Scope& scope, const std::string& x) {
+Candidate straight_loop(const Scope& scope, Index equation, const std::string& x) {
   const VariableRange range = range_of(scope, x);
   const double reach = 0.5 * (range.high - range.low);
   Candidate candidate =
@@ -33,6 +33,7 @@ Candidate straight_loop(const Scope& scope, const std::string& x) {
                        starts_at({0.05 * reach, 0.15 * reach, 0.4 * reach}));
   candidate.memory = {follower(scope, x)};
   candidate.plainer = "backlash";
+  bound_to_term(scope, equation, x, candidate);
   return candidate;
 }
 
@@ -41,8 +42,14 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
   if (const auto position = scope.integral_of(equation))
     result.push_back(bouc_wen(scope, equation, *position));
   for (const VariableRange& x : scope.variables)
-    if (has_term(scope, equation, x.name)) result.push_back(straight_loop(scope, x.name));
+    if (has_term(scope, equation, x.name))
+      result.push_back(straight_loop(scope, equation, x.name));
   return result;
+}
+
+// A loop in a characteristic that is there takes over a part of it; a spring may be new.
+bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
+  return candidate.shapes.size() > 1 || is_part_of_term(candidate, fitted);
 }
 
 }  // namespace
@@ -52,6 +59,7 @@ const EffectFamily kHysteresis{
      "Bouc 1967; Wen, J. Eng. Mech. 102 (1976); Visintin, Differential Models of Hysteresis"},
     "magnetic cores, piezo actuators, wire rope, rubber, plastic deformation",
     {},
-    make};
+    make,
+    plausible};
 
 }  // namespace lacuna

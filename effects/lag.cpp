@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/terms.hpp"
@@ -19,6 +18,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
                          "lag of " + term + " in d" + scope.state(equation).name + "/dt",
                          {"tau", scope.model.time_unit(), shortest, longest, true}, {});
     candidate.memory = {{"lagged", "((" + term + ")-$lagged)/$tau", term}};
+    bound_to_term(scope, equation, term, candidate);
     for (double tau = scope.step; tau < longest; tau *= 4.0)
       candidate.starts.emplace_back(Vector::Constant(1, tau));
     result.push_back(candidate);
@@ -26,11 +26,9 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
   return result;
 }
 
-// No more than the whole of a term can lag.
+// Part of the term as it is fitted, or the whole of it.
 bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
-  const double whole = fitted.nominal.coefficient(candidate.equation, candidate.argument);
-  return whole * fitted.coefficient > 0.0 &&
-         std::abs(fitted.coefficient) <= std::abs(whole) + 3.0 * fitted.deviation;
+  return is_part_of_term(candidate, fitted);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
                          line.frequency - resolution, line.frequency + resolution, false},
                         {"phase", "rad", line.phase - pi, line.phase + pi, false}};
     candidate.starts = {Vector{{line.frequency, line.phase}}};
+    candidate.repeats = true;
     result.push_back(candidate);
   }
   return result;

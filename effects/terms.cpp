@@ -159,6 +159,21 @@ MemoryState follower(const Scope& scope, const std::string& place) {
   return {"follower", pace + "*(" + distance + "-clip(" + distance + ",-$gap,$gap))", place};
 }
 
+void bound_to_term(const Scope& scope, Index equation, const std::string& term,
+                   Candidate& candidate) {
+  constexpr double kWhole = 2.0;
+  const double most = kWhole * slope(scope.model, equation, term);
+  candidate.least = std::min(0.0, most);
+  candidate.most = std::max(0.0, most);
+}
+
+bool is_part_of_term(const Candidate& candidate, const FittedCandidate& fitted) {
+  const double whole = slope(fitted.nominal, candidate.equation, candidate.argument);
+  const bool is_part = std::abs(fitted.coefficient) < std::abs(whole);
+  return whole * fitted.coefficient > 0.0 &&
+         (is_part || slopes_agree(whole, fitted.coefficient, fitted.deviation));
+}
+
 bool slopes_agree(double a, double b, double deviation) {
   const double larger = std::max(std::abs(a), std::abs(b));
   return std::abs(a - b) <= std::max(0.2 * larger, 3.0 * deviation);

@@ -22,6 +22,7 @@ struct Options {
   std::vector<std::string> effects;
   std::vector<std::string> tolerances;
   int max_effects = 4;
+  bool fill_gap = false;
   std::optional<std::string> json, model_out;
 };
 
@@ -62,6 +63,7 @@ DiagnosisOptions diagnosis_options(const Session& session, const OdeModel& model
   for (const std::string& text : options.tolerances)
     result.tolerances.push_back(parse_tolerance(model, text));
   result.max_effects = options.max_effects;
+  result.fill_gap = options.fill_gap;
   return result;
 }
 
@@ -96,6 +98,8 @@ void declare_search_options(CLI::App& app, Options& options) {
   app.add_option("--max-effects", options.max_effects, "Name at most so many effects")
       ->check(CLI::Range(0, 20))
       ->capture_default_str();
+  app.add_flag("--fill-gap", options.fill_gap,
+               "Fit a spline, as a stop-gap, where no effect explains the records");
   app.add_option("--tolerance", options.tolerances,
                  "Standard deviation of a nominal coefficient, e.g. 'w:sin(th)=5%'")
       ->type_name("STATE:TERM=DEVIATION");

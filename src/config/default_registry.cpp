@@ -82,7 +82,7 @@ void add_effects(Registry& registry) {
                kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
                kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
                kSaturatingRate, kExponentialConduction, kPeriodicForcing, kParameterDrift,
-               kTimeTrend, kDelay, kLag, kChannelSkew>(registry);
+               kTimeTrend, kDelay, kLag, kUnmeasuredInput, kChannelSkew>(registry);
 }
 
 }  // namespace

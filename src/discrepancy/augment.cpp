@@ -79,7 +79,7 @@ AugmentedProblem augment(const OdeModel& nominal, const Dataset& data,
     if (candidate.place == Place::Rate) {
       problem.effect_places.push_back(
           {candidate.equation, next[static_cast<std::size_t>(candidate.equation)]++});
-      problem.free.push_back(problem.effect_places.back());
+      if (!candidate.is_driven()) problem.free.push_back(problem.effect_places.back());
     } else {
       problem.channel_terms.push_back({candidate.equation,
                                        bind_form(candidate, as_span(effect.shapes)),

@@ -51,6 +51,11 @@ void rename(Candidate& candidate, const std::string& old, const std::string& nam
 
 }  // namespace
 
+bool Candidate::is_driven() const {
+  return std::any_of(memory.begin(), memory.end(),
+                     [](const MemoryState& state) { return state.driven; });
+}
+
 Expression bind_formula(const Candidate& candidate, const std::string& text,
                         std::span<const double> values) {
   if (values.size() != candidate.shapes.size())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/discrepancy/candidate_column.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -39,19 +40,26 @@ Program memory_program(const Candidate& candidate, std::span<const double> shape
   return {outputs, variables};
 }
 
-}  // namespace
+/// Where memory states begin.
+Vector begin_of_memory(const Candidate& candidate, std::span<const double> shapes,
+                       const Variables& variables, const LinearisedRecord& record) {
+  Vector begin(static_cast<Index>(candidate.memory.size()));
+  for (Index k = 0; k < begin.size(); ++k) {
+    const std::string& start = candidate.memory[static_cast<std::size_t>(k)].start;
+    begin[k] = evaluate_on(record, variables, bind_formula(candidate, start, shapes))[0];
+  }
+  return begin;
+}
 
-Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
-                    const Variables& variables, const LinearisedRecord& record) {
-  const auto count = static_cast<Index>(candidate.memory.size());
+/// memory_along() from given values on.
+Matrix memory_from(const Candidate& candidate, std::span<const double> shapes,
+                   const Variables& variables, const LinearisedRecord& record,
+                   const Vector& begin) {
+  const Index count = begin.size();
   const Matrix& slots = record.slots;
   const Index width = slots.cols() - 1;
   Matrix values(slots.rows(), count);
-  for (Index k = 0; k < count; ++k)
-    values(0, k) =
-        evaluate_on(record, variables,
-                    bind_formula(candidate, candidate.memory[static_cast<std::size_t>(k)].start,
-                                 shapes))[0];
+  values.row(0) = begin.transpose();
   const Program program = memory_program(candidate, shapes, with_memory(candidate, variables));
   Program::Workspace workspace;
   Vector point(program.slots()), out(program.outputs());
@@ -67,6 +75,59 @@ Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
   return values;
 }
 
+/// Longest delay in a formula; 0 when there is none.
+double longest_delay(const Expression& formula, const Variables& variables) {
+  double longest = 0.0;
+  const Program program({&formula, 1}, variables);
+  for (const DelayedVariable& delay : program.delays())
+    longest = std::max(longest, delay.delay);
+  return longest;
+}
+
+/// Index of the first row from which on two memories are closer than a twentieth of where they
+/// began; the number of rows when they never are.
+Index forgotten_from(const Matrix& one, const Matrix& other) {
+  constexpr double kForgotten = 0.05;
+  const Matrix apart = (one - other).cwiseAbs();
+  Index row = apart.rows();
+  while (row > 0 && (apart.row(row - 1).array() <= kForgotten * apart.row(0).array()).all())
+    --row;
+  return row;
+}
+
+/// Row of the grid from which on memory has forgotten where it began.
+std::optional<Index> memory_known_from(const Candidate& candidate,
+                                       std::span<const double> shapes,
+                                       const Variables& variables,
+                                       const LinearisedRecord& record) {
+  const Vector begin = begin_of_memory(candidate, shapes, variables, record);
+  const Matrix values = memory_from(candidate, shapes, variables, record, begin);
+  const Vector range = (values.colwise().maxCoeff() - values.colwise().minCoeff()).transpose();
+  if (!(range.minCoeff() > 0.0)) return std::nullopt;
+  const auto from = [&](double sign) {
+    return memory_from(candidate, shapes, variables, record, begin + sign * range);
+  };
+  const Index row = forgotten_from(from(0.5), from(-0.5));
+  return row < values.rows() ? std::optional(row) : std::nullopt;
+}
+
+}  // namespace
+
+Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
+                    const Variables& variables, const LinearisedRecord& record) {
+  return memory_from(candidate, shapes, variables, record,
+                     begin_of_memory(candidate, shapes, variables, record));
+}
+
+std::optional<double> known_from(const Candidate& candidate, std::span<const double> shapes,
+                                 const Variables& variables, const LinearisedRecord& record) {
+  if (candidate.memory.empty())
+    return record.time[0] + longest_delay(bind_form(candidate, shapes), variables);
+  const auto row = memory_known_from(candidate, shapes, variables, record);
+  if (!row) return std::nullopt;
+  return record.slots(*row, record.slots.cols() - 1);
+}
+
 Vector form_along(const Candidate& candidate, std::span<const double> shapes,
                   const Variables& variables, const LinearisedRecord& record) {
   const Expression form = bind_form(candidate, shapes);
@@ -79,6 +140,21 @@ Vector form_along(const Candidate& candidate, std::span<const double> shapes,
       workspace);
   return out.col(0);
 }
+
+namespace {
+
+/// form_along(); 0 while a delayed value lies before the record.
+Vector acting_along(const Candidate& candidate, std::span<const double> shapes,
+                    const Variables& variables, const LinearisedRecord& record) {
+  Vector values = form_along(candidate, shapes, variables, record);
+  if (candidate.form.find("delay(") == std::string::npos) return values;
+  const double known = *known_from(candidate, shapes, variables, record);
+  const auto t = record.slots.col(record.slots.cols() - 1);
+  for (Index i = 0; i < values.size() && t[i] < known; ++i) values[i] = 0.0;
+  return values;
+}
+
+}  // namespace
 
 ProbeColumns probe_columns(std::span<const Probe> probes, const Assimilation& assimilation,
                            const InnovationSystem& system) {
@@ -93,8 +169,8 @@ ProbeColumns probe_columns(std::span<const Probe> probes, const Assimilation& as
   for (std::size_t p = 0; p < probes.size(); ++p) {
     const Candidate candidate = without_clash(*probes[p].candidate, taken);
     for (std::size_t r = 0; r < values.size(); ++r) {
-      const Vector all =
-          form_along(candidate, as_span(probes[p].shapes), variables, assimilation.records[r]);
+      const Vector all = acting_along(candidate, as_span(probes[p].shapes), variables,
+                                      assimilation.records[r]);
       result.finite[p] = result.finite[p] && all.allFinite();
       auto column = values[r].col(static_cast<Index>(p));
       if (!result.finite[p])

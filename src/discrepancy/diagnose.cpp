@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coloured_noise.hpp"
+#include "free_input.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/innovation/innovation_system.hpp"
@@ -28,7 +29,7 @@ class Workflow {
 
   Diagnosis run(const Dataset& held_out) {
     bring_onto_records();
-    SearchResult found = search(fitted_);
+    SearchResult found = search();
     if (any_substantial(found.left) || !found.named.empty())
       found = or_coloured(std::move(found));
     conclude(found);
@@ -50,11 +51,33 @@ class Workflow {
     fit_options_.passes = 8;
   }
 
-  SearchResult search(const std::optional<Assimilation>& base) const {
+  /// What is missing on top of the model as it is fitted.
+  SearchResult search() {
     constexpr Index kLines = 3;
-    const Scope scope =
-        make_scope(nominal_, data_, estimate_noise(data_), spectral_lines(*base, kLines));
-    return search_effects(data_, *base, scope, fit_options_, options_, context_);
+    scope_ =
+        make_scope(nominal_, data_, estimate_noise(data_), spectral_lines(*fitted_, kLines));
+    SearchResult found =
+        search_effects(data_, *fitted_, *scope_, fit_options_, options_, context_);
+    if (any_substantial(found.left) && !closes_most(found)) or_free_input(found);
+    return found;
+  }
+
+  Unexplained unexplained() const {
+    const std::vector<EquationStructure> structure = test_structure(*fitted_, context_);
+    return {data_,
+            *fitted_,
+            *scope_,
+            fit_options_,
+            options_,
+            context_,
+            structure.empty() ? 0 : structure.front().equation};
+  }
+
+  /// Where no effect explains the records an input that was not measured may.
+  void or_free_input(SearchResult& found) const {
+    const std::optional<RankedEffect> input = find_free_input(unexplained());
+    if (!input || input->criterion > criterion_of(found.explanation)) return;
+    found = name_free_input(*input, *fitted_, options_, std::move(found.rounds), context_);
   }
 
   bool any_substantial(const std::vector<EquationStructure>& left) const {
@@ -73,7 +96,7 @@ class Workflow {
         "the measurement noise has a memory, which explains the records better than any effect "
         "with white noise");
     fitted_ = coloured;
-    return search(fitted_);
+    return search();
   }
 
   Assimilation best_coloured() const {
@@ -90,6 +113,7 @@ class Workflow {
       found.named.clear();
       found.explanation = {{}, *fitted_};
       found.left = test_structure(*fitted_, context_);
+      result_.unnamed = describe_unnamed(unexplained(), options_.fill_gap, found.explanation);
     }
     result_.effects = found.named;
     final_ = found.explanation;
@@ -204,6 +228,7 @@ class Workflow {
   const RunContext& context_;
   AssimilationOptions fit_options_;
   std::optional<Assimilation> given_, fitted_;
+  std::optional<Scope> scope_;
   Explanation final_{{}, {nominal_, {}, {}, {}, {}, {}, 0.0, 0, {}, {}, {}}};
   Diagnosis result_;
 };

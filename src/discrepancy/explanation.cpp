@@ -4,11 +4,19 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "lacuna/discrepancy/candidate_column.hpp"
 
 namespace lacuna {
 namespace {
+
+std::span<const double> as_span(const Vector& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
 
 /// The start of an assimilation whose model has more states than the base has.
 Assimilation widened(const Assimilation& base, const AugmentedProblem& problem) {
@@ -24,6 +32,7 @@ Assimilation widened(const Assimilation& base, const AugmentedProblem& problem) 
     Matrix path(states.rows(), m);
     path << base.records[r].path.leftCols(old), states.rightCols(m - old);
     start.records[r].path = std::move(path);
+    start.records[r].bridge = problem.bridges[r];
     if (!start.omitted.empty() && start.omitted[r].size() > 0) {
       start.omitted[r].conservativeResize(states.rows(), m);
       start.omitted[r].rightCols(m - old).setZero();
@@ -53,6 +62,60 @@ std::vector<Matrix> nominal_paths(const Assimilation& fit, Index states) {
   return paths;
 }
 
+/// Whether an equation has a term more than once.
+bool stands_twice(const OdeModel& nominal, const std::vector<FittedEffect>& effects) {
+  std::set<std::pair<Index, std::string>> seen;
+  for (Index k = 0; k < nominal.dimension(); ++k)
+    for (const WeightedTerm& summand : nominal.equations()[static_cast<std::size_t>(k)])
+      seen.insert({k, summand.term.name()});
+  for (const FittedEffect& effect : effects) {
+    if (effect.candidate.place == Place::Channel) continue;
+    Variables variables = nominal.variables();
+    for (const MemoryState& memory : effect.candidate.memory)
+      variables.states.push_back(memory.name);
+    const Term term(bind_form(effect.candidate, as_span(effect.shapes)), variables);
+    if (!seen.insert({effect.candidate.equation, term.name()}).second) return true;
+  }
+  return false;
+}
+
+/// Spectral density of the disturbance that an equation has without the effect that cannot be
+/// known: where a step is bridged already that of the bridge.
+double bridging_density(const Assimilation& from, Index equation) {
+  double density = from.noise.disturbance[equation] * from.noise.disturbance[equation];
+  for (const LinearisedRecord& record : from.records)
+    if (record.bridge.size() > 0)
+      density = std::max(density, record.bridge.row(equation).maxCoeff());
+  return density;
+}
+
+/// Where an effect is not known yet its equation has the disturbance that it has without it.
+/// @return whether every effect is known in the second half of each record.
+bool bridge(const Assimilation& from, const OdeModel& nominal,
+            const std::vector<FittedEffect>& effects, AugmentedProblem& problem) {
+  problem.bridges.assign(problem.data.trajectories.size(), Matrix());
+  for (std::size_t r = 0; r < problem.bridges.size(); ++r) {
+    const Trajectory& record = problem.data.trajectories[r];
+    const LinearisedRecord grid = grid_of(record, record.states.leftCols(nominal.dimension()));
+    const double middle = 0.5 * (record.time[0] + record.time[record.samples() - 1]);
+    for (const FittedEffect& effect : effects) {
+      const Candidate& candidate = effect.candidate;
+      if (candidate.place == Place::Channel || candidate.is_driven()) continue;
+      const auto known =
+          known_from(candidate, as_span(effect.shapes), nominal.variables(), grid);
+      if (!known || *known > middle) return false;
+      if (*known <= record.time[0]) continue;
+      Matrix& bridge = problem.bridges[r];
+      if (bridge.size() == 0)
+        bridge = Matrix::Zero(problem.model.dimension(), record.samples() - 1);
+      const double density = bridging_density(from, candidate.equation);
+      for (Index i = 0; i < bridge.cols() && record.time[i] < *known; ++i)
+        bridge(candidate.equation, i) = density;
+    }
+  }
+  return true;
+}
+
 /// Fits with the shapes as they are.
 class JointFit {
  public:
@@ -63,12 +126,15 @@ class JointFit {
   Explanation at(const Assimilation& from, std::vector<FittedEffect> effects,
                  int passes) const {
     const Index m = nominal_.dimension();
-    const AugmentedProblem problem = augment(nominal_part(from.model, nominal_), data_,
-                                             options_.free, effects, nominal_paths(from, m));
+    if (stands_twice(nominal_, effects)) return unknown(from, effects);
+    AugmentedProblem problem = augment(nominal_part(from.model, nominal_), data_, options_.free,
+                                       effects, nominal_paths(from, m));
+    if (!bridge(from, nominal_, effects, problem)) return unknown(from, effects);
     AssimilationOptions options = options_;
     options.free = problem.free;
     options.passes = passes;
     Assimilation start = widened(nominal_start(from, m), problem);
+    set_drives(effects, m, start.noise.disturbance);
     Explanation result{std::move(effects),
                        assimilate_from(problem.model, problem.data, start, options, context_)};
     read_coefficients(result);
@@ -91,6 +157,30 @@ class JointFit {
   }
 
  private:
+  /// Noise that moves the free inputs, to begin with such that they take over from the
+  /// disturbance of their equation.
+  static void set_drives(const std::vector<FittedEffect>& effects, Index next,
+                         Vector& disturbance) {
+    constexpr double kLeft = 0.1;
+    for (const FittedEffect& effect : effects)
+      for (const MemoryState& memory : effect.candidate.memory) {
+        if (memory.driven) {
+          double& own = disturbance[effect.candidate.equation];
+          disturbance[next] = own / effect.shapes[0];
+          own *= kLeft;
+        }
+        ++next;
+      }
+  }
+
+  /// An effect that the records do not show explains nothing.
+  static Explanation unknown(const Assimilation& from,
+                             const std::vector<FittedEffect>& effects) {
+    Explanation result{effects, from};
+    result.fit.deviance = std::numeric_limits<double>::infinity();
+    return result;
+  }
+
   /// The fit without its memory states.
   Assimilation nominal_start(const Assimilation& from, Index m) const {
     Assimilation start = from;
@@ -110,6 +200,7 @@ class JointFit {
     auto channel = static_cast<Index>(fit.free.size());
     std::size_t term = 0;
     for (FittedEffect& effect : result.effects) {
+      if (effect.candidate.is_driven()) continue;
       const bool in_equation = effect.candidate.place == Place::Rate;
       const Index row = in_equation ? place++ : channel++;
       if (in_equation) {
@@ -183,12 +274,14 @@ ShapeSystem shape_system(const Explanation& at) {
   const InnovationSystem system(at.fit);
   std::vector<Vector> columns;
   std::vector<std::pair<std::size_t, Index>> places;
-  for (std::size_t e = 0; e < at.effects.size(); ++e)
+  for (std::size_t e = 0; e < at.effects.size(); ++e) {
+    if (at.effects[e].candidate.is_driven()) continue;
     for (Index s = 0; s < at.effects[e].shapes.size(); ++s)
       if (auto column = shape_column(at.effects[e], s, at.fit, system)) {
         columns.push_back(std::move(*column));
         places.emplace_back(e, s);
       }
+  }
   if (columns.empty()) return {};
   ShapeSystem result = solve_shapes(system.fitted_columns(), columns, system.innovations());
   result.places = std::move(places);

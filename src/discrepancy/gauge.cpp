@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/discrepancy/candidate_column.hpp"
 #include "lacuna/innovation/innovation_filter.hpp"
 
 namespace lacuna {
@@ -41,14 +42,33 @@ struct Squares {
   double count = 0.0;
 };
 
-/// Windows of one record, each fitted with its initial state free. The record is linearised as
-/// a whole, so that delayed terms know what was before a window.
+/// First sample at which all effects are known: delayed values lie in the record, memories
+/// have forgotten where they began. The first one of all when no window is left.
+Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effects,
+                  const Trajectory& record, Index length) {
+  const LinearisedRecord grid = grid_of(record, record.states);
+  double time = record.time[0];
+  for (const FittedEffect& effect : effects) {
+    const auto known =
+        known_from(effect.candidate,
+                   {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
+                   nominal.variables(), grid);
+    time = std::max(time, known.value_or(time));
+  }
+  Index first = 0;
+  while (first < record.samples() && record.time[first] < time) ++first;
+  return first + length <= record.samples() ? first : 0;
+}
+
+/// Windows of one record from sample `begin` on, each fitted with its initial state free. The
+/// record is linearised as a whole, so that delayed terms know what was before a window.
 Squares window_squares(const LinearisedRecord& record, const Matrix& measured,
-                       const NoiseModel& noise, const Vector& scale, Index length) {
+                       const NoiseModel& noise, const Vector& scale, Index begin,
+                       Index length) {
   Squares squares;
   NoiseModel exact = noise;
   exact.disturbance.setZero();
-  for (Index first = 0; first + length <= record.samples(); first += length) {
+  for (Index first = begin; first + length <= record.samples(); first += length) {
     const LinearisedRecord window = part_of(record, first, length);
     const SmoothedRecord smoothed =
         smooth(window, measured.middleRows(first, length), Matrix(), exact);
@@ -116,10 +136,12 @@ Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset
     const LinearisedRecord bare_record =
         linearise(nominal, held_out.trajectories[r], Matrix(fit.records[r].path.leftCols(m)),
                   1e-4 * scale.head(m));
+    const Index begin =
+        first_known(nominal, explanation.effects, held_out.trajectories[r], samples);
     const Squares full =
-        window_squares(fit.records[r], fit.measured[r], fit.noise, scale, samples);
+        window_squares(fit.records[r], fit.measured[r], fit.noise, scale, begin, samples);
     const Squares bare = window_squares(bare_record, held_out.trajectories[r].states,
-                                        narrowed(fit.noise, m), scale, samples);
+                                        narrowed(fit.noise, m), scale, begin, samples);
     after = {after.sum + full.sum, after.count + full.count};
     before = {before.sum + bare.sum, before.count + bare.count};
   }

@@ -15,6 +15,29 @@
 namespace lacuna {
 namespace {
 
+bool same_place(const Candidate& a, const Candidate& b) {
+  return a.equation == b.equation && a.place == b.place && a.argument == b.argument;
+}
+
+/// Whether an effect that is there covers a candidate: another one of its kind with other
+/// numbers, or what it is a special case of.
+bool covers(const Candidate& adopted, const Candidate& candidate) {
+  if (!same_place(adopted, candidate)) return false;
+  if (adopted.plainer == candidate.effect) return true;
+  if (adopted.effect != candidate.effect || candidate.repeats) return false;
+  const bool same_form =
+      adopted.form == candidate.form || (!adopted.memory.empty() && !candidate.memory.empty());
+  return same_form || candidate.shapes.size() < adopted.shapes.size();
+}
+
+/// Whether a candidate is for the search: not a free input, not covered by what is there.
+bool is_searched(const Candidate& candidate, const Explanation& current) {
+  if (candidate.is_driven()) return false;
+  return std::none_of(
+      current.effects.begin(), current.effects.end(),
+      [&](const FittedEffect& adopted) { return covers(adopted.candidate, candidate); });
+}
+
 std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
                                       const Scope& scope, const Explanation& current) {
   std::vector<Candidate> result;
@@ -22,7 +45,8 @@ std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
   for (const Stage<Effect>& effect : effects)
     for (Index k = 0; k < scope.model.dimension(); ++k)
       for (Candidate& candidate : effect->candidates(scope, k))
-        result.push_back(without_clash(std::move(candidate), taken));
+        if (is_searched(candidate, current))
+          result.push_back(without_clash(std::move(candidate), taken));
   return result;
 }
 

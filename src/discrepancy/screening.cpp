@@ -165,7 +165,10 @@ std::vector<Score> Screening::scores(std::span<const Probe> probes) const {
     const auto i = static_cast<Index>(p);
     const double own = length[i] - shared[i];
     if (!found.finite[p] || !(own > kDistinct * length[i])) continue;
-    result[p] = {inner[i] * inner[i] / own, inner[i] / own};
+    const Candidate& candidate = *probes[p].candidate;
+    const double coefficient = std::clamp(inner[i] / own, candidate.least, candidate.most);
+    result[p] = {std::max(0.0, coefficient * (2.0 * inner[i] - coefficient * own)),
+                 coefficient};
   }
   return result;
 }

@@ -141,13 +141,15 @@ class Search {
   }
 
   /// An effect that is there already, of the same name and of the same variable, in another
-  /// form: dry friction as sign(v) when tanh(v/w) comes.
+  /// form: dry friction as sign(v) when tanh(v/w) comes; or the plainer effect of which the
+  /// candidate is a special case.
   std::optional<std::size_t> other_form_of(const Candidate& candidate) const {
     const std::vector<FittedEffect>& effects = result_.explanation.effects;
     for (std::size_t e = 0; e < effects.size(); ++e) {
       const Candidate& old = effects[e].candidate;
-      if (old.effect == candidate.effect && old.equation == candidate.equation &&
-          old.argument == candidate.argument && old.form != candidate.form)
+      const bool same_kind = old.effect == candidate.effect && old.form != candidate.form;
+      if (old.equation == candidate.equation && old.argument == candidate.argument &&
+          (same_kind || candidate.plainer == old.effect))
         return e;
     }
     return std::nullopt;
@@ -214,6 +216,23 @@ bool is_substantial(const EquationStructure& structure, const DiagnosisOptions& 
 double criterion_of(const Explanation& explanation) {
   return explanation.fit.deviance + static_cast<double>(explanation.parameters()) *
                                         std::log(static_cast<double>(explanation.fit.used));
+}
+
+SearchResult name_free_input(const RankedEffect& input, const Assimilation& base,
+                             const DiagnosisOptions& options, std::vector<Round> rounds,
+                             const RunContext& context) {
+  SearchResult result{
+      input.explanation, {name_effect(input, {}, options)}, std::move(rounds), {}};
+  update_numbers(result.explanation, result.named);
+  const Index k = result.named.front().equation;
+  const double share = input.explanation.fit.noise.disturbance[k] / base.noise.disturbance[k];
+  result.named.front().gap_closed = std::clamp(1.0 - share * share, 0.0, 1.0);
+  result.rounds.push_back({1, "unmeasured-input", input.sigma, true});
+  result.left = test_structure(input.explanation.fit, context);
+  std::erase_if(result.left, [&](const EquationStructure& structure) {
+    return structure.equation >= base.model.dimension();
+  });
+  return result;
 }
 
 SearchResult search_effects(const Dataset& data, const Assimilation& base, const Scope& scope,

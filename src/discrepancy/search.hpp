@@ -22,6 +22,11 @@ SearchResult search_effects(const Dataset& data, const Assimilation& base, const
                             const AssimilationOptions& fit_options,
                             const DiagnosisOptions& options, const RunContext& context);
 
+/// The result with a free input as the only effect.
+SearchResult name_free_input(const RankedEffect& input, const Assimilation& base,
+                             const DiagnosisOptions& options, std::vector<Round> rounds,
+                             const RunContext& context);
+
 /// Whether structure is significant and of substance.
 bool is_substantial(const EquationStructure& structure, const DiagnosisOptions& options);
 

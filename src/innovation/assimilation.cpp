@@ -93,6 +93,14 @@ class Turns {
 
   Vector accuracy() const {
     Vector result = spans(data_) * 1e-4;
+    // A free input has no column: it is as accurate as its path asks for, to begin with as 1.
+    for (Index k = 0; k < result.size(); ++k) {
+      for (const LinearisedRecord& record : state_.records) {
+        const auto& path = record.path.col(k);
+        result[k] = std::max(result[k], 1e-4 * (path.maxCoeff() - path.minCoeff()));
+      }
+      if (result[k] <= std::numeric_limits<double>::min()) result[k] = 1.0;
+    }
     for (Index k = 0; k < result.size(); ++k)
       if (const auto& sd = state_.noise.measurement[static_cast<std::size_t>(k)])
         result[k] = *sd;
@@ -100,9 +108,12 @@ class Turns {
   }
 
   void relinearise() {
-    for (std::size_t r = 0; r < data_.trajectories.size(); ++r)
-      state_.records[r] =
-          linearise(state_.model, data_.trajectories[r], state_.records[r].path, accuracy());
+    for (std::size_t r = 0; r < data_.trajectories.size(); ++r) {
+      LinearisedRecord& record = state_.records[r];
+      Matrix bridge = std::move(record.bridge);
+      record = linearise(state_.model, data_.trajectories[r], record.path, accuracy());
+      record.bridge = std::move(bridge);
+    }
     correct_channels();
   }
 

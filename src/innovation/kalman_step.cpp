@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kalman_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {

@@ -2,6 +2,7 @@
 // The recursion of the filter, one sample at a time; what it leaves behind is the caller's.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -50,6 +51,14 @@ inline void constant_response(const LinearisedRecord& record, Index i, Index equ
   const Index m = record.states();
   const double* w = record.response.col(i).data() + 3 * m * equation;
   for (Index j = 0; j < m; ++j) out[j] = w[j] + w[m + j] + w[2 * m + j];
+}
+
+/// Spectral density of the disturbance of an equation in step i: `density`, or that of the
+/// bridge where it is larger.
+inline double density_in(const LinearisedRecord& record, Index i, Index equation,
+                         double density) {
+  return record.is_bridged(i, equation) ? std::max(density, record.bridge(equation, i))
+                                        : density;
 }
 
 /// Transition of step i for the states and the coloured noise; the rest of `out` is as it was.
@@ -123,9 +132,10 @@ class KalmanStep {
     const double step = record_.time[i + 1] - record_.time[i];
     row_.setZero();
     for (Index k = 0; k < record_.states(); ++k) {
-      if (variances_.disturbance[k] == 0.0) continue;
+      const double density = density_in(record_, i, k, variances_.disturbance[k]);
+      if (density == 0.0) continue;
       constant_response(record_, i, k, row_.data());
-      next_ = (variances_.disturbance[k] / step) * row_;
+      next_ = (density / step) * row_;
       covariance_.noalias() += next_.lazyProduct(row_.transpose());
     }
     const Index m = record_.states();

@@ -72,12 +72,14 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
 }
 
 LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count) {
-  return {record.time.segment(first, count),
-          record.path.middleRows(first, count),
-          record.slots.middleRows(2 * first, 2 * count - 1),
-          record.transition.middleCols(first, count - 1),
-          record.response.middleCols(first, count - 1),
-          record.defect.middleCols(first, count - 1)};
+  LinearisedRecord part{record.time.segment(first, count),
+                        record.path.middleRows(first, count),
+                        record.slots.middleRows(2 * first, 2 * count - 1),
+                        record.transition.middleCols(first, count - 1),
+                        record.response.middleCols(first, count - 1),
+                        record.defect.middleCols(first, count - 1)};
+  if (record.bridge.size() > 0) part.bridge = record.bridge.middleCols(first, count - 1);
+  return part;
 }
 
 LinearisedRecord grid_of(const Trajectory& record, const Matrix& path) {

@@ -129,11 +129,13 @@ class Backward {
     for (Index k = 0; k < m_; ++k) {
       constant_response(record_, i, k, moved_.data());
       const double pull = moved_.dot(adjoint_);
-      const double density = noise_.disturbance[k] * noise_.disturbance[k] / length;
+      const double density =
+          density_in(record_, i, k, noise_.disturbance[k] * noise_.disturbance[k]) / length;
+      result_.disturbance(i, k) = density * pull;
+      if (record_.is_bridged(i, k)) continue;
       result_.found[k] += pull * pull / length;
       spread_ = covariance_.lazyProduct(moved_);
       result_.expected[k] += moved_.dot(spread_) / length;
-      result_.disturbance(i, k) = density * pull;
     }
     for (Index c = 0; c < map_.channels(); ++c) {
       const Index colour = map_.colour[static_cast<std::size_t>(c)];

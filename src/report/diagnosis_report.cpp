@@ -111,6 +111,17 @@ Json rounds_json(const Diagnosis& diagnosis) {
   return list;
 }
 
+Json unnamed_json(const Diagnosis& diagnosis) {
+  if (!diagnosis.unnamed) return {};
+  const Unnamed& unnamed = *diagnosis.unnamed;
+  return {{"equation", state_name(diagnosis, unnamed.equation)},
+          {"variables", unnamed.variables},
+          {"explained", unnamed.explained},
+          {"memory", unnamed.memory},
+          {"periodic", unnamed.periodic},
+          {"stop_gap", unnamed.filled}};
+}
+
 }  // namespace
 
 std::string format_json(const Diagnosis& diagnosis) {
@@ -123,6 +134,7 @@ std::string format_json(const Diagnosis& diagnosis) {
   json["coefficient_changes"] = changes_json(diagnosis);
   json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
   json["remaining"] = remaining_json(diagnosis);
+  json["unnamed"] = unnamed_json(diagnosis);
   json["augmented_model"] = Json::parse(format_model(diagnosis.augmented));
   json["noise"] = noise_json(diagnosis);
   json["rounds"] = rounds_json(diagnosis);

@@ -139,6 +139,24 @@ void write_unnamed(const Diagnosis& diagnosis, std::ostream& out) {
   }
 }
 
+void write_description(const Diagnosis& diagnosis, const Unnamed& unnamed, std::ostream& out) {
+  const std::string& state = state_of(diagnosis, unnamed.equation).name;
+  out << "Equation " << state << ": what is missing ";
+  if (unnamed.variables.empty())
+    out << "is no function of the variables that was found";
+  else if (unnamed.periodic)
+    out << "is periodic";
+  else
+    out << "depends on " << (unnamed.memory ? "earlier values of " : "")
+        << join(unnamed.variables, " and ");
+  if (unnamed.explained > 0.0)
+    out << "; a curve explains " << percent(unnamed.explained) << " of it";
+  out << ".\n";
+  if (unnamed.filled)
+    out << "A spline stands in the augmented model as a stop-gap: it describes the records and "
+           "explains nothing.\n";
+}
+
 void write_gap(const Gap& gap, std::ostream& out) {
   out << "On records not used (" << join(gap.records, ", ") << ") the gap "
       << (gap.after < gap.before ? "falls" : "goes") << " from " << percent(gap.before)
@@ -154,6 +172,7 @@ std::string format_text(const Diagnosis& diagnosis) {
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
     write_changes(diagnosis, out);
   if (diagnosis.remaining.structure) write_unnamed(diagnosis, out);
+  if (diagnosis.unnamed) write_description(diagnosis, *diagnosis.unnamed, out);
   if (diagnosis.gap) write_gap(*diagnosis.gap, out);
   for (const std::string& note : diagnosis.notes) out << "Note: " << note << ".\n";
   return out.str();

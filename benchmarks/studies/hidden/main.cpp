@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
-//   study_hidden cases|power|alarm [OUTPUT_FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]
+//   study_hidden cases|power|alarm|practice [OUTPUT_FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
-// the effect; alarm: 500 records in which nothing is missing.
+// the effect; alarm: 500 records in which nothing is missing; practice: the cases in the folder
+// `practice` of LACUNA_DATA.
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
+#include "practice.hpp"
 #include "report.hpp"
 #include "trials.hpp"
 
@@ -20,24 +23,43 @@ std::vector<Trial> chosen_trials(const std::string& name) {
   return {};
 }
 
-int run(const std::string& name, const std::filesystem::path& folder, const std::string& part,
-        const std::string& level) {
-  std::vector<Trial> trials = chosen_trials(name);
+struct Arguments {
+  std::string name;
+  std::filesystem::path folder;
+  std::string part, level;
+};
+
+using Results = std::pair<std::vector<Trial>, std::vector<Outcome>>;
+
+Results results_of(const Arguments& given) {
+  const Registry registry = default_registry();
+  if (given.name == "practice") {
+    const char* data = std::getenv("LACUNA_DATA");
+    if (data == nullptr) return {};
+    return run_practice(std::filesystem::path(data) / "practice", given.part, registry);
+  }
+  std::vector<Trial> trials = chosen_trials(given.name);
   std::erase_if(trials, [&](const Trial& trial) {
-    return trial.hidden.name.find(part) == std::string::npos ||
-           (!level.empty() && trial.level != std::stod(level));
+    return trial.hidden.name.find(given.part) == std::string::npos ||
+           (!given.level.empty() && trial.level != std::stod(given.level));
   });
+  std::vector<Outcome> outcomes = run_trials(trials, registry);
+  return {std::move(trials), std::move(outcomes)};
+}
+
+int run(const Arguments& given) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto [trials, outcomes] = results_of(given);
   if (trials.empty()) {
-    std::cerr << "there are no such trials; give cases, power or alarm\n";
+    std::cerr << "there are no such trials; give cases, power, alarm or (with LACUNA_DATA set) "
+                 "practice\n";
     return 2;
   }
-  const auto start = std::chrono::steady_clock::now();
-  const std::vector<Outcome> outcomes = run_trials(trials, default_registry());
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::filesystem::create_directories(folder);
-  write_tables(folder, name, trials, outcomes, time.count());
-  std::cout << trials.size() << " trials in " << time.count() << " s; tables in " << folder
-            << '\n';
+  std::filesystem::create_directories(given.folder);
+  write_tables(given.folder, given.name, trials, outcomes, time.count());
+  std::cout << trials.size() << " trials in " << time.count() << " s; tables in "
+            << given.folder << '\n';
   return 0;
 }
 
@@ -45,7 +67,7 @@ int run(const std::string& name, const std::filesystem::path& folder, const std:
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  return lacuna::benchmarks::run(argc > 1 ? argv[1] : "",
-                                 argc > 2 ? argv[2] : "build/studies/hidden",
-                                 argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
+  return lacuna::benchmarks::run({argc > 1 ? argv[1] : "",
+                                  argc > 2 ? argv[2] : "build/studies/hidden",
+                                  argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : ""});
 }

@@ -40,10 +40,18 @@ std::string family_of(const Trial& trial) {
 
 std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
 
+/// Gaps: near that of the true model; not claimed better than it is.
+constexpr double kNear = 1.5, kHonest = 1.2;
+
+std::string number_or_blank(const std::optional<double>& value) {
+  return value ? format_number(*value, 4) : "";
+}
+
 /// Counts of one group of trials.
 struct Tally {
   double trials = 0.0, verdict = 0.0, equation = 0.0, name = 0.0, listed = 0.0, spurious = 0.0;
-  double sized = 0.0, size_right = 0.0, named = 0.0, seconds = 0.0;
+  double sized = 0.0, size_right = 0.0, seconds = 0.0;
+  double gauged = 0.0, gap_right = 0.0, recomputed = 0.0, honest = 0.0;
 
   void add(const Outcome& outcome) {
     const hidden::Score& score = outcome.score;
@@ -57,6 +65,14 @@ struct Tally {
       ++sized;
       size_right += std::abs(*score.size - 1.0) <= 0.1;
     }
+    if (outcome.true_gap) {
+      ++gauged;
+      gap_right += outcome.gap <= kNear * *outcome.true_gap;
+    }
+    if (outcome.real_gap) {
+      ++recomputed;
+      honest += outcome.gap >= *outcome.real_gap / kHonest;
+    }
     seconds = std::max(seconds, outcome.seconds);
   }
 
@@ -68,6 +84,8 @@ struct Tally {
             percent(name / trials),
             percent(listed / trials),
             sized > 0.0 ? percent(size_right / sized) : "",
+            gauged > 0.0 ? percent(gap_right / gauged) : "",
+            recomputed > 0.0 ? percent(honest / recomputed) : "",
             percent(spurious / trials),
             format_number(seconds, 3)};
   }
@@ -80,7 +98,8 @@ std::string grouped(const std::vector<Trial>& trials, const std::vector<Outcome>
   std::map<std::string, Tally> tallies;
   for (std::size_t i = 0; i < trials.size(); ++i) tallies[group(trials[i])].add(outcomes[i]);
   ResultTable table{{heading, "trials", "verdict", "equation", "name first", "name listed",
-                     "size within 10 %", "names too many", "slowest, s"},
+                     "size within 10 %", "gap within 1.5 x true", "gap true within 20 %",
+                     "names too many", "slowest, s"},
                     {}};
   for (const auto& [label, tally] : tallies) table.rows.push_back(tally.cells(label));
   return table.markdown() + "\n";
@@ -88,7 +107,8 @@ std::string grouped(const std::vector<Trial>& trials, const std::vector<Outcome>
 
 ResultTable all_trials(const std::vector<Trial>& trials, const std::vector<Outcome>& outcomes) {
   ResultTable table{{"case", "kind", "family", "noise", "level", "strength", "seed", "verdict",
-                     "equation", "name", "listed", "too many", "size", "seconds", "answer"},
+                     "equation", "name", "listed", "too many", "size", "gap", "true gap",
+                     "real gap", "seconds", "answer"},
                     {}};
   const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -96,12 +116,13 @@ ResultTable all_trials(const std::vector<Trial>& trials, const std::vector<Outco
     const hidden::Score& s = outcomes[i].score;
     std::string answer = s.answer + outcomes[i].failure;
     std::replace(answer.begin(), answer.end(), ',', ' ');
-    table.rows.push_back({t.hidden.name, group_of(t), family_of(t), to_string(t.hidden.noise),
-                          format_number(t.level), format_number(t.strength),
-                          std::to_string(t.seed), flag(s.verdict), flag(s.equation),
-                          flag(s.name), flag(s.listed), std::to_string(s.spurious),
-                          s.size ? format_number(*s.size, 4) : "",
-                          format_number(outcomes[i].seconds, 3), answer});
+    table.rows.push_back(
+        {t.hidden.name, group_of(t), family_of(t), to_string(t.hidden.noise),
+         format_number(t.level), format_number(t.strength), std::to_string(t.seed),
+         flag(s.verdict), flag(s.equation), flag(s.name), flag(s.listed),
+         std::to_string(s.spurious), number_or_blank(s.size), format_number(outcomes[i].gap, 4),
+         number_or_blank(outcomes[i].true_gap), number_or_blank(outcomes[i].real_gap),
+         format_number(outcomes[i].seconds, 3), answer});
   }
   return table;
 }

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "trial.hpp"
 
+#include <time.h>
+
 #include <atomic>
-#include <chrono>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <thread>
+#include <utility>
 
-#include "hidden/support/records.hpp"
+#include "hidden/support/reality.hpp"
+#include "lacuna/core/text.hpp"
 #include "lacuna/discrepancy/diagnose.hpp"
 
 namespace lacuna::benchmarks {
@@ -20,26 +24,60 @@ std::vector<Stage<Effect>> all_effects(const Registry& registry) {
   return effects;
 }
 
+/// Time of the processor that this thread has had.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::string flags_of(const Outcome& outcome) {
+  const hidden::Score& score = outcome.score;
+  std::string flags;
+  for (const auto& [letter, right] : {std::pair{'V', score.verdict},
+                                      {'E', score.equation},
+                                      {'N', score.name},
+                                      {'L', score.listed}})
+    flags += right ? letter : '-';
+  return flags + (score.size ? " size " + format_number(*score.size, 3) : "");
+}
+
 }  // namespace
 
-Outcome run_trial(const Trial& trial, const Registry& registry) {
+Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
+              const hidden::Records& clean, const Registry& registry) {
   Outcome outcome;
-  const auto start = std::chrono::steady_clock::now();
+  const double start = thread_seconds();
   try {
-    const auto [find, check] = hidden::make_records(trial.hidden, trial.level, trial.seed);
     DiagnosisOptions options;
     options.effects = all_effects(registry);
     const Diagnosis diagnosis =
-        diagnose(trial.hidden.nominal, find, check, options, RunContext{});
-    const Dataset clean = hidden::clean_record(trial.hidden, 2 * trial.seed);
-    outcome.score = hidden::score(trial.hidden, diagnosis, clean);
-    if (diagnosis.gap) outcome.gap = diagnosis.gap->after;
+        diagnose(hidden.nominal, records.find, records.check, options, RunContext{});
+    outcome.score = hidden::score(hidden, diagnosis, clean.find);
+    outcome.gap = diagnosis.gap->after;
+    outcome.true_gap = hidden::true_gap(hidden, records.check);
+    outcome.real_gap =
+        hidden::real_gap(diagnosis.augmented, clean.check, records.check, *diagnosis.gap);
   } catch (const std::exception& error) {
     outcome.failure = error.what();
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  outcome.seconds = time.count();
+  outcome.seconds = thread_seconds() - start;
   return outcome;
+}
+
+Outcome run_trial(const Trial& trial, const Registry& registry) {
+  const std::uint64_t seed = 2 * trial.seed;
+  return judge(
+      trial.hidden, hidden::make_records(trial.hidden, trial.level, trial.seed),
+      {hidden::clean_record(trial.hidden, seed), hidden::clean_record(trial.hidden, seed + 1)},
+      registry);
+}
+
+void report_progress(const Trial& trial, const Outcome& outcome) {
+  std::ostringstream line;
+  line << trial.hidden.name << ' ' << trial.level << ' ' << flags_of(outcome) << ": "
+       << outcome.score.answer << outcome.failure << " (" << outcome.seconds << " s)\n";
+  std::cerr << line.str();
 }
 
 std::vector<Outcome> run_trials(const std::vector<Trial>& trials, const Registry& registry) {
@@ -48,9 +86,7 @@ std::vector<Outcome> run_trials(const std::vector<Trial>& trials, const Registry
   const auto work = [&] {
     for (std::size_t i = next++; i < trials.size(); i = next++) {
       outcomes[i] = run_trial(trials[i], registry);
-      std::cerr << i + 1 << '/' << trials.size() << ' ' << trials[i].hidden.name << ' '
-                << trials[i].level << ": " << outcomes[i].score.answer << outcomes[i].failure
-                << " (" << outcomes[i].seconds << " s)\n";
+      report_progress(trials[i], outcomes[i]);
     }
   };
   std::vector<std::jthread> threads;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
 #include "lacuna/config/registry.hpp"
 
@@ -20,14 +22,23 @@ struct Trial {
 /// What came of it.
 struct Outcome {
   hidden::Score score;
-  double gap = 0.0;       ///< after, on the record that was held out
-  double true_gap = 0.0;  ///< of the true model there; 0 where it cannot be run
-  double seconds = 0.0;
-  std::string failure;  ///< message of an exception; empty when there was none
+  double gap = 0.0;                     ///< after, on the record that was held out
+  std::optional<double> true_gap = {};  ///< of the true model there, where it can be run
+  std::optional<double> real_gap = {};  ///< recomputed from clean data, where it can be
+  double seconds = 0.0;                 ///< of one processor
+  std::string failure;                  ///< message of an exception; empty when there was none
 };
+
+/// Diagnoses records and holds the answer against the truth. @param clean the same without
+/// noise.
+Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
+              const hidden::Records& clean, const Registry& registry);
 
 /// Makes the records of a trial, diagnoses them and holds the answer against the truth.
 Outcome run_trial(const Trial& trial, const Registry& registry);
+
+/// One line about a trial on standard error.
+void report_progress(const Trial& trial, const Outcome& outcome);
 
 /// All trials, spread over the processor's cores; outcomes in the order of the trials. Progress
 /// goes to standard error.

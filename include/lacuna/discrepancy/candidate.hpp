@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +29,9 @@ struct MemoryState {
   std::string rate;  ///< formula in variables, shape parameters and memory states
   std::string
       start;  ///< formula in variables and shape parameters, at the record's first sample
+  /// It is moved by white noise besides, as the records ask for: a free input. The coefficient
+  /// in front of the form is 1 then and is not fitted.
+  bool driven = false;
 };
 
 /// Where a candidate's form is added.
@@ -55,6 +59,13 @@ struct Candidate {
   std::vector<MemoryState> memory = {};
   Place place = Place::Rate;
   Index equation = 0;  ///< whose equation, or whose measured value
+  /// Least and largest coefficient that make sense: no more than the whole of a term can lag.
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  /// It may stand in an equation more than once with other shapes: a second tone.
+  bool repeats = false;
+
+  bool is_driven() const;  ///< whether it has a memory state that is
 };
 
 /// A formula of the candidate with numbers in place of its shape parameters.

@@ -20,13 +20,20 @@ Matrix memory_along(const Candidate& candidate, std::span<const double> shapes,
 Vector form_along(const Candidate& candidate, std::span<const double> shapes,
                   const Variables& variables, const LinearisedRecord& record);
 
+/// Time from which on a candidate's form is known along a record: a delayed value lies in the
+/// record, a memory has forgotten where it began (two that begin a range of the memory apart
+/// have come within a twentieth of it). Nothing when that is never so: a play that never moves.
+std::optional<double> known_from(const Candidate& candidate, std::span<const double> shapes,
+                                 const Variables& variables, const LinearisedRecord& record);
+
 /// A candidate with numbers for its shape parameters. The candidate must outlive it.
 struct Probe {
   const Candidate* candidate;
   Vector shapes;
 };
 
-/// What candidates with coefficient 1 do to the whitened innovations.
+/// What candidates with coefficient 1 do to the whitened innovations. They do nothing while a
+/// delayed value lies before the record.
 struct ProbeColumns {
   Matrix columns;            ///< one for each probe; 0 where it is not finite
   std::vector<bool> finite;  ///< whether the form is finite everywhere on the records

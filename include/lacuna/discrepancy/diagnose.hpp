@@ -17,6 +17,7 @@ struct DiagnosisOptions {
   /// the arithmetic that made or sampled the records.
   double substance = 1e-3;
   RankOptions rank = {};
+  bool fill_gap = false;  ///< structure without a name gets a spline as a stop-gap
 };
 
 /// Finds what a nominal model lacks: brings it onto the records, locates the disagreement,

@@ -89,6 +89,16 @@ struct Round {
   bool accepted = false;
 };
 
+/// What can be said of structure that no effect explains.
+struct Unnamed {
+  Index equation = 0;
+  std::vector<std::string> variables;  ///< of which it is a function, as far as one is found
+  double explained = 0.0;  ///< share of the disturbance's variance that goes with the curve
+  bool memory = false;     ///< earlier values of the variables tell more than present ones
+  bool periodic = false;   ///< a few lines of the spectrum make up most of it
+  bool filled = false;     ///< a spline stands in the augmented model as a stop-gap
+};
+
 /// What a nominal model lacks.
 struct Diagnosis {
   Verdict verdict = Verdict::NoDiscrepancy;
@@ -102,6 +112,7 @@ struct Diagnosis {
   NoiseModel noise;
   std::vector<Round> rounds;
   std::vector<std::string> notes;
+  std::optional<Unnamed> unnamed = {};  ///< with the verdict UnnamedStructure
 };
 
 }  // namespace lacuna

@@ -36,6 +36,7 @@ struct AugmentedProblem {
   std::vector<CoefficientPlace> free;
   std::vector<CoefficientPlace> effect_places;  ///< one per effect with Place::Rate, in order
   std::vector<ChannelTerm> channel_terms;  ///< one per effect with Place::Channel, in order
+  std::vector<Matrix> bridges = {};        ///< per record LinearisedRecord::bridge, or none
 };
 
 /// Puts effects into a model and their memory states into its records.

@@ -37,8 +37,8 @@ class Screening {
   /// The assimilation must outlive the screening.
   explicit Screening(const Assimilation& assimilation);
 
-  /// Gain and coefficient at given shapes; gain 0 where the candidate cannot be told from the
-  /// nominal terms or is not finite.
+  /// Gain and coefficient (within the candidate's bounds) at given shapes; gain 0 where the
+  /// candidate cannot be told from the nominal terms or is not finite.
   Score score(const Candidate& candidate, std::span<const double> shapes) const;
 
   /// score() of several that are all in the same place and equation, which costs less.

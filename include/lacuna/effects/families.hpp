@@ -22,7 +22,8 @@ extern const EffectFamily kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinea
     kSaturatingRate, kExponentialConduction;
 
 // Time and memory.
-extern const EffectFamily kPeriodicForcing, kParameterDrift, kTimeTrend, kDelay, kLag;
+extern const EffectFamily kPeriodicForcing, kParameterDrift, kTimeTrend, kDelay, kLag,
+    kUnmeasuredInput;
 
 // Recording.
 extern const EffectFamily kChannelSkew;

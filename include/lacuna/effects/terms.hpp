@@ -68,6 +68,14 @@ Candidate shaped_candidate(const std::string& form, const std::string& argument,
 /// gap and is taken along at its edge, within two samples. Memory state `$follower`.
 MemoryState follower(const Scope& scope, const std::string& place);
 
+/// Bounds the coefficient of a candidate that takes over a part of a term, or the whole of it.
+/// The nominal coefficient may be half the true one.
+void bound_to_term(const Scope& scope, Index equation, const std::string& term,
+                   Candidate& candidate);
+
+/// Whether the coefficient is a part of that of the argument as it is fitted, or the whole.
+bool is_part_of_term(const Candidate& candidate, const FittedCandidate& fitted);
+
 /// Whether two slopes are equal but for their uncertainty: to a fifth of the larger one or
 /// three standard errors. What is left of a dead zone's slope by that is no dead zone.
 bool slopes_agree(double a, double b, double deviation);

@@ -24,10 +24,17 @@ struct LinearisedRecord {
   Matrix transition;  ///< m^2 x (n-1): Phi_i, column by column
   Matrix response;    ///< 3 m^2 x (n-1): w0, w1, w2 (m each) of equation 0, then of 1, ...
   Matrix defect;      ///< m x (n-1): b_i
+  /// m x (n-1), or empty: spectral density that the disturbance of an equation has at least in
+  /// each step. It is above 0 where an equation has a term that cannot be known (a delayed one
+  /// that needs what was before the record); such a step tells nothing of the noise model.
+  Matrix bridge = {};
 
   Index samples() const noexcept { return time.size(); }
   Index states() const noexcept { return path.cols(); }
   Index steps() const noexcept { return transition.cols(); }
+  bool is_bridged(Index step, Index equation) const {
+    return bridge.size() > 0 && bridge(equation, step) > 0.0;
+  }
 };
 
 /// Linearises a model along a path.

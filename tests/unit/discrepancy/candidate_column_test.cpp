@@ -49,5 +49,41 @@ TEST(CandidateColumn, FormsThatAreNotFiniteAreNoCandidates) {
   EXPECT_TRUE(candidate_column(support::plain_candidate("q^3"), {}, fit, system));
 }
 
+TEST(CandidateColumn, ADelayIsKnownOnceItLiesInTheRecord) {
+  const LinearisedRecord record = step_record();
+  Candidate late = support::plain_candidate("delay(q,T)-q");
+  late.shapes = {{"T", "s", 0.1, 5.0, false}};
+  const std::vector<double> delay{1.5};
+  const auto known = known_from(late, delay, support::oscillator().variables(), record);
+  EXPECT_DOUBLE_EQ(known.value(), record.time[0] + 1.5);
+}
+
+TEST(CandidateColumn, ALagForgetsInThreeOfItsTimes) {
+  const std::vector<double> tau{0.5};
+  const auto known =
+      known_from(lag(0.5), tau, support::oscillator().variables(), step_record());
+  EXPECT_NEAR(known.value(), 0.5 * std::log(20.0), 0.02);
+}
+
+TEST(CandidateColumn, APlayThatNeverMovesIsNeverKnown) {
+  Candidate play = support::plain_candidate("follower-q");
+  play.memory = {{"follower", "25*((q-follower)-clip(q-follower,-gap,gap))", "q"}};
+  play.shapes = {{"gap", "m", 0.01, 100.0, true}};
+  const std::vector<double> wide{50.0}, narrow{0.05};
+  const Variables variables = support::oscillator().variables();
+  EXPECT_FALSE(known_from(play, wide, variables, step_record()));
+  EXPECT_LT(known_from(play, narrow, variables, step_record()).value(), 10.0);
+}
+
+TEST(CandidateColumn, NothingActsBeforeADelayIsKnown) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01);
+  const Assimilation fit = support::assimilated(data);
+  const InnovationSystem system(fit);
+  const auto column = candidate_column(support::plain_candidate("delay(q,6)"), {}, fit, system);
+  ASSERT_TRUE(column.has_value());
+  EXPECT_EQ(column->head(500).norm(), 0.0);
+  EXPECT_GT(column->norm(), 0.0);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
 
@@ -58,6 +59,48 @@ TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
                options, RunContext{});
   ASSERT_TRUE(diagnosis.gap.has_value());
   EXPECT_EQ(diagnosis.gap->records, std::vector<std::string>{"made, last quarter"});
+}
+
+/// A random function of time: straight lines between values half a second apart.
+double gusts(double t, double, double) {
+  static const std::vector<double> values = [] {
+    Random random(5);
+    std::vector<double> drawn(70);
+    for (double& value : drawn) value = random.normal();
+    return drawn;
+  }();
+  const auto before = static_cast<std::size_t>(2.0 * t);
+  const double share = 2.0 * t - static_cast<double>(before);
+  return (1.0 - share) * values[before] + share * values[before + 1];
+}
+
+Diagnosis with_free_input(const support::Hidden& hidden, bool fill) {
+  DiagnosisOptions options;
+  options.effects = {FamilyEffect<kUnmeasuredInput>{}};
+  options.fill_gap = fill;
+  return diagnose(support::oscillator(), support::hidden_record(hidden, 0.005, 3),
+                  support::hidden_record(hidden, 0.005, 4, -0.7), options, RunContext{});
+}
+
+TEST(Diagnose, AnInputThatWasNotMeasuredHasAName) {
+  const Diagnosis diagnosis = with_free_input(gusts, false);
+  EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_EQ(diagnosis.effects[0].name, "unmeasured-input");
+  EXPECT_EQ(diagnosis.effects[0].coefficient, 1.0);
+}
+
+TEST(Diagnose, AFunctionOfAStateIsNoInput) {
+  const auto ripple = [](double, double q, double) { return 1.5 * std::sin(6.0 * q); };
+  const Diagnosis diagnosis = with_free_input(ripple, true);
+  EXPECT_EQ(diagnosis.verdict, Verdict::UnnamedStructure);
+  EXPECT_TRUE(diagnosis.effects.empty());
+  ASSERT_TRUE(diagnosis.unnamed.has_value());
+  EXPECT_EQ(diagnosis.unnamed->variables, std::vector<std::string>{"q"});
+  EXPECT_FALSE(diagnosis.unnamed->memory);
+  EXPECT_TRUE(diagnosis.unnamed->filled);
+  EXPECT_GT(diagnosis.unnamed->explained, 0.9);
+  EXPECT_LT(diagnosis.gap->ratio(), 0.3) << "the spline stands in the model";
 }
 
 }  // namespace

@@ -99,5 +99,39 @@ TEST(ChannelSkew, MovesAChannelAlongTheModel) {
   EXPECT_EQ(made[0].form, "(1)*(v)");
 }
 
+TEST(Hysteresis, ALoopIsAPartOfWhatIsThere) {
+  const Scope scope = oscillator_scope();
+  const Candidate loop = candidate_of<kHysteresis>(scope, 1, "follower-F");
+  EXPECT_TRUE(plausible_with<kHysteresis>(scope, loop, 0.5));
+  EXPECT_FALSE(plausible_with<kHysteresis>(scope, loop, 3.0));
+  EXPECT_FALSE(plausible_with<kHysteresis>(scope, loop, -0.5));
+  EXPECT_DOUBLE_EQ(loop.least, 0.0);
+  EXPECT_DOUBLE_EQ(loop.most, 2.0);
+}
+
+TEST(Lag, IsNoMoreThanTheWhole) {
+  const Scope scope = oscillator_scope();
+  const Candidate slow = candidate_of<kLag>(scope, 1, "lagged-(q)");
+  EXPECT_FALSE(plausible_with<kLag>(scope, slow, -400.0));
+  EXPECT_DOUBLE_EQ(slow.least, -8.0);
+}
+
+TEST(Delay, OfAStateItselfIsNoFasterThanTheState) {
+  const Scope scope = oscillator_scope();
+  const Candidate late = candidate_of<kDelay>(scope, 1, "delay(v,T)-v");
+  EXPECT_TRUE(plausible_with<kDelay>(scope, late, 0.5 * late.most));
+  EXPECT_FALSE(plausible_with<kDelay>(scope, late, -2.0 * late.most));
+}
+
+TEST(UnmeasuredInput, IsDrivenAndRemembers) {
+  const Scope scope = oscillator_scope();
+  const auto made = candidates_of<kUnmeasuredInput>(scope, 1);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_TRUE(made[0].is_driven());
+  EXPECT_EQ(made[0].form, made[0].memory[0].name);
+  EXPECT_GT(made[0].starts.front()[0], scope.step);
+  EXPECT_LE(made[0].starts.back()[0], 0.1 * scope.duration);
+}
+
 }  // namespace
 }  // namespace lacuna

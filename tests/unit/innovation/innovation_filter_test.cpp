@@ -101,5 +101,20 @@ TEST(InnovationFilter, DevianceIsThatOfTheFilter) {
                ArgumentError);
 }
 
+TEST(InnovationFilter, ABridgedStepForgivesAndTellsNothing) {
+  Case made = make_case(support::nothing);
+  Trajectory& record = made.data.trajectories[0];
+  record.states.col(1).tail(1000).array() += 1.0;  // a jump of the velocity after step 500
+  const double without = filter_deviance(made.record, record.states, Matrix(), noise_of(0.0));
+  const Vector expected = smooth(made.record, record.states, Matrix(), noise_of(0.1)).expected;
+  made.record.bridge = Matrix::Zero(2, made.record.steps());
+  made.record.bridge(1, 500) = 100.0;
+  EXPECT_LT(filter_deviance(made.record, record.states, Matrix(), noise_of(0.0)), without);
+  const SmoothedRecord bridged = smooth(made.record, record.states, Matrix(), noise_of(0.1));
+  EXPECT_NE(bridged.expected[1], expected[1]);
+  EXPECT_GT(std::abs(bridged.disturbance(500, 1)),
+            10.0 * std::abs(bridged.disturbance(400, 1)));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -53,5 +53,15 @@ TEST(LinearisedRecord, PathMustFitTheRecord) {
                ArgumentError);
 }
 
+TEST(LinearisedRecord, APartKeepsItsBridge) {
+  LinearisedRecord record = linearised();
+  EXPECT_FALSE(part_of(record, 10, 20).is_bridged(0, 1));
+  record.bridge = Matrix::Zero(2, record.steps());
+  record.bridge(1, 12) = 0.5;
+  const LinearisedRecord part = part_of(record, 10, 20);
+  EXPECT_TRUE(part.is_bridged(2, 1));
+  EXPECT_FALSE(part.is_bridged(2, 0));
+}
+
 }  // namespace
 }  // namespace lacuna
