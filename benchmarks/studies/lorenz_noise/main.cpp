@@ -112,8 +112,8 @@ void add_row(const Cell& cell, ResultTable& table) {
   const auto exact = std::count(cell.exact.begin(), cell.exact.end(), 1);
   table.rows.push_back(
       {c.system, format_number(c.step), std::to_string(c.samples), std::to_string(c.degree),
-       format_number(100.0 * c.noise, 3), std::to_string(c.draws),
-       format_number(100.0 * static_cast<double>(exact) / c.draws, 3),
+       format_number(100.0 * c.noise, 3), c.scale == Scale::Deviation ? "deviation" : "signal",
+       std::to_string(c.draws), format_number(100.0 * static_cast<double>(exact) / c.draws, 3),
        format_number(median(cell.errors), 3), format_number(median(cell.seconds), 3)});
 }
 
@@ -129,9 +129,10 @@ int run(const std::filesystem::path& folder, int draws, const std::string& prese
     write_file_atomically(
         folder / "lorenz_noise.md",
         "Preset `" + preset +
-            "`; each draw is another stretch of the orbit with other noise. Noise is relative "
-            "to "
-            "the root mean square\nof the record over all states, error that of the matrix of "
+            "`; each draw is another stretch of the orbit with other noise, whose standard "
+            "deviation is\nrelative to that of each state (deviation) or to the root mean "
+            "square "
+            "of the record over all states (signal).\nErrors are those of the matrix of "
             "coefficients in the spectral norm.\n\nMade by `study_lorenz_noise FOLDER " +
             std::to_string(draws) + " " + preset + "` on " + today() + ", " +
             machine_description() + ".\n\n" + table.markdown());
