@@ -13,22 +13,17 @@ namespace lacuna {
 namespace {
 
 Matrix differences(const Vector& time, const Eigen::Ref<const Matrix>& values, int accuracy,
-                   int order) {
+                   int order, Index margin = 0) {
   const StencilRule rule{std::string(FiniteDifferencesOptions::kInfo.name), order,
                          accuracy / 2 + (order - 1) / 2, accuracy + order,
                          [order](const Vector& nodes, double at) {
                            return interpolation_weights(nodes, at, order);
                          }};
-  return apply_stencil(rule, time, values);
+  return apply_stencil(rule, time, values, margin);
 }
 
-/// Rows of a matrix that differences of order `highest` see from both sides.
-auto inside(const Matrix& values, int highest) {
-  const Index margin = highest / 2;
-  return values.middleRows(margin, values.rows() - 2 * margin);
-}
-
-/// First derivatives of one record by the orders that are asked for, and of a unit impulse in
+/// First derivatives of one record by the orders that are asked for, without the samples at its
+/// ends that the highest order sees from one side, and of a unit impulse in
 /// its middle, whose square is that of the weights.
 class OrderChoice {
  public:
@@ -72,8 +67,7 @@ class OrderChoice {
   /// By order 2 (i + 1).
   const Matrix& rates(std::size_t i) {
     if (rates_[i].size() == 0)
-      rates_[i] =
-          inside(differences(time_, signals_, 2 * static_cast<int>(i + 1), 1), highest_);
+      rates_[i] = differences(time_, signals_, 2 * static_cast<int>(i + 1), 1, highest_ / 2);
     return rates_[i];
   }
 

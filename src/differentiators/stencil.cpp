@@ -146,7 +146,7 @@ Vector fit_weights(const Vector& nodes, double at, int degree, int order) {
 }
 
 Matrix apply_stencil(const StencilRule& rule, const Vector& time,
-                     const Eigen::Ref<const Matrix>& values) {
+                     const Eigen::Ref<const Matrix>& values, Index margin) {
   const Index n = time.size();
   if (n < rule.width)
     throw DataError(rule.name,
@@ -157,9 +157,9 @@ Matrix apply_stencil(const StencilRule& rule, const Vector& time,
   const std::optional<double> step = common_step(time);
   const Index border = step ? rule.radius : n;
   if (step) apply_inside(rule, *step, values, result);
-  for (Index row = 0; row < n; ++row)
+  for (Index row = margin; row < n - margin; ++row)
     if (row < border || row >= n - border) apply_own_weights(rule, time, row, values, result);
-  return result;
+  return result.middleRows(margin, n - 2 * margin);
 }
 
 }  // namespace lacuna

@@ -38,8 +38,9 @@ struct StencilRule {
 /// are uniform) the weights of the inner rows are computed once; near the ends and on other
 /// grids each row has weights of its own, from the `width` samples nearest in number.
 /// Derivatives are sums of differences of samples, so that a constant gives exactly 0.
+/// @param margin samples at either end that have no row in the result.
 /// @throws DataError when there are fewer than `width` samples.
 Matrix apply_stencil(const StencilRule& rule, const Vector& time,
-                     const Eigen::Ref<const Matrix>& values);
+                     const Eigen::Ref<const Matrix>& values, Index margin = 0);
 
 }  // namespace lacuna

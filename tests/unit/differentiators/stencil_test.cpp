@@ -87,5 +87,13 @@ TEST(ApplyStencil, TooFewSamplesSayHowMany) {
   }
 }
 
+TEST(ApplyStencil, LeavesOutTheMarginOnAnyGrid) {
+  for (const Vector& time : {uniform_grid(40, 0.1), jittered_grid(40, 3.0)}) {
+    const Matrix values = time.array().sin().matrix();
+    const Matrix all = apply_stencil(second_order_rule(), time, values);
+    EXPECT_EQ(apply_stencil(second_order_rule(), time, values, 5), all.middleRows(5, 30));
+  }
+}
+
 }  // namespace
 }  // namespace lacuna
