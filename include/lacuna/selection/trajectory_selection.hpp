@@ -53,7 +53,9 @@ struct TrajectorySelectionOptions {
 /// path about which it is linearised is then moved to the solution. The noise is estimated from
 /// the record; where it cannot be told from the signal it is what the fit leaves. Outliers are
 /// left out; short gaps are bridged; states that were not measured (`--embed`) follow from the
-/// others. Does nothing with records that bring measured derivatives.
+/// others. Models that do not fit to the noise are refitted by refine(). Does nothing with
+/// records that bring measured derivatives, nor, starting from a model, with records without
+/// noise of which it explains the derivatives to a thousandth.
 class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {
  public:
   using Configured::Configured;
