@@ -27,7 +27,8 @@ struct Gap {
 /// the model runs freely from the initial state that fits best; the gap is the root mean square
 /// of (measured - model) / (standard deviation of the state) over all samples of all measured
 /// states. What the measurement adds itself (a skew between channels) counts as part of the
-/// augmented model. The noise floor is the same for the measurement noise alone, as the records show it.
+/// augmented model. The noise floor is the same for the measurement noise alone, as the records
+/// show it.
 Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
           const RunContext& context);
 
