@@ -254,10 +254,15 @@ std::string to_string(Verdict verdict) {
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  if (!held_out.trajectories.empty())
-    return Workflow(nominal, data, options, context).run(held_out);
-  const auto [find, check] = split_in_time(data);
-  return Workflow(nominal, find, options, context).run(check);
+  std::vector<std::string> notes, held_out_notes;
+  const Dataset records = bridged(data, notes);
+  const auto [find, check] = held_out.trajectories.empty()
+                                 ? split_in_time(records)
+                                 : std::pair(records, bridged(held_out, held_out_notes));
+  Diagnosis result = Workflow(nominal, find, options, context).run(check);
+  for (const std::string& note : held_out_notes) notes.push_back("held-out records: " + note);
+  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+  return result;
 }
 
 }  // namespace lacuna
