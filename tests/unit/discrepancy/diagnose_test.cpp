@@ -103,6 +103,12 @@ TEST(Diagnose, PiecesThatAreTooShortAreAnErrorThatSaysSo) {
   }
 }
 
+TEST(Diagnose, AModelThatDivergesWithinAStepIsAnErrorThatNamesUnits) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories.front().time *= 1e8;
+  EXPECT_THROW(diagnose(support::oscillator(), data, {}, {}, RunContext{}), DataError);
+}
+
 /// A random function of time: straight lines between values half a second apart.
 double gusts(double t, double, double) {
   static const std::vector<double> values = [] {
