@@ -95,6 +95,7 @@ class Workflow {
     result_.notes.push_back(
         "the measurement noise has a memory, which explains the records better than any effect "
         "with white noise");
+    given_ = assimilate_from(nominal_, data_, coloured, AssimilationOptions{}, context_);
     fitted_ = coloured;
     Assimilation start = *given_;
     start.noise = coloured.noise;
