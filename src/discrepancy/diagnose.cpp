@@ -102,6 +102,10 @@ class Workflow {
         "with white noise");
     given_ = assimilate_from(nominal_, data_, coloured, AssimilationOptions{}, context_);
     fitted_ = coloured;
+    Assimilation start = *given_;
+    start.noise = coloured.noise;
+    given_ = assimilate_from(nominal_, data_, start, AssimilationOptions{}, context_);
+    result_.disagreement = locate(*given_, context_);
     return search();
   }
 
@@ -134,12 +138,9 @@ class Workflow {
   /// in; less is no explanation.
   bool closes_most(const SearchResult& found) const {
     if (found.named.empty()) return false;
-    double before = 0.0, after = 0.0;
     const Vector rates = rate_rms(*fitted_);
-    for (Index k = 0; k < nominal_.dimension(); ++k) {
-      before += std::pow(fitted_->noise.disturbance[k] / rates[k], 2);
-      after += std::pow(found.explanation.fit.noise.disturbance[k] / rates[k], 2);
-    }
+    const double before = total_disturbance(*fitted_, rates);
+    const double after = total_disturbance(found.explanation.fit, rates);
     return after < 0.5 * before;
   }
 
