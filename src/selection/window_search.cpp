@@ -102,6 +102,12 @@ bool WindowSearch::round(WindowFit& fit) {
   const std::vector<Index> before = fit.subset;
   fit.subset = search.best({before}, false).columns;
   if (fit.subset == before) fit.subset = search.best({before}, true).columns;
+  const std::optional<double> moved = windows_.move(solve(fit, search));
+  return moved && *moved < kSmallMove && fit.subset == before;
+}
+
+/// The coefficients of the subset. @return them as values of all candidates.
+Vector WindowSearch::solve(WindowFit& fit, const SubsetSearch& search) const {
   const Vector h = search.solve(fit.subset);
   Vector values = Vector::Zero(static_cast<Index>(candidates_.size()));
   fit.coefficients.setZero();
@@ -111,8 +117,7 @@ bool WindowSearch::round(WindowFit& fit) {
     fit.coefficients(candidates_[column].equation, candidates_[column].term) =
         h[static_cast<Index>(i)];
   }
-  const std::optional<double> moved = windows_.move(values);
-  return moved && *moved < kSmallMove && fit.subset == before;
+  return values;
 }
 
 /// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
@@ -264,6 +269,23 @@ bool WindowSearch::grow() {
   sigma_ = sigma;
   longest_ = true;
   return false;
+}
+
+void WindowSearch::simplify(double share) {
+  constexpr int kRounds = 4;
+  bool changed = fit_.rows > 0 && !task_.price;
+  for (int i = 0; changed && i < kRounds; ++i) {
+    fit_.triangle = windows_.linearise(fit_.coefficients, candidates_);
+    const Matrix scaled = fit_.triangle / std::sqrt(fit_.scale);
+    fit_.price = std::max(fit_.price, share * SubsetSearch(scaled, 0.0).residual(fit_.subset));
+    const SubsetSearch search(scaled, fit_.price);
+    const std::vector<Index> before = fit_.subset;
+    fit_.subset = search.best({before}, true).columns;
+    changed = fit_.subset != before;
+    windows_.move(solve(fit_, search));
+    settle(fit_, kSmallMove, kIterations);
+  }
+  finish();
 }
 
 /// A path that moves by a thousandth of sigma leaves the coefficients where they are.

@@ -50,6 +50,13 @@ class WindowSearch {
   /// the fit is then as it was.
   bool grow();
 
+  /// Whether longer windows were tried and the model fits them worse.
+  bool limited() const noexcept { return longest_; }
+
+  /// For a model that is an approximation, which any term improves a little: keeps the terms
+  /// that take away at least a share of chi squared each; those of a given price stay.
+  void simplify(double share);
+
   /// The last iterations, after which coefficients no longer change.
   void finish();
 
@@ -57,6 +64,7 @@ class WindowSearch {
 
  private:
   bool round(WindowFit& fit);
+  Vector solve(WindowFit& fit, const SubsetSearch& search) const;
   double settle(WindowFit& fit, double tolerance, int iterations);
   void converge(WindowFit& fit);
   void summarise(WindowFit& fit) const;
