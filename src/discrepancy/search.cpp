@@ -75,6 +75,7 @@ class Search {
         fit_options_(fit_options),
         options_(options),
         context_(context),
+        rates_(rate_rms(base)),
         result_{{{}, base}, {}, {}, {}} {}
 
   SearchResult run() {
@@ -100,15 +101,17 @@ class Search {
            (result_.named.empty() || closes_enough(ranked));
   }
 
-  /// Whether a later effect takes away a tenth of what is left in its equation. Less is not
-  /// what is missing there, however significant.
+  /// Whether a later effect takes away a tenth of what is left in its equation, or of all where
+  /// it is one of the measurement. Less is not what is missing there, however significant.
   bool closes_enough(const RankedEffect& ranked) const {
     constexpr double kTenth = 0.1;
     const Candidate& candidate = ranked.effect().candidate;
-    if (candidate.place == Place::Channel) return true;
-    const double before = result_.explanation.fit.noise.disturbance[candidate.equation];
-    const double after = ranked.explanation.fit.noise.disturbance[candidate.equation];
-    return after * after <= (1.0 - kTenth) * before * before;
+    const auto left = [&](const Assimilation& fit) {
+      return candidate.place == Place::Channel
+                 ? total_disturbance(fit, rates_)
+                 : std::pow(fit.noise.disturbance[candidate.equation], 2);
+    };
+    return left(ranked.explanation.fit) <= (1.0 - kTenth) * left(result_.explanation.fit);
   }
 
   /// The best effect that may come in, or take the place of another form of itself.
@@ -184,11 +187,15 @@ class Search {
     return first > 0.0 ? (before - after) / first : 0.0;
   }
 
-  /// Takes out an effect whose coefficient is no longer told from 0.
+  /// Takes out effects that the newest one makes superfluous.
   void look_back() {
+    while (take_out_one()) {
+    }
+  }
+
+  /// Takes out the first effect without which the records are explained no worse by BIC.
+  bool take_out_one() {
     for (std::size_t e = 0; e + 1 < result_.explanation.effects.size(); ++e) {
-      const FittedEffect& effect = result_.explanation.effects[e];
-      if (std::abs(effect.coefficient) >= options_.significance * effect.deviation) continue;
       std::vector<FittedEffect> rest = result_.explanation.effects;
       rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(e));
       Explanation smaller =
@@ -196,8 +203,9 @@ class Search {
       if (criterion_of(smaller) > criterion_of(result_.explanation)) continue;
       result_.explanation = std::move(smaller);
       result_.named.erase(result_.named.begin() + static_cast<std::ptrdiff_t>(e));
-      return;
+      return true;
     }
+    return false;
   }
 
   const Dataset& data_;
@@ -206,6 +214,7 @@ class Search {
   const AssimilationOptions& fit_options_;
   const DiagnosisOptions& options_;
   const RunContext& context_;
+  const Vector rates_;  ///< rms of the nominal states' rates of change
   SearchResult result_;
 };
 
