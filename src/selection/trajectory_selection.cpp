@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "lacuna/core/text.hpp"
-#include "lacuna/refine/structure_test.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
 
@@ -206,7 +205,10 @@ class Searches {
   /// Whether the model breaks down in longer windows; noise of any kind does not do that.
   bool is_approximation() const { return first_.limited(); }
 
-  void simplify(double share) { first_.simplify(share); }
+  void simplify() {
+    constexpr double kSlack = 0.1;  // the residuals of an approximation are not known better
+    first_.simplify(kSlack);
+  }
 
   /// What the search from nothing found where it is not the same.
   const WindowFit* other() const { return second_ ? &second_->fit() : nullptr; }
@@ -245,7 +247,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   RefinedModel result = Outcome(task, *fit, noise).make();
   const bool is_noise = fits_to_noise(result);
   if (!is_noise && searches.is_approximation()) {
-    searches.simplify(StructureOptions{}.least_share);
+    searches.simplify();
     result = Outcome(task, *fit, noise).make();
   }
   if (from_model && start.isZero())
