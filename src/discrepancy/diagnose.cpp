@@ -68,7 +68,7 @@ class Workflow {
         make_scope(nominal_, data_, estimate_noise(data_), spectral_lines(*fitted_, kLines));
     SearchResult found =
         search_effects(data_, *fitted_, *scope_, fit_options_, options_, context_);
-    if (any_substantial(found.left) && !closes_most(found)) or_free_input(found);
+    if (any_substantial(found.left)) or_free_input(found);
     return found;
   }
 
@@ -83,11 +83,16 @@ class Workflow {
             structure.empty() ? 0 : structure.front().equation};
   }
 
-  /// Where no effect explains the records an input that was not measured may.
+  /// Where effects leave something over an input that was not measured may explain the records
+  /// better. Effects that explain less than it get no name, whether it gets one or not.
   void or_free_input(SearchResult& found) const {
-    const std::optional<RankedEffect> input = find_free_input(unexplained());
+    const Unexplained problem = unexplained();
+    const std::optional<RankedEffect> input = find_free_input(problem);
     if (!input || input->criterion > criterion_of(found.explanation)) return;
-    found = name_free_input(*input, *fitted_, options_, std::move(found.rounds), context_);
+    if (stands_alone(*input, problem))
+      found = name_free_input(*input, *fitted_, options_, std::move(found.rounds), context_);
+    else
+      found.named.clear();
   }
 
   bool any_substantial(const std::vector<EquationStructure>& left) const {

@@ -75,13 +75,13 @@ class Search {
         fit_options_(fit_options),
         options_(options),
         context_(context),
-        rates_(rate_rms(base)),
         result_{{{}, base}, {}, {}, {}} {}
 
   SearchResult run() {
     do {
       result_.left = test_structure(result_.explanation.fit, context_);
     } while (may_go_on() && add_one());
+    settle_names();
     update_numbers(result_.explanation, result_.named);
     return std::move(result_);
   }
@@ -98,20 +98,24 @@ class Search {
 
   bool acceptable(const RankedEffect& ranked) const {
     return ranked.sigma >= options_.significance && ranked.contribution >= options_.substance &&
-           (result_.named.empty() || closes_enough(ranked));
+           has_a_part(ranked.effect()) && (result_.named.empty() || closes_enough(ranked));
   }
 
-  /// Whether a later effect takes away a tenth of what is left in its equation, or of all where
-  /// it is one of the measurement. Less is not what is missing there, however significant.
+  /// Whether the gain is the effect's own: with a coefficient that is not told from 0 it is
+  /// that of effects before it, whose shapes have moved.
+  bool has_a_part(const FittedEffect& effect) const {
+    return std::abs(effect.coefficient) >= options_.significance * effect.deviation;
+  }
+
+  /// Whether a later effect takes away a tenth of what is left in its equation. Less is not
+  /// what is missing there, however significant.
   bool closes_enough(const RankedEffect& ranked) const {
     constexpr double kTenth = 0.1;
     const Candidate& candidate = ranked.effect().candidate;
-    const auto left = [&](const Assimilation& fit) {
-      return candidate.place == Place::Channel
-                 ? total_disturbance(fit, rates_)
-                 : std::pow(fit.noise.disturbance[candidate.equation], 2);
-    };
-    return left(ranked.explanation.fit) <= (1.0 - kTenth) * left(result_.explanation.fit);
+    if (candidate.place == Place::Channel) return true;
+    const double before = result_.explanation.fit.noise.disturbance[candidate.equation];
+    const double after = ranked.explanation.fit.noise.disturbance[candidate.equation];
+    return after * after <= (1.0 - kTenth) * before * before;
   }
 
   /// The best effect that may come in, or take the place of another form of itself.
@@ -187,15 +191,37 @@ class Search {
     return first > 0.0 ? (before - after) / first : 0.0;
   }
 
+  /// Numbers may have moved since an effect was named: what is then not plausible by its name
+  /// gets that of the same term by which it is.
+  void settle_names() {
+    const OdeModel& model = result_.explanation.fit.model;
+    for (std::size_t e = 0; e < result_.named.size(); ++e) {
+      FittedEffect& effect = result_.explanation.effects[e];
+      if (is_plausible(effect, model, options_.effects, scope_)) continue;
+      const auto other = other_name_of(effect, model, options_.effects, scope_);
+      if (!other) continue;
+      NamedEffect& named = result_.named[e];
+      std::erase_if(named.alternatives, [&](const Alternative& alternative) {
+        return alternative.name == other->effect;
+      });
+      named.name = other->effect;
+      named.description = other->description;
+      named.cause = cause_of(named.name, options_.effects);
+      effect.candidate = *other;
+    }
+  }
+
   /// Takes out effects that the newest one makes superfluous.
   void look_back() {
     while (take_out_one()) {
     }
   }
 
-  /// Takes out the first effect without which the records are explained no worse by BIC.
+  /// Takes out the first effect that is not told from 0 any more, if the records are explained
+  /// no worse without it by BIC.
   bool take_out_one() {
     for (std::size_t e = 0; e + 1 < result_.explanation.effects.size(); ++e) {
+      if (has_a_part(result_.explanation.effects[e])) continue;
       std::vector<FittedEffect> rest = result_.explanation.effects;
       rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(e));
       Explanation smaller =
@@ -214,7 +240,6 @@ class Search {
   const AssimilationOptions& fit_options_;
   const DiagnosisOptions& options_;
   const RunContext& context_;
-  const Vector rates_;  ///< rms of the nominal states' rates of change
   SearchResult result_;
 };
 
