@@ -92,12 +92,12 @@ class Turns {
   static constexpr int kRises = 2;
 
   Vector accuracy() const {
-    Vector result = spans(data_) * 1e-4;
+    Vector result = spans(data_) * 1e-3;
     // A free input has no column: it is as accurate as its path asks for, to begin with as 1.
     for (Index k = 0; k < result.size(); ++k) {
       for (const LinearisedRecord& record : state_.records) {
         const auto& path = record.path.col(k);
-        result[k] = std::max(result[k], 1e-4 * (path.maxCoeff() - path.minCoeff()));
+        result[k] = std::max(result[k], 1e-3 * (path.maxCoeff() - path.minCoeff()));
       }
       if (result[k] <= std::numeric_limits<double>::min()) result[k] = 1.0;
     }
