@@ -17,6 +17,7 @@ struct Gap {
   double noise_floor = 0.0;  ///< measurement noise alone
   double window = 0.0;       ///< length of the windows, time units
   std::vector<std::string> records;
+  Index diverged = 0;  ///< windows in which a model has no finite solution; they do not count
 
   double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }
 };
@@ -27,7 +28,14 @@ struct Gap {
 /// the model runs freely from the initial state that fits best; the gap is the root mean square
 /// of (measured - model) / (standard deviation of the state) over all samples of all measured
 /// states. The noise floor is the same for the measurement noise alone, as the records show it.
+/// Windows in which a model has no finite solution are left out and counted; where none is left
+/// the numbers are not finite.
 Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
           const RunContext& context);
+
+/// Gap::after on the records that a model was brought onto: what the model leaves when it runs
+/// freely in windows. A disturbance that pushes to and fro within a window hardly counts here,
+/// one that lasts counts most.
+double window_gap(const Assimilation& fit);
 
 }  // namespace lacuna
