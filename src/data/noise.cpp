@@ -48,9 +48,14 @@ class Differences {
     } else {
       differences_.conservativeResize(count);
     }
-    for (Index i = 0; i < count; i += stride)
-      sizes.push_back(scale_ *
-                      std::abs(uniform_ ? differences_[i] / gain_ : divided(i, order)));
+    const auto old = static_cast<Index>(sizes.size());
+    const Index more = (count + stride - 1) / stride;
+    sizes.resize(static_cast<std::size_t>(old + more));
+    Eigen::Map<Vector> added(sizes.data() + old, more);
+    if (uniform_)
+      added = differences_(Eigen::seqN(0, more, stride)).cwiseAbs() * (scale_ / gain_);
+    else
+      for (Index i = 0; i < more; ++i) added[i] = scale_ * std::abs(divided(i * stride, order));
   }
 
  private:

@@ -11,19 +11,6 @@
 namespace lacuna {
 namespace {
 
-/// The step h of a uniform grid: no time stamp is further than h/1000 from t_0 + i h. Stamps
-/// are often rounded to a few digits, which must not count, while a drifting clock must.
-std::optional<double> common_step(const Vector& time) {
-  constexpr double kTolerance = 1e-3;
-  const Index last = time.size() - 1;
-  if (last < 1) return std::nullopt;
-  const double step = (time[last] - time[0]) / static_cast<double>(last);
-  for (Index i = 1; i < last; ++i)
-    if (std::abs(time[i] - time[0] - static_cast<double>(i) * step) > kTolerance * step)
-      return std::nullopt;
-  return step;
-}
-
 /// Samples from `first` on take part in a row of their own weights.
 void apply_row(const StencilRule& rule, const Vector& weights, Index first, Index row,
                const Eigen::Ref<const Matrix>& values, Matrix& result) {
@@ -120,6 +107,17 @@ Vector power_derivatives(double s, int degree, int order) {
 }
 
 }  // namespace
+
+std::optional<double> common_step(const Vector& time) {
+  constexpr double kTolerance = 1e-3;
+  const Index last = time.size() - 1;
+  if (last < 1) return std::nullopt;
+  const double step = (time[last] - time[0]) / static_cast<double>(last);
+  for (Index i = 1; i < last; ++i)
+    if (std::abs(time[i] - time[0] - static_cast<double>(i) * step) > kTolerance * step)
+      return std::nullopt;
+  return step;
+}
 
 Vector interpolation_weights(const Vector& nodes, double at, int order) {
   return FornbergTable(nodes, at, order).column(order);

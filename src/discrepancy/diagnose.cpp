@@ -106,6 +106,7 @@ class Workflow {
     result_.notes.push_back(
         "the measurement noise has a memory, which explains the records better than any effect "
         "with white noise");
+    given_ = assimilate_from(nominal_, data_, coloured, AssimilationOptions{}, context_);
     fitted_ = coloured;
     return search();
   }

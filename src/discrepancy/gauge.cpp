@@ -142,6 +142,26 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
   return std::sqrt(sum / count);
 }
 
+bool has_memory(const NoiseModel& noise) {
+  return std::any_of(noise.coloured.begin(), noise.coloured.end(),
+                     [](const auto& coloured) { return coloured.has_value(); });
+}
+
+/// The model on records, with noise of the kind that was found and without the summands that
+/// the measurement has: these are taken on a first path.
+Assimilation without_faults(const Assimilation& found, Dataset& data,
+                            const RunContext& context) {
+  AssimilationOptions options;
+  options.coloured = has_memory(found.noise);
+  Assimilation fit = assimilate(found.model, data, {}, options, context);
+  if (found.channel_terms.empty()) return fit;
+  for (std::size_t r = 0; r < fit.records.size(); ++r)
+    data.trajectories[r].states =
+        without_channel_terms(data.trajectories[r].states, fit.records[r],
+                              found.model.variables(), found.channel_terms);
+  return assimilate(found.model, data, {}, options, context);
+}
+
 /// The noise of a model with fewer states.
 NoiseModel narrowed(NoiseModel noise, Index m) {
   noise.disturbance.conservativeResize(m);
@@ -169,8 +189,7 @@ Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset
   std::vector<Matrix> paths;
   for (const Trajectory& record : held_out.trajectories) paths.push_back(record.states);
   AugmentedProblem problem = augment(nominal, held_out, {}, explanation.effects, paths);
-  AssimilationOptions options;
-  Assimilation fit = assimilate(explanation.fit.model, problem.data, {}, options, context);
+  const Assimilation fit = without_faults(explanation.fit, problem.data, context);
   const Vector scale = deviations(problem.data);
   const Index length = window_length(fit.records, fit.noise);
   Squares before, after;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -177,17 +178,31 @@ void sort_by_criterion(std::vector<RankedEffect>& effects) {
                    [](const auto& a, const auto& b) { return a.criterion < b.criterion; });
 }
 
+/// Weights exp(-BIC/2) against the best; a second name of the same term weighs nothing.
+std::vector<double> weights_of(const std::vector<RankedEffect>& effects, double least) {
+  std::vector<double> weights;
+  for (auto effect = effects.begin(); effect != effects.end(); ++effect) {
+    const bool again = std::any_of(effects.begin(), effect, [&](const RankedEffect& other) {
+      return have_one_term(other.effect(), effect->effect());
+    });
+    weights.push_back(again ? 0.0 : std::exp(-0.5 * (effect->criterion - least)));
+  }
+  return weights;
+}
+
 void set_probabilities(Ranking& ranking, double none_criterion) {
   double least = none_criterion;
   for (const RankedEffect& effect : ranking.effects) least = std::min(least, effect.criterion);
-  double sum = std::exp(-0.5 * (none_criterion - least));
-  ranking.none = sum;
-  for (RankedEffect& effect : ranking.effects) {
-    effect.probability = std::exp(-0.5 * (effect.criterion - least));
-    sum += effect.probability;
-  }
+  const std::vector<double> weights = weights_of(ranking.effects, least);
+  ranking.none = std::exp(-0.5 * (none_criterion - least));
+  const double sum = std::accumulate(weights.begin(), weights.end(), ranking.none);
   ranking.none /= sum;
-  for (RankedEffect& effect : ranking.effects) effect.probability /= sum;
+  for (RankedEffect& effect : ranking.effects) {
+    effect.probability = 0.0;
+    for (std::size_t j = 0; j < weights.size(); ++j)
+      if (mean_the_same(effect.effect(), ranking.effects[j].effect()))
+        effect.probability += weights[j] / sum;
+  }
 }
 
 /// Shape parameters and memory states: what makes a candidate less plain.
@@ -224,6 +239,22 @@ void put_plainer_first(std::vector<RankedEffect>& effects) {
 }
 
 }  // namespace
+
+bool have_one_term(const FittedEffect& a, const FittedEffect& b) {
+  const auto term = [](const FittedEffect& effect) {
+    return bind_form(effect.candidate,
+                     {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())})
+        .to_string();
+  };
+  const bool plain = a.candidate.memory.empty() && b.candidate.memory.empty();
+  return plain && a.candidate.place == b.candidate.place &&
+         a.candidate.equation == b.candidate.equation && term(a) == term(b);
+}
+
+bool mean_the_same(const FittedEffect& a, const FittedEffect& b) {
+  const bool same_name = a.candidate.effect == b.candidate.effect;
+  return (same_name && same_place(a.candidate, b.candidate)) || have_one_term(a, b);
+}
 
 Ranking rank(const Dataset& data, const Explanation& current,
              const std::vector<Stage<Effect>>& effects, const Scope& scope,

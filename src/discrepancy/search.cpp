@@ -35,7 +35,9 @@ NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking,
   named.contribution = ranked.contribution;
   named.probability = ranked.probability;
   for (const RankedEffect& other : ranking.effects) {
-    if (&other == &ranked || named.alternatives.size() == kAlternatives) continue;
+    const bool same_name = other.effect().candidate.effect == named.name;
+    if (same_name && mean_the_same(ranked.effect(), other.effect())) continue;
+    if (named.alternatives.size() == kAlternatives) break;
     named.alternatives.push_back(
         {other.effect().candidate.effect, term_of(other.effect()), other.probability});
   }

@@ -31,13 +31,10 @@ bool too_short(const Trajectory& record, const Dataset& data, const Differentiat
 double noise_gain(const Trajectory& record, const Differentiator& differentiator) {
   const Index n = record.samples();
   const Index places = std::min<Index>(n, 8);
-  double sum = 0.0;
-  for (Index i = 0; i < places; ++i) {
-    Matrix impulse = Matrix::Zero(n, 1);
-    impulse((2 * i + 1) * n / (2 * places), 0) = 1.0;
-    sum += differentiate_record(record, impulse, differentiator, 1).squaredNorm();
-  }
-  return std::sqrt(sum / static_cast<double>(places));
+  Matrix impulses = Matrix::Zero(n, places);
+  for (Index i = 0; i < places; ++i) impulses((2 * i + 1) * n / (2 * places), i) = 1.0;
+  return differentiate_record(record, impulses, differentiator, 1).norm() /
+         std::sqrt(static_cast<double>(places));
 }
 
 }  // namespace
@@ -73,10 +70,11 @@ std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,
          noise_gain(longest_record(data), *fitted_to(options().differentiator, data));
 }
 
-std::shared_ptr<const Formulation> StrongForm::do_fit(const Dataset& data) const {
+std::shared_ptr<const Formulation> StrongForm::do_fit(
+    const Dataset& data, const std::optional<Vector>& noise) const {
   if (data.has_derivatives()) return nullptr;
   Options fitted = options();
-  fitted.differentiator = fitted_to(options().differentiator, data);
+  fitted.differentiator = fitted_to(options().differentiator, data, noise);
   return std::make_shared<const StrongForm>(std::move(fitted));
 }
 

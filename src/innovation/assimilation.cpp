@@ -117,15 +117,11 @@ class Turns {
     correct_channels();
   }
 
-  /// What was measured, without the summands that the measurement has.
   void correct_channels() {
-    for (std::size_t r = 0; r < state_.records.size(); ++r) {
-      state_.measured[r] = data_.trajectories[r].states;
-      for (const ChannelTerm& term : state_.channel_terms)
-        state_.measured[r].col(term.state) -=
-            term.coefficient * evaluate_on(state_.records[r], state_.model.variables(),
-                                           term.form)(Eigen::seq(0, Eigen::last, 2));
-    }
+    for (std::size_t r = 0; r < state_.records.size(); ++r)
+      state_.measured[r] =
+          without_channel_terms(data_.trajectories[r].states, state_.records[r],
+                                state_.model.variables(), state_.channel_terms);
   }
 
   void improve_noise_and_path() {
@@ -260,6 +256,15 @@ std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {
     for (Index j = 0; j < terms; ++j) places.push_back({k, j});
   }
   return places;
+}
+
+Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
+                             const Variables& variables,
+                             const std::vector<ChannelTerm>& terms) {
+  for (const ChannelTerm& term : terms)
+    measured.col(term.state) -= term.coefficient * evaluate_on(record, variables, term.form)(
+                                                       Eigen::seq(0, Eigen::last, 2));
+  return measured;
 }
 
 Assimilation assimilate(const OdeModel& model, const Dataset& data,

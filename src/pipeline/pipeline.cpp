@@ -19,6 +19,7 @@ struct Run {
   const TermLibrary& library;
   const LeastSquaresSystem& system;
   const FilterResult& filtered;
+  const Vector& noise;  ///< of the states, as the record itself tells it
 };
 
 /// What is found out about one equation.
@@ -238,7 +239,7 @@ IdentificationResult run_equations(const Run& run) {
   }
   IdentificationResult result{
       OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit),
-      estimate_noise(run.data),
+      run.noise,
       {},
       {},
       {},
@@ -264,12 +265,13 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   const TermLibrary library = pipeline.basis->library(variables_of(data));
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
-  fitted.formulation = fitted_to(pipeline.formulation, data);
+  const Vector noise = estimate_noise(data);
+  fitted.formulation = fitted_to(pipeline.formulation, data, noise);
   const LeastSquaresSystem system = fitted.formulation->assemble(data, library, context);
   context.report("filtering terms", 0.0);
   const FilterResult filtered = fitted.filter->filter(system, context);
   IdentificationResult result =
-      run_equations({data, fitted, context, library, system, filtered});
+      run_equations({data, fitted, context, library, system, filtered, noise});
   context.report("fitting equations", 1.0);
   return result;
 }

@@ -95,11 +95,11 @@ std::string headline(const Diagnosis& diagnosis) {
 void write_effect(const Diagnosis& diagnosis, const NamedEffect& effect, std::ostream& out) {
   out << "Equation " << state_of(diagnosis, effect.equation).name << ": " << effect.description
       << " (" << effect.name << "), " << with_error(effect.coefficient, effect.deviation) << " "
-      << rate_unit(diagnosis, effect.equation) << " x "
+      << rate_unit(diagnosis, effect.equation) << " * "
       << readable(effect.term, effect.parameters) << ", explains " << percent(effect.gap_closed)
       << " of the disagreement (" << format_number(effect.sigma, 3) << " sigma).\n";
   for (const Alternative& other : effect.alternatives)
-    if (other.probability >= 0.01)
+    if (other.probability >= 0.01 && other.term != effect.term)
       out << "  It might also be " << other.name << " " << readable(other.term, {})
           << " (probability " << percent(other.probability) << ").\n";
 }

@@ -54,8 +54,9 @@ Matrix Differentiator::differentiate(const Vector& time, const Eigen::Ref<const 
   return do_differentiate(time, values, order);
 }
 
-Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data) {
-  auto fitted = method->do_fit(data);
+Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data,
+                                const std::optional<Vector>& noise) {
+  auto fitted = method->do_fit(data, noise);
   return fitted ? Stage<Differentiator>(std::move(fitted)) : method;
 }
 

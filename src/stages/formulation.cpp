@@ -103,8 +103,9 @@ std::optional<Vector> Formulation::target_noise(const Dataset& data,
   return do_target_noise(data, state_noise);
 }
 
-Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data) {
-  auto fitted = form->do_fit(data);
+Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data,
+                             const std::optional<Vector>& noise) {
+  auto fitted = form->do_fit(data, noise);
   return fitted ? Stage<Formulation>(std::move(fitted)) : form;
 }
 

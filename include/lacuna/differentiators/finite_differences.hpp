@@ -57,7 +57,8 @@ class FiniteDifferences final : public Configured<Differentiator, FiniteDifferen
                           int order) const override;
   Index do_margin() const override { return options().order.value_or(kHighest) / 2; }
   Index do_fewest_samples() const override { return options().order.value_or(2) + 1; }
-  std::shared_ptr<const Differentiator> do_fit(const Dataset& data) const override;
+  std::shared_ptr<const Differentiator> do_fit(
+      const Dataset& data, const std::optional<Vector>& noise) const override;
   std::optional<Vector> do_truncation_error(const Dataset& data) const override;
 
   static constexpr int kHighest = 20;

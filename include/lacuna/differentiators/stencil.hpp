@@ -2,11 +2,17 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "lacuna/core/types.hpp"
 
 namespace lacuna {
+
+/// The step h of a uniform grid: no time stamp is further than h/1000 from t_0 + i h. Stamps
+/// are often rounded to a few digits, which must not count, while a drifting clock must.
+/// @return nothing for other grids and for fewer than two samples.
+std::optional<double> common_step(const Vector& time);
 
 /// Weights w of the rule x^(k)(at) ~ sum_j w_j x(nodes_j), which is exact for polynomials of
 /// degree below the number of nodes; B. Fornberg, Math. Comp. 51 (1988) 699-706.
@@ -34,10 +40,9 @@ struct StencilRule {
 
 /// Applies the rule to every column at every sample.
 ///
-/// On a uniform grid (no time stamp off by more than 1e-3 of the step, so that rounded stamps
-/// are uniform) the weights of the inner rows are computed once; near the ends and on other
-/// grids each row has weights of its own, from the `width` samples nearest in number.
-/// Derivatives are sums of differences of samples, so that a constant gives exactly 0.
+/// On a uniform grid (common_step) the weights of the inner rows are computed once; near the
+/// ends and on other grids each row has weights of its own, from the `width` samples nearest in
+/// number. Derivatives are sums of differences of samples, so that a constant gives exactly 0.
 /// @param margin samples at either end that have no row in the result.
 /// @throws DataError when there are fewer than `width` samples.
 Matrix apply_stencil(const StencilRule& rule, const Vector& time,

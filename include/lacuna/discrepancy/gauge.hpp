@@ -27,9 +27,10 @@ struct Gap {
 /// The records are cut into windows of one mean period of their fastest state. In each window
 /// the model runs freely from the initial state that fits best; the gap is the root mean square
 /// of (measured - model) / (standard deviation of the state) over all samples of all measured
-/// states. The noise floor is the same for the measurement noise alone, as the records show it.
-/// Windows in which a model has no finite solution are left out and counted; where none is left
-/// the numbers are not finite.
+/// states. What the measurement adds itself (a skew between channels) counts as part of the
+/// augmented model. The noise floor is the same for the measurement noise alone, as the records
+/// show it. Windows in which a model has no finite solution are left out and counted; where none
+/// is left the numbers are not finite.
 Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
           const RunContext& context);
 

@@ -18,7 +18,9 @@ struct RankedEffect {
   double gain = 0.0;          ///< drop of the deviance against the explanation without it
   double sigma = 0.0;         ///< of the gain, for the number of candidates tried
   double contribution = 0.0;  ///< rms of coefficient x form over that of the state's rate
-  double probability = 0.0;   ///< among all ranked and "none of them"
+  /// Among all ranked and "none of them"; of all forms of the effect in this variable together,
+  /// and of the term, whatever its name.
+  double probability = 0.0;
 
   const FittedEffect& effect() const { return explanation.effects.back(); }
 };
@@ -39,6 +41,14 @@ struct RankOptions {
 /// Evidence up to which two explanations are not told apart: 2 log B of Kass and Raftery, JASA
 /// 90 (1995), from where on it is very strong.
 inline constexpr double kUndecided = 10.0;
+
+/// Whether two effects are the same term of the same equation under whatever names: a cubic
+/// stiffness is a cubic term.
+bool have_one_term(const FittedEffect& a, const FittedEffect& b);
+
+/// Whether two effects are forms of one (dry friction as sign(w) and as tanh(w/width)) or one
+/// term.
+bool mean_the_same(const FittedEffect& a, const FittedEffect& b);
 
 /// Ranks the candidates that may come next: score tests of all, then the best of each effect
 /// and equation is fitted exactly, with all coefficients, shapes and variances, and compared by

@@ -44,7 +44,8 @@ class StrongForm final : public Configured<Formulation, StrongFormOptions> {
                                  const RunContext& context) const override;
   std::optional<Vector> do_target_noise(const Dataset& data,
                                         const Vector& state_noise) const override;
-  std::shared_ptr<const Formulation> do_fit(const Dataset& data) const override;
+  std::shared_ptr<const Formulation> do_fit(const Dataset& data,
+                                            const std::optional<Vector>& noise) const override;
 };
 
 }  // namespace lacuna

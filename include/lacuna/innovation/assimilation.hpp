@@ -70,6 +70,11 @@ Vector resolution_of(const Dataset& data);
 /// All coefficients of equations that are not identities (dq/dt = v).
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model);
 
+/// What was measured of a record (n x m), without the summands that the measurement has; these
+/// are taken on the record's path.
+Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
+                             const Variables& variables, const std::vector<ChannelTerm>& terms);
+
 /// Brings a model onto records.
 /// @param omitted per record samples to leave out (see run_filter), or empty.
 Assimilation assimilate(const OdeModel& model, const Dataset& data,

@@ -39,7 +39,8 @@ class Differentiator : public StageInterface {
 
  private:
   friend Stage<Differentiator> fitted_to(const Stage<Differentiator>& method,
-                                         const Dataset& data);
+                                         const Dataset& data,
+                                         const std::optional<Vector>& noise);
 
   virtual Matrix do_differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                                   int order) const = 0;
@@ -53,11 +54,16 @@ class Differentiator : public StageInterface {
   }
 
   /// The method with what it leaves open chosen for these records; null when nothing is open.
-  virtual std::shared_ptr<const Differentiator> do_fit(const Dataset&) const { return nullptr; }
+  virtual std::shared_ptr<const Differentiator> do_fit(const Dataset&,
+                                                       const std::optional<Vector>&) const {
+    return nullptr;
+  }
 };
 
 /// The method with those of its parameters that were left open chosen for these records; the
-/// method itself when none is.
-Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data);
+/// method itself when none is. @param noise of the states (estimate_noise) where it is known
+/// already; else it is estimated where it is needed.
+Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data,
+                                const std::optional<Vector>& noise = {});
 
 }  // namespace lacuna

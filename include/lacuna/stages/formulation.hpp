@@ -40,7 +40,8 @@ class Formulation : public StageInterface {
   std::optional<Vector> target_noise(const Dataset& data, const Vector& state_noise) const;
 
  private:
-  friend Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data);
+  friend Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data,
+                                      const std::optional<Vector>& noise);
 
   virtual LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,
                                          const RunContext& context) const = 0;
@@ -50,11 +51,16 @@ class Formulation : public StageInterface {
                                                 const Vector& state_noise) const = 0;
 
   /// The form with what it leaves open chosen for these records; null when nothing is open.
-  virtual std::shared_ptr<const Formulation> do_fit(const Dataset&) const { return nullptr; }
+  virtual std::shared_ptr<const Formulation> do_fit(const Dataset&,
+                                                    const std::optional<Vector>&) const {
+    return nullptr;
+  }
 };
 
 /// The form with those of its parameters that were left open chosen for these records, so that
 /// they are chosen once; the form itself when none is. @param data checked (check_dataset).
-Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data);
+/// @param noise of the states (estimate_noise) where it is known already.
+Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data,
+                             const std::optional<Vector>& noise = {});
 
 }  // namespace lacuna

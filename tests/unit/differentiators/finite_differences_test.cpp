@@ -152,6 +152,30 @@ TEST(FiniteDifferences, TruncationErrorIsThatOfTheDerivative) {
   }
 }
 
+TEST(FiniteDifferences, SeriesOfDifferencesAgreesWithStencils) {
+  const Dataset uniform = sine_record(0.4, 3000, 0.0);
+  Dataset shifted = uniform;
+  Trajectory& run = shifted.trajectories[0];
+  run.time[1500] += 0.002 * 0.4;  // more than a uniform grid may have
+  run.states(1500, 0) = std::sin(run.time[1500]);
+  EXPECT_EQ(chosen_order(shifted), chosen_order(uniform));
+  for (const int order : {2, 6, 12}) {
+    const FiniteDifferences method{{.order = order}};
+    const double series = (*method.truncation_error(uniform))[0];
+    EXPECT_NEAR((*method.truncation_error(shifted))[0], series, 0.01 * series) << order;
+  }
+}
+
+TEST(FiniteDifferences, NoiseThatIsKnownIsNotEstimatedAgain) {
+  const Dataset record = sine_record(0.3, 4000, 1e-5);
+  const auto order_at = [&](double noise) {
+    const auto fitted = fitted_to(FiniteDifferences{}, record, Vector::Constant(1, noise));
+    return *dynamic_cast<const FiniteDifferences&>(*fitted).options().order;
+  };
+  EXPECT_EQ(order_at(1e-5), chosen_order(record));
+  EXPECT_LT(order_at(1e-2), chosen_order(record));
+}
+
 TEST(FiniteDifferences, NoiseIsNoTruncationError) {
   const FiniteDifferences method{{.order = 8}};
   EXPECT_EQ((*method.truncation_error(sine_record(0.1, 3000, 1e-2)))[0], 0.0);

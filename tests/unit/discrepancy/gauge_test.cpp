@@ -30,5 +30,28 @@ TEST(Gauge, StaysWhereNothingIsMissing) {
   EXPECT_NEAR(gap.ratio(), 1.0, 0.05);
 }
 
+TEST(Gauge, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
+  const auto skewed = [](std::uint64_t seed, double start) {
+    Dataset data = support::hidden_record(support::nothing, 0.001, seed, start);
+    Matrix& states = data.trajectories[0].states;
+    const Index n = states.rows() - 3;
+    states.col(0).head(n) = Vector(states.col(0).tail(n));  // three steps late
+    states.conservativeResize(n, Eigen::NoChange);
+    data.trajectories[0].time.conservativeResize(n);
+    data.trajectories[0].inputs.conservativeResize(n, Eigen::NoChange);
+    return data;
+  };
+  const Dataset data = skewed(3, 1.0);
+  Candidate skew = support::plain_candidate("v");
+  skew.place = Place::Channel;
+  skew.equation = 0;
+  const Assimilation base = support::assimilated(data);
+  const Explanation found = explain(data, base.model, base, {{skew, Vector(0), 0.0}},
+                                    support::oscillator_fit_options(), RunContext{});
+  const Gap gap = gauge(support::oscillator(), found, skewed(4, -0.7), RunContext{});
+  EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
+  EXPECT_LT(gap.after, 0.5 * gap.before);
+}
+
 }  // namespace
 }  // namespace lacuna

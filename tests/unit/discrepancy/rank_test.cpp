@@ -35,5 +35,36 @@ TEST(Rank, NothingIsRankedWhereNothingIsMissing) {
   EXPECT_DOUBLE_EQ(ranking.none, 1.0);
 }
 
+constexpr StageInfo kRubbing{"rubbing", "Dry friction under another name", ""};
+
+FittedEffect named(const std::string& name, const std::string& form) {
+  FittedEffect effect{support::plain_candidate(form), Vector(0), 1.0, 0.0};
+  effect.candidate.effect = name;
+  effect.candidate.argument = "v";
+  return effect;
+}
+
+TEST(Rank, NamesOfOneTermAndFormsOfOneEffectMeanTheSame) {
+  EXPECT_TRUE(have_one_term(named("stiffness", "v^3"), named("cubic", "v^3")));
+  EXPECT_FALSE(have_one_term(named("stiffness", "v^3"), named("stiffness", "v^5")));
+  EXPECT_TRUE(mean_the_same(named("friction", "sign(v)"), named("friction", "tanh(v/0.1)")));
+  EXPECT_FALSE(mean_the_same(named("friction", "sign(v)"), named("saturation", "tanh(v)")));
+  FittedEffect elsewhere = named("friction", "sign(v)");
+  elsewhere.candidate.equation = 0;
+  EXPECT_FALSE(mean_the_same(named("friction", "sign(v)"), elsewhere));
+}
+
+TEST(Rank, NamesOfOneTermShareItsProbability) {
+  const Dataset data = support::hidden_record(support::dry_friction, 0.01);
+  std::vector<Stage<Effect>> twice = support::own_effects();
+  twice.push_back(support::FormEffect<kRubbing>("sign(v)"));
+  const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
+  const Ranking ranking = rank(data, {{}, support::assimilated(data)}, twice, scope,
+                               support::oscillator_fit_options(), {}, RunContext{});
+  ASSERT_GE(ranking.effects.size(), 2u);
+  EXPECT_GT(ranking.effects[0].probability, 0.99);
+  EXPECT_DOUBLE_EQ(ranking.effects[0].probability, ranking.effects[1].probability);
+}
+
 }  // namespace
 }  // namespace lacuna

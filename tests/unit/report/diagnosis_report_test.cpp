@@ -36,7 +36,7 @@ TEST(DiagnosisReport, SaysItInAFewLines) {
   const std::string text = format_text(made());
   EXPECT_THAT(text,
               testing::HasSubstr("Equation v: dry friction opposing v (coulomb-friction), "
-                                 "-0.4 +- 0.02 m/s/s x sign(v), explains 93 %"));
+                                 "-0.4 +- 0.02 m/s/s * sign(v), explains 93 %"));
   EXPECT_THAT(text, testing::HasSubstr("might also be quadratic-drag"));
   EXPECT_THAT(text, testing::HasSubstr("from 4.9 % to 0.31 % (noise floor 0.3 %)"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);
@@ -48,7 +48,7 @@ TEST(DiagnosisReport, NumbersInTermsHaveTheDigitsThatTheirErrorsAllow) {
   effect.term = "sin(2*3.141592653589793*0.6999994750761255*t+0.3549071)-1.5e-05*x12345678";
   effect.parameters = {{"frequency", "1/s", 0.6999994750761255, 2e-5}};
   EXPECT_THAT(format_text(diagnosis),
-              testing::HasSubstr("x sin(2*pi*0.699999*t+0.3549)-1.5e-05*x12345678,"));
+              testing::HasSubstr("* sin(2*pi*0.699999*t+0.3549)-1.5e-05*x12345678,"));
 }
 
 TEST(DiagnosisReport, JsonHasTheKeysOfTheFormat) {
