@@ -172,9 +172,11 @@ NoiseModel narrowed(NoiseModel noise, Index m) {
 
 }  // namespace
 
+Index window_samples(const Assimilation& fit) { return window_length(fit.records, fit.noise); }
+
 double window_gap(const Assimilation& fit) {
   const Vector scale = path_deviations(fit);
-  const Index length = window_length(fit.records, fit.noise);
+  const Index length = window_samples(fit);
   Squares all;
   for (std::size_t r = 0; r < fit.records.size(); ++r)
     all.add(window_squares(fit.records[r], fit.measured[r], fit.noise, scale, 0,

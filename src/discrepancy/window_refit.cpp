@@ -36,6 +36,17 @@ ParametrisedModel parametrised(const Assimilation& fit, const AssimilationOption
   return {fit.model, std::move(free)};
 }
 
+/// Ten windows of the gauge: the fitted initial states then take up little of what the
+/// coefficients do. Nothing where the records hold fewer than ten that long: drift in a few
+/// long windows would say more than all the rest.
+std::optional<Index> long_window(const Assimilation& fit) {
+  constexpr Index kTen = 10;
+  const Index length = kTen * window_samples(fit);
+  Index count = 0;
+  for (const LinearisedRecord& record : fit.records) count += record.samples() / length;
+  return count >= kTen ? std::optional(length) : std::nullopt;
+}
+
 /// The noise and the path with coefficients as they are.
 Assimilation with_model(const Dataset& data, const OdeModel& model, const Assimilation& fit,
                         AssimilationOptions options, const RunContext& context) {
@@ -63,9 +74,13 @@ std::optional<Explanation> refit_over_windows(const Dataset& data,
                                               const AssimilationOptions& options,
                                               const Explanation& explanation,
                                               const RunContext& context) {
-  if (!is_plain(explanation)) return std::nullopt;
+  const std::optional<Index> length = long_window(explanation.fit);
+  if (!length || !is_plain(explanation)) return std::nullopt;
   context.report("refitting over windows", 0.0);
-  const Refinement refined = refine(parametrised(explanation.fit, options), data, {}, context);
+  RefineOptions windows;
+  windows.window_samples = length;
+  const Refinement refined =
+      refine(parametrised(explanation.fit, options), data, windows, context);
   if (refined.status == RefineStatus::Diverged || !refined.covariance.allFinite())
     return std::nullopt;
   Explanation next{explanation.effects,

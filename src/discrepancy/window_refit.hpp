@@ -13,8 +13,9 @@ namespace lacuna {
 /// each step and gives way to what happens within a step or two, however small its part in the
 /// motion; solutions over windows weigh it as the motion does, and blocks of the record say how
 /// sure the coefficients are.
-/// @return nothing where the explanation has delays, memory or terms in what is measured, or
-///   where the gap in windows (window_gap()) is no less with the new coefficients.
+/// @return nothing where the explanation has delays, memory or terms in what is measured,
+///   where the records hold fewer than ten windows of ten mean periods, or where the gap in
+///   windows (window_gap()) is no less with the new coefficients.
 std::optional<Explanation> refit_over_windows(const Dataset& data,
                                               const AssimilationOptions& options,
                                               const Explanation& explanation,

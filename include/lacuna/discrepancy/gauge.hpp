@@ -29,10 +29,14 @@ struct Gap {
 /// of (measured - model) / (standard deviation of the state) over all samples of all measured
 /// states. What the measurement adds itself (a skew between channels) counts as part of the
 /// augmented model. The noise floor is the same for the measurement noise alone, as the records
-/// show it. Windows in which a model has no finite solution are left out and counted; where none
-/// is left the numbers are not finite.
+/// show it. Windows in which a model has no finite solution are left out and counted; where
+/// none is left the numbers are not finite.
 Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
           const RunContext& context);
+
+/// Samples of a window of the gauge: the shortest mean period of a measured state along the
+/// paths, no fewer than 20.
+Index window_samples(const Assimilation& fit);
 
 /// Gap::after on the records that a model was brought onto: what the model leaves when it runs
 /// freely in windows. A disturbance that pushes to and fro within a window hardly counts here,
