@@ -5,9 +5,6 @@
 namespace lacuna {
 namespace {
 
-// Below this share of the largest speed a change of slope is as good as a jump.
-constexpr double kStandstill = 0.1;
-
 // A bend between these quantiles lies in the middle of the motion.
 constexpr double kMiddle = 0.4;
 
@@ -36,10 +33,7 @@ bool has_two_slopes(const Scope& scope, const Candidate& candidate,
   const double inside = outside + fitted.coefficient;
   if (slopes_agree(outside, -fitted.coefficient, fitted.deviation)) return false;
   if (slopes_agree(inside, fitted.coefficient, fitted.deviation)) return false;
-  const VariableRange& own = scope.state(candidate.equation);
-  const bool standstill = candidate.argument == own.name &&
-                          fitted.shapes[0] < kStandstill * own.magnitude() && inside < outside;
-  return !standstill;
+  return !(inside < outside && bends_at_standstill(scope, candidate, fitted.shapes[0]));
 }
 
 bool bends_in_the_middle(const Scope& scope, const Candidate& candidate, double edge) {

@@ -51,9 +51,12 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
   return result;
 }
 
-// Nothing of the slope may be left beyond the limit.
-bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
+// Nothing of the slope may be left beyond the limit, and a force against the motion that is at
+// its limit as soon as something moves is dry friction.
+bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted) {
   const double inside = slope(fitted.nominal, candidate.equation, candidate.argument);
+  const bool opposing = (inside == 0.0 ? fitted.coefficient : -fitted.coefficient) < 0.0;
+  if (opposing && bends_at_standstill(scope, candidate, fitted.shapes[0])) return false;
   return inside == 0.0 || slopes_agree(inside, -fitted.coefficient, fitted.deviation);
 }
 

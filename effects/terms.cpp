@@ -155,7 +155,8 @@ Candidate shaped_candidate(const std::string& form, const std::string& argument,
 
 MemoryState follower(const Scope& scope, const std::string& place) {
   const std::string distance = "((" + place + ")-$follower)";
-  const std::string pace = format_number(0.5 / scope.step);
+  // As good as at once for what is sampled.
+  const std::string pace = format_number(2.0 / scope.step);
   return {"follower", pace + "*(" + distance + "-clip(" + distance + ",-$gap,$gap))", place};
 }
 
@@ -177,6 +178,15 @@ bool is_part_of_term(const Candidate& candidate, const FittedCandidate& fitted) 
 bool slopes_agree(double a, double b, double deviation) {
   const double larger = std::max(std::abs(a), std::abs(b));
   return std::abs(a - b) <= std::max(0.2 * larger, 3.0 * deviation);
+}
+
+bool bends_at_standstill(const Scope& scope, const Candidate& candidate, double edge) {
+  // Below this share of the largest speed a change of slope is as good as a jump.
+  constexpr double kStandstill = 0.1;
+  const std::string& x = candidate.argument;
+  const std::string own = x.substr(0, x.find('-'));
+  return own == scope.state(candidate.equation).name &&
+         edge < kStandstill * range_of(scope, x).magnitude();
 }
 
 bool opposes(const Scope&, const Candidate&, const FittedCandidate& fitted) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/parallel.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -28,6 +30,12 @@ void for_all(std::size_t count, const std::function<void(std::size_t)>& work) {
       threads.emplace_back(run);
   }
   if (failure) std::rethrow_exception(failure);
+}
+
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace lacuna::benchmarks

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "data_options.hpp"
+#include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 
 namespace lacuna::cli {
@@ -112,12 +113,41 @@ Dataset with_derived_states(const Dataset& data, const std::vector<Chain>& chain
   return result;
 }
 
+/// Seconds of a unit of time; nothing for one that is none of seconds (radians, tau).
+std::optional<double> seconds_of(const std::string& unit) {
+  static const std::map<std::string, double> known{
+      {"s", 1.0},   {"ms", 1e-3},  {"us", 1e-6}, {"\u00b5s", 1e-6},
+      {"ns", 1e-9}, {"min", 60.0}, {"h", 3600.0}};
+  const auto found = known.find(unit);
+  return found == known.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Times in the unit of the model, where the table says that theirs is another one.
+void bring_to_time_unit(const OdeModel& model, const Table& table, Dataset& data) {
+  const std::string &unit = data.time_unit, &wanted = model.time_unit();
+  const bool said = std::any_of(table.columns.begin(), table.columns.end(),
+                                [&](const Quantity& column) { return column.unit == unit; });
+  const bool pure_number = wanted.empty() || wanted == "1";
+  if (!said || pure_number || unit == wanted) return;
+  const auto seconds = seconds_of(unit), model_seconds = seconds_of(wanted);
+  if (!seconds || !model_seconds)
+    throw DataError(table.source, "its time is in " + unit + ", that of the model in " + wanted,
+                    "give both in the same unit");
+  for (Trajectory& trajectory : data.trajectories) {
+    trajectory.time *= *seconds / *model_seconds;
+    trajectory.derivatives.resize(0, 0);
+  }
+  data.notes.push_back(table.source + ": time is taken from " + unit + " to " + wanted);
+  data.time_unit = wanted;
+}
+
 Dataset read_one(const OdeModel& model, const std::string& path, const DataOptions& options,
                  const Differentiator& differentiator) {
   const Table table = read_table(path);
   const std::vector<Chain> chains = find_chains(model, table);
   check_complete(model, table, chains);
   Dataset data = assign_roles(table, roles_of(model, table, options));
+  bring_to_time_unit(model, table, data);
   return chains.empty() ? data : with_derived_states(data, chains, differentiator);
 }
 

@@ -6,6 +6,7 @@
 
 #include "coloured_noise.hpp"
 #include "free_input.hpp"
+#include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/innovation/innovation_system.hpp"
@@ -45,6 +46,10 @@ class Workflow {
     given_ = assimilate(nominal_, data_, mark_outliers(data_), AssimilationOptions{}, context_);
     if (clear_false_outliers(data_, *given_, result_.notes))
       given_ = assimilate_from(nominal_, data_, *given_, AssimilationOptions{}, context_);
+    if (!std::isfinite(given_->deviance))
+      throw DataError(data_.trajectories.front().source,
+                      "the model has no finite solution from one sample to the next",
+                      "check that model and record have the same units, above all of time");
     result_.disagreement = locate(*given_, context_);
     fit_options_.free = free_coefficients(nominal_);
     fit_options_.priors = options_.tolerances;
@@ -108,6 +113,10 @@ class Workflow {
         "with white noise");
     given_ = assimilate_from(nominal_, data_, coloured, AssimilationOptions{}, context_);
     fitted_ = coloured;
+    Assimilation start = *given_;
+    start.noise = coloured.noise;
+    given_ = assimilate_from(nominal_, data_, start, AssimilationOptions{}, context_);
+    result_.disagreement = locate(*given_, context_);
     return search();
   }
 
@@ -141,12 +150,9 @@ class Workflow {
   /// tenth (of the square) of the gap in windows; less is no explanation.
   bool closes_most(const SearchResult& found) const {
     if (found.named.empty()) return false;
-    double before = 0.0, after = 0.0;
     const Vector rates = rate_rms(*fitted_);
-    for (Index k = 0; k < nominal_.dimension(); ++k) {
-      before += std::pow(fitted_->noise.disturbance[k] / rates[k], 2);
-      after += std::pow(found.explanation.fit.noise.disturbance[k] / rates[k], 2);
-    }
+    const double before = total_disturbance(*fitted_, rates);
+    const double after = total_disturbance(found.explanation.fit, rates);
     constexpr double kTenth = 0.1;
     return after < 0.5 * before ||
            (found.refitted && Substance(*fitted_).gap(found.refitted->fit) < kTenth);
@@ -278,10 +284,15 @@ std::string to_string(Verdict verdict) {
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  if (!held_out.trajectories.empty())
-    return Workflow(nominal, data, options, context).run(held_out);
-  const auto [find, check] = split_in_time(data);
-  return Workflow(nominal, find, options, context).run(check);
+  std::vector<std::string> notes, held_out_notes;
+  const Dataset records = bridged(data, notes);
+  const auto [find, check] = held_out.trajectories.empty()
+                                 ? split_in_time(records)
+                                 : std::pair(records, bridged(held_out, held_out_notes));
+  Diagnosis result = Workflow(nominal, find, options, context).run(check);
+  for (const std::string& note : held_out_notes) notes.push_back("held-out records: " + note);
+  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+  return result;
 }
 
 }  // namespace lacuna

@@ -220,7 +220,9 @@ Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset
       before.diverged + after.diverged};
   const LinearisedRecord& first = fit.records.front();
   gap.window = static_cast<double>(length) * (first.time[1] - first.time[0]);
-  for (const Trajectory& record : held_out.trajectories) gap.records.push_back(record.source);
+  for (const Trajectory& record : held_out.trajectories)
+    if (gap.records.empty() || gap.records.back() != record.source)
+      gap.records.push_back(record.source);
   return gap;
 }
 

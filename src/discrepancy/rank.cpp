@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -51,17 +52,19 @@ std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
   return result;
 }
 
-/// The best of each effect and equation, with and without shapes, in the order of the
+/// The two best of each effect and equation, with and without shapes, in the order of the
 /// screening: those that may be significant and that are not far behind the best, whose lead
-/// only grows by an exact fit.
+/// only grows by an exact fit. The second is of another argument: a lag of a product whose
+/// factor seems to lag as well.
 std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& screened,
                                           Index count) {
   constexpr double kPossible = 2.0;  // standard deviations
   constexpr double kFarBehind = 0.05;
+  constexpr std::size_t kOfEach = 2;
   std::vector<ScreenedCandidate> result;
   const auto tried = static_cast<double>(screened.size());
   const double best = screened.empty() ? 0.0 : screened.front().gain;
-  std::set<std::tuple<std::string, Index, bool>> seen;
+  std::map<std::tuple<std::string, Index, bool>, std::set<std::string>> seen;
   for (const ScreenedCandidate& candidate : screened) {
     if (static_cast<Index>(result.size()) == count) break;
     const double freedom = 1.0 + static_cast<double>(candidate.shapes.size());
@@ -69,7 +72,9 @@ std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& 
         sigma_of_gain(candidate.gain, freedom, tried) < kPossible)
       continue;
     const bool shaped = candidate.shapes.size() > 0;
-    if (seen.insert({candidate.candidate.effect, candidate.candidate.equation, shaped}).second)
+    std::set<std::string>& arguments =
+        seen[{candidate.candidate.effect, candidate.candidate.equation, shaped}];
+    if (arguments.size() < kOfEach && arguments.insert(candidate.candidate.argument).second)
       result.push_back(candidate);
   }
   return result;
@@ -152,12 +157,17 @@ std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit
   return result;
 }
 
-/// Whether the disturbance of the effect's equation is less with it. A form that follows the
-/// path's own rate (a delay or a lag of the state itself, shorter than a step) can take the
-/// place of the rate; then the likelihood rises and the disturbance does not fall.
-bool lessens_disturbance(const RankedEffect& ranked, const Explanation& current) {
+/// Whether the disturbance of the effect's equation is less with it, for an effect on a channel
+/// that of all equations together. A form that follows the path's own rate (a delay or a lag of
+/// the state itself, shorter than a step) can take the place of the rate, and a channel that is
+/// corrected by the path's rate can lose noise by that; then the likelihood rises and the
+/// disturbance does not fall.
+bool lessens_disturbance(const RankedEffect& ranked, const Explanation& current,
+                         const Vector& rates) {
   const Candidate& candidate = ranked.effect().candidate;
-  if (candidate.place == Place::Channel) return true;
+  if (candidate.place == Place::Channel)
+    return total_disturbance(ranked.explanation.fit, rates) <
+           total_disturbance(current.fit, rates);
   const double before = current.fit.noise.disturbance[candidate.equation];
   return ranked.explanation.fit.noise.disturbance[candidate.equation] < before;
 }
@@ -176,6 +186,15 @@ bool is_plausible(const RankedEffect& ranked, const std::vector<Stage<Effect>>& 
 void sort_by_criterion(std::vector<RankedEffect>& effects) {
   std::stable_sort(effects.begin(), effects.end(),
                    [](const auto& a, const auto& b) { return a.criterion < b.criterion; });
+}
+
+/// How many to take from the front to have `count` that are plausible.
+template <class Plausible>
+std::size_t leading(const std::vector<RankedEffect>& sorted, Index count, Plausible plausible) {
+  std::size_t taken = 0;
+  for (Index found = 0; taken < sorted.size() && found < count; ++taken)
+    if (plausible(sorted[taken])) ++found;
+  return taken;
 }
 
 /// Weights exp(-BIC/2) against the best; a second name of the same term weighs nothing.
@@ -268,25 +287,31 @@ Ranking rank(const Dataset& data, const Explanation& current,
   const RunContext quiet{context.stop, {}, 1, context.seed};
   const Ranker ranker(data, scope.model, current, options, quiet);
   const auto tried = static_cast<double>(screened.size());
-  const auto is_possible = [&](const RankedEffect& ranked) {
-    return std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current) &&
-           is_plausible(ranked, effects, scope);
+  const Vector rates = rate_rms(current.fit).head(scope.model.dimension());
+  const auto is_sound = [&](const RankedEffect& ranked) {
+    return std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current, rates);
+  };
+  const auto plausible = [&](const RankedEffect& ranked) {
+    return is_plausible(ranked, effects, scope);
   };
   const std::vector<ScreenedCandidate> chosen = short_list(screened, rank_options.refits);
   context.report("fitting candidates", 0.0);
   ranking.effects = fitted_in_parallel(chosen.size(), context.threads, [&](std::size_t i) {
     return ranker.rough(chosen[i], tried);
   });
-  std::erase_if(ranking.effects, [&](const auto& ranked) { return !is_possible(ranked); });
+  // Numbers at shapes that are not settled say nothing against a name.
+  std::erase_if(ranking.effects, [&](const auto& ranked) {
+    return !is_sound(ranked) || (ranked.effect().shapes.size() == 0 && !plausible(ranked));
+  });
   sort_by_criterion(ranking.effects);
-  const auto exact =
-      std::min(ranking.effects.size(), static_cast<std::size_t>(rank_options.exact));
+  const std::size_t exact = leading(ranking.effects, rank_options.exact, plausible);
   context.report("fitting candidates exactly", 0.0);
   std::vector<RankedEffect> fitted = fitted_in_parallel(
       exact, context.threads,
       [&](std::size_t i) { return ranker.exact(ranking.effects[i], tried); });
   std::move(fitted.begin(), fitted.end(), ranking.effects.begin());
-  std::erase_if(ranking.effects, [&](const auto& ranked) { return !is_possible(ranked); });
+  std::erase_if(ranking.effects,
+                [&](const auto& ranked) { return !is_sound(ranked) || !plausible(ranked); });
   sort_by_criterion(ranking.effects);
   set_probabilities(ranking, bic_of(current));
   put_least_intricate_first(ranking.effects);

@@ -200,11 +200,15 @@ class Search {
     return first > 0.0 ? (before - after) / first : 0.0;
   }
 
-  /// Takes out an effect whose coefficient is no longer told from 0.
+  /// Takes out effects that the newest one makes superfluous.
   void look_back() {
+    while (take_out_one()) {
+    }
+  }
+
+  /// Takes out the first effect without which the records are explained no worse by BIC.
+  bool take_out_one() {
     for (std::size_t e = 0; e + 1 < result_.explanation.effects.size(); ++e) {
-      const FittedEffect& effect = result_.explanation.effects[e];
-      if (std::abs(effect.coefficient) >= options_.significance * effect.deviation) continue;
       std::vector<FittedEffect> rest = result_.explanation.effects;
       rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(e));
       Explanation smaller =
@@ -213,8 +217,9 @@ class Search {
       result_.explanation = std::move(smaller);
       result_.named.erase(result_.named.begin() + static_cast<std::ptrdiff_t>(e));
       plainer_.erase(plainer_.begin() + static_cast<std::ptrdiff_t>(e));
-      return;
+      return true;
     }
+    return false;
   }
 
   /// Where structure is left in the end, special names for it that the likelihood prefers give

@@ -56,6 +56,13 @@ Vector rate_rms(const Assimilation& fit) {
   return (sum / static_cast<double>(count)).cwiseSqrt();
 }
 
+double total_disturbance(const Assimilation& fit, const Vector& rates) {
+  double sum = 0.0;
+  for (Index k = 0; k < rates.size(); ++k)
+    if (rates[k] > 0.0) sum += std::pow(fit.noise.disturbance[k] / rates[k], 2);
+  return sum;
+}
+
 std::vector<EquationStructure> test_structure(const Assimilation& fit,
                                               const RunContext& context) {
   const double now = least_deviance(fit, {});

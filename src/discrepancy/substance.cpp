@@ -9,13 +9,11 @@
 namespace lacuna {
 namespace {
 
-/// Variance of the disturbance of one equation, or of all relative to their rates.
-double variance(const Assimilation& fit, std::optional<Index> equation, const Vector& rates) {
-  if (equation) return std::pow(fit.noise.disturbance[*equation], 2);
-  double sum = 0.0;
-  for (Index k = 0; k < rates.size(); ++k)
-    if (rates[k] > 0.0) sum += std::pow(fit.noise.disturbance[k] / rates[k], 2);
-  return sum;
+/// Variance of the disturbance of the equation that an effect acts on, or of all where it is
+/// one of the measurement.
+double variance(const Assimilation& fit, const Candidate& newest, const Vector& rates) {
+  return newest.place == Place::Channel ? total_disturbance(fit, rates)
+                                        : std::pow(fit.noise.disturbance[newest.equation], 2);
 }
 
 }  // namespace
@@ -24,10 +22,8 @@ Substance::Substance(const Assimilation& base)
     : base_(base), rates_(rate_rms(base)), base_gap_(window_gap(base)) {}
 
 double Substance::disturbance(const Assimilation& fit, const Candidate& newest) const {
-  const auto equation =
-      newest.place == Place::Rate ? std::optional(newest.equation) : std::nullopt;
-  const double whole = variance(base_, equation, rates_);
-  return whole > 0.0 ? variance(fit, equation, rates_) / whole : 0.0;
+  const double whole = variance(base_, newest, rates_);
+  return whole > 0.0 ? variance(fit, newest, rates_) / whole : 0.0;
 }
 
 double Substance::gap(const Assimilation& fit) const {

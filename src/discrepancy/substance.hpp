@@ -2,8 +2,6 @@
 // How much of a disagreement an effect takes away, where significance says too little.
 #pragma once
 
-#include <optional>
-
 #include "lacuna/discrepancy/explanation.hpp"
 
 namespace lacuna {

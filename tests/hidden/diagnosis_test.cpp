@@ -29,6 +29,23 @@ TEST(HiddenDiagnosis, NamesAHardeningSpring) {
   EXPECT_NEAR(found.size.value(), 1.0, 0.1);
 }
 
+TEST(HiddenDiagnosis, NamesASkewedChannelAndNothingElse) {
+  const Score found = diagnosed("filter-skew");
+  EXPECT_TRUE(found.verdict && found.name) << found.answer;
+  EXPECT_EQ(found.spurious, 0) << found.answer;
+}
+
+TEST(HiddenDiagnosis, NamesOneFrictionCurveByOneName) {
+  const Score found = diagnosed("motor-stribeck");
+  EXPECT_TRUE(found.verdict && found.equation && found.name) << found.answer;
+  EXPECT_EQ(found.spurious, 0) << found.answer;
+}
+
+TEST(HiddenDiagnosis, TakesNoiseWithAMemoryForNoEffect) {
+  const Score found = diagnosed("nerve-null-coloured");
+  EXPECT_TRUE(found.verdict) << found.answer;
+}
+
 TEST(HiddenDiagnosis, TellsWrongCoefficientsFromMissingStructure) {
   const Score found = diagnosed("oscillator-off");
   EXPECT_TRUE(found.verdict) << found.answer;

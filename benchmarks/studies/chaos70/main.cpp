@@ -2,18 +2,16 @@
 // Identifies the 70 polynomial chaotic flows from noisy records.
 // usage: study_chaos70 DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <numeric>
-#include <thread>
 
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/pipeline/presets.hpp"
+#include "support/parallel.hpp"
 #include "support/table.hpp"
 #include "systems.hpp"
 
@@ -27,13 +25,6 @@ struct Outcome {
   double seconds = 0.0;  ///< CPU time
 };
 
-/// CPU time of this thread, which does not depend on what else the machine does.
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// Systems below 1 % / 10 % in the best of the published variants (arXiv 2302.10787), whose
 /// thresholds were chosen on clean test data.
 std::string published(double percent) {
@@ -44,23 +35,17 @@ std::string published(double percent) {
 
 Outcome run(const System& system, const Pipeline& pipeline, double percent) {
   const Dataset data = noisy_records(system, percent, 1);
-  const double begin = thread_seconds();
+  const double begin = benchmarks::thread_seconds();
   const IdentificationResult result = identify(data, pipeline);
   return {coefficient_error(system.model, result.model), compare(system.model, result.model),
-          thread_seconds() - begin};
+          benchmarks::thread_seconds() - begin};
 }
 
 std::vector<Outcome> run_all(const std::vector<System>& systems, const Pipeline& pipeline,
                              double percent) {
   std::vector<Outcome> outcomes(systems.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < systems.size(); i = next++)
-      outcomes[i] = run(systems[i], pipeline, percent);
-  };
-  std::thread other(work);
-  work();
-  other.join();
+  benchmarks::for_all(systems.size(),
+                      [&](std::size_t i) { outcomes[i] = run(systems[i], pipeline, percent); });
   return outcomes;
 }
 

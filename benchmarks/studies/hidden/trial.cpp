@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "trial.hpp"
 
-#include <time.h>
-
-#include <atomic>
 #include <exception>
 #include <iostream>
 #include <sstream>
-#include <thread>
 #include <utility>
 
 #include "hidden/support/reality.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/discrepancy/diagnose.hpp"
+#include "support/parallel.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -22,13 +19,6 @@ std::vector<Stage<Effect>> all_effects(const Registry& registry) {
   for (const std::string& name : registry.names(Effect::kKind))
     effects.push_back(registry.make<Effect>(name));
   return effects;
-}
-
-/// Time of the processor that this thread has had.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 std::string flags_of(const Outcome& outcome) {
@@ -82,17 +72,10 @@ void report_progress(const Trial& trial, const Outcome& outcome) {
 
 std::vector<Outcome> run_trials(const std::vector<Trial>& trials, const Registry& registry) {
   std::vector<Outcome> outcomes(trials.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < trials.size(); i = next++) {
-      outcomes[i] = run_trial(trials[i], registry);
-      report_progress(trials[i], outcomes[i]);
-    }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-    threads.emplace_back(work);
-  threads.clear();  // joins
+  for_all(trials.size(), [&](std::size_t i) {
+    outcomes[i] = run_trial(trials[i], registry);
+    report_progress(trials[i], outcomes[i]);
+  });
   return outcomes;
 }
 

@@ -26,6 +26,11 @@ std::vector<EquationStructure> test_structure(const Assimilation& fit,
 /// Root mean square of each state's rate of change by the model along the paths, m entries.
 Vector rate_rms(const Assimilation& fit);
 
+/// How much the equations are disturbed together: the sum over the states in `rates` (the first
+/// ones of the model) of (disturbance / rate)^2, time units.
+/// @param rates rms of the rate of change of each, as of rate_rms(); a state at rest counts 0.
+double total_disturbance(const Assimilation& fit, const Vector& rates);
+
 /// Smoothed disturbances along one record, (n-1) x m, state unit per time unit.
 Matrix disturbance_along(const Assimilation& fit, std::size_t record);
 

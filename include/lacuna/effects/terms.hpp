@@ -65,7 +65,7 @@ Candidate shaped_candidate(const std::string& form, const std::string& argument,
                            std::vector<Vector> starts);
 
 /// What a place moves through play of half width `$gap`: it stands still while it is within the
-/// gap and is taken along at its edge, within two samples. Memory state `$follower`.
+/// gap and is taken along at its edge, within half a sample. Memory state `$follower`.
 MemoryState follower(const Scope& scope, const std::string& place);
 
 /// Bounds the coefficient of a candidate that takes over a part of a term, or the whole of it.
@@ -79,6 +79,11 @@ bool is_part_of_term(const Candidate& candidate, const FittedCandidate& fitted);
 /// Whether two slopes are equal but for their uncertainty: to a fifth of the larger one or
 /// three standard errors. What is left of a dead zone's slope by that is no dead zone.
 bool slopes_agree(double a, double b, double deviation);
+
+/// Whether a bend at +-edge of the equation's own velocity, or of its slip "v-w" against
+/// another, lies so near to standstill that it is as good as a jump: dry friction, by whatever
+/// formula.
+bool bends_at_standstill(const Scope& scope, const Candidate& candidate, double edge);
 
 /// Whether the effect takes away from the state in whose equation it stands; for effects that
 /// only ever oppose (friction, leakage), as EffectFamily::plausible.

@@ -50,6 +50,30 @@ TEST(ModelRecord, TakesColumnsByNameInAnyOrder) {
   EXPECT_EQ(a.out, b.out);
 }
 
+TEST(ModelRecord, BringsTimeToTheUnitOfTheModel) {
+  const Records records;
+  const std::string text = records.folder().read("osc.csv");
+  std::istringstream plain(text);
+  std::string line, milliseconds = "t [ms],x [m],u [N]\n";
+  std::getline(plain, line);
+  while (std::getline(plain, line)) {
+    const std::vector<std::string> field = split_list(line);
+    milliseconds +=
+        std::to_string(1e3 * std::stod(field[0])) + "," + field[1] + "," + field[2] + "\n";
+  }
+  const auto relative = [&](const std::string& record) {
+    const auto run = run_command({"sync", records.oscillator_model(), record, "--json", "-"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return nlohmann::json::parse(run.out)["relative"].get<double>();
+  };
+  EXPECT_NEAR(relative(records.folder().write("ms.csv", milliseconds)),
+              relative(records.oscillator()), 1e-9);
+  const std::string steps =
+      records.folder().write("steps.csv", "t [rev]" + text.substr(text.find(',')));
+  expect_failure(run_command({"sync", records.oscillator_model(), steps}), 2,
+                 {"steps.csv", "time is in rev", "same unit"});
+}
+
 TEST(ModelRecord, ReadsPatterns) {
   const Records records;
   const std::string pattern = records.folder().file("r*.csv");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lacuna/core/error.hpp"
 #include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
@@ -73,6 +74,53 @@ TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
                options, RunContext{});
   ASSERT_TRUE(diagnosis.gap.has_value());
   EXPECT_EQ(diagnosis.gap->records, std::vector<std::string>{"made, last quarter"});
+}
+
+TEST(Diagnose, ShortGapsAreBridged) {
+  const Dataset whole = support::hidden_record(support::dry_friction, 0.01);
+  Dataset cut = whole;
+  cut.trajectories.clear();
+  const Trajectory& record = whole.trajectories.front();
+  for (Index first = 0; first + 15 <= record.samples(); first += 17) {  // two samples missing
+    cut.trajectories.push_back({"made, record " + std::to_string(cut.trajectories.size() + 1),
+                                record.time.segment(first, 15),
+                                record.states.middleRows(first, 15),
+                                record.inputs.middleRows(first, 15),
+                                {}});
+  }
+  DiagnosisOptions options;
+  options.effects = support::own_effects();
+  const Diagnosis diagnosis = diagnose(support::oscillator(), cut, cut, options, RunContext{});
+  EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_NEAR(diagnosis.effects[0].coefficient, -0.3, 0.02);
+  EXPECT_EQ(diagnosis.gap->records, std::vector<std::string>{"made"});
+  ASSERT_FALSE(diagnosis.notes.empty());
+  EXPECT_EQ(diagnosis.notes[0], "87 short gaps in the records are bridged");
+}
+
+TEST(Diagnose, PiecesThatAreTooShortAreAnErrorThatSaysSo) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  Trajectory& record = data.trajectories.front();
+  record = {"short.csv",
+            record.time.head(12),
+            record.states.topRows(12),
+            record.inputs.topRows(12),
+            {}};
+  try {
+    diagnose(support::oscillator(), data, {}, {}, RunContext{});
+    FAIL() << "twelve samples are too few";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("short.csv: no record has 20 samples"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Diagnose, AModelThatDivergesWithinAStepIsAnErrorThatNamesUnits) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories.front().time *= 1e8;
+  EXPECT_THROW(diagnose(support::oscillator(), data, {}, {}, RunContext{}), DataError);
 }
 
 /// A random function of time: straight lines between values half a second apart.

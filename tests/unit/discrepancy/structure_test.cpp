@@ -31,5 +31,12 @@ TEST(Structure, RatesAreThoseOfThePath) {
               0.02 * rate_rms(fit)[0]);
 }
 
+TEST(Structure, TheTotalCountsEveryEquationInUnitsOfItsRate) {
+  Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  fit.noise.disturbance = Vector{{0.2, 0.6}};
+  EXPECT_NEAR(total_disturbance(fit, Vector{{2.0, 3.0}}), 0.01 + 0.04, 1e-15);
+  EXPECT_NEAR(total_disturbance(fit, Vector{{0.0, 3.0}}), 0.04, 1e-15) << "a state at rest";
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -34,6 +34,20 @@ TEST(Saturation, LeavesNoSlopeOutside) {
             "cubic-term");
 }
 
+TEST(Saturation, LeavesAForceThatIsAtItsLimitAtOnceToFriction) {
+  // The speed is within +-2; the damping of the nominal model has the coefficient -0.2.
+  const Scope scope = oscillator_scope();
+  const auto plausible_at = [&](const std::string& x, double coefficient, double limit) {
+    const Candidate candidate =
+        candidate_of<kSaturation>(scope, 1, "(" + x + ")-clip(" + x + ",-limit,limit)");
+    return FamilyEffect<kSaturation>().plausible(
+        scope, candidate, {scope.model, coefficient, 0.01, Vector::Constant(1, limit)});
+  };
+  EXPECT_FALSE(plausible_at("v", 0.2, 0.05));
+  EXPECT_TRUE(plausible_at("v", 0.2, 1.0));
+  EXPECT_TRUE(plausible_at("F", -1.0, 0.01)) << "a switch, not friction";
+}
+
 TEST(Saturation, OfWhatTheEquationHasNot) {
   const Scope scope = scope_of(model_of_lines({{"x", {{"x", -1.0}}}, {"y", {{"x", 1.0}}}}, {}));
   EXPECT_TRUE(forms_of<kSaturation>(scope, 0).contains("clip(y,-limit,limit)"));

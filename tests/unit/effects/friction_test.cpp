@@ -53,5 +53,13 @@ TEST(StribeckFriction, LeavesTheLeadToDryFriction) {
   EXPECT_EQ(candidate.shapes.size(), 2u);
 }
 
+TEST(StribeckFriction, MayReverseSmoothly) {
+  const Candidate candidate = candidate_of<kStribeckFriction>(
+      oscillator_scope(), 1, "(1+rise*exp(-(v/speed)^2))*tanh(v/width)");
+  ASSERT_EQ(candidate.shapes.size(), 3u);
+  EXPECT_LT(candidate.shapes[2].high, candidate.shapes[1].high) << "the rise is still seen";
+  for (const Vector& start : candidate.starts) EXPECT_EQ(start.size(), 3);
+}
+
 }  // namespace
 }  // namespace lacuna

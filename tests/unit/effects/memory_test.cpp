@@ -94,9 +94,29 @@ TEST(TimeTrend, IsTimeItself) {
 
 TEST(ChannelSkew, MovesAChannelAlongTheModel) {
   const auto made = candidates_of<kChannelSkew>(oscillator_scope(), 0);
-  ASSERT_EQ(made.size(), 1u);
-  EXPECT_EQ(made[0].place, Place::Channel);
+  ASSERT_EQ(made.size(), 2u);
+  for (const Candidate& candidate : made) EXPECT_EQ(candidate.place, Place::Channel);
   EXPECT_EQ(made[0].form, "(1)*(v)");
+}
+
+TEST(ChannelSkew, FollowsABendOfTheMotionToo) {
+  const Scope scope = oscillator_scope();
+  const auto made = candidates_of<kChannelSkew>(scope, 1);
+  ASSERT_EQ(made.size(), 2u);
+  const auto value_of = [&](const Candidate& candidate, std::vector<double> shapes) {
+    const Expression form = bind_form(candidate, shapes);
+    const Program program({&form, 1}, scope.model.variables());
+    Program::Workspace workspace;
+    // q, v, F, t, then F a step of 0.01 s ago.
+    const double point[] = {0.3, 0.5, 0.2, 0.0, 0.19};
+    double value = 0.0;
+    program.evaluate(point, &value, workspace);
+    return value;
+  };
+  // f = -4 q - 0.2 v + F; df/dt = -4 v - 0.2 f + dF/dt.
+  const double f = -4.0 * 0.3 - 0.2 * 0.5 + 0.2;
+  EXPECT_NEAR(value_of(made[0], {}), f, 1e-12);
+  EXPECT_NEAR(value_of(made[1], {0.1}), f + 0.05 * (-4.0 * 0.5 - 0.2 * f + 1.0), 1e-9);
 }
 
 TEST(Hysteresis, ALoopIsAPartOfWhatIsThere) {
