@@ -67,7 +67,7 @@ class Workflow {
         search_effects(data_, *fitted_, *scope_, fit_options_, options_, context_);
     if (any_substantial(found.left) && !found.named.empty())
       found.refitted = refit_over_windows(data_, fit_options_, found.explanation, context_);
-    if (any_substantial(found.left) && !closes_most(found)) or_free_input(found);
+    if (any_substantial(found.left) && !shows_the_motion(found)) or_free_input(found);
     return found;
   }
 
@@ -89,11 +89,16 @@ class Workflow {
             structure.empty() ? 0 : structure.front().equation};
   }
 
-  /// Where no effect explains the records an input that was not measured may.
+  /// Where effects leave something over an input that was not measured may explain the records
+  /// better. Effects that explain less than it get no name, whether it gets one or not.
   void or_free_input(SearchResult& found) const {
-    const std::optional<RankedEffect> input = find_free_input(unexplained());
+    const Unexplained problem = unexplained();
+    const std::optional<RankedEffect> input = find_free_input(problem);
     if (!input || input->criterion > criterion_of(found.explanation)) return;
-    found = name_free_input(*input, *fitted_, options_, std::move(found.rounds), context_);
+    if (stands_alone(*input, problem))
+      found = name_free_input(*input, *fitted_, options_, std::move(found.rounds), context_);
+    else
+      found.named.clear();
   }
 
   bool any_substantial(const std::vector<EquationStructure>& left) const {
@@ -153,9 +158,16 @@ class Workflow {
     const Vector rates = rate_rms(*fitted_);
     const double before = total_disturbance(*fitted_, rates);
     const double after = total_disturbance(found.explanation.fit, rates);
+    return after < 0.5 * before || shows_the_motion(found);
+  }
+
+  /// Whether the effects leave no more than a tenth of the square of the gap in windows: what
+  /// lasts is theirs, whatever happens within a step.
+  bool shows_the_motion(const SearchResult& found) const {
     constexpr double kTenth = 0.1;
-    return after < 0.5 * before ||
-           (found.refitted && Substance(*fitted_).gap(found.refitted->fit) < kTenth);
+    if (found.named.empty()) return false;
+    const Explanation& explanation = found.refitted ? *found.refitted : found.explanation;
+    return Substance(*fitted_, data_, fit_options_, context_).gap(explanation.fit) < kTenth;
   }
 
   void gauge_on(const Dataset& held_out) {

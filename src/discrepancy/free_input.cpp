@@ -51,9 +51,13 @@ class FreeInput {
     RankedEffect input{explain(p_.data, p_.scope.model, p_.base,
                                {{*candidate, *memory, 1.0, 0.0}}, p_.fit_options, p_.context)};
     judge(input);
-    if (!(input.gain > price() + kVeryStrong) || leaves_structure(input)) return std::nullopt;
-    if (depends_on_the_present(input) || follows_the_past(input)) return std::nullopt;
+    if (!(input.gain > price() + kVeryStrong)) return std::nullopt;
     return input;
+  }
+
+  bool stands_alone(const RankedEffect& input) const {
+    return !leaves_structure(input) && !depends_on_the_present(input) &&
+           !follows_the_past(input);
   }
 
  private:
@@ -147,6 +151,10 @@ double variance_of(const Assimilation& fit, Index equation) {
 
 std::optional<RankedEffect> find_free_input(const Unexplained& problem) {
   return FreeInput(problem).find();
+}
+
+bool stands_alone(const RankedEffect& input, const Unexplained& problem) {
+  return FreeInput(problem).stands_alone(input);
 }
 
 Unnamed describe_unnamed(const Unexplained& problem, bool fill, Explanation& explanation) {

@@ -21,11 +21,14 @@ struct Unexplained {
   Index equation = 0;  ///< with the most structure
 };
 
-/// The free input of the equation, where it is one: it explains the records much better than a
-/// white disturbance, remembers, leaves nothing over, and what moves it has nothing to do with
-/// what was recorded: no curve, surface or varying coefficient of the variables tells what it
-/// does next, and earlier values of the variables explain the records less well.
+/// The free input of the equation, where it explains the records much better than a white
+/// disturbance and remembers.
 std::optional<RankedEffect> find_free_input(const Unexplained& problem);
+
+/// Whether a free input is one: it leaves nothing over, and what moves it has nothing to do
+/// with what was recorded: no curve, surface or varying coefficient of the variables tells what
+/// it does next, and earlier values of the variables explain the records less well.
+bool stands_alone(const RankedEffect& input, const Unexplained& problem);
 
 /// Of what the structure is a function. @param fill whether a spline is fitted for it; it then
 /// stands in `explanation`.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -157,30 +158,37 @@ std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit
   return result;
 }
 
-/// Whether the disturbance of the effect's equation is less with it, for an effect on a channel
-/// that of all equations together. A form that follows the path's own rate (a delay or a lag of
-/// the state itself, shorter than a step) can take the place of the rate, and a channel that is
-/// corrected by the path's rate can lose noise by that; then the likelihood rises and the
-/// disturbance does not fall.
+/// Whether the disturbance of the effect's equation is less with it. A form that follows the
+/// path's own rate (a delay or a lag of the state itself, shorter than a step) can take the
+/// place of the rate; then the likelihood rises and the disturbance does not fall. So it is
+/// with a channel that is corrected by the rate of a noisy path: an effect there has to take
+/// away most of what disturbs the equations together, so that it is judged on a smooth path.
 bool lessens_disturbance(const RankedEffect& ranked, const Explanation& current,
                          const Vector& rates) {
+  constexpr double kMost = 0.5;
   const Candidate& candidate = ranked.effect().candidate;
   if (candidate.place == Place::Channel)
     return total_disturbance(ranked.explanation.fit, rates) <
-           total_disturbance(current.fit, rates);
+           (1.0 - kMost) * total_disturbance(current.fit, rates);
   const double before = current.fit.noise.disturbance[candidate.equation];
   return ranked.explanation.fit.noise.disturbance[candidate.equation] < before;
 }
 
-bool is_plausible(const RankedEffect& ranked, const std::vector<Stage<Effect>>& effects,
-                  const Scope& scope) {
-  const FittedEffect& fitted = ranked.effect();
-  for (const Stage<Effect>& effect : effects)
-    if (effect->info().name == fitted.candidate.effect)
-      return effect->plausible(
-          scope, fitted.candidate,
-          {ranked.explanation.fit.model, fitted.coefficient, fitted.deviation, fitted.shapes});
-  return true;
+/// Whether the effects that were there before still have numbers such as they can have, by
+/// whatever name. One that is not told from 0 any more, or that the new one stands for, will
+/// go.
+bool leaves_others_plausible(const RankedEffect& ranked,
+                             const std::vector<Stage<Effect>>& effects, const Scope& scope) {
+  constexpr double kTold = 3.0;  // standard deviations
+  const std::vector<FittedEffect>& all = ranked.explanation.effects;
+  const OdeModel& model = ranked.explanation.fit.model;
+  return std::all_of(all.begin(), all.end() - 1, [&](const FittedEffect& old) {
+    const bool goes = std::abs(old.coefficient) < kTold * old.deviation ||
+                      mean_the_same(old, ranked.effect()) ||
+                      ranked.effect().candidate.plainer == old.candidate.effect;
+    return goes || is_plausible(old, model, effects, scope) ||
+           other_name_of(old, model, effects, scope);
+  });
 }
 
 void sort_by_criterion(std::vector<RankedEffect>& effects) {
@@ -188,13 +196,14 @@ void sort_by_criterion(std::vector<RankedEffect>& effects) {
                    [](const auto& a, const auto& b) { return a.criterion < b.criterion; });
 }
 
-/// How many to take from the front to have `count` that are plausible.
+/// Keeps of the implausible ones only those that lead before any other: their numbers may
+/// become plausible in an exact fit. @return how many these are.
 template <class Plausible>
-std::size_t leading(const std::vector<RankedEffect>& sorted, Index count, Plausible plausible) {
-  std::size_t taken = 0;
-  for (Index found = 0; taken < sorted.size() && found < count; ++taken)
-    if (plausible(sorted[taken])) ++found;
-  return taken;
+std::size_t keep_leaders(std::vector<RankedEffect>& sorted, Plausible plausible) {
+  const auto first = std::find_if(sorted.begin(), sorted.end(), plausible);
+  const auto leaders = static_cast<std::size_t>(first - sorted.begin());
+  sorted.erase(std::remove_if(first, sorted.end(), std::not_fn(plausible)), sorted.end());
+  return leaders;
 }
 
 /// Weights exp(-BIC/2) against the best; a second name of the same term weighs nothing.
@@ -270,6 +279,31 @@ bool have_one_term(const FittedEffect& a, const FittedEffect& b) {
          a.candidate.equation == b.candidate.equation && term(a) == term(b);
 }
 
+bool is_plausible(const FittedEffect& fitted, const OdeModel& model,
+                  const std::vector<Stage<Effect>>& effects, const Scope& scope) {
+  for (const Stage<Effect>& effect : effects)
+    if (effect->info().name == fitted.candidate.effect)
+      return effect->plausible(scope, fitted.candidate,
+                               {model, fitted.coefficient, fitted.deviation, fitted.shapes});
+  return true;
+}
+
+std::optional<Candidate> other_name_of(const FittedEffect& fitted, const OdeModel& model,
+                                       const std::vector<Stage<Effect>>& effects,
+                                       const Scope& scope) {
+  std::optional<Candidate> best;
+  for (const Stage<Effect>& family : effects)
+    for (Candidate& other : family->candidates(scope, fitted.candidate.equation)) {
+      if (other.shapes.size() != fitted.candidate.shapes.size()) continue;
+      FittedEffect renamed = fitted;
+      renamed.candidate = other;
+      const bool fits =
+          have_one_term(renamed, fitted) && is_plausible(renamed, model, effects, scope);
+      if (fits && (!best || best->plainer == other.effect)) best = std::move(other);
+    }
+  return best;
+}
+
 bool mean_the_same(const FittedEffect& a, const FittedEffect& b) {
   const bool same_name = a.candidate.effect == b.candidate.effect;
   return (same_name && same_place(a.candidate, b.candidate)) || have_one_term(a, b);
@@ -292,7 +326,8 @@ Ranking rank(const Dataset& data, const Explanation& current,
     return std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current, rates);
   };
   const auto plausible = [&](const RankedEffect& ranked) {
-    return is_plausible(ranked, effects, scope);
+    return is_plausible(ranked.effect(), ranked.explanation.fit.model, effects, scope) &&
+           leaves_others_plausible(ranked, effects, scope);
   };
   const std::vector<ScreenedCandidate> chosen = short_list(screened, rank_options.refits);
   context.report("fitting candidates", 0.0);
@@ -304,7 +339,9 @@ Ranking rank(const Dataset& data, const Explanation& current,
     return !is_sound(ranked) || (ranked.effect().shapes.size() == 0 && !plausible(ranked));
   });
   sort_by_criterion(ranking.effects);
-  const std::size_t exact = leading(ranking.effects, rank_options.exact, plausible);
+  const std::size_t leaders = keep_leaders(ranking.effects, plausible);
+  const std::size_t exact =
+      std::min(ranking.effects.size(), leaders + static_cast<std::size_t>(rank_options.exact));
   context.report("fitting candidates exactly", 0.0);
   std::vector<RankedEffect> fitted = fitted_in_parallel(
       exact, context.threads,

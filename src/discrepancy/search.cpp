@@ -96,7 +96,7 @@ class Search {
         fit_options_(fit_options),
         options_(options),
         context_(context),
-        substance_(base),
+        substance_(base, data, fit_options, context),
         result_{{{}, base}, {}, {}, {}} {}
 
   SearchResult run() {
@@ -104,6 +104,7 @@ class Search {
       result_.left = test_structure(result_.explanation.fit, context_);
     } while (may_go_on() && add_one());
     prefer_plain();
+    settle_names();
     update_numbers(result_.explanation, result_.named);
     return std::move(result_);
   }
@@ -120,9 +121,15 @@ class Search {
 
   bool acceptable(const RankedEffect& ranked) const {
     return ranked.sigma >= options_.significance && ranked.contribution >= options_.substance &&
+           has_a_part(ranked.effect()) &&
            (result_.named.empty() ||
-            substance_.counts(result_.explanation.fit, ranked.explanation.fit,
-                              ranked.effect().candidate));
+            substance_.counts(result_.explanation, ranked.explanation));
+  }
+
+  /// Whether the gain is the effect's own: with a coefficient that is not told from 0 it is
+  /// that of effects before it, whose shapes have moved.
+  bool has_a_part(const FittedEffect& effect) const {
+    return std::abs(effect.coefficient) >= options_.significance * effect.deviation;
   }
 
   /// The best effect that may come in, or take the place of another form of itself.
@@ -200,15 +207,37 @@ class Search {
     return first > 0.0 ? (before - after) / first : 0.0;
   }
 
+  /// Numbers may have moved since an effect was named: what is then not plausible by its name
+  /// gets that of the same term by which it is.
+  void settle_names() {
+    const OdeModel& model = result_.explanation.fit.model;
+    for (std::size_t e = 0; e < result_.named.size(); ++e) {
+      FittedEffect& effect = result_.explanation.effects[e];
+      if (is_plausible(effect, model, options_.effects, scope_)) continue;
+      const auto other = other_name_of(effect, model, options_.effects, scope_);
+      if (!other) continue;
+      NamedEffect& named = result_.named[e];
+      std::erase_if(named.alternatives, [&](const Alternative& alternative) {
+        return alternative.name == other->effect;
+      });
+      named.name = other->effect;
+      named.description = other->description;
+      named.cause = cause_of(named.name, options_.effects);
+      effect.candidate = *other;
+    }
+  }
+
   /// Takes out effects that the newest one makes superfluous.
   void look_back() {
     while (take_out_one()) {
     }
   }
 
-  /// Takes out the first effect without which the records are explained no worse by BIC.
+  /// Takes out the first effect that is not told from 0 any more, if the records are explained
+  /// no worse without it by BIC.
   bool take_out_one() {
     for (std::size_t e = 0; e + 1 < result_.explanation.effects.size(); ++e) {
+      if (has_a_part(result_.explanation.effects[e])) continue;
       std::vector<FittedEffect> rest = result_.explanation.effects;
       rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(e));
       Explanation smaller =

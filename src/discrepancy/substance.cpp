@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "substance.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lacuna/discrepancy/gauge.hpp"
 #include "lacuna/discrepancy/structure.hpp"
+#include "window_refit.hpp"
 
 namespace lacuna {
 namespace {
@@ -18,8 +20,14 @@ double variance(const Assimilation& fit, const Candidate& newest, const Vector& 
 
 }  // namespace
 
-Substance::Substance(const Assimilation& base)
-    : base_(base), rates_(rate_rms(base)), base_gap_(window_gap(base)) {}
+Substance::Substance(const Assimilation& base, const Dataset& data,
+                     const AssimilationOptions& options, const RunContext& context)
+    : base_(base),
+      data_(data),
+      options_(options),
+      context_(context),
+      rates_(rate_rms(base)),
+      base_gap_(window_gap(base)) {}
 
 double Substance::disturbance(const Assimilation& fit, const Candidate& newest) const {
   const double whole = variance(base_, newest, rates_);
@@ -30,13 +38,21 @@ double Substance::gap(const Assimilation& fit) const {
   return std::pow(window_gap(fit) / base_gap_, 2);
 }
 
-bool Substance::counts(const Assimilation& before, const Assimilation& after,
-                       const Candidate& newest) const {
+double Substance::least_gap(const Explanation& explanation) const {
+  const double own = gap(explanation.fit);
+  const auto refitted = refit_over_windows(data_, options_, explanation, context_);
+  return refitted ? std::min(own, gap(refitted->fit)) : own;
+}
+
+bool Substance::counts(const Explanation& before, const Explanation& after) const {
   constexpr double kTenth = 0.1;
-  const double had = disturbance(before, newest), has = disturbance(after, newest);
+  const Candidate& newest = after.effects.back().candidate;
+  const double had = disturbance(before.fit, newest), has = disturbance(after.fit, newest);
   if (has > (1.0 - kTenth) * had) return false;
   if (has < 0.5 * had) return true;
-  return had - has >= kTwentieth && gap(before) - gap(after) >= kTwentieth;
+  if (had - has < kTwentieth) return false;
+  const double lasting = least_gap(before);
+  return lasting >= kTwentieth && lasting - least_gap(after) >= kTwentieth;
 }
 
 bool Substance::is_near(const Assimilation& fit, const Assimilation& best,

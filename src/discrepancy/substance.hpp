@@ -17,8 +17,10 @@ class Substance {
  public:
   static constexpr double kTwentieth = 0.05;
 
-  /// @param base the nominal model with fitted coefficients; must outlive this.
-  explicit Substance(const Assimilation& base);
+  /// @param base the nominal model with fitted coefficients; must, as all here, outlive this.
+  /// @param data records, @param options of the fits, as of refit_over_windows().
+  Substance(const Assimilation& base, const Dataset& data, const AssimilationOptions& options,
+            const RunContext& context);
 
   /// Variance of the disturbance of an equation, of all equations (relative to their rates)
   /// for an effect of the measurement; the nominal model's is 1.
@@ -27,10 +29,14 @@ class Substance {
   /// Square of the gap in windows of a mean period; the nominal model's is 1.
   double gap(const Assimilation& fit) const;
 
-  /// Whether a later effect counts: it takes away a tenth of the disturbance that is left, and
-  /// either more than half of it, or a twentieth of the nominal model's disturbance and gap.
-  bool counts(const Assimilation& before, const Assimilation& after,
-              const Candidate& newest) const;
+  /// gap() with the better of two sets of coefficients: those of the explanation and those that
+  /// hold over windows (refit_over_windows()).
+  double least_gap(const Explanation& explanation) const;
+
+  /// Whether a later effect, the last of `after`, counts: it takes away a tenth of the
+  /// disturbance that is left, and either more than half of it, or a twentieth of the nominal
+  /// model's disturbance and gap.
+  bool counts(const Explanation& before, const Explanation& after) const;
 
   /// Whether one fit leaves no more than a twentieth (of what the nominal model leaves) beyond
   /// what another one leaves.
@@ -39,6 +45,9 @@ class Substance {
 
  private:
   const Assimilation& base_;
+  const Dataset& data_;
+  const AssimilationOptions& options_;
+  const RunContext& context_;
   Vector rates_;
   double base_gap_;
 };

@@ -172,6 +172,11 @@ std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNois
   return "";
 }
 
+bool fits_to_noise(const RefinedModel& model) {
+  return std::all_of(model.fits_to_noise.begin(), model.fits_to_noise.end(),
+                     [](const std::optional<bool>& fits) { return fits.value_or(true); });
+}
+
 /// Searches from the start and, when asked to, beside it from nothing, until the two agree.
 class Searches {
  public:
@@ -195,6 +200,14 @@ class Searches {
     const WindowFit& fit = first_.fit();
     usable_ = usable_ && !fit.subset.empty() && fit.coefficients.allFinite();
     return usable_ ? &fit : nullptr;
+  }
+
+  /// Whether the model breaks down in longer windows; noise of any kind does not do that.
+  bool is_approximation() const { return first_.limited(); }
+
+  void simplify() {
+    constexpr double kSlack = 0.1;  // the residuals of an approximation are not known better
+    first_.simplify(kSlack);
   }
 
   /// What the search from nothing found where it is not the same.
@@ -232,11 +245,13 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   same.message = "no windows of the record could be fitted";
   if (!fit) return same;
   RefinedModel result = Outcome(task, *fit, noise).make();
+  const bool is_noise = fits_to_noise(result);
+  if (!is_noise && searches.is_approximation()) {
+    searches.simplify();
+    result = Outcome(task, *fit, noise).make();
+  }
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
-  const bool is_noise =
-      std::all_of(result.fits_to_noise.begin(), result.fits_to_noise.end(),
-                  [](const std::optional<bool>& fits) { return fits.value_or(true); });
   if (!is_noise)
     if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
       result.model = std::move(*model);

@@ -102,6 +102,12 @@ bool WindowSearch::round(WindowFit& fit) {
   const std::vector<Index> before = fit.subset;
   fit.subset = search.best({before}, false).columns;
   if (fit.subset == before) fit.subset = search.best({before}, true).columns;
+  const std::optional<double> moved = windows_.move(solve(fit, search));
+  return moved && *moved < kSmallMove && fit.subset == before;
+}
+
+/// The coefficients of the subset. @return them as values of all candidates.
+Vector WindowSearch::solve(WindowFit& fit, const SubsetSearch& search) const {
   const Vector h = search.solve(fit.subset);
   Vector values = Vector::Zero(static_cast<Index>(candidates_.size()));
   fit.coefficients.setZero();
@@ -111,8 +117,7 @@ bool WindowSearch::round(WindowFit& fit) {
     fit.coefficients(candidates_[column].equation, candidates_[column].term) =
         h[static_cast<Index>(i)];
   }
-  const std::optional<double> moved = windows_.move(values);
-  return moved && *moved < kSmallMove && fit.subset == before;
+  return values;
 }
 
 /// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
@@ -264,6 +269,45 @@ bool WindowSearch::grow() {
   sigma_ = sigma;
   longest_ = true;
   return false;
+}
+
+/// The terms left when the least valuable ones go as long as chi squared stays below a limit;
+/// each equation keeps its last one.
+std::vector<Index> WindowSearch::simplest(const SubsetSearch& search, double limit) const {
+  std::vector<Index> subset = fit_.subset;
+  const auto equation = [this](Index c) {
+    return candidates_[static_cast<std::size_t>(c)].equation;
+  };
+  for (;;) {
+    Vector losses = search.losses(subset);
+    for (std::size_t i = 0; i < subset.size(); ++i)
+      if (std::count_if(subset.begin(), subset.end(),
+                        [&](Index c) { return equation(c) == equation(subset[i]); }) == 1)
+        losses[static_cast<Index>(i)] = std::numeric_limits<double>::infinity();
+    Index least = 0;
+    losses.minCoeff(&least);
+    std::vector<Index> smaller = subset;
+    smaller.erase(smaller.begin() + least);
+    if (!std::isfinite(losses[least]) || search.residual(smaller) > limit) return subset;
+    subset = std::move(smaller);
+  }
+}
+
+void WindowSearch::simplify(double slack) {
+  const WindowFit found = fit_;
+  fit_.triangle = windows_.linearise(fit_.coefficients, candidates_);
+  if (found.subset.empty() || task_.price || !fit_.triangle.allFinite()) {
+    fit_ = found;
+    return;
+  }
+  const SubsetSearch search(fit_.triangle / std::sqrt(fit_.scale), fit_.price);
+  const double limit = std::pow(1.0 + slack, 2) * search.residual(fit_.subset);
+  fit_.subset = simplest(search, limit);
+  fit_.price = std::max(fit_.price, limit - search.residual(fit_.subset));
+  windows_.move(solve(fit_, search));
+  finish();
+  fit_.triangle = windows_.linearise(fit_.coefficients, candidates_);
+  if (!fit_.coefficients.allFinite() || !fit_.triangle.allFinite()) fit_ = found;
 }
 
 /// A path that moves by a thousandth of sigma leaves the coefficients where they are.

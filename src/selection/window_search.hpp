@@ -50,6 +50,14 @@ class WindowSearch {
   /// the fit is then as it was.
   bool grow();
 
+  /// Whether longer windows were tried and the model fits them worse.
+  bool limited() const noexcept { return longest_; }
+
+  /// For a model that is an approximation, which any term improves a little: terms leave as
+  /// long as the rms of the residuals stays within 1 + slack of what it is. A price that was
+  /// given stands, and all terms with it.
+  void simplify(double slack);
+
   /// The last iterations, after which coefficients no longer change.
   void finish();
 
@@ -57,6 +65,8 @@ class WindowSearch {
 
  private:
   bool round(WindowFit& fit);
+  Vector solve(WindowFit& fit, const SubsetSearch& search) const;
+  std::vector<Index> simplest(const SubsetSearch& search, double limit) const;
   double settle(WindowFit& fit, double tolerance, int iterations);
   void converge(WindowFit& fit);
   void summarise(WindowFit& fit) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,17 @@ inline constexpr double kUndecided = 10.0;
 /// Whether two effects are the same term of the same equation under whatever names: a cubic
 /// stiffness is a cubic term.
 bool have_one_term(const FittedEffect& a, const FittedEffect& b);
+
+/// Whether a fitted effect has numbers such as its family has (Effect::plausible).
+/// @param model with its nominal coefficients as they are fitted together with the effect.
+bool is_plausible(const FittedEffect& fitted, const OdeModel& model,
+                  const std::vector<Stage<Effect>>& effects, const Scope& scope);
+
+/// Another name of the same term by which a fitted effect is plausible, if there is one: a bend
+/// whose inner slope turns out as 0 is a play. Arguments as of is_plausible().
+std::optional<Candidate> other_name_of(const FittedEffect& fitted, const OdeModel& model,
+                                       const std::vector<Stage<Effect>>& effects,
+                                       const Scope& scope);
 
 /// Whether two effects are forms of one (dry friction as sign(w) and as tanh(w/width)) or one
 /// term.

@@ -53,9 +53,12 @@ struct TrajectorySelectionOptions {
 /// path about which it is linearised is then moved to the solution. The noise is estimated from
 /// the record; where it cannot be told from the signal it is what the fit leaves. Outliers are
 /// left out; short gaps are bridged; states that were not measured (`--embed`) follow from the
-/// others. Models that do not fit to the noise are refitted by refine(). Does nothing with
-/// records that bring measured derivatives, nor, starting from a model, with records without
-/// noise of which it explains the derivatives to a thousandth.
+/// others. A model that does not fit to the noise and breaks down in longer windows is an
+/// approximation, which any term improves a little: terms leave it, the least valuable first, as
+/// long as the rms of the residuals grows by no more than a tenth, unless a price is given.
+/// Models that do not fit to the noise are refitted by refine(). Does nothing with records that
+/// bring measured derivatives, nor, starting from a model, with records without noise of which it
+/// explains the derivatives to a thousandth.
 class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {
  public:
   using Configured::Configured;

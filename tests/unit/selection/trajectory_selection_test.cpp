@@ -150,5 +150,26 @@ TEST(TrajectorySelection, NoiseIsThatOfTheRecordWhereTheModelIsWrong) {
   EXPECT_NEAR(found.noise[1], expected[1], 1e-12);
 }
 
+/// Terms of all equations.
+std::size_t terms_of(const RefinedModel& found) {
+  std::size_t terms = 0;
+  for (const Equation& equation : found.model.equations()) terms += equation.size();
+  return terms;
+}
+
+TEST(TrajectorySelection, ApproximationsKeepOnlyTermsThatTakeMuchAway) {
+  const Dataset data = noisy_record("chua", 1500, 0.001, 21);
+  const OdeModel start = empty_model(data);
+  const TermLibrary cubic = Monomials{{.max_degree = 3}}.library(start.variables());
+  const RefinedModel few = TrajectorySelection{}.refine({data, cubic, start});
+  const RefinedModel many = TrajectorySelection{{.price = 12.0}}.refine({data, cubic, start});
+  EXPECT_FALSE(few.fits_to_noise[0].value_or(true));
+  EXPECT_LT(terms_of(few), terms_of(many)) << to_text(few.model, 4) << to_text(many.model, 4);
+  for (const PathStep& step : few.path) {
+    const double least = step.in_model ? step.price : 0.0;
+    EXPECT_GE(step.gain, least) << step.term;
+  }
+}
+
 }  // namespace
 }  // namespace lacuna
