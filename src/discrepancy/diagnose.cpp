@@ -56,6 +56,11 @@ class Workflow {
     context_.report("fitting the nominal coefficients", 0.0);
     fitted_ = assimilate_from(nominal_, data_, *given_, fit_options_, context_);
     fit_options_.passes = 8;
+    if (std::isfinite(fitted_->deviance)) return;
+    result_.notes.push_back(
+        "these records do not tell the nominal coefficients, which are kept as they are");
+    fit_options_.free.clear();
+    fitted_ = given_;
   }
 
   /// What is missing on top of the model as it is fitted.
