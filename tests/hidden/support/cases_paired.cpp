@@ -27,6 +27,10 @@ std::vector<HiddenCase> paired_cases(double s) {
                      "max(h2-1.8,0)",
                      -0.3})
               .build(),
+          CaseBuilder("tanks-exchange", "Tanks with a narrow pipe between them", two_tanks(), s)
+              .hide({"h1", {"missing-coupling"}, {}, "h2-h1", 0.05})
+              .hide({"h2", {"missing-coupling"}, {}, "h1-h2", 0.05})
+              .build(),
           CaseBuilder("lorenz-offset-hum", "Convection with an offset and a hum", lorenz(), s)
               .hide({"x", {"constant-offset"}, {}, "1", 6.0})
               .hide({"y", {"periodic-forcing"}, {}, "sin(11*t+1)", 12.0})

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
+#include "support/effect_forms.hpp"
 #include "support/own_effects.hpp"
 
 namespace lacuna {
@@ -64,6 +66,36 @@ TEST(Rank, NamesOfOneTermShareItsProbability) {
   ASSERT_GE(ranking.effects.size(), 2u);
   EXPECT_GT(ranking.effects[0].probability, 0.99);
   EXPECT_DOUBLE_EQ(ranking.effects[0].probability, ranking.effects[1].probability);
+}
+
+/// Two bends between an arm and its drive, of which the nominal model has the slope 60.
+struct Bends {
+  Scope scope = support::scope_of(support::model_of_lines(
+      {{"q", {{"v", 1.0}}}, {"v", {{"q", -60.0}, {"u", 60.0}}}}, {"u"}));
+  std::vector<Stage<Effect>> effects{FamilyEffect<kBacklash>(), FamilyEffect<kDeadZone>(),
+                                     FamilyEffect<kPiecewiseLinear>()};
+
+  FittedEffect with(double coefficient) const {
+    return {support::candidate_of<kPiecewiseLinear>(scope, 1, "clip(q-u,-edge,edge)"),
+            Vector::Constant(1, 0.3), coefficient, 0.1};
+  }
+};
+
+TEST(Rank, NamesAreJudgedByTheFittedNumbers) {
+  const Bends bends;
+  EXPECT_TRUE(is_plausible(bends.with(30.0), bends.scope.model, bends.effects, bends.scope));
+  EXPECT_FALSE(is_plausible(bends.with(60.0), bends.scope.model, bends.effects, bends.scope));
+}
+
+TEST(Rank, WhatHasNoSlopeInsideIsAPlayByAnotherName) {
+  const Bends bends;
+  const auto other =
+      other_name_of(bends.with(60.0), bends.scope.model, bends.effects, bends.scope);
+  ASSERT_TRUE(other.has_value());
+  EXPECT_EQ(other->effect, "backlash");
+  EXPECT_FALSE(other_name_of(bends.with(60.0), bends.scope.model,
+                             {FamilyEffect<kPiecewiseLinear>()}, bends.scope))
+      << "there is no other name";
 }
 
 }  // namespace

@@ -70,6 +70,17 @@ TEST(MissingCoupling, IsBetweenPartsOnly) {
   EXPECT_EQ(candidate_of<kLinearTerm>(parts, 0, "y").plainer, "missing-coupling");
 }
 
+TEST(MissingCoupling, IsAnExchangeWhereNeitherStateActsByItself) {
+  const Scope tanks = scope_of(
+      model_of_lines({{"h", {{"sqrt(h)", -1.0}}}, {"g", {{"sqrt(h)", 1.0}, {"g", -1.0}}}}, {}),
+      2.0);
+  EXPECT_EQ(forms_of<kMissingCoupling>(tanks, 0), Forms{"g-h"});
+  EXPECT_EQ(forms_of<kMissingCoupling>(tanks, 1), Forms{}) << "h alone says the same";
+  const Candidate exchange = candidate_of<kMissingCoupling>(tanks, 0, "g-h");
+  EXPECT_TRUE(plausible_with<kMissingCoupling>(tanks, exchange, 0.1));
+  EXPECT_FALSE(plausible_with<kMissingCoupling>(tanks, exchange, -0.1));
+}
+
 TEST(Leakage, TakesAway) {
   const Scope tank = scope_of(model_of_lines({{"h", {{"u", 1.0}}}}, {"u"}), 2.0);
   EXPECT_EQ(forms_of<kLeakage>(tank, 0), (Forms{"h", "sqrt(max(h,0))"}));
