@@ -13,6 +13,8 @@
 #include "lacuna/numerics/significance.hpp"
 #include "records.hpp"
 #include "search.hpp"
+#include "substance.hpp"
+#include "window_refit.hpp"
 
 namespace lacuna {
 namespace {
@@ -34,7 +36,7 @@ class Workflow {
     if (any_substantial(found.left) || !found.named.empty())
       found = or_coloured(std::move(found));
     conclude(found);
-    result_.gap = gauge(nominal_, final_, held_out, context_);
+    gauge_on(held_out);
     return std::move(result_);
   }
 
@@ -68,8 +70,17 @@ class Workflow {
         make_scope(nominal_, data_, estimate_noise(data_), spectral_lines(*fitted_, kLines));
     SearchResult found =
         search_effects(data_, *fitted_, *scope_, fit_options_, options_, context_);
-    if (any_substantial(found.left)) or_free_input(found);
+    if (any_substantial(found.left) && !found.named.empty())
+      found.refitted = refit_over_windows(data_, fit_options_, found.explanation, context_);
+    if (any_substantial(found.left) && !shows_the_motion(found)) or_free_input(found);
     return found;
+  }
+
+  /// Where structure is left the coefficients that hold over windows are the answer.
+  void take_refitted(SearchResult& found) const {
+    if (!found.refitted) return;
+    found.explanation = std::move(*found.refitted);
+    update_numbers(found.explanation, found.named);
   }
 
   Unexplained unexplained() const {
@@ -135,6 +146,7 @@ class Workflow {
       found.left = test_structure(*fitted_, context_);
       result_.unnamed = describe_unnamed(unexplained(), options_.fill_gap, found.explanation);
     }
+    if (left && !found.named.empty()) take_refitted(found);
     result_.effects = found.named;
     final_ = found.explanation;
     result_.noise = final_.fit.noise;
@@ -144,14 +156,33 @@ class Workflow {
     set_augmented();
   }
 
-  /// Whether the effects take away more than half of the disturbance of each equation they are
-  /// in; less is no explanation.
+  /// Whether the effects take away more than half of the disturbances, or leave no more than a
+  /// tenth (of the square) of the gap in windows; less is no explanation.
   bool closes_most(const SearchResult& found) const {
     if (found.named.empty()) return false;
     const Vector rates = rate_rms(*fitted_);
     const double before = total_disturbance(*fitted_, rates);
     const double after = total_disturbance(found.explanation.fit, rates);
-    return after < 0.5 * before;
+    return after < 0.5 * before || shows_the_motion(found);
+  }
+
+  /// Whether the effects leave no more than a tenth of the square of the gap in windows: what
+  /// lasts is theirs, whatever happens within a step.
+  bool shows_the_motion(const SearchResult& found) const {
+    constexpr double kTenth = 0.1;
+    if (found.named.empty()) return false;
+    const Explanation& explanation = found.refitted ? *found.refitted : found.explanation;
+    return Substance(*fitted_, data_, fit_options_, context_).gap(explanation.fit) < kTenth;
+  }
+
+  void gauge_on(const Dataset& held_out) {
+    Gap gap = gauge(nominal_, final_, held_out, context_);
+    if (gap.diverged > 0)
+      result_.notes.push_back(
+          "on the records that were not used, models have no finite solution "
+          "in " +
+          std::to_string(gap.diverged) + " windows; they are left out of the gap");
+    if (std::isfinite(gap.before) && std::isfinite(gap.after)) result_.gap = std::move(gap);
   }
 
   void list_changes() {

@@ -36,10 +36,24 @@ Index window_length(const std::vector<LinearisedRecord>& records, const NoiseMod
   return std::max<Index>(20, static_cast<Index>(shortest));
 }
 
-/// Sum of squares of the relative deviations, and how many there are.
+/// Sum of squares of the relative deviations, how many there are, and in how many windows the
+/// model has no finite solution; those count for nothing else.
 struct Squares {
   double sum = 0.0;
   double count = 0.0;
+  Index diverged = 0;
+
+  void add(const Squares& other) {
+    if (!std::isfinite(other.sum)) {
+      ++diverged;
+      return;
+    }
+    sum += other.sum;
+    count += other.count;
+    diverged += other.diverged;
+  }
+
+  double rms() const { return std::sqrt(sum / count); }
 };
 
 /// First sample at which all effects are known: delayed values lie in the record, memories
@@ -60,6 +74,20 @@ Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effe
   return first + length <= record.samples() ? first : 0;
 }
 
+/// One window, its initial state being fitted.
+Squares one_window(const LinearisedRecord& window, const Eigen::Ref<const Matrix>& measured,
+                   const NoiseModel& exact, const Vector& scale) {
+  Squares squares;
+  const SmoothedRecord smoothed = smooth(window, measured, Matrix(), exact);
+  for (Index k = 0; k < window.states(); ++k) {
+    if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
+    const Vector left = measured.col(k) - window.path.col(k) - smoothed.deviation.col(k);
+    squares.sum += left.squaredNorm() / (scale[k] * scale[k]);
+    squares.count += static_cast<double>(left.size());
+  }
+  return squares;
+}
+
 /// Windows of one record from sample `begin` on, each fitted with its initial state free. The
 /// record is linearised as a whole, so that delayed terms know what was before a window.
 Squares window_squares(const LinearisedRecord& record, const Matrix& measured,
@@ -68,18 +96,9 @@ Squares window_squares(const LinearisedRecord& record, const Matrix& measured,
   Squares squares;
   NoiseModel exact = noise;
   exact.disturbance.setZero();
-  for (Index first = begin; first + length <= record.samples(); first += length) {
-    const LinearisedRecord window = part_of(record, first, length);
-    const SmoothedRecord smoothed =
-        smooth(window, measured.middleRows(first, length), Matrix(), exact);
-    for (Index k = 0; k < record.states(); ++k) {
-      if (!noise.measurement[static_cast<std::size_t>(k)]) continue;
-      const Vector left = measured.col(k).segment(first, length) - window.path.col(k) -
-                          smoothed.deviation.col(k);
-      squares.sum += left.squaredNorm() / (scale[k] * scale[k]);
-      squares.count += static_cast<double>(length);
-    }
-  }
+  for (Index first = begin; first + length <= record.samples(); first += length)
+    squares.add(one_window(part_of(record, first, length), measured.middleRows(first, length),
+                           exact, scale));
   return squares;
 }
 
@@ -88,6 +107,20 @@ Vector deviations(const Dataset& data) {
   double count = 0.0;
   for (const Trajectory& record : data.trajectories) {
     sum += (record.states.rowwise() - record.states.colwise().mean())
+               .colwise()
+               .squaredNorm()
+               .transpose();
+    count += static_cast<double>(record.samples());
+  }
+  return (sum / count).cwiseSqrt().cwiseMax(1e-300);
+}
+
+/// Standard deviation of each state along the paths.
+Vector path_deviations(const Assimilation& fit) {
+  Vector sum = Vector::Zero(fit.noise.states());
+  double count = 0.0;
+  for (const LinearisedRecord& record : fit.records) {
+    sum += (record.path.rowwise() - record.path.colwise().mean())
                .colwise()
                .squaredNorm()
                .transpose();
@@ -139,6 +172,18 @@ NoiseModel narrowed(NoiseModel noise, Index m) {
 
 }  // namespace
 
+Index window_samples(const Assimilation& fit) { return window_length(fit.records, fit.noise); }
+
+double window_gap(const Assimilation& fit) {
+  const Vector scale = path_deviations(fit);
+  const Index length = window_samples(fit);
+  Squares all;
+  for (std::size_t r = 0; r < fit.records.size(); ++r)
+    all.add(window_squares(fit.records[r], fit.measured[r], fit.noise, scale, 0,
+                           std::min(length, fit.records[r].samples())));
+  return all.rms();
+}
+
 Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
           const RunContext& context) {
   context.report("gauging on records not used before", 0.0);
@@ -161,17 +206,18 @@ Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset
         window_squares(fit.records[r], fit.measured[r], fit.noise, scale, begin, samples);
     const Squares bare = window_squares(bare_record, held_out.trajectories[r].states,
                                         narrowed(fit.noise, m), scale, begin, samples);
-    after = {after.sum + full.sum, after.count + full.count};
-    before = {before.sum + bare.sum, before.count + bare.count};
+    after.add(full);
+    before.add(bare);
   }
   Gap gap{
       "rms of (measured - model) / standard deviation in windows of one mean period, initial "
       "state fitted",
-      std::sqrt(before.sum / before.count),
-      std::sqrt(after.sum / after.count),
+      before.rms(),
+      after.rms(),
       noise_floor(fit.noise, scale),
       0.0,
-      {}};
+      {},
+      before.diverged + after.diverged};
   const LinearisedRecord& first = fit.records.front();
   gap.window = static_cast<double>(length) * (first.time[1] - first.time[0]);
   for (const Trajectory& record : held_out.trajectories)

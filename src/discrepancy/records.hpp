@@ -11,8 +11,8 @@
 namespace lacuna {
 
 /// The records with their short gaps bridged: pieces of one file between which up to nine
-/// samples are missing are one record with a longer step. What is still shorter than a window of
-/// the gauge is left out. Both are noted.
+/// samples are missing are one record with a longer step. What is still shorter than a window
+/// of the gauge is left out. Both are noted.
 /// @throws DataError when nothing is left.
 Dataset bridged(const Dataset& data, std::vector<std::string>& notes);
 

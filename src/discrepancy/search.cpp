@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "substance.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -51,17 +53,36 @@ NamedParameter parameter_of(const FittedEffect& fitted, std::size_t s) {
   return parameter;
 }
 
-/// Numbers of the joint fit into the names.
-void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
-  for (std::size_t e = 0; e < named.size(); ++e) {
-    const FittedEffect& fitted = explanation.effects[e];
-    named[e].term = term_of(fitted);
-    named[e].coefficient = fitted.coefficient;
-    named[e].deviation = fitted.deviation;
-    named[e].parameters.clear();
-    for (std::size_t s = 0; s < fitted.candidate.shapes.size(); ++s)
-      named[e].parameters.push_back(parameter_of(fitted, s));
-  }
+/// What makes a name less plain: shape parameters and memory, then the depth of its formula.
+std::pair<std::size_t, int> intricacy(const FittedEffect& effect) {
+  const Candidate& candidate = effect.candidate;
+  const std::span<const double> shapes(effect.shapes.data(),
+                                       static_cast<std::size_t>(effect.shapes.size()));
+  return {candidate.shapes.size() + 2 * candidate.memory.size(),
+          bind_form(candidate, shapes).depth()};
+}
+
+/// Another name for an effect.
+struct Plainer {
+  NamedEffect named;
+  FittedEffect effect;
+};
+
+/// The names in a ranking that are plainer than one of them, plainest first.
+std::vector<Plainer> plainer_than(const RankedEffect& ranked, const Ranking& ranking,
+                                  const DiagnosisOptions& options) {
+  std::vector<Plainer> result;
+  const Candidate& candidate = ranked.effect().candidate;
+  for (const RankedEffect& other : ranking.effects)
+    if (other.effect().candidate.equation == candidate.equation &&
+        other.effect().candidate.place == candidate.place &&
+        other.sigma >= options.significance && other.contribution >= options.substance &&
+        intricacy(other.effect()) < intricacy(ranked.effect()))
+      result.push_back({name_effect(other, ranking, options), other.effect()});
+  std::stable_sort(result.begin(), result.end(), [](const Plainer& a, const Plainer& b) {
+    return intricacy(a.effect) < intricacy(b.effect);
+  });
+  return result;
 }
 
 class Search {
@@ -75,12 +96,14 @@ class Search {
         fit_options_(fit_options),
         options_(options),
         context_(context),
+        substance_(base, data, fit_options, context),
         result_{{{}, base}, {}, {}, {}} {}
 
   SearchResult run() {
     do {
       result_.left = test_structure(result_.explanation.fit, context_);
     } while (may_go_on() && add_one());
+    prefer_plain();
     settle_names();
     update_numbers(result_.explanation, result_.named);
     return std::move(result_);
@@ -98,24 +121,15 @@ class Search {
 
   bool acceptable(const RankedEffect& ranked) const {
     return ranked.sigma >= options_.significance && ranked.contribution >= options_.substance &&
-           has_a_part(ranked.effect()) && (result_.named.empty() || closes_enough(ranked));
+           has_a_part(ranked.effect()) &&
+           (result_.named.empty() ||
+            substance_.counts(result_.explanation, ranked.explanation));
   }
 
   /// Whether the gain is the effect's own: with a coefficient that is not told from 0 it is
   /// that of effects before it, whose shapes have moved.
   bool has_a_part(const FittedEffect& effect) const {
     return std::abs(effect.coefficient) >= options_.significance * effect.deviation;
-  }
-
-  /// Whether a later effect takes away a tenth of what is left in its equation. Less is not
-  /// what is missing there, however significant.
-  bool closes_enough(const RankedEffect& ranked) const {
-    constexpr double kTenth = 0.1;
-    const Candidate& candidate = ranked.effect().candidate;
-    if (candidate.place == Place::Channel) return true;
-    const double before = result_.explanation.fit.noise.disturbance[candidate.equation];
-    const double after = ranked.explanation.fit.noise.disturbance[candidate.equation];
-    return after * after <= (1.0 - kTenth) * before * before;
   }
 
   /// The best effect that may come in, or take the place of another form of itself.
@@ -144,6 +158,7 @@ class Search {
   bool add(const RankedEffect& ranked, const Ranking& ranking) {
     result_.named.push_back(name_effect(ranked, ranking, options_));
     result_.named.back().gap_closed = closed_by(ranked.explanation);
+    plainer_.push_back(plainer_than(ranked, ranking, options_));
     result_.explanation = ranked.explanation;
     look_back();
     return true;
@@ -175,6 +190,7 @@ class Search {
     result_.named[old] = name_effect(ranked, ranking, options_);
     const Index k = ranked.effect().candidate.equation;
     result_.named[old].gap_closed = std::clamp(closed + drop_of(next, k), 0.0, 1.0);
+    plainer_[old] = plainer_than(ranked, ranking, options_);
     result_.explanation = std::move(next);
     return true;
   }
@@ -229,9 +245,45 @@ class Search {
       if (criterion_of(smaller) > criterion_of(result_.explanation)) continue;
       result_.explanation = std::move(smaller);
       result_.named.erase(result_.named.begin() + static_cast<std::ptrdiff_t>(e));
+      plainer_.erase(plainer_.begin() + static_cast<std::ptrdiff_t>(e));
       return true;
     }
     return false;
+  }
+
+  /// Where structure is left in the end, special names for it that the likelihood prefers give
+  /// way to plain ones that leave hardly more.
+  void prefer_plain() {
+    for (std::size_t e = result_.named.size(); e-- > 0;) {
+      const Index equation = result_.named[e].equation;
+      const bool is_left =
+          std::any_of(result_.left.begin(), result_.left.end(), [&](const auto& left) {
+            return left.equation == equation && is_substantial(left, options_);
+          });
+      if (!is_left) continue;
+      for (Plainer& plainer : plainer_[e])
+        if (put_in_place(e, plainer)) break;
+    }
+  }
+
+  bool put_in_place(std::size_t e, Plainer& plainer) {
+    std::vector<FittedEffect> effects = result_.explanation.effects;
+    effects[e] = plainer.effect;
+    Explanation next = explain(data_, scope_.model, result_.explanation.fit, std::move(effects),
+                               fit_options_, context_);
+    const Candidate& candidate = plainer.effect.candidate;
+    if (!std::isfinite(next.fit.deviance) ||
+        !substance_.is_near(next.fit, result_.explanation.fit, candidate))
+      return false;
+    const double closed = result_.named[e].gap_closed;
+    result_.named[e] = plainer.named;
+    result_.named[e].gap_closed =
+        std::clamp(closed + drop_of(next, candidate.equation), 0.0, 1.0);
+    result_.rounds.push_back(
+        {1, plainer.named.name + ": " + term_of(plainer.effect), plainer.named.sigma, true});
+    result_.explanation = std::move(next);
+    result_.left = test_structure(result_.explanation.fit, context_);
+    return true;
   }
 
   const Dataset& data_;
@@ -240,10 +292,24 @@ class Search {
   const AssimilationOptions& fit_options_;
   const DiagnosisOptions& options_;
   const RunContext& context_;
+  const Substance substance_;
   SearchResult result_;
+  std::vector<std::vector<Plainer>> plainer_;  ///< of each named effect, plainest first
 };
 
 }  // namespace
+
+void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
+  for (std::size_t e = 0; e < named.size(); ++e) {
+    const FittedEffect& fitted = explanation.effects[e];
+    named[e].term = term_of(fitted);
+    named[e].coefficient = fitted.coefficient;
+    named[e].deviation = fitted.deviation;
+    named[e].parameters.clear();
+    for (std::size_t s = 0; s < fitted.candidate.shapes.size(); ++s)
+      named[e].parameters.push_back(parameter_of(fitted, s));
+  }
+}
 
 bool is_substantial(const EquationStructure& structure, const DiagnosisOptions& options) {
   return structure.sigma >= options.significance && structure.relative >= options.substance;

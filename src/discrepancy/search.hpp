@@ -2,6 +2,7 @@
 // The rounds of a diagnosis: one effect after another.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lacuna/discrepancy/diagnose.hpp"
@@ -14,6 +15,7 @@ struct SearchResult {
   std::vector<NamedEffect> named;  ///< one for each effect of the explanation
   std::vector<Round> rounds;
   std::vector<EquationStructure> left;
+  std::optional<Explanation> refitted = {};  ///< with coefficients that hold over windows
 };
 
 /// Adds effects until none is significant and of substance, or there are enough; effects that
@@ -26,6 +28,9 @@ SearchResult search_effects(const Dataset& data, const Assimilation& base, const
 SearchResult name_free_input(const RankedEffect& input, const Assimilation& base,
                              const DiagnosisOptions& options, std::vector<Round> rounds,
                              const RunContext& context);
+
+/// Numbers of a fit into the names of its effects.
+void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named);
 
 /// Whether structure is significant and of substance.
 bool is_substantial(const EquationStructure& structure, const DiagnosisOptions& options);

@@ -2,8 +2,10 @@
 // Real measurements; run where the environment variable LACUNA_DATA names their folder.
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "integration/program.hpp"
 #include "lacuna/data/read.hpp"
@@ -12,8 +14,10 @@
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/formulations/embedding.hpp"
+#include "lacuna/model/model_file.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "lacuna/refine/refine.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace lacuna::testing {
 namespace {
@@ -83,6 +87,39 @@ TEST(MeasuredData, SilverboxIsSimulatedToHalfAMillivolt) {
       embed(part(all, 40650, 65062), {{"y", 2}}, FiniteDifferences{{.order = 10}});
   const OdeModel model = identify(training, algorithm1()).model;
   EXPECT_LE(model.equations()[1].size(), 7u) << to_text(model);
+  EXPECT_LT(simulation_error(model, part(all, 105712, 21688)), 0.47e-3) << to_text(model);
+  EXPECT_LT(simulation_error(model, part(all, 100, 40475)), 0.55e-3) << to_text(model);
+}
+
+/// A record of u and y as text.
+std::string text_of(const Dataset& record) {
+  const Trajectory& run = record.trajectories.front();
+  std::ostringstream out;
+  out << "t,u,y\n" << std::setprecision(12);
+  for (Index i = 0; i < run.samples(); ++i)
+    out << run.time[i] << ',' << run.inputs(i, 0) << ',' << run.states(i, 0) << '\n';
+  return out.str();
+}
+
+/// From the linear resonator and the whole vocabulary, one multisine.
+TEST(MeasuredData, SilverboxLacksCubicStiffnessAndNothingElse) {
+  const auto folder = measurements();
+  if (!folder) GTEST_SKIP() << "LACUNA_DATA is not set";
+  const Dataset all = read_dataset({*folder + "/silverbox/silverbox_snls80mv.csv.gz"},
+                                   {.states = {"y"}, .inputs = {"u"}});
+  const TemporaryFolder place;
+  const std::string train = place.write("train.csv", text_of(part(all, 40650, 8692)));
+  const std::string test = place.write("test.csv", text_of(part(all, 105712, 8692)));
+  const std::string found = place.file("found.json");
+  const CommandResult run =
+      run_program("diagnose --model " + *folder + "/silverbox/nominal.json " + train +
+                  " --holdout " + test + " --model-out " + found + " --json -");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_EQ(json["effects"].size(), 1u) << json["effects"];
+  EXPECT_EQ(json["effects"][0]["name"], "cubic-stiffness");
+  EXPECT_LT(json["gap"]["ratio"].get<double>(), 0.2);
+  const OdeModel model = read_model(found);
   EXPECT_LT(simulation_error(model, part(all, 105712, 21688)), 0.47e-3) << to_text(model);
   EXPECT_LT(simulation_error(model, part(all, 100, 40475)), 0.55e-3) << to_text(model);
 }

@@ -52,6 +52,20 @@ TEST(Diagnose, WhatNoCandidateExpressesIsNotNamed) {
   EXPECT_TRUE(diagnosis.remaining.structure);
 }
 
+TEST(Diagnose, WhatIsLeftOverGetsNoNameForBeingSignificant) {
+  // Dry friction, and quick forces that go along with the state without being any effect.
+  const Diagnosis diagnosis = diagnosis_of([](double t, double q, double v) {
+    return support::dry_friction(t, q, v) + 0.15 * std::sin(25.0 * q) * std::sin(9.0 * t + v);
+  });
+  EXPECT_EQ(diagnosis.verdict, Verdict::PartlyExplained);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_EQ(diagnosis.effects[0].name, "dry");
+  EXPECT_NEAR(diagnosis.augmented.coefficient(1, "sign(v)"), -0.3, 0.03);
+  EXPECT_TRUE(diagnosis.remaining.structure);
+  ASSERT_TRUE(diagnosis.gap.has_value());
+  EXPECT_LT(diagnosis.gap->ratio(), 0.5);
+}
+
 TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
   DiagnosisOptions options;
   options.effects = support::own_effects();

@@ -53,5 +53,17 @@ TEST(Gauge, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
   EXPECT_LT(gap.after, 0.5 * gap.before);
 }
 
+TEST(Gauge, InWindowsCountsWhatLastsAndNotWhatGoesToAndFro) {
+  const auto gap_of = [](const support::Hidden& hidden) {
+    return window_gap(support::assimilated(support::hidden_record(hidden, 1e-4, 3)));
+  };
+  const double steady =
+      gap_of([](double, double, double v) { return -0.1 * (v > 0.0 ? 1.0 : -1.0); });
+  const double quick =
+      gap_of([](double t, double, double) { return 0.1 * std::sin(40.0 * t); });
+  EXPECT_LT(gap_of(support::nothing), 1e-3);
+  EXPECT_GT(steady, 5.0 * quick);
+}
+
 }  // namespace
 }  // namespace lacuna
