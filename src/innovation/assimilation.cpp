@@ -78,7 +78,6 @@ class Turns {
       if (std::abs(state_.deviance - last) <= kSettled || ++rises_ > kRises) break;
     }
     if (best_ && !(state_.deviance < best_->deviance + kSettled)) state_ = std::move(*best_);
-    relinearise();
     return std::move(state_);
   }
 

@@ -29,6 +29,11 @@ class StepBlock {
       length_[row] = slots(2 * i + 2, time) - slots(2 * i, time);
     }
     state_ = point_.leftCols(states);
+    third_ = Matrix::Zero(point_.rows(), slots.cols() - states);
+    for (Index column = states; column < slots.cols(); ++column)
+      if (column != time)
+        for (Index row = 0; row < point_.rows(); ++row)
+          third_(row, column - states) = third_difference(column, row);
   }
 
   Matrix run(int parts) {
@@ -64,9 +69,8 @@ class StepBlock {
     for (Index column = states_; column < slots_.cols(); ++column)
       for (Index row = 0; row < point_.rows(); ++row) {
         const double* value = slots_.col(column).data() + 2 * step_at(row);
-        point_(row, column) =
-            weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
-        if (cubic != 0.0) point_(row, column) += cubic * third_difference(column, row);
+        point_(row, column) = weight[0] * value[0] + weight[1] * value[1] +
+                              weight[2] * value[2] + cubic * third_(row, column - states_);
       }
   }
 
@@ -93,6 +97,7 @@ class StepBlock {
   Matrix point_;
   Vector length_;
   Matrix state_;
+  Matrix third_;  ///< third differences of the driven columns
 };
 
 /// Transition and responses of one step: W_q is the response of the state to a rate that is
