@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "trial.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <sstream>
@@ -19,6 +20,19 @@ std::vector<Stage<Effect>> all_effects(const Registry& registry) {
   for (const std::string& name : registry.names(Effect::kKind))
     effects.push_back(registry.make<Effect>(name));
   return effects;
+}
+
+/// Whether an effect is one of the measurement, which the augmented model does not have.
+bool is_of_measurement(const NamedEffect& effect) { return effect.name == "channel-skew"; }
+
+void gauge_trial(const hidden::HiddenCase& hidden, const Diagnosis& diagnosis,
+                 const hidden::Records& records, const hidden::Records& clean,
+                 Outcome& outcome) {
+  outcome.gap = diagnosis.gap->after;
+  outcome.true_gap = hidden::true_gap(hidden, records.check);
+  if (std::none_of(diagnosis.effects.begin(), diagnosis.effects.end(), is_of_measurement))
+    outcome.real_gap =
+        hidden::real_gap(diagnosis.augmented, clean.check, records.check, *diagnosis.gap);
 }
 
 std::string flags_of(const Outcome& outcome) {
@@ -44,10 +58,7 @@ Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
     const Diagnosis diagnosis =
         diagnose(hidden.nominal, records.find, records.check, options, RunContext{});
     outcome.score = hidden::score(hidden, diagnosis, clean.find);
-    outcome.gap = diagnosis.gap->after;
-    outcome.true_gap = hidden::true_gap(hidden, records.check);
-    outcome.real_gap =
-        hidden::real_gap(diagnosis.augmented, clean.check, records.check, *diagnosis.gap);
+    if (diagnosis.gap) gauge_trial(hidden, diagnosis, records, clean, outcome);
   } catch (const std::exception& error) {
     outcome.failure = error.what();
   }
