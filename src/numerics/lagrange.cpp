@@ -56,11 +56,11 @@ Index LagrangeInterpolant::interval_of(double t) const {
 void LagrangeInterpolant::prepare() {
   const double* node = time_.data() + first_;
   const std::size_t count = weights_.size();
-  const double length = count > 1 ? node[count - 1] - node[0] : 1.0;
+  const double scale = count > 1 ? 1.0 / (node[count - 1] - node[0]) : 1.0;
   for (std::size_t i = 0; i < count; ++i) {
     double product = 1.0;
     for (std::size_t j = 0; j < count; ++j)
-      if (j != i) product *= (node[i] - node[j]) / length;
+      if (j != i) product *= (node[i] - node[j]) * scale;
     weights_[i] = 1.0 / product;
   }
 }
