@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/innovation/variance_fit.hpp"
 #include "lacuna/numerics/significance.hpp"
 
@@ -32,6 +33,17 @@ double least_deviance(const Assimilation& fit, std::optional<Index> without) {
 double boundary_sigma(double drop) {
   return drop > 0.0 ? sigma_of_log_probability(log_chi_squared_tail(drop, 1.0) - std::log(2.0))
                     : 0.0;
+}
+
+Vector disturbance_rms(const Assimilation& fit) {
+  Vector squares = Vector::Zero(fit.model.dimension());
+  double count = 0.0;
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Matrix disturbance = disturbance_along(fit, r);
+    squares += disturbance.colwise().squaredNorm().transpose();
+    count += static_cast<double>(disturbance.rows());
+  }
+  return (squares / count).cwiseSqrt();
 }
 
 }  // namespace
@@ -65,21 +77,24 @@ double total_disturbance(const Assimilation& fit, const Vector& rates) {
 
 std::vector<EquationStructure> test_structure(const Assimilation& fit,
                                               const RunContext& context) {
-  const double now = least_deviance(fit, {});
-  const Vector rates = rate_rms(fit);
-  std::vector<EquationStructure> result;
-  Vector squares = Vector::Zero(fit.model.dimension());
-  double count = 0.0;
-  for (std::size_t r = 0; r < fit.records.size(); ++r) {
-    const Matrix disturbance = disturbance_along(fit, r);
-    squares += disturbance.colwise().squaredNorm().transpose();
-    count += static_cast<double>(disturbance.rows());
-  }
-  for (Index k = 0; k < fit.model.dimension(); ++k) {
-    if (fit.noise.disturbance[k] == 0.0) continue;
+  std::vector<Index> disturbed;
+  for (Index k = 0; k < fit.model.dimension(); ++k)
+    if (fit.noise.disturbance[k] != 0.0) disturbed.push_back(k);
+  double now = 0.0;
+  std::vector<double> without(disturbed.size());
+  parallel_for(disturbed.size() + 1, context.threads, [&](std::size_t i) {
     context.check_stop();
-    EquationStructure structure{k, 0.0, 0.0, std::sqrt(squares[k] / count), 0.0};
-    structure.drop = std::max(0.0, least_deviance(fit, k) - now);
+    if (i == disturbed.size())
+      now = least_deviance(fit, {});
+    else
+      without[i] = least_deviance(fit, disturbed[i]);
+  });
+  const Vector rates = rate_rms(fit), rms = disturbance_rms(fit);
+  std::vector<EquationStructure> result;
+  for (std::size_t i = 0; i < disturbed.size(); ++i) {
+    const Index k = disturbed[i];
+    EquationStructure structure{k, 0.0, 0.0, rms[k], 0.0};
+    structure.drop = std::max(0.0, without[i] - now);
     structure.sigma = boundary_sigma(structure.drop);
     structure.relative = rates[k] > 0.0 ? structure.rms / rates[k] : 0.0;
     result.push_back(structure);
