@@ -13,6 +13,7 @@
 #include "lacuna/formulations/integral_form.hpp"
 #include "lacuna/formulations/strong_form.hpp"
 #include "lacuna/formulations/weak_form.hpp"
+#include "lacuna/pruners/cross_validation.hpp"
 #include "lacuna/pruners/information_criterion.hpp"
 #include "lacuna/pruners/keep_all.hpp"
 #include "lacuna/pruners/minor_terms.hpp"
@@ -48,6 +49,7 @@ void add_selection(Registry& registry) {
   registry.add<MinorTerms>();
   registry.add<SequentialThresholding>();
   registry.add<InformationCriterion>();
+  registry.add<CrossValidation>();
   registry.add<KeepAll>();
   registry.add<NoRefiner>();
   registry.add<TrajectorySelection>();

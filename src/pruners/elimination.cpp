@@ -30,15 +30,7 @@ Vector Elimination::contributions() const {
   return coefficients_.cwiseAbs().cwiseProduct(problem_.column_norms());
 }
 
-Vector Elimination::losses() const {
-  const Vector variances = problem_.inverse_gram_diagonal();
-  Vector losses(size());
-  for (Index i = 0; i < size(); ++i)
-    losses[i] = std::isfinite(variances[i]) && variances[i] > 0.0
-                    ? std::abs(coefficients_[i]) / std::sqrt(variances[i])
-                    : 0.0;
-  return losses;
-}
+Vector Elimination::losses() const { return lacuna::losses(problem_, coefficients_); }
 
 Elimination Elimination::without(const std::vector<Index>& positions) const {
   Elimination smaller = *this;
@@ -46,6 +38,16 @@ Elimination Elimination::without(const std::vector<Index>& positions) const {
     smaller.problem_.remove(*position);
   smaller.fit();
   return smaller;
+}
+
+Vector losses(const Subproblem& problem, const Vector& coefficients) {
+  const Vector variances = problem.inverse_gram_diagonal();
+  Vector losses(variances.size());
+  for (Index i = 0; i < losses.size(); ++i)
+    losses[i] = std::isfinite(variances[i]) && variances[i] > 0.0
+                    ? std::abs(coefficients[i]) / std::sqrt(variances[i])
+                    : 0.0;
+  return losses;
 }
 
 Index smallest(const Vector& values) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lacuna/numerics/serial_correlation.hpp"
 #include "lacuna/pruners/elimination.hpp"
 
 namespace lacuna {
@@ -12,10 +13,25 @@ namespace {
 
 using Criterion = InformationCriterionOptions::Criterion;
 
+std::string quantity_of(Criterion criterion) {
+  if (criterion == Criterion::Aicc) return "AICc without the term";
+  return criterion == Criterion::Bic ? "BIC without the term"
+                                     : "effective BIC without the term";
+}
+
+/// As how many rows they count.
+double counted_rows(Criterion criterion, const LeastSquaresSystem& system, Index target,
+                    const Elimination& all, const RunContext& context) {
+  const auto rows = static_cast<double>(all.rows());
+  if (criterion != Criterion::EffectiveBic || all.size() == 0) return rows;
+  const Vector residuals = system.residuals(target, all.active(), all.coefficients(), context);
+  return rows / serial_correlation(residuals).time;
+}
+
 /// The criterion of n rows, k terms and |residual|; infinite where AICc has no meaning.
 double criterion_value(Criterion criterion, double n, double k, double residual) {
   const double misfit = 2.0 * n * std::log(residual / std::sqrt(n));
-  if (criterion == Criterion::Bic) return misfit + k * std::log(n);
+  if (criterion != Criterion::Aicc) return misfit + k * std::log(n);
   if (n - k <= 1.0) return std::numeric_limits<double>::infinity();
   return misfit + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0);
 }
@@ -26,15 +42,15 @@ PruneResult InformationCriterion::do_prune(const LeastSquaresSystem& system, Ind
                                            const TermSet& active, const Regressor& regressor,
                                            const RunContext& context) const {
   const auto criterion = options().criterion;
-  const std::string quantity =
-      criterion == Criterion::Bic ? "BIC without the term" : "AICc without the term";
+  const std::string quantity = quantity_of(criterion);
   Elimination state(system, target, active, regressor, context);
+  const double rows = counted_rows(criterion, system, target, state, context);
   const double scale = state.target_norm() + state.contributions().sum();
   const double floor =
       std::max(options().resolution * scale, std::numeric_limits<double>::min());
   const auto value_of = [&](const Elimination& e) {
-    return criterion_value(criterion, static_cast<double>(e.rows()),
-                           static_cast<double>(e.size()), std::max(e.residual_norm(), floor));
+    return criterion_value(criterion, rows, static_cast<double>(e.size()),
+                           std::max(e.residual_norm(), floor));
   };
 
   PruneResult path{active, {}};

@@ -27,6 +27,22 @@ inline LeastSquaresSystem sparse_problem(Index rows, double noise, double outlie
   return {make_row_source(std::move(theta), std::move(y)), names, {"y"}};
 }
 
+/// The same coefficients and as many columns; columns and noise are series in which each value
+/// remembers a share of the one before.
+inline LeastSquaresSystem sparse_series(Index rows, double noise, double memory,
+                                        std::uint64_t seed) {
+  Random random(seed);
+  Matrix all(rows, 11);
+  for (auto column : all.colwise()) {
+    double value = 0.0;
+    for (double& entry : column) entry = value = memory * value + random.normal();
+  }
+  const Vector y = 2.0 * all.col(1) - all.col(4) + 0.5 * all.col(7) + 0.1 * noise * all.col(10);
+  std::vector<std::string> names;
+  for (int j = 0; j < 10; ++j) names.push_back("t" + std::to_string(j));
+  return {make_row_source(all.leftCols(10), y), names, {"y"}};
+}
+
 /// The coefficients of sparse_problem.
 inline Vector sparse_truth() {
   Vector h = Vector::Zero(10);

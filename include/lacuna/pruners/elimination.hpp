@@ -46,6 +46,9 @@ class Elimination {
   double residual_norm_ = 0.0;
 };
 
+/// |h_i| / sqrt([(Theta_A'Theta_A)^-1]_ii) as Elimination::losses().
+Vector losses(const Subproblem& problem, const Vector& coefficients);
+
 /// Position of the smallest number. @pre not empty.
 Index smallest(const Vector& values);
 

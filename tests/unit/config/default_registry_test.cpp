@@ -21,8 +21,8 @@ TEST(DefaultRegistry, HasThePartsOfTheFirstShelf) {
   expect_names("filter", {"abm", "svd", "none"});
   expect_names("regressor", {"ols", "irls", "irls-l1", "stlsq"});
   expect_names("l1-solver", {"coordinate-descent", "ceres", "nlopt"});
-  expect_names("pruner",
-               {"minor-terms", "sequential-thresholding", "information-criterion", "keep-all"});
+  expect_names("pruner", {"minor-terms", "sequential-thresholding", "information-criterion",
+                          "cross-validation", "keep-all"});
   expect_names("integrator", {"rk4", "dopri5", "dopri8"});
 }
 
