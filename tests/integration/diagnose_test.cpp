@@ -89,11 +89,11 @@ double synchronisation_error(const std::string& model) {
 TEST(DiagnoseCircuit, NamesTheLargestPolynomialInEachEquation) {
   const TemporaryFolder place;
   const std::string found = place.file("found.json");
-  const CommandResult run =
-      run_program("diagnose --model rossler-adjusted " LACUNA_SOURCE_DIR
-                  "/data/tl072_record.csv.gz --effect linear-term --effect quadratic-term "
-                  "--effect cross-term --json - --model-out " +
-                  found);
+  const CommandResult run = run_program(
+      "diagnose --model rossler-adjusted " LACUNA_SOURCE_DIR
+      "/data/tl072_record.csv.gz --effect linear-term --effect quadratic-term "
+      "--effect cross-term --effect cubic-term --effect constant-offset --json - --model-out " +
+      found);
   ASSERT_EQ(run.status, 0) << run.err;
   std::map<std::string, std::string> largest;
   const auto json = nlohmann::json::parse(run.out);
