@@ -7,14 +7,12 @@
 #include <filesystem>
 #include <iostream>
 
+#include "diagnosed.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
-#include "lacuna/dynamics/record_input.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/refine/structure_test.hpp"
 #include "support/table.hpp"
 
@@ -63,33 +61,9 @@ std::string positioning(const std::filesystem::path& folder) {
          seconds_since(start) + " s.\n";
 }
 
-Dataset rows(const Dataset& data, Index first, Index count) {
-  Dataset part = data;
-  const Trajectory& run = data.trajectories[0];
-  part.trajectories = {{run.source, run.time.segment(first, count),
-                        run.states.middleRows(first, count),
-                        run.inputs.middleRows(first, count), Matrix()}};
-  return part;
-}
-
-/// Root mean square error of a free simulation in mV, its start being fitted to 50 samples.
-std::string simulation_error(const OdeModel& model, const Dataset& record) {
-  constexpr Index kStart = 50;
-  const Refinement start =
-      refine(ParametrisedModel(model, {}), rows(record, 0, kStart), {.window_samples = kStart});
-  const Trajectory& run = record.trajectories[0];
-  RecordInput input(run);
-  const Solution orbit = simulate(model, Dopri8{}, start.states.row(0), run.time, input);
-  if (orbit.status != IntegrationStatus::Completed) return "diverged";
-  const Vector error = (orbit.states.col(0) - run.states.col(0)).tail(run.samples() - kStart);
-  return format_number(1e3 * error.norm() / std::sqrt(static_cast<double>(error.size())), 3);
-}
-
 /// A linear resonator to begin with; the terms it lacks come from the library.
 std::string oscillator(const std::filesystem::path& folder) {
-  const Dataset record =
-      read_dataset({(folder / "silverbox/silverbox_snls80mv.csv.gz").string()},
-                   {.states = {"y"}, .inputs = {"u"}});
+  const Dataset record = oscillator_record(folder);
   const Dataset train = rows(record, 40650, 65062), test = rows(record, 105712, 21688);
   const Dataset arrow = rows(record, 100, 40475), inside = rows(record, 100, 32000);
   const auto start = std::chrono::steady_clock::now();
@@ -120,9 +94,11 @@ int run(const std::filesystem::path& output) {
   if (!folder)
     throw ConfigError("study_measured", "LACUNA_DATA is not set",
                       "set it to the folder of the measured records");
-  const std::string text = "# Measured records\n\n" + positioning(folder) + "\n" +
-                           oscillator(folder) + "\n" + machine_description() + ", " + today() +
-                           ". Command: `LACUNA_DATA=... study_measured FOLDER`\n";
+  const std::string text =
+      "# Measured records\n\n" + positioning(folder) + "\n" + oscillator(folder) + "\n" +
+      diagnosed_positioning(folder) + "\n" + diagnosed_oscillator(folder) + "\n" +
+      machine_description() + ", " + today() +
+      ". Seconds are of the clock. Command: `LACUNA_DATA=... study_measured FOLDER`\n";
   std::filesystem::create_directories(output);
   write_file_atomically(output / "measured.md", text);
   std::cout << text;
