@@ -99,7 +99,7 @@ void declare_search_options(CLI::App& app, Options& options) {
       ->check(CLI::Range(0, 20))
       ->capture_default_str();
   app.add_flag("--fill-gap", options.fill_gap,
-               "Fit a spline, as a stop-gap, where no effect explains the records");
+               "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
   app.add_option("--tolerance", options.tolerances,
                  "Standard deviation of a nominal coefficient, e.g. 'w:sin(th)=5%'")
       ->type_name("STATE:TERM=DEVIATION");

@@ -11,6 +11,7 @@
 #include "lacuna/data/noise.hpp"
 #include "lacuna/innovation/innovation_system.hpp"
 #include "lacuna/numerics/significance.hpp"
+#include "polynomial_gap.hpp"
 #include "records.hpp"
 #include "search.hpp"
 #include "substance.hpp"
@@ -70,10 +71,35 @@ class Workflow {
         make_scope(nominal_, data_, estimate_noise(data_), spectral_lines(*fitted_, kLines));
     SearchResult found =
         search_effects(data_, *fitted_, *scope_, fit_options_, options_, context_);
+    if (any_substantial(found.left) && has_fault(found)) prefer_dynamics(found);
     if (any_substantial(found.left) && !found.named.empty())
       found.refitted = refit_over_windows(data_, fit_options_, found.explanation, context_);
     if (any_substantial(found.left) && !shows_the_motion(found)) or_free_input(found);
     return found;
+  }
+
+  static bool has_fault(const SearchResult& found) {
+    return !found.explanation.fit.channel_terms.empty();
+  }
+
+  /// Whether an effect is one of the measurement.
+  bool is_fault(const Stage<Effect>& effect) const {
+    for (Index k = 0; k < nominal_.dimension(); ++k)
+      for (const Candidate& candidate : effect->candidates(*scope_, k))
+        if (candidate.place == Place::Channel) return true;
+    return false;
+  }
+
+  /// A fault of the measurement that leaves structure is not what is wrong, or not all of it:
+  /// effects of the dynamics take its place where they alone explain most.
+  void prefer_dynamics(SearchResult& found) const {
+    DiagnosisOptions dynamics = options_;
+    std::erase_if(dynamics.effects, [&](const auto& effect) { return is_fault(effect); });
+    SearchResult other =
+        search_effects(data_, *fitted_, *scope_, fit_options_, dynamics, context_);
+    if (!closes_most(other)) return;
+    other.rounds.insert(other.rounds.begin(), found.rounds.begin(), found.rounds.end());
+    found = std::move(other);
   }
 
   /// Where structure is left the coefficients that hold over windows are the answer.
@@ -121,7 +147,6 @@ class Workflow {
     result_.notes.push_back(
         "the measurement noise has a memory, which explains the records better than any effect "
         "with white noise");
-    given_ = assimilate_from(nominal_, data_, coloured, AssimilationOptions{}, context_);
     fitted_ = coloured;
     Assimilation start = *given_;
     start.noise = coloured.noise;
@@ -147,6 +172,7 @@ class Workflow {
       result_.unnamed = describe_unnamed(unexplained(), options_.fill_gap, found.explanation);
     }
     if (left && !found.named.empty()) take_refitted(found);
+    if (left && !found.named.empty() && options_.fill_gap) fill_what_is_left(found);
     result_.effects = found.named;
     final_ = found.explanation;
     result_.noise = final_.fit.noise;
@@ -154,6 +180,17 @@ class Workflow {
     set_remaining(found.left);
     result_.verdict = verdict(left);
     set_augmented();
+  }
+
+  /// A stop-gap beside the named effects, which keep their names and get new coefficients.
+  void fill_what_is_left(SearchResult& found) {
+    auto filled = with_polynomials(unexplained(), found.left, found.explanation);
+    if (!filled) return;
+    found.explanation = std::move(*filled);
+    update_numbers(found.explanation, found.named);
+    result_.notes.push_back(
+        "polynomials fill, as a stop-gap, what the named effects leave; they stand in the "
+        "augmented model and explain nothing");
   }
 
   /// Whether the effects take away more than half of the disturbances, or leave no more than a

@@ -86,13 +86,14 @@ double synchronisation_error(const std::string& model) {
   return nlohmann::json::parse(run.out).at("relative").get<double>();
 }
 
-TEST(DiagnoseCircuit, NamesTheLargestPolynomialInEachEquation) {
+TEST(DiagnoseCircuit, NamesTheLargestPolynomialsAndFillsWhatTheyLeave) {
   const TemporaryFolder place;
   const std::string found = place.file("found.json");
   const CommandResult run = run_program(
       "diagnose --model rossler-adjusted " LACUNA_SOURCE_DIR
       "/data/tl072_record.csv.gz --effect linear-term --effect quadratic-term "
-      "--effect cross-term --effect cubic-term --effect constant-offset --json - --model-out " +
+      "--effect cross-term --effect cubic-term --effect constant-offset --fill-gap --json - "
+      "--model-out " +
       found);
   ASSERT_EQ(run.status, 0) << run.err;
   std::map<std::string, std::string> largest;
@@ -103,8 +104,9 @@ TEST(DiagnoseCircuit, NamesTheLargestPolynomialInEachEquation) {
   EXPECT_EQ(largest,
             (std::map<std::string, std::string>{{"x", "x*z"}, {"y", "z"}, {"z", "z^2"}}));
   EXPECT_GT(synchronisation_error("rossler-adjusted"), 0.025) << "3 % in the paper";
-  EXPECT_LT(synchronisation_error(found), 0.012);
-  EXPECT_LT(synchronisation_error("tl072"), 5e-4) << "noise of the record";
+  const double floor = synchronisation_error("tl072");
+  EXPECT_LT(floor, 5e-4) << "noise of the record";
+  EXPECT_LT(synchronisation_error(found), 1.2 * floor);
 }
 
 }  // namespace

@@ -76,6 +76,29 @@ TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
   EXPECT_EQ(diagnosis.gap->records, std::vector<std::string>{"made, last quarter"});
 }
 
+TEST(Diagnose, PolynomialsFillWhatNamedEffectsLeaveWhenAsked) {
+  const auto hidden = [](double, double q, double v) {
+    return -0.4 * (v > 0.0 ? 1.0 : -1.0) + 0.15 * q * v;
+  };
+  const auto diagnosis_with = [&](bool fill) {
+    DiagnosisOptions options;
+    options.effects = support::own_effects();
+    options.fill_gap = fill;
+    return diagnose(support::oscillator(), support::hidden_record(hidden, 0.002, 3),
+                    support::hidden_record(hidden, 0.002, 4, -0.7), options, RunContext{});
+  };
+  const Diagnosis plain = diagnosis_with(false), filled = diagnosis_with(true);
+  for (const Diagnosis* diagnosis : {&plain, &filled}) {
+    EXPECT_EQ(diagnosis->verdict, Verdict::PartlyExplained);
+    ASSERT_EQ(diagnosis->effects.size(), 1u);
+    EXPECT_EQ(diagnosis->effects[0].name, "dry");
+  }
+  EXPECT_EQ(plain.augmented.coefficient(1, "q*v"), 0.0);
+  EXPECT_NEAR(filled.augmented.coefficient(1, "q*v"), 0.15, 0.02);
+  EXPECT_LT(filled.gap->after, 0.7 * plain.gap->after);
+  EXPECT_LT(filled.gap->after, 1.2 * filled.gap->noise_floor);
+}
+
 TEST(Diagnose, ShortGapsAreBridged) {
   const Dataset whole = support::hidden_record(support::dry_friction, 0.01);
   Dataset cut = whole;
