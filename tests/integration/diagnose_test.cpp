@@ -73,7 +73,8 @@ TEST(DiagnoseCircuit, TellsInWhichEquationsTheAdjustedRosslerCircuitLacksSomethi
   for (const auto& entry : json.at("disagreement"))
     EXPECT_GT(entry.at("sigma").get<double>(), 10.0) << entry;
   ASSERT_FALSE(json.at("effects").empty());
-  EXPECT_EQ(json["effects"][0]["equation"], "x");
+  for (const auto& effect : json["effects"])
+    EXPECT_NE(effect["name"], "channel-skew") << "no fault of the measurement";
   EXPECT_LT(json["gap"]["ratio"].get<double>(), 0.7);
 }
 
