@@ -170,9 +170,10 @@ class Workflow {
       found.explanation = {{}, *fitted_};
       found.left = test_structure(*fitted_, context_);
       result_.unnamed = describe_unnamed(unexplained(), options_.fill_gap, found.explanation);
+    } else if (left) {
+      take_refitted(found);
+      if (options_.fill_gap) fill_what_is_left(found);
     }
-    if (left && !found.named.empty()) take_refitted(found);
-    if (left && !found.named.empty() && options_.fill_gap) fill_what_is_left(found);
     result_.effects = found.named;
     final_ = found.explanation;
     result_.noise = final_.fit.noise;
