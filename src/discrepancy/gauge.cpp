@@ -102,31 +102,27 @@ Squares window_squares(const LinearisedRecord& record, const Matrix& measured,
   return squares;
 }
 
-Vector deviations(const Dataset& data) {
-  Vector sum = Vector::Zero(data.state_count());
+/// Standard deviation of each column over several blocks of rows.
+Vector deviations(const std::vector<Matrix>& blocks) {
+  Vector sum = Vector::Zero(blocks.front().cols());
   double count = 0.0;
-  for (const Trajectory& record : data.trajectories) {
-    sum += (record.states.rowwise() - record.states.colwise().mean())
-               .colwise()
-               .squaredNorm()
-               .transpose();
-    count += static_cast<double>(record.samples());
+  for (const Matrix& block : blocks) {
+    sum += (block.rowwise() - block.colwise().mean()).colwise().squaredNorm().transpose();
+    count += static_cast<double>(block.rows());
   }
   return (sum / count).cwiseSqrt().cwiseMax(1e-300);
 }
 
-/// Standard deviation of each state along the paths.
+Vector deviations(const Dataset& data) {
+  std::vector<Matrix> states;
+  for (const Trajectory& record : data.trajectories) states.push_back(record.states);
+  return deviations(states);
+}
+
 Vector path_deviations(const Assimilation& fit) {
-  Vector sum = Vector::Zero(fit.noise.states());
-  double count = 0.0;
-  for (const LinearisedRecord& record : fit.records) {
-    sum += (record.path.rowwise() - record.path.colwise().mean())
-               .colwise()
-               .squaredNorm()
-               .transpose();
-    count += static_cast<double>(record.samples());
-  }
-  return (sum / count).cwiseSqrt().cwiseMax(1e-300);
+  std::vector<Matrix> paths;
+  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
+  return deviations(paths);
 }
 
 double noise_floor(const NoiseModel& noise, const Vector& scale) {
