@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/core/text.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
@@ -57,7 +58,7 @@ class FreeInput {
 
   bool stands_alone(const RankedEffect& input) const {
     return !leaves_structure(input) && !depends_on_the_present(input) &&
-           !follows_the_past(input);
+           !follows_the_past(input) && !is_a_factor(input);
   }
 
  private:
@@ -138,6 +139,22 @@ class FreeInput {
         explain_roughly(p_.data, p_.scope.model, p_.base,
                         chosen_members(best->bank, best->score), p_.fit_options, p_.context);
     return criterion_of(past) < input.criterion;
+  }
+
+  /// Whether the records are explained better by a process that multiplies a variable: a
+  /// coefficient that changes at random.
+  bool is_a_factor(const RankedEffect& input) const {
+    for (const VariableRange& variable : p_.scope.variables) {
+      FittedEffect factor = input.effect();
+      const double size = variable.magnitude();
+      if (!(size > 0.0)) continue;
+      p_.context.report("looking for what a free input multiplies", 0.0);
+      factor.candidate.form += "*(" + variable.name + ")/" + format_number(size);
+      const Explanation fit = explain(p_.data, p_.scope.model, p_.base, {std::move(factor)},
+                                      p_.fit_options, p_.context);
+      if (fit.fit.deviance + price() < input.criterion) return true;
+    }
+    return false;
   }
 
   const Unexplained& p_;

@@ -11,15 +11,20 @@
 namespace lacuna::hidden {
 namespace {
 
-Score diagnosed(const std::string& name) {
+Score diagnosed(const std::string& name, const std::vector<std::string>& effects,
+                double level = 0.01) {
   const HiddenCase hidden = case_named(name);
-  const auto [find, check] = make_records(hidden, 0.01, 1);
+  const auto [find, check] = make_records(hidden, level, 1);
   const Registry registry = default_registry();
   DiagnosisOptions options;
-  for (const std::string& effect : registry.names(Effect::kKind))
+  for (const std::string& effect : effects)
     options.effects.push_back(registry.make<Effect>(effect));
   return score(hidden, diagnose(hidden.nominal, find, check, options, RunContext{}),
                clean_record(hidden, 2));
+}
+
+Score diagnosed(const std::string& name) {
+  return diagnosed(name, default_registry().names(Effect::kKind));
 }
 
 TEST(HiddenDiagnosis, NamesAHardeningSpring) {
@@ -38,6 +43,17 @@ TEST(HiddenDiagnosis, NamesASkewedChannelAndNothingElse) {
 TEST(HiddenDiagnosis, NamesOneFrictionCurveByOneName) {
   const Score found = diagnosed("motor-stribeck");
   EXPECT_TRUE(found.verdict && found.equation && found.name) << found.answer;
+  EXPECT_EQ(found.spurious, 0) << found.answer;
+}
+
+TEST(HiddenDiagnosis, TellsAnInputThatWasNotMeasured) {
+  const Score found = diagnosed("rlc-unseen-drive", {"unmeasured-input", "periodic-forcing"});
+  EXPECT_TRUE(found.verdict && found.equation && found.name) << found.answer;
+}
+
+TEST(HiddenDiagnosis, TakesARandomFactorForNoInput) {
+  const Score found = diagnosed("oscillator-switching", {"unmeasured-input"}, 0.001);
+  EXPECT_TRUE(found.verdict) << found.answer;
   EXPECT_EQ(found.spurious, 0) << found.answer;
 }
 
