@@ -53,26 +53,6 @@ bool stands_out(const Trajectory& record, Index state, Index i, double sigma,
          std::abs(record.states(i, state) - cubic[0]) > kOutlying * sigma;
 }
 
-/// Name of the file without the number of the record in it.
-std::string file_of(const Trajectory& record) {
-  return record.source.substr(0, record.source.rfind(", record "));
-}
-
-double median_step(const Trajectory& record) {
-  Vector steps =
-      record.time.tail(record.samples() - 1) - record.time.head(record.samples() - 1);
-  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  return steps[steps.size() / 2];
-}
-
-/// Whether a record goes on where another one ends, but for a few samples that are missing.
-bool goes_on(const Trajectory& before, const Trajectory& after, double step) {
-  constexpr double kNoneMissing = 1.5, kLongest = 10.5;  // steps
-  const double gap = after.time[0] - before.time[before.samples() - 1];
-  return file_of(before) == file_of(after) && gap > kNoneMissing * step &&
-         gap < kLongest * step;
-}
-
 Trajectory joined(const std::vector<Trajectory>& pieces, std::size_t first, std::size_t end) {
   if (end == first + 1) return pieces[first];
   Index samples = 0;
@@ -95,14 +75,15 @@ Trajectory joined(const std::vector<Trajectory>& pieces, std::size_t first, std:
 
 Dataset bridged(const Dataset& data, std::vector<std::string>& notes) {
   constexpr Index kShortest = 20;
+  constexpr double kLongestGap = 10.5;  // steps
   check_dataset(data);
-  const double step = median_step(longest_record(data));
+  const double longest_gap = kLongestGap * median_step(longest_record(data));
   const std::vector<Trajectory>& pieces = data.trajectories;
   Dataset result = data;
   result.trajectories.clear();
   std::size_t gaps = 0, left_out = 0;
   for (std::size_t first = 0, end = 1; first < pieces.size(); first = end++) {
-    while (end < pieces.size() && goes_on(pieces[end - 1], pieces[end], step)) ++end;
+    while (end < pieces.size() && goes_on(pieces[end - 1], pieces[end], longest_gap)) ++end;
     gaps += end - first - 1;
     Trajectory whole = joined(pieces, first, end);
     if (whole.samples() >= kShortest)

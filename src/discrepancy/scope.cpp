@@ -88,7 +88,7 @@ void set_times(Scope& scope, const Dataset& data) {
   double steps = 0.0;
   scope.start = data.trajectories.front().time[0];
   for (const Trajectory& record : data.trajectories) {
-    const double length = record.time[record.samples() - 1] - record.time[0];
+    const double length = record.duration();
     scope.start = std::min(scope.start, record.time[0]);
     scope.duration = std::max(scope.duration, length);
     scope.step += length;

@@ -70,7 +70,7 @@ double characteristic_time(const Dataset& record, Index state, double state_vari
 
 double duration(const Dataset& record) {
   double sum = 0.0;
-  for (const Trajectory& t : record.trajectories) sum += t.time[t.samples() - 1] - t.time[0];
+  for (const Trajectory& t : record.trajectories) sum += t.duration();
   return sum;
 }
 

@@ -30,7 +30,7 @@ double median_step(const Dataset& data) {
 double longest_duration(const Dataset& data) {
   double longest = 0.0;
   for (const Trajectory& record : data.trajectories)
-    longest = std::max(longest, record.time[record.samples() - 1] - record.time[0]);
+    longest = std::max(longest, record.duration());
   return longest;
 }
 
@@ -68,7 +68,7 @@ class Spectrum {
 double corner_frequency(const Trajectory& record, Index state, double noise, double highest) {
   constexpr double kStep = 1.1;
   const Spectrum spectrum(record, state);
-  const double lowest = 6.3 / (record.time[record.samples() - 1] - record.time[0]);
+  const double lowest = 6.3 / record.duration();
   double largest = 0.0;
   std::vector<double> powers;
   for (double omega = highest; omega > lowest; omega /= kStep) {

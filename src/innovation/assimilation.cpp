@@ -90,6 +90,8 @@ class Turns {
   /// hold for a long first step.
   static constexpr int kRises = 2;
 
+  /// What a step cannot be predicted better than: noise and disturbances. Where a state is not
+  /// measured, a thousandth of its range.
   Vector accuracy() const {
     Vector result = spans(data_) * 1e-3;
     // A free input has no column: it is as accurate as its path asks for, to begin with as 1.
@@ -100,9 +102,10 @@ class Turns {
       }
       if (result[k] <= std::numeric_limits<double>::min()) result[k] = 1.0;
     }
+    const double root = std::sqrt(mean_step(data_.trajectories.front()));
     for (Index k = 0; k < result.size(); ++k)
       if (const auto& sd = state_.noise.measurement[static_cast<std::size_t>(k)])
-        result[k] = *sd;
+        result[k] = std::hypot(*sd, root * state_.noise.disturbance[k]);
     return result;
   }
 
@@ -217,8 +220,7 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data,
   for (Index k = 0; k < white.size(); ++k)
     white[k] = std::max(white[k], seen[static_cast<std::size_t>(k)].sigma);
   const Trajectory& record = data.trajectories.front();
-  const double step = (record.time[record.samples() - 1] - record.time[0]) /
-                      static_cast<double>(record.samples() - 1);
+  const double step = mean_step(record);
   NoiseModel noise;
   noise.disturbance = Vector::Zero(model.dimension());
   for (Index k = 0; k < model.dimension(); ++k) {

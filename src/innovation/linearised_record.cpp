@@ -47,6 +47,14 @@ Vector part_lengths(const Vector& length, int parts) {
   return result / parts;
 }
 
+/// What is accurate enough for transitions and responses, which multiply small deviations only:
+/// a thousandth of the range of each state.
+Vector accuracy_of_variations(const Matrix& path, const Vector& accuracy) {
+  constexpr double kThousandth = 1e-3;
+  const Vector range = path.colwise().maxCoeff() - path.colwise().minCoeff();
+  return accuracy.cwiseMax(kThousandth * range);
+}
+
 }  // namespace
 
 LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, const Matrix& path,
@@ -64,8 +72,9 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
           .transpose();
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
+  const int fewer = parts_for(table, slots, m, accuracy_of_variations(path, accuracy));
   StepResponses responses = step_responses(
-      table.slopes(slots, part_lengths(length, parts), accuracy), length, m, parts);
+      table.slopes(slots, part_lengths(length, fewer), accuracy), length, m, fewer);
   result.transition = std::move(responses.transition);
   result.response = std::move(responses.response);
   return result;

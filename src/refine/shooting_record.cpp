@@ -10,8 +10,8 @@
 namespace lacuna {
 namespace {
 
-/// Mean steps that are simulated across missing samples; beyond that a record begins anew.
-constexpr double kLongestGap = 10.0;
+/// Steps that are simulated across missing samples; beyond that a record begins anew.
+constexpr double kLongestGap = 10.5;
 
 std::optional<Index> find(const std::vector<Quantity>& quantities, const std::string& name) {
   for (std::size_t i = 0; i < quantities.size(); ++i)
@@ -113,20 +113,6 @@ void write_trajectory(const ShootingRecord& record, const Rates& rates, Index tr
   }
 }
 
-/// The file of a trajectory: "run.csv" of "run.csv, record 2".
-std::string file_of(const Trajectory& run) {
-  return run.source.substr(0, run.source.rfind(", record "));
-}
-
-/// Whether a trajectory goes on with the one before it: same file, and time goes on after a gap
-/// short enough to be simulated like a sampling interval.
-bool goes_on(const Trajectory& before, const Trajectory& run) {
-  const Index last = before.samples() - 1;
-  const double usual = (before.time[last] - before.time[0]) / static_cast<double>(last);
-  const double gap = run.time[0] - before.time[last];
-  return file_of(before) == file_of(run) && gap > 0.0 && gap <= kLongestGap * usual;
-}
-
 }  // namespace
 
 ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& data) {
@@ -149,13 +135,14 @@ ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& da
   record.values.resize(samples, static_cast<Index>(columns.size()));
   record.inputs.resize(samples, static_cast<Index>(inputs.size()));
   record.begins = {0};
+  const double longest_gap = kLongestGap * median_step(longest_record(data));
   const Trajectory* before = nullptr;
   for (const Trajectory& run : data.trajectories) {
     const Index first = record.begins.back(), n = run.samples();
     record.time.segment(first, n) = run.time;
     record.values.middleRows(first, n) = run.states(Eigen::all, columns);
     if (!inputs.empty()) record.inputs.middleRows(first, n) = run.inputs(Eigen::all, inputs);
-    if (before && goes_on(*before, run)) record.begins.pop_back();
+    if (before && goes_on(*before, run, longest_gap)) record.begins.pop_back();
     record.begins.push_back(first + n);
     before = &run;
   }

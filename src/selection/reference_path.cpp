@@ -70,26 +70,6 @@ Matrix weights_of(const Trajectory& record, const Dataset& data, const Vector& n
   return weights;
 }
 
-double usual_step(const Trajectory& record) {
-  Vector steps =
-      record.time.tail(record.samples() - 1) - record.time.head(record.samples() - 1);
-  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  return steps[steps.size() / 2];
-}
-
-/// "run.csv" of "run.csv, record 2".
-std::string file_of(const Trajectory& record) {
-  return record.source.substr(0, record.source.rfind(", record"));
-}
-
-bool continues(const Trajectory& before, const Trajectory& after) {
-  constexpr double kLongestGap = 5.0;
-  if (file_of(before) != file_of(after) || before.samples() < 2) return false;
-  if (before.has_derivatives() != after.has_derivatives()) return false;
-  const double gap = after.time[0] - before.time[before.samples() - 1];
-  return gap > 0.0 && gap <= kLongestGap * usual_step(before);
-}
-
 Matrix stacked(const Matrix& a, const Matrix& b) {
   Matrix both(a.rows() + b.rows(), a.cols());
   both << a, b;
@@ -119,11 +99,15 @@ bool is_derived(const Dataset& data, Index state) {
 }
 
 Dataset joined_across_gaps(const Dataset& data) {
+  constexpr double kLongestGap = 5.5;  // steps
+  const double longest_gap = kLongestGap * median_step(longest_record(data));
   Dataset joined = data;
   joined.trajectories.clear();
   for (const Trajectory& record : data.trajectories) {
-    if (!joined.trajectories.empty() && continues(joined.trajectories.back(), record))
-      append(joined.trajectories.back(), record);
+    Trajectory* before = joined.trajectories.empty() ? nullptr : &joined.trajectories.back();
+    if (before && before->has_derivatives() == record.has_derivatives() &&
+        goes_on(*before, record, longest_gap))
+      append(*before, record);
     else
       joined.trajectories.push_back(record);
   }

@@ -73,10 +73,8 @@ WindowSearch::WindowSearch(SearchTask task, const RunContext& context)
 Index WindowSearch::first_window() const {
   const TestFunction function = choose_test_function(measured_part(task_.data));
   const Trajectory& record = task_.data.trajectories.front();
-  const double step = (record.time[record.samples() - 1] - record.time[0]) /
-                      static_cast<double>(record.samples() - 1);
   constexpr Index kFewest = 8;
-  return std::max(kFewest, static_cast<Index>(std::round(function.radius / step)));
+  return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
 }
 
 std::vector<Index> WindowSearch::present(const Matrix& coefficients) const {

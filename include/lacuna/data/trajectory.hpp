@@ -21,11 +21,27 @@ struct Trajectory {
 
   /// Whether dx/dt came with the data.
   bool has_derivatives() const noexcept { return derivatives.size() > 0; }
+
+  /// Time from the first sample to the last; there must be one.
+  double duration() const noexcept { return time[time.size() - 1] - time[0]; }
 };
+
+/// Mean of the sampling steps; at least two samples.
+double mean_step(const Trajectory& trajectory);
+
+/// Median of the sampling steps; at least two samples.
+double median_step(const Trajectory& trajectory);
 
 /// The common sampling step of a record.
 /// @return nothing when steps differ by more than `tolerance` times the mean step, or when there
 ///   are fewer than two samples.
 std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance = 1e-3);
+
+/// File that a record comes from: "run.csv" of "run.csv, record 2".
+std::string file_of(const Trajectory& trajectory);
+
+/// Whether a record goes on where another one of the same file ends, as after missing samples:
+/// it begins later, by `longest_gap` at most.
+bool goes_on(const Trajectory& before, const Trajectory& after, double longest_gap);
 
 }  // namespace lacuna
