@@ -5,9 +5,10 @@
 namespace lacuna {
 namespace {
 
-void add_friction(const std::string& v, const VariableRange& range,
+void add_friction(const VariableRange& range, const std::string& relation,
                   std::vector<Candidate>& result) {
-  const std::string description = "dry friction opposing " + v;
+  const std::string& v = range.name;
+  const std::string description = "dry friction " + relation + v;
   result.push_back(plain_candidate("sign(" + v + ")", v, description));
   // From where it cannot be told from a jump to where it cannot be told from a straight line.
   const double widest = range.magnitude();
@@ -18,11 +19,9 @@ void add_friction(const std::string& v, const VariableRange& range,
 
 std::vector<Candidate> make(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  const VariableRange& own = scope.state(equation);
-  if (own.changes_sign()) add_friction(own.name, own, result);
-  for (const std::string& slip : differences(scope, equation))
-    if (slip.substr(0, slip.find('-')) == own.name)
-      add_friction(slip, scope.range_of(slip), result);
+  for (const std::string& v : felt_speeds(scope, equation))
+    if (const VariableRange speed = range_of(scope, v); speed.changes_sign())
+      add_friction(speed, is_own_speed(scope, equation, v) ? "opposing " : "of ", result);
   return result;
 }
 

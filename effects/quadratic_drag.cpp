@@ -6,10 +6,13 @@ namespace lacuna {
 namespace {
 
 std::vector<Candidate> make(const Scope& scope, Index equation) {
-  const VariableRange& v = scope.state(equation);
-  const std::string form = v.name + "*abs(" + v.name + ")";
-  if (!v.changes_sign() || has_term(scope, equation, form)) return {};
-  return {plain_candidate(form, v.name, "drag of the square of " + v.name)};
+  std::vector<Candidate> result;
+  for (const std::string& v : felt_speeds(scope, equation)) {
+    const std::string form = "(" + v + ")*abs(" + v + ")";
+    if (range_of(scope, v).changes_sign() && !has_term(scope, equation, form))
+      result.push_back(plain_candidate(form, v, "drag of the square of " + v));
+  }
+  return result;
 }
 
 }  // namespace

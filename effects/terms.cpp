@@ -77,6 +77,20 @@ std::vector<std::string> differences(const Scope& scope, Index equation) {
   return result;
 }
 
+std::vector<std::string> felt_speeds(const Scope& scope, Index equation) {
+  std::vector<std::string> speeds{scope.state(equation).name};
+  for (const std::string& slip : differences(scope, equation))
+    if (is_own_speed(scope, equation, slip)) speeds.push_back(slip);
+  for (Index k = 0; k < scope.model.dimension(); ++k)
+    if (k != equation && is_velocity(scope, equation) && is_velocity(scope, k))
+      speeds.push_back(scope.state(k).name);
+  return speeds;
+}
+
+bool is_own_speed(const Scope& scope, Index equation, const std::string& speed) {
+  return speed.substr(0, speed.find('-')) == scope.state(equation).name;
+}
+
 std::vector<std::string> linear_arguments(const Scope& scope, Index equation) {
   std::vector<std::string> result;
   for (const WeightedTerm& summand : terms_of(scope.model, equation))
@@ -184,13 +198,14 @@ bool bends_at_standstill(const Scope& scope, const Candidate& candidate, double 
   // Below this share of the largest speed a change of slope is as good as a jump.
   constexpr double kStandstill = 0.1;
   const std::string& x = candidate.argument;
-  const std::string own = x.substr(0, x.find('-'));
-  return own == scope.state(candidate.equation).name &&
+  const std::vector<std::string> speeds = felt_speeds(scope, candidate.equation);
+  return std::find(speeds.begin(), speeds.end(), x) != speeds.end() &&
          edge < kStandstill * range_of(scope, x).magnitude();
 }
 
-bool opposes(const Scope&, const Candidate&, const FittedCandidate& fitted) {
-  return fitted.coefficient < 0.0;
+bool opposes(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted) {
+  return fitted.coefficient < 0.0 ||
+         !is_own_speed(scope, candidate.equation, candidate.argument);
 }
 
 }  // namespace lacuna

@@ -30,6 +30,14 @@ std::vector<std::string> variable_names(const Scope& scope);
 /// 1 %): a spring, a resistor between two places.
 std::vector<std::string> differences(const Scope& scope, Index equation);
 
+/// Speeds whose friction or drag an equation may feel: that of its own state, of the slip "v-w"
+/// of its state against another and, where bodies move together (the state is a velocity), the
+/// velocities of the others.
+std::vector<std::string> felt_speeds(const Scope& scope, Index equation);
+
+/// Whether a speed is that of the equation's own state or of its slip "v-w".
+bool is_own_speed(const Scope& scope, Index equation, const std::string& speed);
+
 /// What acts linearly in an equation: variables, then differences().
 std::vector<std::string> linear_arguments(const Scope& scope, Index equation);
 
@@ -80,13 +88,13 @@ bool is_part_of_term(const Candidate& candidate, const FittedCandidate& fitted);
 /// three standard errors. What is left of a dead zone's slope by that is no dead zone.
 bool slopes_agree(double a, double b, double deviation);
 
-/// Whether a bend at +-edge of the equation's own velocity, or of its slip "v-w" against
-/// another, lies so near to standstill that it is as good as a jump: dry friction, by whatever
-/// formula.
+/// Whether a bend at +-edge of one of felt_speeds() lies so near to standstill that it is as
+/// good as a jump: dry friction, by whatever formula.
 bool bends_at_standstill(const Scope& scope, const Candidate& candidate, double edge);
 
 /// Whether the effect takes away from the state in whose equation it stands; for effects that
-/// only ever oppose (friction, leakage), as EffectFamily::plausible.
+/// only ever oppose (friction, leakage), as EffectFamily::plausible. What the speed of another
+/// body does may have either sign.
 bool opposes(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted);
 
 }  // namespace lacuna

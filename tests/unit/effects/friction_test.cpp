@@ -37,12 +37,23 @@ TEST(CoulombFriction, ActsBetweenPlacesToo) {
   EXPECT_TRUE(forms_of<kCoulombFriction>(belt, 0).contains("sign(v-u)"));
 }
 
+TEST(CoulombFriction, IsFeltByBodiesThatMoveTogether) {
+  const Scope cart = support::scope_of(support::model_of_lines(
+      {{"x", {{"v", 1.0}}}, {"v", {{"q", 2.0}}}, {"q", {{"w", 1.0}}}, {"w", {{"q", -9.0}}}},
+      {}));
+  const Candidate far = candidate_of<kCoulombFriction>(cart, 3, "sign(v)");
+  EXPECT_EQ(far.description, "dry friction of v");
+  EXPECT_TRUE(plausible_with<kCoulombFriction>(cart, far, 0.4)) << "either sign";
+  EXPECT_TRUE(forms_of<kQuadraticDrag>(cart, 3).contains("(v)*abs(v)"));
+  EXPECT_FALSE(forms_of<kCoulombFriction>(cart, 0).contains("sign(w)")) << "no velocity";
+}
+
 TEST(Friction, OpposesTheMotion) {
   const Scope scope = oscillator_scope();
   const Candidate dry = candidate_of<kCoulombFriction>(scope, 1, "sign(v)");
   EXPECT_TRUE(plausible_with<kCoulombFriction>(scope, dry, -0.4));
   EXPECT_FALSE(plausible_with<kCoulombFriction>(scope, dry, 0.4));
-  const Candidate drag = candidate_of<kQuadraticDrag>(scope, 1, "v*abs(v)");
+  const Candidate drag = candidate_of<kQuadraticDrag>(scope, 1, "(v)*abs(v)");
   EXPECT_FALSE(plausible_with<kQuadraticDrag>(scope, drag, 0.4));
 }
 
