@@ -28,7 +28,7 @@ Candidate straight_loop(const Scope& scope, Index equation, const std::string& x
   const VariableRange range = range_of(scope, x);
   const double reach = 0.5 * (range.high - range.low);
   Candidate candidate =
-      shaped_candidate("$follower-" + x, x, "loop in the characteristic of " + x,
+      shaped_candidate(follower_ahead_of(x), x, "loop in the characteristic of " + x,
                        {"gap", range.unit, 0.01 * reach, reach, true},
                        starts_at({0.05 * reach, 0.15 * reach, 0.4 * reach}));
   candidate.memory = {follower(scope, x)};

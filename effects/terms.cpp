@@ -170,8 +170,12 @@ Candidate shaped_candidate(const std::string& form, const std::string& argument,
 MemoryState follower(const Scope& scope, const std::string& place) {
   const std::string distance = "((" + place + ")-$follower)";
   // As good as at once for what is sampled.
-  const std::string pace = format_number(2.0 / scope.step);
+  const std::string pace = format_number(8.0 / scope.step);
   return {"follower", pace + "*(" + distance + "-clip(" + distance + ",-$gap,$gap))", place};
+}
+
+std::string follower_ahead_of(const std::string& place) {
+  return "clip($follower-(" + place + "),-$gap,$gap)";
 }
 
 void bound_to_term(const Scope& scope, Index equation, const std::string& term,

@@ -73,8 +73,12 @@ Candidate shaped_candidate(const std::string& form, const std::string& argument,
                            std::vector<Vector> starts);
 
 /// What a place moves through play of half width `$gap`: it stands still while it is within the
-/// gap and is taken along at its edge, within half a sample. Memory state `$follower`.
+/// gap and is taken along at its edge, within an eighth of a sample. Memory state `$follower`.
 MemoryState follower(const Scope& scope, const std::string& place);
+
+/// How far the follower is ahead of the place: within the play, whose edge takes it along at
+/// once.
+std::string follower_ahead_of(const std::string& place);
 
 /// Bounds the coefficient of a candidate that takes over a part of a term, or the whole of it.
 /// The nominal coefficient may be half the true one.

@@ -8,12 +8,13 @@ namespace {
 
 using namespace plants;
 
-// A clutch that follows u within +- 0.8: fast against all else (200 per s), so it has play.
+// A linkage that is taken along by u when it is 1.5 away: an ideal play, as the place to which
+// it lags behind (1 ms) is moved to the edge.
 HiddenCase play(double s) {
   return CaseBuilder("oscillator-play", "Mass pushed through a linkage with play", oscillator(),
                      s)
-      .hidden_states({{"ua", {{"u-ua-clip(u-ua,-1.5,1.5)", 200.0}}}})
-      .hide({"v", {"backlash", "hysteresis"}, {}, "ua-u", 1.0})
+      .hidden_states({{"ua", {{"u-ua-clip(u-ua,-1.5,1.5)", 1000.0}}}})
+      .hide({"v", {"backlash", "hysteresis"}, {}, "clip(ua-u,-1.5,1.5)", 1.0})
       .build();
 }
 

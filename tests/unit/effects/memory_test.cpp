@@ -60,7 +60,7 @@ TEST(Backlash, OfADifferenceIsADeadZone) {
 
 TEST(Backlash, OfOnePlaceHasAFollower) {
   const Scope scope = oscillator_scope();
-  const Candidate play = candidate_of<kBacklash>(scope, 1, "follower-F");
+  const Candidate play = candidate_of<kBacklash>(scope, 1, "clip(follower-(F),-gap,gap)");
   ASSERT_EQ(play.memory.size(), 1u);
   EXPECT_TRUE(plausible_with<kBacklash>(scope, play, 1.0));
   EXPECT_FALSE(plausible_with<kBacklash>(scope, play, 0.3));
@@ -71,7 +71,7 @@ TEST(Hysteresis, HasALoopOfThePosition) {
   const Candidate loop = candidate_of<kHysteresis>(scope, 1, "loop");
   EXPECT_EQ(loop.argument, "q");
   EXPECT_EQ(loop.memory[0].rate, "v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield");
-  EXPECT_EQ(candidate_of<kHysteresis>(scope, 1, "follower-F").plainer, "backlash");
+  EXPECT_EQ(candidate_of<kHysteresis>(scope, 1, "clip(follower-(F),-gap,gap)").plainer, "backlash");
 }
 
 TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
@@ -121,7 +121,7 @@ TEST(ChannelSkew, FollowsABendOfTheMotionToo) {
 
 TEST(Hysteresis, ALoopIsAPartOfWhatIsThere) {
   const Scope scope = oscillator_scope();
-  const Candidate loop = candidate_of<kHysteresis>(scope, 1, "follower-F");
+  const Candidate loop = candidate_of<kHysteresis>(scope, 1, "clip(follower-(F),-gap,gap)");
   EXPECT_TRUE(plausible_with<kHysteresis>(scope, loop, 0.5));
   EXPECT_FALSE(plausible_with<kHysteresis>(scope, loop, 3.0));
   EXPECT_FALSE(plausible_with<kHysteresis>(scope, loop, -0.5));

@@ -90,7 +90,8 @@ TEST(EffectTerms, FollowerStandsStillInsideTheGap) {
   const MemoryState state = follower(drive(), "u");
   EXPECT_EQ(state.name, "follower");
   EXPECT_EQ(state.start, "u");
-  EXPECT_EQ(state.rate, "100*(((u)-$follower)-clip(((u)-$follower),-$gap,$gap))");
+  EXPECT_EQ(state.rate, "400*(((u)-$follower)-clip(((u)-$follower),-$gap,$gap))");
+  EXPECT_EQ(follower_ahead_of("u"), "clip($follower-(u),-$gap,$gap)");
 }
 
 }  // namespace
