@@ -18,6 +18,14 @@ bool is_variable(const Term& term) {
   return term.expression().operation() == Operation::Variable;
 }
 
+bool is_difference_of_variables(const Term& term) {
+  const Expression& whole = term.expression();
+  return whole.operation() == Operation::Subtract &&
+         std::all_of(whole.operands().begin(), whole.operands().end(), [](const Expression& x) {
+           return x.operation() == Operation::Variable;
+         });
+}
+
 }  // namespace
 
 bool has_term(const Scope& scope, Index equation, const std::string& term) {
@@ -31,7 +39,9 @@ double slope(const OdeModel& model, Index equation, const std::string& argument)
   const double whole = model.coefficient(equation, argument);
   const auto minus = argument.find('-');
   if (whole != 0.0 || minus == std::string::npos) return whole;
-  return model.coefficient(equation, argument.substr(0, minus));
+  const std::string a = argument.substr(0, minus), b = argument.substr(minus + 1);
+  const double reversed = model.coefficient(equation, b + "-" + a);
+  return reversed != 0.0 ? -reversed : model.coefficient(equation, a);
 }
 
 bool is_velocity(const Scope& scope, Index equation) {
@@ -66,14 +76,23 @@ std::vector<std::string> variable_names(const Scope& scope) {
 
 std::vector<std::string> differences(const Scope& scope, Index equation) {
   std::vector<std::string> result;
+  const auto add = [&](const std::string& a, const std::string& b) {
+    const bool own_last = b == scope.state(equation).name;
+    result.push_back(own_last ? b + "-" + a : a + "-" + b);
+  };
   const Equation& terms = terms_of(scope.model, equation);
-  for (std::size_t i = 0; i < terms.size(); ++i)
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (is_difference_of_variables(terms[i].term)) {
+      const auto operands = terms[i].term.expression().operands();
+      add(operands[0].to_string(), operands[1].to_string());
+    }
     for (std::size_t j = i + 1; j < terms.size(); ++j) {
       if (!is_variable(terms[i].term) || !is_variable(terms[j].term)) continue;
       const double a = terms[i].coefficient, b = terms[j].coefficient;
       if (std::abs(a + b) <= 0.01 * std::abs(a - b))
-        result.push_back(terms[i].term.name() + "-" + terms[j].term.name());
+        add(terms[i].term.name(), terms[j].term.name());
     }
+  }
   return result;
 }
 

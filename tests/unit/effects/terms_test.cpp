@@ -41,6 +41,25 @@ TEST(EffectTerms, DifferencesHaveOppositeCoefficients) {
   EXPECT_EQ(linear_arguments(drive(), 1), (std::vector<std::string>{"w1", "w2", "w1-w2"}));
 }
 
+TEST(EffectTerms, DifferencesMayBeWrittenAsTerms) {
+  const Scope gear = support::scope_of(
+      support::model_of_lines({{"a", {{"a-b", -150.0}}}, {"b", {{"a-b", 75.0}}}}, {}));
+  EXPECT_EQ(differences(gear, 0), std::vector<std::string>{"a-b"});
+  EXPECT_EQ(differences(gear, 1), std::vector<std::string>{"b-a"}) << "its own comes first";
+  EXPECT_EQ(slope(gear.model, 0, "a-b"), -150.0);
+  EXPECT_EQ(slope(gear.model, 1, "b-a"), -75.0);
+}
+
+TEST(EffectTerms, FeltSpeedsAreThoseOfBodiesThatMoveTogether) {
+  const Scope cart = support::scope_of(support::model_of_lines(
+      {{"x", {{"v", 1.0}}}, {"v", {{"v-u", -2.0}}}, {"q", {{"w", 1.0}}}, {"w", {{"q", -9.0}}}},
+      {"u"}));
+  EXPECT_EQ(felt_speeds(cart, 1), (std::vector<std::string>{"v", "v-u", "w"}));
+  EXPECT_EQ(felt_speeds(cart, 0), std::vector<std::string>{"x"});
+  EXPECT_TRUE(is_own_speed(cart, 1, "v-u"));
+  EXPECT_FALSE(is_own_speed(cart, 1, "w"));
+}
+
 TEST(EffectTerms, PartsAreWhatNoTermConnects) {
   EXPECT_TRUE(in_other_part(drive(), 0, "y"));
   EXPECT_TRUE(in_other_part(drive(), 3, "w2"));
