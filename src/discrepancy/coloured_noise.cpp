@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lacuna/core/parallel.hpp"
+#include "lacuna/core/text.hpp"
 #include "lacuna/innovation/variance_fit.hpp"
 
 namespace lacuna {
@@ -87,6 +88,20 @@ class ColouredFit {
 
 NoiseModel with_coloured_noise(const Assimilation& fit, const RunContext& context) {
   return ColouredFit(fit, context).run();
+}
+
+std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model) {
+  constexpr double kOfWhite = 0.1;
+  std::vector<std::string> channels;
+  for (std::size_t k = 0; k < model.states().size(); ++k) {
+    const auto& coloured = noise.coloured[k];
+    if (!coloured || coloured->deviation < kOfWhite * *noise.measurement[k]) continue;
+    const Quantity& state = model.states()[k];
+    channels.push_back(state.name + " " + format_number(coloured->deviation, 2) +
+                       (state.unit.empty() ? "" : " " + state.unit) + " over " +
+                       format_number(coloured->time, 2) + " " + model.time_unit());
+  }
+  return join(channels, ", ");
 }
 
 }  // namespace lacuna

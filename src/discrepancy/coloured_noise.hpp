@@ -11,4 +11,8 @@ namespace lacuna {
 /// largest likelihood on the linearisation as it is.
 NoiseModel with_coloured_noise(const Assimilation& fit, const RunContext& context);
 
+/// The channels whose noise has a memory worth telling of (a tenth of the white part or more),
+/// with its standard deviation and correlation time: "v 0.15 m/s over 4 s".
+std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model);
+
 }  // namespace lacuna

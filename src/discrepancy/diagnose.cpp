@@ -143,16 +143,27 @@ class Workflow {
     const Assimilation coloured = best_coloured();
     const double log_samples = std::log(static_cast<double>(coloured.used));
     const double price = 2.0 * static_cast<double>(coloured.noise.measured()) * log_samples;
-    if (coloured.deviance + price >= criterion_of(found.explanation)) return found;
-    result_.notes.push_back(
-        "the measurement noise has a memory, which explains the records better than any effect "
-        "with white noise");
+    if (coloured.deviance + price >= criterion_of(found.explanation) + price_of_choice(found))
+      return found;
+    const std::string channels = channels_with_memory(coloured.noise, nominal_);
+    result_.notes.push_back("the measurement noise has a memory" +
+                            (channels.empty() ? "" : " (" + channels + ")") +
+                            ", which explains the records better than any effect with white "
+                            "noise");
     fitted_ = coloured;
     Assimilation start = *given_;
     start.noise = coloured.noise;
     given_ = assimilate_from(nominal_, data_, start, AssimilationOptions{}, context_);
     result_.disagreement = locate(*given_, context_);
     return search();
+  }
+
+  /// What it costs that each effect was the best of many candidates: 2 log(tried), as in the
+  /// extended BIC (Chen and Chen, Biometrika 95 (2008)).
+  static double price_of_choice(const SearchResult& found) {
+    Index tried = 1;
+    for (const Round& round : found.rounds) tried = std::max(tried, round.tried);
+    return 2.0 * static_cast<double>(found.named.size()) * std::log(static_cast<double>(tried));
   }
 
   Assimilation best_coloured() const {
