@@ -29,11 +29,9 @@ Candidate delayed(const Scope& scope, const std::string& form, const std::string
 // A short delay acts like a rate of change, which could make up for the whole of the equation:
 // what comes late is no more than twice what the nominal model has of it, and what a state does
 // to itself no faster than the state is.
-void bound_to_its_term(const Scope& scope, Index equation, const VariableRange& x,
-                       Candidate& candidate) {
-  const bool own = x.name == scope.state(equation).name;
-  const double rate = own ? 1.0 / x.timescale : 0.0;
-  candidate.most = 2.0 * (std::abs(slope(scope.model, equation, x.name)) + rate);
+void bound_to(const Scope& scope, Index equation, const std::string& term, double rate,
+              Candidate& candidate) {
+  candidate.most = 2.0 * (std::abs(slope(scope.model, equation, term)) + rate);
   candidate.least = -candidate.most;
 }
 
@@ -46,18 +44,36 @@ double timescale_of(const Scope& scope, const std::string& term) {
   return shortest;
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
-  std::vector<Candidate> result;
+void add_variables(const Scope& scope, Index equation, std::vector<Candidate>& result) {
   for (const VariableRange& x : scope.variables) {
     const bool present = has_term(scope, equation, x.name);
+    const bool own = x.name == scope.state(equation).name;
     const std::string late = "delay(" + x.name + ",$T)";
     result.push_back(delayed(scope, present ? late + "-" + x.name : late, x.name, x.timescale));
-    if (present || x.name == scope.state(equation).name)
-      bound_to_its_term(scope, equation, x, result.back());
+    if (present || own)
+      bound_to(scope, equation, x.name, own ? 1.0 / x.timescale : 0.0, result.back());
   }
+}
+
+// A term as a whole, and one factor of a product: x(t) x(t - T) in place of x^2.
+void add_term(const Scope& scope, Index equation, const std::string& term,
+              std::vector<Candidate>& result) {
+  const auto add = [&](const std::string& rest, const std::string& late,
+                       const std::string& argument) {
+    result.push_back(delayed(scope, rest + "(delay(" + late + ",$T)-(" + late + "))", argument,
+                             timescale_of(scope, late)));
+    bound_to(scope, equation, term, 0.0, result.back());
+  };
+  add("", term, term);
+  for (const Factor& factor : factors_of(scope, term))
+    add("(" + factor.rest + ")*", factor.factor, factor.factor + " in " + term);
+}
+
+std::vector<Candidate> make(const Scope& scope, Index equation) {
+  std::vector<Candidate> result;
+  add_variables(scope, equation, result);
   for (const std::string& term : nonlinear_terms(scope, equation))
-    result.push_back(delayed(scope, "delay(" + term + ",$T)-(" + term + ")", term,
-                             timescale_of(scope, term)));
+    add_term(scope, equation, term, result);
   std::erase_if(result, [](const Candidate& candidate) { return candidate.starts.empty(); });
   return result;
 }

@@ -21,9 +21,37 @@ bool is_variable(const Term& term) {
 bool is_difference_of_variables(const Term& term) {
   const Expression& whole = term.expression();
   return whole.operation() == Operation::Subtract &&
-         std::all_of(whole.operands().begin(), whole.operands().end(), [](const Expression& x) {
-           return x.operation() == Operation::Variable;
-         });
+         std::all_of(whole.operands().begin(), whole.operands().end(),
+                     [](const Expression& x) { return x.operation() == Operation::Variable; });
+}
+
+bool is_whole_power(const Expression& x) {
+  return x.operation() == Operation::Power &&
+         x.operands()[1].operation() == Operation::Number && x.operands()[1].value() >= 2.0 &&
+         x.operands()[1].value() == std::floor(x.operands()[1].value());
+}
+
+/// The factors of a product one by one, those of a power with what is left of it.
+void collect_factors(const Expression& product, const std::vector<std::string>& beside,
+                     std::vector<Factor>& result) {
+  const auto with = [&](const std::string& more) {
+    std::vector<std::string> all = beside;
+    all.push_back("(" + more + ")");
+    return all;
+  };
+  if (product.operation() == Operation::Multiply) {
+    const Expression &a = product.operands()[0], &b = product.operands()[1];
+    collect_factors(a, with(b.to_string()), result);
+    collect_factors(b, with(a.to_string()), result);
+  } else if (is_whole_power(product)) {
+    const Expression& x = product.operands()[0];
+    const double less = product.operands()[1].value() - 1.0;
+    const std::string power = less > 1.0 ? "^" + format_number(less) : "";
+    const std::string rest = "(" + x.to_string() + ")" + power;
+    result.push_back({x.to_string(), join(with(rest), "*")});
+  } else if (!product.variables().empty() && !beside.empty()) {
+    result.push_back({product.to_string(), join(beside, "*")});
+  }
 }
 
 }  // namespace
@@ -132,6 +160,16 @@ std::vector<std::string> nonlinear_terms(const Scope& scope, Index equation) {
   for (const WeightedTerm& summand : terms_of(scope.model, equation))
     if (!is_variable(summand.term) && !summand.term.expression().variables().empty())
       result.push_back(summand.term.name());
+  return result;
+}
+
+std::vector<Factor> factors_of(const Scope& scope, const std::string& term) {
+  const std::vector<std::string> names = scope.model.variables().names();
+  std::vector<Factor> result;
+  collect_factors(parse_expression(term, names), {}, result);
+  std::erase_if(result, [&](const Factor& factor) {
+    return parse_expression(factor.rest, names).variables().empty();
+  });
   return result;
 }
 

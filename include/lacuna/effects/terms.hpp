@@ -48,6 +48,15 @@ bool is_transmission(const Scope& scope, const std::string& argument);
 /// Terms of an equation that are not a number and not a variable alone.
 std::vector<std::string> nonlinear_terms(const Scope& scope, Index equation);
 
+/// A factor of a product that varies, and what is left of the product without it.
+struct Factor {
+  std::string factor, rest;
+};
+
+/// The factors of a term: of x*z x and z, of x^3 x beside x^2; none where it is no product of
+/// several that vary.
+std::vector<Factor> factors_of(const Scope& scope, const std::string& term);
+
 /// The range of a variable or of a formula.
 VariableRange range_of(const Scope& scope, const std::string& argument);
 

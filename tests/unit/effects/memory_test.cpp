@@ -43,11 +43,12 @@ TEST(Delay, StartsLieAsDenseAsTheVariableForgets) {
   EXPECT_LE(late.starts.back()[0], 0.25 * scope.duration);
 }
 
-TEST(Delay, OfAWholeTerm) {
+TEST(Delay, OfAWholeTermOrAFactor) {
   const Scope scope =
       scope_of(model_of_lines({{"x", {{"x*y", -1.0}}}, {"y", {{"x", 1.0}}}}, {}));
   EXPECT_EQ(forms_of<kDelay>(scope, 0),
-            (Forms{"delay(x,T)", "delay(y,T)", "delay(x*y,T)-(x*y)"}));
+            (Forms{"delay(x,T)", "delay(y,T)", "(delay(x*y,T)-(x*y))", "((y))*(delay(x,T)-(x))",
+                   "((x))*(delay(y,T)-(y))"}));
 }
 
 TEST(Backlash, OfADifferenceIsADeadZone) {
@@ -71,7 +72,8 @@ TEST(Hysteresis, HasALoopOfThePosition) {
   const Candidate loop = candidate_of<kHysteresis>(scope, 1, "loop");
   EXPECT_EQ(loop.argument, "q");
   EXPECT_EQ(loop.memory[0].rate, "v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield");
-  EXPECT_EQ(candidate_of<kHysteresis>(scope, 1, "clip(follower-(F),-gap,gap)").plainer, "backlash");
+  EXPECT_EQ(candidate_of<kHysteresis>(scope, 1, "clip(follower-(F),-gap,gap)").plainer,
+            "backlash");
 }
 
 TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {

@@ -78,6 +78,21 @@ TEST(EffectTerms, NonlinearTermsAndTheWholeEquation) {
   EXPECT_EQ(right_hand_side(drive(), 1), "(1)*(w1)+(-1)*(w2)");
 }
 
+TEST(EffectTerms, FactorsOfProductsAndPowers) {
+  const auto factors = [](const std::string& term) {
+    std::vector<std::string> result;
+    for (const Factor& factor : factors_of(drive(), term))
+      result.push_back(factor.factor + " of " + factor.rest);
+    return result;
+  };
+  EXPECT_EQ(factors("w1*w2"), (std::vector<std::string>{"w1 of (w2)", "w2 of (w1)"}));
+  EXPECT_EQ(factors("w1^3"), std::vector<std::string>{"w1 of ((w1)^2)"});
+  EXPECT_EQ(factors("w1*abs(w1)"),
+            (std::vector<std::string>{"w1 of (abs(w1))", "abs(w1) of (w1)"}));
+  EXPECT_EQ(factors("sin(w1)"), std::vector<std::string>{});
+  EXPECT_EQ(factors("2*w1"), std::vector<std::string>{});
+}
+
 TEST(EffectTerms, VelocitiesAreRatesByIdentity) {
   EXPECT_TRUE(is_velocity(support::oscillator_scope(), 1));
   EXPECT_FALSE(is_velocity(drive(), 0));
