@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "broken_identities.hpp"
+#include "carry_over.hpp"
 #include "coloured_noise.hpp"
 #include "free_input.hpp"
 #include "lacuna/core/error.hpp"
@@ -36,8 +39,11 @@ class Workflow {
     SearchResult found = search();
     if (any_substantial(found.left) || !found.named.empty())
       found = or_coloured(std::move(found));
+    found = or_broken_identities(std::move(found));
     conclude(found);
     gauge_on(held_out);
+    hear_other_records(found, held_out);
+    tell_of_memory();
     return std::move(result_);
   }
 
@@ -145,11 +151,6 @@ class Workflow {
     const double price = 2.0 * static_cast<double>(coloured.noise.measured()) * log_samples;
     if (coloured.deviance + price >= criterion_of(found.explanation) + price_of_choice(found))
       return found;
-    const std::string channels = channels_with_memory(coloured.noise, nominal_);
-    result_.notes.push_back("the measurement noise has a memory" +
-                            (channels.empty() ? "" : " (" + channels + ")") +
-                            ", which explains the records better than any effect with white "
-                            "noise");
     fitted_ = coloured;
     Assimilation start = *given_;
     start.noise = coloured.noise;
@@ -164,6 +165,46 @@ class Workflow {
     Index tried = 1;
     for (const Round& round : found.rounds) tried = std::max(tried, round.tried);
     return 2.0 * static_cast<double>(found.named.size()) * std::log(static_cast<double>(tried));
+  }
+
+  /// The criterion with what the choice of effects and noise with a memory cost.
+  static double full_price(const SearchResult& found) {
+    const NoiseModel& noise = found.explanation.fit.noise;
+    const auto coloured =
+        std::count_if(noise.coloured.begin(), noise.coloured.end(),
+                      [](const auto& channel) { return channel.has_value(); });
+    return criterion_of(found.explanation) + price_of_choice(found) +
+           2.0 * static_cast<double>(coloured) *
+               std::log(static_cast<double>(found.explanation.fit.used));
+  }
+
+  /// Yet another explanation: an identity does not hold in what was measured. It is an equation
+  /// like others then, with a coefficient to fit, and the search is repeated.
+  SearchResult or_broken_identities(SearchResult found) {
+    auto broken = with_broken_identities(nominal_, data_, *given_, found.explanation.fit.noise,
+                                         options_, context_);
+    if (!broken) return found;
+    const auto given = std::exchange(given_, std::move(broken));
+    const auto fitted = fitted_;
+    const auto free = fit_options_.free;
+    for (Index k = 0; k < nominal_.dimension(); ++k)
+      if (given_->noise.disturbance[k] > 0.0 && given->noise.disturbance[k] == 0.0)
+        fit_options_.free.push_back({k, 0});
+    fitted_ = assimilate_from(nominal_, data_, *given_, fit_options_, context_);
+    SearchResult other = search();
+    const double more = 2.0 * static_cast<double>(fit_options_.free.size() - free.size());
+    const double price = more * std::log(static_cast<double>(given_->used));
+    if (full_price(other) + price < full_price(found)) {
+      result_.disagreement = locate(*given_, context_);
+      result_.notes = {
+          "the records contradict an identity: what is measured of a state and of "
+          "its rate does not fit together, as with an offset or a gain of a sensor"};
+      return other;
+    }
+    given_ = given;
+    fitted_ = fitted;
+    fit_options_.free = free;
+    return found;
   }
 
   Assimilation best_coloured() const {
@@ -224,7 +265,20 @@ class Workflow {
     return Substance(*fitted_, data_, fit_options_, context_).gap(explanation.fit) < kTenth;
   }
 
+  void tell_of_memory() {
+    const auto& coloured = result_.noise.coloured;
+    if (std::none_of(coloured.begin(), coloured.end(),
+                     [](const auto& c) { return c.has_value(); }))
+      return;
+    const std::string channels = channels_with_memory(result_.noise, nominal_);
+    result_.notes.push_back("the measurement noise has a memory" +
+                            (channels.empty() ? "" : " (" + channels + ")") +
+                            ", which explains the records better than any effect with white "
+                            "noise");
+  }
+
   void gauge_on(const Dataset& held_out) {
+    result_.gap.reset();
     Gap gap = gauge(nominal_, final_, held_out, context_);
     if (gap.diverged > 0)
       result_.notes.push_back(
@@ -234,8 +288,38 @@ class Workflow {
     if (std::isfinite(gap.before) && std::isfinite(gap.after)) result_.gap = std::move(gap);
   }
 
+  void hear_other_records(SearchResult& found, const Dataset& held_out) {
+    const CarryOver carried = carry_over(final_, result_.gap);
+    if (carried == CarryOver::Refuted) {
+      withdraw_names(found);
+      gauge_on(held_out);
+    } else if (carried == CarryOver::Little) {
+      result_.verdict = Verdict::PartlyExplained;
+      result_.remaining.structure = true;
+      result_.notes.push_back(
+          "most of the gap on the records that were not used stays: the names hold for the "
+          "records that were used, or something else acts in the others");
+    }
+  }
+
+  /// What makes other records worse is no effect.
+  void withdraw_names(SearchResult& found) {
+    std::vector<std::string> names;
+    for (const NamedEffect& effect : found.named)
+      names.push_back(effect.name + " in " +
+                      nominal_.states()[static_cast<std::size_t>(effect.equation)].name);
+    result_.notes.push_back("with " + join(names, ", ") +
+                            " the model fits the records that were used better and the others "
+                            "worse; what fails there gets no name");
+    found.named.clear();
+    found.explanation = {{}, *fitted_};
+    found.left = test_structure(*fitted_, context_);
+    conclude(found);
+  }
+
   void list_changes() {
     const Assimilation& fit = final_.fit;
+    result_.coefficient_changes.clear();
     for (std::size_t j = 0; j < fit_options_.free.size(); ++j) {
       const CoefficientPlace& place = fit_options_.free[j];
       const auto equation = static_cast<std::size_t>(place.equation);
@@ -255,6 +339,7 @@ class Workflow {
   }
 
   void set_remaining(const std::vector<EquationStructure>& left) {
+    result_.remaining = {};
     for (const EquationStructure& structure : left) {
       result_.remaining.sigma = std::max(result_.remaining.sigma, structure.sigma);
       if (!is_substantial(structure, options_)) continue;

@@ -33,9 +33,11 @@ bool covers(const Candidate& adopted, const Candidate& candidate) {
   return same_form || candidate.shapes.size() < adopted.shapes.size();
 }
 
-/// Whether a candidate is for the search: not a free input, not covered by what is there.
+/// Whether a candidate is for the search: not a free input, not in an equation that holds
+/// exactly, not covered by what is there.
 bool is_searched(const Candidate& candidate, const Explanation& current) {
-  if (candidate.is_driven()) return false;
+  const bool exact = current.fit.noise.disturbance[candidate.equation] == 0.0;
+  if (candidate.is_driven() || (candidate.place == Place::Rate && exact)) return false;
   return std::none_of(
       current.effects.begin(), current.effects.end(),
       [&](const FittedEffect& adopted) { return covers(adopted.candidate, candidate); });

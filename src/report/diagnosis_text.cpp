@@ -158,9 +158,13 @@ void write_description(const Diagnosis& diagnosis, const Unnamed& unnamed, std::
 }
 
 void write_gap(const Gap& gap, std::ostream& out) {
-  out << "On records not used (" << join(gap.records, ", ") << ") the gap "
-      << (gap.after < gap.before ? "falls" : "goes") << " from " << percent(gap.before)
-      << " to " << percent(gap.after) << " (noise floor " << percent(gap.noise_floor) << ").\n";
+  const std::string before = percent(gap.before), after = percent(gap.after);
+  out << "On records not used (" << join(gap.records, ", ") << ") the gap ";
+  if (before == after)
+    out << "stays at " << after;
+  else
+    out << (gap.after < gap.before ? "falls" : "rises") << " from " << before << " to " << after;
+  out << " (noise floor " << percent(gap.noise_floor) << ").\n";
 }
 
 }  // namespace

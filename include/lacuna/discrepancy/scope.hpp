@@ -65,8 +65,7 @@ struct Scope {
   /// @throws ModelError when it cannot be read or has delays.
   VariableRange range_of(const std::string& formula) const;
 
-  /// Whether the equation is an identity, dx/dt = v with v another state (coefficient 1): such
-  /// an equation is exact and nothing can be missing in it.
+  /// Whether the equation is an identity, dx/dt = v with v another state (coefficient 1).
   bool is_identity(Index equation) const;
 
   /// The state whose rate of change is the given state by an identity (x for v when dx/dt = v).

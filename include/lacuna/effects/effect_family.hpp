@@ -28,8 +28,7 @@ struct FamilyOptions {
   void describe(OptionVisitor&) {}
 };
 
-/// The effect of a family. Identities (dq/dt = v) are exact: in their equations only what the
-/// family adds to the channel is kept.
+/// The effect of a family.
 template <const EffectFamily& Family>
 class FamilyEffect final : public Configured<Effect, FamilyOptions<Family>> {
  public:
@@ -40,10 +39,7 @@ class FamilyEffect final : public Configured<Effect, FamilyOptions<Family>> {
   std::optional<std::string_view> do_plainer() const override { return Family.plainer; }
 
   std::vector<Candidate> do_candidates(const Scope& scope, Index equation) const override {
-    std::vector<Candidate> made = Family.candidates(scope, equation);
-    if (scope.is_identity(equation))
-      std::erase_if(made, [](const Candidate& c) { return c.place == Place::Rate; });
-    return made;
+    return Family.candidates(scope, equation);
   }
 
   bool do_plausible(const Scope& scope, const Candidate& candidate,

@@ -66,6 +66,63 @@ TEST(Diagnose, WhatIsLeftOverGetsNoNameForBeingSignificant) {
   EXPECT_LT(diagnosis.gap->ratio(), 0.5);
 }
 
+/// The diagnosis of dry friction, gauged on records in which something else is hidden.
+Diagnosis gauged_on(const support::Hidden& other) {
+  DiagnosisOptions options;
+  options.effects = support::own_effects();
+  return diagnose(support::oscillator(), support::hidden_record(support::dry_friction, 0.01, 3),
+                  support::hidden_record(other, 0.01, 4, -0.7), options, RunContext{});
+}
+
+TEST(Diagnose, NamesThatOtherRecordsRefuteAreWithdrawn) {
+  const Diagnosis diagnosis = gauged_on(support::nothing);
+  EXPECT_EQ(diagnosis.verdict, Verdict::UnnamedStructure);
+  EXPECT_TRUE(diagnosis.effects.empty());
+  EXPECT_EQ(diagnosis.augmented.coefficient(1, "sign(v)"), 0.0);
+  ASSERT_FALSE(diagnosis.notes.empty());
+  EXPECT_EQ(diagnosis.notes.back().substr(0, 13), "with dry in v");
+}
+
+TEST(Diagnose, NamesThatExplainLittleOfOtherRecordsDoSoInPart) {
+  const Diagnosis diagnosis = gauged_on([](double t, double q, double v) {
+    return support::dry_friction(t, q, v) + 1.5 * std::sin(6.0 * q);
+  });
+  EXPECT_EQ(diagnosis.verdict, Verdict::PartlyExplained);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_TRUE(diagnosis.remaining.structure);
+}
+
+/// The diagnosis of records whose sensor of v has an offset and a gain.
+Diagnosis with_sensor(double offset, double gain) {
+  const auto measured = [&](std::uint64_t seed, double start) {
+    Dataset data = support::hidden_record(support::nothing, 0.005, seed, start);
+    auto v = data.trajectories.front().states.col(1).array();
+    v = offset + gain * v;
+    return data;
+  };
+  DiagnosisOptions options;
+  options.effects = {FamilyEffect<kConstantOffset>{}};
+  return diagnose(support::oscillator(), measured(3, 0.5), measured(4, -0.7), options,
+                  RunContext{});
+}
+
+TEST(Diagnose, AnOffsetOfASensorBreaksAnIdentity) {
+  const Diagnosis diagnosis = with_sensor(0.1, 1.0);
+  EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
+  ASSERT_FALSE(diagnosis.effects.empty());
+  EXPECT_EQ(diagnosis.effects[0].equation, 0);
+  EXPECT_NEAR(diagnosis.effects[0].coefficient, -0.1, 0.005);
+  ASSERT_TRUE(diagnosis.gap.has_value());
+  EXPECT_LT(diagnosis.gap->after, 1.1 * diagnosis.gap->noise_floor);
+}
+
+TEST(Diagnose, AGainOfASensorBreaksAnIdentity) {
+  const Diagnosis diagnosis = with_sensor(0.0, 1.05);
+  EXPECT_EQ(diagnosis.verdict, Verdict::CoefficientsOnly);
+  EXPECT_NEAR(diagnosis.augmented.coefficient(0, "v"), 1.0 / 1.05, 0.005);
+  EXPECT_NEAR(diagnosis.augmented.coefficient(1, "q"), -4.0 * 1.05, 0.02);
+}
+
 TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {
   DiagnosisOptions options;
   options.effects = support::own_effects();
