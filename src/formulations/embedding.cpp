@@ -2,6 +2,7 @@
 #include "lacuna/formulations/embedding.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -33,7 +34,8 @@ std::string rate_unit(const std::string& unit, const std::string& time, int orde
   const std::string tail = unit.substr(slash + 1 + time.size());
   if (tail.empty()) return unit.substr(0, slash + 1) + power_text(time, order + 1);
   const auto power = tail.front() == '^' ? parse_number(tail.substr(1)) : std::nullopt;
-  if (!power) return unit + "/" + power_text(time, order);
+  if (!power || *power != std::round(*power) || std::abs(*power) > 99.0)
+    return unit + "/" + power_text(time, order);
   return unit.substr(0, slash + 1) + power_text(time, static_cast<int>(*power) + order);
 }
 

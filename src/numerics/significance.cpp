@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/numerics/significance.hpp"
 
+#include <math.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace lacuna {
 namespace {
+
+/// log of the gamma function for a > 0. std::lgamma writes the sign to a global variable, which
+/// threads would share.
+double log_gamma(double a) {
+  int sign = 0;
+  return ::lgamma_r(a, &sign);
+}
 
 /// log of the regularised upper incomplete gamma function by its continued fraction (Lentz);
 /// converges for x > a + 1. Source: Abramowitz and Stegun 6.5.31.
@@ -23,7 +32,7 @@ double log_gamma_tail_fraction(double a, double x) {
     h *= d * c;
     if (std::abs(d * c - 1.0) < 1e-14) break;
   }
-  return -x + a * std::log(x) - std::lgamma(a) + std::log(h);
+  return -x + a * std::log(x) - log_gamma(a) + std::log(h);
 }
 
 /// The lower function by its series (6.5.29), for small x.
@@ -31,7 +40,7 @@ double gamma_lower_series(double a, double x) {
   double term = 1.0 / a;
   double sum = term;
   for (int i = 1; i < 500 && term > 1e-17 * sum; ++i) sum += term *= x / (a + i);
-  return sum * std::exp(-x + a * std::log(x) - std::lgamma(a));
+  return sum * std::exp(-x + a * std::log(x) - log_gamma(a));
 }
 
 /// log of the two-sided normal tail beyond sigma.

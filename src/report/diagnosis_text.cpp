@@ -32,7 +32,8 @@ std::string rate_unit(const Diagnosis& diagnosis, Index equation) {
 /// Significant digits that the error of a number allows.
 int digits_of(double value, double error) {
   if (!(error > 0.0) || value == 0.0) return 4;
-  return std::clamp(static_cast<int>(std::ceil(std::log10(std::abs(value) / error))) + 1, 2, 8);
+  const double digits = std::ceil(std::log10(std::abs(value) / error)) + 1.0;
+  return static_cast<int>(std::min(std::max(2.0, digits), 8.0));
 }
 
 /// The number and its error, to the digits that the error allows.

@@ -8,6 +8,7 @@
 #include "lacuna/pruners/minor_terms.hpp"
 #include "lacuna/report/stage_json.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
+#include "lacuna/solvers/l1_nlopt.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
@@ -67,8 +68,18 @@ TEST(Configuration, AnotherTypeStartsAtItsDefaults) {
 
 TEST(Configuration, AStageMayBeJustItsName) {
   EXPECT_EQ(build(R"({"regressor": "irls"})").regressor->info().name, "irls");
-  const Pipeline nested = build(R"({"regressor": {"type": "irls-l1", "inner": "nlopt"}})");
-  EXPECT_EQ(options<IrlsL1>(nested.regressor).inner->info().name, "nlopt");
+  const Pipeline nested = build(R"({"formulation": {"differentiator": "savitzky-golay"}})");
+  EXPECT_EQ(options<StrongForm>(nested.formulation).differentiator->info().name,
+            "savitzky-golay");
+}
+
+TEST(Configuration, ABackEndIsThereOrRefusedWithTheReason) {
+  const char* json = R"({"regressor": {"type": "irls-l1", "inner": "nlopt"}})";
+  if (NloptL1::unavailable().empty())
+    EXPECT_EQ(options<IrlsL1>(build(json).regressor).inner->info().name, "nlopt");
+  else
+    expect_error<ConfigError>([&] { build(json); }, "$.regressor.inner", "built without NLopt",
+                              "choose");
 }
 
 TEST(Configuration, NestedStagesAreOverriddenLikeOthers) {

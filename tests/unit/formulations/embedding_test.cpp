@@ -56,6 +56,14 @@ TEST(Embed, ThirdOrderAddsTwo) {
               ElementsAre(Optional(Index{1}), Optional(Index{2}), std::nullopt, std::nullopt));
 }
 
+TEST(Embed, UnitsWithOddPowersOfTimeAreDividedAsAWhole) {
+  Dataset data = measured();
+  for (const char* unit : {"m/s^0.5", "m/s^1e300"}) {
+    data.states[0].unit = unit;
+    EXPECT_EQ(embed(data, {{"q", 2}}, kDifferences).states[1].unit, unit + std::string("/s"));
+  }
+}
+
 TEST(Embed, NegativeOrderAddsIntegrals) {
   const Dataset result = embed(measured(), {{"q", -2}}, kDifferences);
   EXPECT_THAT(names(result), ElementsAre("q", "q_i1", "q_i2", "p"));
