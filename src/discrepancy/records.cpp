@@ -151,8 +151,9 @@ bool clear_false_outliers(const Dataset& data, Assimilation& fit,
         count += outlier ? 1 : 0;
       }
     if (count > 0)
-      notes.push_back(std::to_string(count) + " outliers of " +
-                      data.states[static_cast<std::size_t>(k)].name + " were left out");
+      notes.push_back(std::to_string(count) + (count == 1 ? " outlier of " : " outliers of ") +
+                      data.states[static_cast<std::size_t>(k)].name +
+                      (count == 1 ? " was left out" : " were left out"));
   }
   return cleared;
 }

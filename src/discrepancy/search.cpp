@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lacuna/core/text.hpp"
 #include "substance.hpp"
 
 namespace lacuna {
@@ -83,6 +84,17 @@ std::vector<Plainer> plainer_than(const RankedEffect& ranked, const Ranking& ran
     return intricacy(a.effect) < intricacy(b.effect);
   });
   return result;
+}
+
+/// How large a free input is and how long it remembers: ", 0.3 m/s^2 rms over 2 s".
+std::string size_of_input(const RankedEffect& input, const OdeModel& model) {
+  const auto k = static_cast<std::size_t>(input.effect().candidate.equation);
+  const double rms =
+      input.contribution * rate_rms(input.explanation.fit)[static_cast<Index>(k)];
+  const std::string& unit = model.states()[k].unit;
+  return ", " + format_number(rms, 2) + " " + (unit.empty() ? "1" : unit) + "/" +
+         model.time_unit() + " rms over " + format_number(input.effect().shapes[0], 2) + " " +
+         model.time_unit();
 }
 
 class Search {
@@ -327,6 +339,7 @@ SearchResult name_free_input(const RankedEffect& input, const Assimilation& base
       input.explanation, {name_effect(input, {}, options)}, std::move(rounds), {}};
   update_numbers(result.explanation, result.named);
   const Index k = result.named.front().equation;
+  result.named.front().description += size_of_input(input, base.model);
   const double share = input.explanation.fit.noise.disturbance[k] / base.noise.disturbance[k];
   result.named.front().gap_closed = std::clamp(1.0 - share * share, 0.0, 1.0);
   result.rounds.push_back({1, "unmeasured-input", input.sigma, true});

@@ -39,6 +39,7 @@ int digits_of(double value, double error) {
 /// The number and its error, to the digits that the error allows.
 std::string with_error(double value, double deviation) {
   const double error = 1.96 * deviation;
+  if (error == 0.0) return format_number(value, 4);
   return format_number(value, digits_of(value, error)) + " +- " + format_number(error, 2);
 }
 
@@ -101,8 +102,10 @@ void write_effect(const Diagnosis& diagnosis, const NamedEffect& effect, std::os
       << " of the disagreement (" << format_number(effect.sigma, 3) << " sigma).\n";
   for (const Alternative& other : effect.alternatives)
     if (other.probability >= 0.01 && other.term != effect.term)
-      out << "  It might also be " << other.name << " " << readable(other.term, {})
-          << " (probability " << percent(other.probability) << ").\n";
+      out << (other.probability > effect.probability ? "  By likelihood alone it would be "
+                                                     : "  It might also be ")
+          << other.name << " " << readable(other.term, {}) << " (probability "
+          << percent(other.probability) << ").\n";
 }
 
 void write_changes(const Diagnosis& diagnosis, std::ostream& out) {
@@ -164,7 +167,8 @@ void write_gap(const Gap& gap, std::ostream& out) {
   if (before == after)
     out << "stays at " << after;
   else
-    out << (gap.after < gap.before ? "falls" : "rises") << " from " << before << " to " << after;
+    out << (gap.after < gap.before ? "falls" : "rises") << " from " << before << " to "
+        << after;
   out << " (noise floor " << percent(gap.noise_floor) << ").\n";
 }
 
