@@ -35,15 +35,20 @@ double boundary_sigma(double drop) {
                     : 0.0;
 }
 
+/// Where an effect is not known yet the disturbance is its stand-in and nothing that is left.
 Vector disturbance_rms(const Assimilation& fit) {
-  Vector squares = Vector::Zero(fit.model.dimension());
-  double count = 0.0;
+  const Index m = fit.model.dimension();
+  Vector squares = Vector::Zero(m), count = Vector::Zero(m);
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
     const Matrix disturbance = disturbance_along(fit, r);
-    squares += disturbance.colwise().squaredNorm().transpose();
-    count += static_cast<double>(disturbance.rows());
+    for (Index k = 0; k < m; ++k)
+      for (Index i = 0; i < disturbance.rows(); ++i) {
+        if (fit.records[r].is_bridged(i, k)) continue;
+        squares[k] += disturbance(i, k) * disturbance(i, k);
+        count[k] += 1.0;
+      }
   }
-  return (squares / count).cwiseSqrt();
+  return squares.cwiseQuotient(count.cwiseMax(1.0)).cwiseSqrt();
 }
 
 }  // namespace
