@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/data/noise.hpp"
 #include "lacuna/discrepancy/structure.hpp"
 #include "search.hpp"
 
@@ -13,9 +12,9 @@ namespace {
 
 /// Whether the noise of some channel, white and with a memory, is larger than what samples show
 /// against their neighbours.
-bool noise_is_inflated(const NoiseModel& noise, const Dataset& data) {
+bool noise_is_inflated(const NoiseModel& noise, const Assimilation& exact) {
   constexpr double kInflated = 1.3;
-  const Vector seen = estimate_noise(data).cwiseMax(10.0 * resolution_of(data));
+  const Vector seen = exact.seen_noise.cwiseMax(10.0 * exact.least_noise);
   for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
     if (!noise.measurement[k]) continue;
     const double slow = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
@@ -38,7 +37,7 @@ std::optional<Assimilation> with_broken_identities(const OdeModel& nominal, cons
     disturbed[k] = exact.noise.disturbance[static_cast<Index>(k)] > 0.0;
   const bool has_identities =
       std::find(disturbed.begin(), disturbed.end(), false) != disturbed.end();
-  if (!has_identities || !noise_is_inflated(explained, data)) return std::nullopt;
+  if (!has_identities || !noise_is_inflated(explained, exact)) return std::nullopt;
   context.report("testing the identities", 0.0);
   AssimilationOptions all;
   all.disturbed.assign(m, true);

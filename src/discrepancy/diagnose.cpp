@@ -411,7 +411,7 @@ class Workflow {
   AssimilationOptions fit_options_;
   std::optional<Assimilation> given_, fitted_;
   std::optional<Scope> scope_;
-  Explanation final_{{}, {nominal_, {}, {}, {}, {}, {}, 0.0, 0, {}, {}, {}}};
+  Explanation final_{{}, {nominal_}};
   Diagnosis result_;
 };
 

@@ -213,12 +213,9 @@ class Turns {
 
 /// Variances to begin with: noise as the differences of the record show it, disturbances as if
 /// the model explained half of each rate.
-NoiseModel first_noise(const OdeModel& model, const Dataset& data,
+NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector& seen,
                        const AssimilationOptions& options) {
-  Vector white = resolution_of(data);
-  const std::vector<StateNoise> seen = analyse_noise(data);
-  for (Index k = 0; k < white.size(); ++k)
-    white[k] = std::max(white[k], seen[static_cast<std::size_t>(k)].sigma);
+  const Vector white = resolution_of(data).cwiseMax(seen);
   const Trajectory& record = data.trajectories.front();
   const double step = mean_step(record);
   NoiseModel noise;
@@ -272,8 +269,10 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
                         const std::vector<Matrix>& omitted, const AssimilationOptions& options,
                         const RunContext& context) {
   check_dataset(data);
-  Assimilation start{model, {}, {}, omitted, first_noise(model, data, options), {}, 0.0,
-                     0,     {}, {}, {}};
+  Assimilation start{model};
+  start.omitted = omitted;
+  start.seen_noise = estimate_noise(data);
+  start.noise = first_noise(model, data, start.seen_noise, options);
   for (const Trajectory& record : data.trajectories) {
     start.records.emplace_back();
     start.records.back().path = record.states;

@@ -51,16 +51,17 @@ struct AssimilationOptions {
 /// innovations, path by the smoother.
 struct Assimilation {
   OdeModel model;
-  std::vector<LinearisedRecord> records;
-  std::vector<Matrix> measured;  ///< per record n x m
-  std::vector<Matrix> omitted;   ///< per record n x m, or 0 x 0
-  NoiseModel noise;
-  Vector least_noise;     ///< m: what white measurement noise cannot be less than
-  double deviance = 0.0;  ///< -2 log likelihood
-  Index used = 0;         ///< samples of all channels
-  std::vector<CoefficientPlace> free;
-  std::vector<ChannelTerm> channel_terms;  ///< their coefficients are always fitted
-  Matrix covariance;  ///< of the free coefficients, then of those of the channel terms
+  std::vector<LinearisedRecord> records = {};
+  std::vector<Matrix> measured = {};  ///< per record n x m
+  std::vector<Matrix> omitted = {};   ///< per record n x m, or 0 x 0
+  NoiseModel noise = {};
+  Vector least_noise = {};  ///< m: what white measurement noise cannot be less than
+  Vector seen_noise = {};   ///< m: what samples show of it against their neighbours; 0: nothing
+  double deviance = 0.0;    ///< -2 log likelihood
+  Index used = 0;           ///< samples of all channels
+  std::vector<CoefficientPlace> free = {};
+  std::vector<ChannelTerm> channel_terms = {};  ///< their coefficients are always fitted
+  Matrix covariance = {};  ///< of the free coefficients, then of those of the channel terms
 };
 
 /// Standard deviations of the measurement noise below which nothing can be said: rounding of

@@ -53,7 +53,7 @@ std::optional<double> real_gap(const OdeModel& model, const Dataset& clean,
 
 std::optional<double> true_gap(const HiddenCase& hidden, const Dataset& measured) {
   if (!hidden.augmented || !is_shown(*hidden.augmented, measured)) return std::nullopt;
-  Explanation truth{{}, {*hidden.augmented, {}, {}, {}, {}, {}, 0.0, 0, {}, {}, {}}};
+  Explanation truth{{}, {*hidden.augmented}};
   return gauge(hidden.nominal, truth, measured, RunContext{}).after;
 }
 
