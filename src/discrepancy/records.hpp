@@ -24,9 +24,9 @@ std::pair<Dataset, Dataset> split_in_time(const Dataset& data);
 /// values the middle one is kept: their rounding errors are not independent).
 std::vector<Matrix> mark_unusable(const Dataset& data);
 
-/// Takes the mark of an outlier from samples that the path, found without them, explains after all: sharp
-/// turns of the signal look like outliers before there is a model. Notes the number of those
-/// that stay.
+/// Takes the mark of an outlier from samples that the path, found without them, explains after
+/// all: sharp turns of the signal look like outliers before there is a model. Notes the number
+/// of those that stay.
 /// @return whether a mark was taken away.
 bool clear_false_outliers(const Dataset& data, Assimilation& fit,
                           std::vector<std::string>& notes);

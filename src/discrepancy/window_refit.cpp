@@ -86,7 +86,9 @@ std::optional<Explanation> refit_over_windows(const Dataset& data,
   Explanation next{explanation.effects,
                    with_model(data, refined.model.model(), explanation.fit, options, context)};
   next.fit.covariance = refined.covariance;
-  if (!(window_gap(next.fit) < window_gap(explanation.fit))) return std::nullopt;
+  // A little is given away in windows of one period for what lasts over ten.
+  constexpr double kLittle = 1.05;
+  if (!(window_gap(next.fit) < kLittle * window_gap(explanation.fit))) return std::nullopt;
   read_effects(refined.model.values(), next);
   return next;
 }

@@ -34,12 +34,6 @@ TEST_P(EveryEffect, MakesDistinctReadableCandidates) {
   }
 }
 
-TEST_P(EveryEffect, LeavesIdentitiesAlone) {
-  const auto effect = stage_of<Effect>(GetParam());
-  for (const Candidate& candidate : effect->candidates(support::oscillator_scope(), 0))
-    EXPECT_EQ(candidate.place, Place::Channel) << candidate.form;
-}
-
 INSTANTIATE_TEST_SUITE_P(Registry, EveryEffect, testing::ValuesIn(available(Effect::kKind)),
                          test_name);
 

@@ -28,7 +28,7 @@ TEST(Rank, TheRightEffectLeadsWithItsSize) {
   EXPECT_GT(best.sigma, 8.0);
   EXPECT_GT(best.probability, 0.99);
   EXPECT_LT(ranking.none, 0.01);
-  EXPECT_EQ(ranking.tried, 2);
+  EXPECT_EQ(ranking.tried, 2) << "two forms in dv/dt; dq/dt = v holds exactly";
 }
 
 TEST(Rank, NothingIsRankedWhereNothingIsMissing) {
