@@ -25,6 +25,7 @@ Diagnosis made() {
   effect.deviation = 0.01;
   effect.sigma = 44.0;
   effect.gap_closed = 0.93;
+  effect.probability = 0.97;
   effect.alternatives.push_back({"quadratic-drag", "v*abs(v)", 0.02});
   diagnosis.effects.push_back(effect);
   diagnosis.coefficient_changes.push_back({1, "q", -4.0, -3.9, 0.01, 10.0});
@@ -40,6 +41,21 @@ TEST(DiagnosisReport, SaysItInAFewLines) {
   EXPECT_THAT(text, testing::HasSubstr("might also be quadratic-drag"));
   EXPECT_THAT(text, testing::HasSubstr("from 4.9 % to 0.31 % (noise floor 0.3 %)"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);
+}
+
+TEST(DiagnosisReport, SaysWhereAPlainNameLeadsAgainstTheLikelihood) {
+  Diagnosis diagnosis = made();
+  diagnosis.effects.front().probability = 0.0;
+  EXPECT_THAT(format_text(diagnosis),
+              testing::HasSubstr("By likelihood alone it would be quadratic-drag"));
+}
+
+TEST(DiagnosisReport, SaysThatAGapStays) {
+  Diagnosis diagnosis = made();
+  diagnosis.gap->after = diagnosis.gap->before;
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the gap stays at 4.9 %"));
+  diagnosis.gap->after *= 2.0;
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the gap rises from 4.9 %"));
 }
 
 TEST(DiagnosisReport, NumbersInTermsHaveTheDigitsThatTheirErrorsAllow) {
