@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "broken_identities.hpp"
@@ -184,26 +185,25 @@ class Workflow {
     auto broken = with_broken_identities(nominal_, data_, *given_, found.explanation.fit.noise,
                                          options_, context_);
     if (!broken) return found;
-    const auto given = std::exchange(given_, std::move(broken));
-    const auto fitted = fitted_;
-    const auto free = fit_options_.free;
+    const auto before = std::tuple(given_, fitted_, scope_, fit_options_.free);
     for (Index k = 0; k < nominal_.dimension(); ++k)
-      if (given_->noise.disturbance[k] > 0.0 && given->noise.disturbance[k] == 0.0)
+      if (broken->noise.disturbance[k] > 0.0 && given_->noise.disturbance[k] == 0.0)
         fit_options_.free.push_back({k, 0});
+    const std::size_t more = fit_options_.free.size() - std::get<3>(before).size();
+    given_ = std::move(broken);
     fitted_ = assimilate_from(nominal_, data_, *given_, fit_options_, context_);
     SearchResult other = search();
-    const double more = 2.0 * static_cast<double>(fit_options_.free.size() - free.size());
-    const double price = more * std::log(static_cast<double>(given_->used));
+    const double price =
+        2.0 * static_cast<double>(more) * std::log(static_cast<double>(given_->used));
     if (full_price(other) + price < full_price(found)) {
       result_.disagreement = locate(*given_, context_);
-      result_.notes = {
-          "the records contradict an identity: what is measured of a state and of "
-          "its rate does not fit together, as with an offset or a gain of a sensor"};
+      result_.notes.push_back(
+          "the records contradict an identity: what is measured of a state and of its rate "
+          "does "
+          "not fit together, as with an offset or a gain of a sensor");
       return other;
     }
-    given_ = given;
-    fitted_ = fitted;
-    fit_options_.free = free;
+    std::tie(given_, fitted_, scope_, fit_options_.free) = before;
     return found;
   }
 
