@@ -51,7 +51,7 @@ class Workflow {
  private:
   void bring_onto_records() {
     context_.report("bringing the model onto the records", 0.0);
-    given_ = assimilate(nominal_, data_, mark_unusable(data_), AssimilationOptions{}, context_);
+    given_ = assimilate(nominal_, data_, mark_outliers(data_), AssimilationOptions{}, context_);
     if (clear_false_outliers(data_, *given_, result_.notes))
       given_ = assimilate_from(nominal_, data_, *given_, AssimilationOptions{}, context_);
     if (!std::isfinite(given_->deviance))

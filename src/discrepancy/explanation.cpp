@@ -27,8 +27,6 @@ Assimilation widened(const Assimilation& base, const AugmentedProblem& problem) 
   start.noise.disturbance.tail(m - old).setZero();
   start.noise.measurement.resize(static_cast<std::size_t>(m));
   start.noise.coloured.resize(static_cast<std::size_t>(m));
-  start.least_noise.conservativeResize(m);
-  start.least_noise.tail(m - old).setZero();
   for (std::size_t r = 0; r < start.records.size(); ++r) {
     const Matrix& states = problem.data.trajectories[r].states;
     Matrix path(states.rows(), m);

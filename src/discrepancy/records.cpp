@@ -21,8 +21,6 @@ Trajectory rows_of(const Trajectory& record, Index first, Index count,
   return part;
 }
 
-constexpr double kOutlier = 1.0, kRepeat = 2.0;  // marks
-
 /// Deviations of the noise that a sample must be off to be an outlier.
 constexpr double kOutlying = 6.0;
 
@@ -53,25 +51,6 @@ bool stands_out(const Trajectory& record, Index state, Index i, double sigma,
   const double left = (values - powers * cubic).norm();
   return left < kOutlying * sigma &&
          std::abs(record.states(i, state) - cubic[0]) > kOutlying * sigma;
-}
-
-void mark_outliers(const Trajectory& record, Index state, double sigma, Matrix& marks) {
-  const std::vector<Index> suspects = outlying_samples(record, state, sigma);
-  std::vector<bool> marked(static_cast<std::size_t>(record.samples()), false);
-  for (const Index i : suspects) marked[static_cast<std::size_t>(i)] = true;
-  for (const Index i : suspects)
-    if (stands_out(record, state, i, sigma, marked)) marks(i, state) = kOutlier;
-}
-
-void mark_repeats(const Trajectory& record, Index state, Matrix& marks) {
-  constexpr Index kShortest = 3;
-  const auto& values = record.states.col(state);
-  for (Index first = 0, end = 1; first < values.size(); first = end++) {
-    while (end < values.size() && values[end] == values[first]) ++end;
-    if (end - first < kShortest) continue;
-    marks.col(state).segment(first, end - first).setConstant(kRepeat);
-    marks(first + (end - first) / 2, state) = 0.0;
-  }
 }
 
 Trajectory joined(const std::vector<Trajectory>& pieces, std::size_t first, std::size_t end) {
@@ -135,7 +114,7 @@ std::pair<Dataset, Dataset> split_in_time(const Dataset& data) {
   return {std::move(find), std::move(check)};
 }
 
-std::vector<Matrix> mark_unusable(const Dataset& data) {
+std::vector<Matrix> mark_outliers(const Dataset& data) {
   const std::vector<StateNoise> noise = analyse_noise(data);
   std::vector<Matrix> marks;
   for (const Trajectory& record : data.trajectories)
@@ -144,8 +123,12 @@ std::vector<Matrix> mark_unusable(const Dataset& data) {
     const StateNoise& seen = noise[static_cast<std::size_t>(k)];
     if (!data.is_measured(k) || seen.kind == NoiseKind::None || seen.sigma <= 0.0) continue;
     for (std::size_t r = 0; r < marks.size(); ++r) {
-      if (seen.kind == NoiseKind::Quantised) mark_repeats(data.trajectories[r], k, marks[r]);
-      mark_outliers(data.trajectories[r], k, seen.sigma, marks[r]);
+      const Trajectory& record = data.trajectories[r];
+      const std::vector<Index> suspects = outlying_samples(record, k, seen.sigma);
+      std::vector<bool> marked(static_cast<std::size_t>(record.samples()), false);
+      for (const Index i : suspects) marked[static_cast<std::size_t>(i)] = true;
+      for (const Index i : suspects)
+        if (stands_out(record, k, i, seen.sigma, marked)) marks[r](i, k) = 1.0;
     }
   }
   return marks;
@@ -160,10 +143,10 @@ bool clear_false_outliers(const Dataset& data, Assimilation& fit,
     Index count = 0;
     for (std::size_t r = 0; r < fit.omitted.size(); ++r)
       for (Index i = 0; i < fit.omitted[r].rows(); ++i) {
-        if (fit.omitted[r](i, k) != kOutlier) continue;
+        if (fit.omitted[r](i, k) == 0.0) continue;
         const double off = std::abs(fit.measured[r](i, k) - fit.records[r].path(i, k));
         const bool outlier = off > kOutlying * *white;
-        fit.omitted[r](i, k) = outlier ? kOutlier : 0.0;
+        fit.omitted[r](i, k) = outlier ? 1.0 : 0.0;
         cleared = cleared || !outlier;
         count += outlier ? 1 : 0;
       }

@@ -19,14 +19,12 @@ Dataset bridged(const Dataset& data, std::vector<std::string>& notes);
 /// The first three quarters of each record, and the last one.
 std::pair<Dataset, Dataset> split_in_time(const Dataset& data);
 
-/// Samples that are not to be used: per record n x m, 1 where one may be an outlier of the
-/// measurement, 2 where a quantised value only repeats its neighbour (of three and more equal
-/// values the middle one is kept: their rounding errors are not independent).
-std::vector<Matrix> mark_unusable(const Dataset& data);
+/// Samples that may be outliers of the measurement: per record n x m, 1 where one is.
+std::vector<Matrix> mark_outliers(const Dataset& data);
 
-/// Takes the mark of an outlier from samples that the path, found without them, explains after
-/// all: sharp turns of the signal look like outliers before there is a model. Notes the number
-/// of those that stay.
+/// Takes the mark from samples that the path, found without them, explains after all: sharp
+/// turns of the signal look like outliers before there is a model. Notes the number of those
+/// that stay.
 /// @return whether a mark was taken away.
 bool clear_false_outliers(const Dataset& data, Assimilation& fit,
                           std::vector<std::string>& notes);

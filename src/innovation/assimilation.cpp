@@ -51,8 +51,10 @@ class Turns {
       : data_(data),
         options_(options),
         context_(context),
-        variances_(start.least_noise),
-        state_(std::move(start)) {}
+        variances_(resolution_of(data)),
+        state_(std::move(start)) {
+    state_.least_noise = resolution_of(data);
+  }
 
   /// @param fresh whether the variances are first guesses.
   Assimilation run(bool fresh) {
@@ -209,23 +211,11 @@ class Turns {
   int rises_ = 0;
 };
 
-/// Rounding of the numbers in the record: to a lattice, or as text with six digits, the least
-/// that is in use, which leaves steps of 1e-6 of the span.
-Vector rounding_of(const Dataset& data, const std::vector<StateNoise>& seen) {
-  constexpr double kDigits = 1e-7;
-  Vector rounding = kDigits * spans(data);
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const auto state = static_cast<Index>(k);
-    rounding[state] =
-        std::max(rounding[state], seen[k].lattice.value_or(0.0) / std::sqrt(12.0));
-  }
-  return rounding;
-}
-
 /// Variances to begin with: noise as the differences of the record show it, disturbances as if
 /// the model explained half of each rate.
-NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector& white,
+NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector& seen,
                        const AssimilationOptions& options) {
+  const Vector white = resolution_of(data).cwiseMax(seen);
   const Trajectory& record = data.trajectories.front();
   const double step = mean_step(record);
   NoiseModel noise;
@@ -249,6 +239,11 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
 }
 
 }  // namespace
+
+Vector resolution_of(const Dataset& data) {
+  // Text with six digits, the least that is in use, leaves steps of 1e-6 of the span.
+  return 1e-7 * spans(data);
+}
 
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {
   std::vector<CoefficientPlace> places;
@@ -276,12 +271,8 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
   check_dataset(data);
   Assimilation start{model};
   start.omitted = omitted;
-  const std::vector<StateNoise> seen = analyse_noise(data);
-  start.least_noise = rounding_of(data, seen);
-  start.seen_noise.resize(data.state_count());
-  for (Index k = 0; k < data.state_count(); ++k)
-    start.seen_noise[k] = seen[static_cast<std::size_t>(k)].sigma;
-  start.noise = first_noise(model, data, start.least_noise.cwiseMax(start.seen_noise), options);
+  start.seen_noise = estimate_noise(data);
+  start.noise = first_noise(model, data, start.seen_noise, options);
   for (const Trajectory& record : data.trajectories) {
     start.records.emplace_back();
     start.records.back().path = record.states;

@@ -64,6 +64,10 @@ struct Assimilation {
   Matrix covariance = {};  ///< of the free coefficients, then of those of the channel terms
 };
 
+/// Standard deviations of the measurement noise below which nothing can be said: rounding of
+/// the numbers in the record. m entries.
+Vector resolution_of(const Dataset& data);
+
 /// All coefficients of equations that are not identities (dq/dt = v).
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model);
 
