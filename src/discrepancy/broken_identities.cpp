@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "lacuna/discrepancy/structure.hpp"
 #include "search.hpp"
@@ -24,6 +27,18 @@ bool noise_is_inflated(const NoiseModel& noise, const Assimilation& exact) {
   return false;
 }
 
+/// Whether an equation says something of measured states only; of a state that was not measured
+/// an identity is the definition.
+bool is_measured(const OdeModel& model, const NoiseModel& noise, std::size_t equation) {
+  for (std::size_t j = 0; j < model.states().size(); ++j) {
+    const std::set<std::string> used =
+        model.equations()[equation].front().term.expression().variables();
+    const bool concerned = j == equation || used.contains(model.states()[j].name);
+    if (concerned && !noise.measurement[j]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Assimilation> with_broken_identities(const OdeModel& nominal, const Dataset& data,
@@ -32,25 +47,26 @@ std::optional<Assimilation> with_broken_identities(const OdeModel& nominal, cons
                                                    const DiagnosisOptions& options,
                                                    const RunContext& context) {
   const auto m = static_cast<std::size_t>(nominal.dimension());
-  std::vector<bool> disturbed(m);
-  for (std::size_t k = 0; k < m; ++k)
+  std::vector<bool> disturbed(m), doubted(m);
+  for (std::size_t k = 0; k < m; ++k) {
     disturbed[k] = exact.noise.disturbance[static_cast<Index>(k)] > 0.0;
-  const bool has_identities =
-      std::find(disturbed.begin(), disturbed.end(), false) != disturbed.end();
-  if (!has_identities || !noise_is_inflated(explained, exact)) return std::nullopt;
-  context.report("testing the identities", 0.0);
-  AssimilationOptions all;
-  all.disturbed.assign(m, true);
-  const Assimilation loose = assimilate(nominal, data, exact.omitted, all, context);
-  bool broken = false;
-  for (const EquationStructure& structure : test_structure(loose, context)) {
-    const auto k = static_cast<std::size_t>(structure.equation);
-    if (disturbed[k] || !is_substantial(structure, options)) continue;
-    disturbed[k] = broken = true;
+    doubted[k] = !disturbed[k] && is_measured(nominal, exact.noise, k);
   }
-  if (!broken) return std::nullopt;
-  all.disturbed = disturbed;
-  return assimilate(nominal, data, exact.omitted, all, context);
+  const bool doubt = std::find(doubted.begin(), doubted.end(), true) != doubted.end();
+  if (!doubt || !noise_is_inflated(explained, exact)) return std::nullopt;
+  context.report("testing the identities", 0.0);
+  const auto with = [&](const std::vector<bool>& more) {
+    AssimilationOptions loose;
+    for (std::size_t k = 0; k < m; ++k) loose.disturbed.push_back(disturbed[k] || more[k]);
+    return assimilate(nominal, data, exact.omitted, loose, context);
+  };
+  std::vector<bool> broken(m, false);
+  for (const EquationStructure& structure : test_structure(with(doubted), context)) {
+    const auto k = static_cast<std::size_t>(structure.equation);
+    broken[k] = doubted[k] && is_substantial(structure, options);
+  }
+  if (std::find(broken.begin(), broken.end(), true) == broken.end()) return std::nullopt;
+  return with(broken);
 }
 
 }  // namespace lacuna
