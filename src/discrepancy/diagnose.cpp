@@ -62,7 +62,7 @@ class Workflow {
     fit_options_.free = free_coefficients(nominal_);
     fit_options_.priors = options_.tolerances;
     context_.report("fitting the nominal coefficients", 0.0);
-    fitted_ = assimilate_from(nominal_, data_, *given_, fit_options_, context_);
+    fitted_ = explain(data_, nominal_, *given_, {}, fit_options_, context_).fit;
     fit_options_.passes = 8;
     if (std::isfinite(fitted_->deviance)) return;
     result_.notes.push_back(
@@ -191,7 +191,7 @@ class Workflow {
         fit_options_.free.push_back({k, 0});
     const std::size_t more = fit_options_.free.size() - std::get<3>(before).size();
     given_ = std::move(broken);
-    fitted_ = assimilate_from(nominal_, data_, *given_, fit_options_, context_);
+    fitted_ = explain(data_, nominal_, *given_, {}, fit_options_, context_).fit;
     SearchResult other = search();
     const double price =
         2.0 * static_cast<double>(more) * std::log(static_cast<double>(given_->used));

@@ -116,6 +116,9 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
   return true;
 }
 
+/// Drop of the deviance that no test would notice.
+constexpr double kUnnoticed = 0.1;
+
 /// Fits with the shapes as they are.
 class JointFit {
  public:
@@ -151,7 +154,7 @@ class JointFit {
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
       best = std::move(next);
-      if (drop < 0.1) break;
+      if (drop < kUnnoticed) break;
     }
     return best;
   }
@@ -217,8 +220,8 @@ class JointFit {
     }
   }
 
-  /// One Gauss-Newton step of all shapes; false when there are none or it goes nowhere. `at`
-  /// gets the standard errors of its shapes.
+  /// One Gauss-Newton step of all shapes; false when there are none or it promises nothing.
+  /// `at` gets the standard errors of its shapes.
   bool move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const;
 
   const Dataset& data_;
@@ -250,6 +253,7 @@ std::optional<Vector> shape_column(const FittedEffect& effect, Index shape,
 struct ShapeSystem {
   std::vector<std::pair<std::size_t, Index>> places;  ///< effect and shape
   Vector step, deviation;                             ///< one entry each
+  double promised = 0.0;                              ///< drop of the deviance by the step
 };
 
 ShapeSystem solve_shapes(const Matrix& fitted, const std::vector<Vector>& shapes,
@@ -262,12 +266,14 @@ ShapeSystem solve_shapes(const Matrix& fitted, const std::vector<Vector>& shapes
   const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   columns = columns * scale.asDiagonal();
   const Eigen::LDLT<Matrix> factor(Matrix(columns.transpose() * columns));
-  const Vector step = factor.solve(Vector(columns.transpose() * innovations));
+  const Vector inner = columns.transpose() * innovations;
+  const Vector step = factor.solve(inner);
   const Vector variance =
       factor.solve(Matrix::Identity(columns.cols(), columns.cols())).diagonal();
   return {{},
           scale.cwiseProduct(step).tail(count),
-          scale.cwiseProduct(variance.cwiseMax(0.0).cwiseSqrt()).tail(count)};
+          scale.cwiseProduct(variance.cwiseMax(0.0).cwiseSqrt()).tail(count),
+          inner.dot(step)};
 }
 
 ShapeSystem shape_system(const Explanation& at) {
@@ -304,23 +310,7 @@ bool JointFit::move_shapes(Explanation& at, std::vector<FittedEffect>& effects) 
     const double moved = effects[effect].shapes[shape] + found.step[row];
     effects[effect].shapes[shape] = std::clamp(moved, range.low, range.high);
   }
-  return true;
-}
-
-/// A start with the noise that samples show, where there is much less. Beside disturbances that
-/// explain all, the noise shrinks to where the likelihood hardly depends on it, and stays there
-/// when they are gone.
-std::optional<Assimilation> with_seen_noise(const Assimilation& fit) {
-  constexpr double kMuchLess = 0.3;
-  Assimilation start = fit;
-  bool raised = false;
-  for (Index k = 0; k < fit.seen_noise.size(); ++k) {
-    auto& white = start.noise.measurement[static_cast<std::size_t>(k)];
-    if (!white || *white >= kMuchLess * fit.seen_noise[k]) continue;
-    white = fit.seen_noise[k];
-    raised = true;
-  }
-  return raised ? std::optional(std::move(start)) : std::nullopt;
+  return found.promised >= kUnnoticed;
 }
 
 }  // namespace

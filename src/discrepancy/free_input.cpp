@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/numerics/significance.hpp"
 
@@ -72,19 +74,20 @@ class FreeInput {
   /// How long the input remembers; nothing when it is the shortest that is tried, as a white
   /// disturbance does as well then.
   std::optional<Vector> best_memory(const Candidate& candidate) const {
-    std::optional<Vector> best;
-    double least = p_.base.deviance;
-    for (const Vector& start : candidate.starts) {
-      p_.context.report("fitting a free input", 0.0);
+    p_.context.report("fitting a free input", 0.0);
+    const std::vector<Vector>& starts = candidate.starts;
+    const RunContext quiet{p_.context.stop, {}, 1, p_.context.seed};
+    constexpr double kNothing = std::numeric_limits<double>::infinity();
+    std::vector<double> deviance(starts.size());
+    parallel_for(starts.size(), p_.context.threads, [&](std::size_t i) {
       const Explanation fit =
-          explain_roughly(p_.data, p_.scope.model, p_.base, {{candidate, start, 1.0, 0.0}},
-                          p_.fit_options, p_.context);
-      if (!(fit.fit.deviance < least)) continue;
-      least = fit.fit.deviance;
-      best = start;
-    }
-    if (best && *best == candidate.starts.front()) return std::nullopt;
-    return best;
+          explain_roughly(p_.data, p_.scope.model, p_.base,
+                          {{candidate, starts[i], 1.0, 0.0}}, p_.fit_options, quiet);
+      deviance[i] = std::isfinite(fit.fit.deviance) ? fit.fit.deviance : kNothing;
+    });
+    const auto best = std::min_element(deviance.begin(), deviance.end());
+    if (best == deviance.begin() || !(*best < p_.base.deviance)) return std::nullopt;
+    return starts[static_cast<std::size_t>(best - deviance.begin())];
   }
 
   double log_samples() const { return std::log(static_cast<double>(p_.base.used)); }

@@ -138,17 +138,12 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
   return std::sqrt(sum / count);
 }
 
-bool has_memory(const NoiseModel& noise) {
-  return std::any_of(noise.coloured.begin(), noise.coloured.end(),
-                     [](const auto& coloured) { return coloured.has_value(); });
-}
-
 /// The model on records, with noise of the kind that was found and without the summands that
 /// the measurement has: these are taken on a first path.
 Assimilation without_faults(const Assimilation& found, Dataset& data,
                             const RunContext& context) {
   AssimilationOptions options;
-  options.coloured = has_memory(found.noise);
+  options.coloured = found.noise.coloured;
   Assimilation fit = assimilate(found.model, data, {}, options, context);
   if (found.channel_terms.empty()) return fit;
   for (std::size_t r = 0; r < fit.records.size(); ++r)

@@ -119,9 +119,9 @@ class Ranker {
         options_(options),
         context_(context) {}
 
-  RankedEffect rough(const ScreenedCandidate& screened, double tried) const {
+  RankedEffect rough(const FittedEffect& next, double tried) const {
     std::vector<FittedEffect> effects = current_.effects;
-    effects.push_back({screened.candidate, screened.shapes, screened.coefficient, 0.0});
+    effects.push_back(next);
     return judged(explain_roughly(data_, nominal_, current_.fit, effects, options_, context_),
                   tried);
   }
@@ -150,13 +150,48 @@ class Ranker {
   const RunContext& context_;
 };
 
-/// fit(0) ... fit(count - 1), in this order.
+bool is_one_shape(const ShapeParameter& a, const ShapeParameter& b) {
+  return a.name == b.name && a.low == b.low && a.high == b.high;
+}
+
+bool is_one_memory(const MemoryState& a, const MemoryState& b) {
+  return a.name == b.name && a.rate == b.rate && a.start == b.start && a.driven == b.driven;
+}
+
+/// Whether two effects are one but for what they are called, so that one fit does for both.
+bool are_namesakes(const FittedEffect& a, const FittedEffect& b) {
+  const Candidate& one = a.candidate;
+  const Candidate& other = b.candidate;
+  return one.place == other.place && one.equation == other.equation &&
+         one.form == other.form && a.shapes == b.shapes &&
+         std::equal(one.shapes.begin(), one.shapes.end(), other.shapes.begin(),
+                    other.shapes.end(), is_one_shape) &&
+         std::equal(one.memory.begin(), one.memory.end(), other.memory.begin(),
+                    other.memory.end(), is_one_memory);
+}
+
+/// The place of each effect's first namesake, its own for most.
+std::vector<std::size_t> first_namesakes(const std::vector<FittedEffect>& effects) {
+  std::vector<std::size_t> first(effects.size());
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    while (!are_namesakes(effects[first[i]], effects[i])) ++first[i];
+  return first;
+}
+
+/// fit(0) ... fit(count - 1), in this order; namesakes share a fit.
 template <class Fit>
-std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit fit) {
-  std::vector<std::optional<RankedEffect>> places(count);
-  parallel_for(count, threads, [&](std::size_t i) { places[i] = fit(i); });
+std::vector<RankedEffect> fitted_in_parallel(const std::vector<FittedEffect>& effects,
+                                             int threads, Fit fit) {
+  const std::vector<std::size_t> first = first_namesakes(effects);
+  std::vector<std::optional<RankedEffect>> places(effects.size());
+  parallel_for(effects.size(), threads, [&](std::size_t i) {
+    if (first[i] == i) places[i] = fit(i);
+  });
   std::vector<RankedEffect> result;
-  for (auto& place : places) result.push_back(std::move(*place));
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    result.push_back(first[i] == i ? std::move(*places[i]) : result[first[i]]);
+    result.back().explanation.effects.back().candidate = effects[i].candidate;
+  }
   return result;
 }
 
@@ -331,11 +366,12 @@ Ranking rank(const Dataset& data, const Explanation& current,
     return is_plausible(ranked.effect(), ranked.explanation.fit.model, effects, scope) &&
            leaves_others_plausible(ranked, effects, scope);
   };
-  const std::vector<ScreenedCandidate> chosen = short_list(screened, rank_options.refits);
+  std::vector<FittedEffect> chosen;
+  for (const ScreenedCandidate& next : short_list(screened, rank_options.refits))
+    chosen.push_back({next.candidate, next.shapes, next.coefficient, 0.0});
   context.report("fitting candidates", 0.0);
-  ranking.effects = fitted_in_parallel(chosen.size(), context.threads, [&](std::size_t i) {
-    return ranker.rough(chosen[i], tried);
-  });
+  ranking.effects = fitted_in_parallel(
+      chosen, context.threads, [&](std::size_t i) { return ranker.rough(chosen[i], tried); });
   // Numbers at shapes that are not settled say nothing against a name.
   std::erase_if(ranking.effects, [&](const auto& ranked) {
     return !is_sound(ranked) || (ranked.effect().shapes.size() == 0 && !plausible(ranked));
@@ -345,9 +381,12 @@ Ranking rank(const Dataset& data, const Explanation& current,
   const std::size_t exact =
       std::min(ranking.effects.size(), leaders + static_cast<std::size_t>(rank_options.exact));
   context.report("fitting candidates exactly", 0.0);
-  std::vector<RankedEffect> fitted = fitted_in_parallel(
-      exact, context.threads,
-      [&](std::size_t i) { return ranker.exact(ranking.effects[i], tried); });
+  chosen.clear();
+  for (std::size_t i = 0; i < exact; ++i) chosen.push_back(ranking.effects[i].effect());
+  std::vector<RankedEffect> fitted =
+      fitted_in_parallel(chosen, context.threads, [&](std::size_t i) {
+        return ranker.exact(ranking.effects[i], tried);
+      });
   std::move(fitted.begin(), fitted.end(), ranking.effects.begin());
   std::erase_if(ranking.effects,
                 [&](const auto& ranked) { return !is_sound(ranked) || !plausible(ranked); });

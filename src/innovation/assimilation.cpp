@@ -51,7 +51,7 @@ class Turns {
       : data_(data),
         options_(options),
         context_(context),
-        variances_(resolution_of(data)),
+        variances_(resolution_of(data), start.curvature),
         state_(std::move(start)) {
     state_.least_noise = resolution_of(data);
   }
@@ -130,6 +130,7 @@ class Turns {
     SmoothedNoise best = variances_.run({state_.records, state_.measured, state_.omitted},
                                         state_.noise, kIterations);
     state_.noise = std::move(best.noise);
+    state_.curvature = variances_.curvature();
     for (std::size_t r = 0; r < state_.records.size(); ++r)
       state_.records[r].path += best.records[r].deviation;
   }
@@ -219,13 +220,12 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
   const Trajectory& record = data.trajectories.front();
   const double step = mean_step(record);
   NoiseModel noise;
+  noise.coloured = options.coloured;
+  noise.coloured.resize(static_cast<std::size_t>(model.dimension()));
   noise.disturbance = Vector::Zero(model.dimension());
   for (Index k = 0; k < model.dimension(); ++k) {
     const auto measured = data.is_measured(k) ? std::optional(white[k]) : std::nullopt;
     noise.measurement.push_back(measured);
-    const bool coloured = options.coloured && measured;
-    noise.coloured.push_back(coloured ? std::optional(ColouredNoise{*measured, 30.0 * step})
-                                      : std::nullopt);
     const bool disturbed = options.disturbed.empty()
                                ? !is_identity(model, k)
                                : options.disturbed[static_cast<std::size_t>(k)];
@@ -265,6 +265,19 @@ Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
   return measured;
 }
 
+std::optional<Assimilation> with_seen_noise(const Assimilation& fit) {
+  constexpr double kMuchLess = 0.3;
+  Assimilation start = fit;
+  bool raised = false;
+  for (Index k = 0; k < fit.seen_noise.size(); ++k) {
+    auto& white = start.noise.measurement[static_cast<std::size_t>(k)];
+    if (!white || *white >= kMuchLess * fit.seen_noise[k]) continue;
+    white = fit.seen_noise[k];
+    raised = true;
+  }
+  return raised ? std::optional(std::move(start)) : std::nullopt;
+}
+
 Assimilation assimilate(const OdeModel& model, const Dataset& data,
                         const std::vector<Matrix>& omitted, const AssimilationOptions& options,
                         const RunContext& context) {
@@ -279,7 +292,12 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
     start.measured.push_back(record.states);
   }
   start.free = options.free;
-  return Turns(data, options, std::move(start), context).run(true);
+  Assimilation found = Turns(data, options, std::move(start), context).run(true);
+  if (const auto again = with_seen_noise(found)) {
+    Assimilation other = assimilate_from(model, data, *again, options, context);
+    if (other.deviance < found.deviance) return other;
+  }
+  return found;
 }
 
 Assimilation assimilate_from(const OdeModel& model, const Dataset& data,

@@ -10,36 +10,39 @@
 namespace lacuna {
 namespace {
 
-/// Terms that go together: what fits into the registers.
-constexpr int kTogether = 8;
-using Lanes = Eigen::Array<double, kTogether, 1>;
+/// Terms that go together: what fits into the registers, and what a few need.
+constexpr int kMany = 8, kFew = 2;
+
+template <int Together>
+using Lanes = Eigen::Array<double, Together, 1>;
 
 /// The filter's errors, one lane for each term: taken in by the measurements, carried on by the
 /// model. Size: states and states of coloured noise, or Eigen::Dynamic.
-template <int Size>
+template <int Size, int Together>
 class ErrorRecursion {
  public:
-  using Errors = Eigen::Array<double, kTogether, Size>;
+  using Errors = Eigen::Array<double, Together, Size>;
+  using Lane = Lanes<Together>;
 
   ErrorRecursion(const LinearisedRecord& record, const InnovationFilter& filter)
       : record_(record),
         filter_(filter),
         m_(record.states()),
-        error_(Errors::Zero(kTogether, filter.size)),
-        next_(Errors::Zero(kTogether, filter.size)) {}
+        error_(Errors::Zero(Together, filter.size)),
+        next_(Errors::Zero(Together, filter.size)) {}
 
   /// Measurements of sample i; `extra` is added to what is measured of `state`.
   template <class Write>
-  void measure(Index i, Index state, const Lanes& extra, Write write) {
+  void measure(Index i, Index state, const Lane& extra, Write write) {
     const double* gain = filter_.gain.col(i).data();
     for (Index c = 0; c < filter_.channels; ++c, gain += filter_.size) {
       const Index own = filter_.state_of_channel[static_cast<std::size_t>(c)];
       const Index colour = filter_.colour_of_channel[static_cast<std::size_t>(c)];
       const double scale = filter_.inverse_deviation(c, i);
-      Lanes seen = error_.col(own);
+      Lane seen = error_.col(own);
       if (own == state) seen += extra;
       if (colour < filter_.size) seen += error_.col(colour);
-      write(c, Lanes(scale * seen));
+      write(c, Lane(scale * seen));
       if (scale == 0.0) continue;
       for (Index j = 0; j < error_.cols(); ++j) error_.col(j) -= gain[j] * seen;
     }
@@ -58,8 +61,8 @@ class ErrorRecursion {
   }
 
   /// Rates in an equation over step i, with values at its begin, middle and end.
-  void push(Index i, Index equation, const Lanes& begin, const Lanes& middle,
-            const Lanes& end) {
+  void push(Index i, Index equation, const Lane& begin, const Lane& middle,
+            const Lane& end) {
     const double* w = record_.response.col(i).data() + 3 * m_ * equation;
     for (Index j = 0; j < m_; ++j)
       error_.col(j) += w[j] * begin + w[m_ + j] * middle + w[2 * m_ + j] * end;
@@ -82,20 +85,21 @@ void check(const InnovationFilter& filter, const LinearisedRecord& record,
 }
 
 /// Some columns of a matrix as lanes, row by row.
+template <int Together>
 class LaneColumns {
  public:
   LaneColumns(const Eigen::Ref<const Matrix>& values, Index first)
       : values_(values),
         first_(first),
-        count_(std::min<Index>(kTogether, values.cols() - first)) {}
+        count_(std::min<Index>(Together, values.cols() - first)) {}
 
-  Lanes row(Index i) const {
-    Lanes lanes = Lanes::Zero();
+  Lanes<Together> row(Index i) const {
+    Lanes<Together> lanes = Lanes<Together>::Zero();
     for (Index c = 0; c < count_; ++c) lanes[c] = values_(i, first_ + c);
     return lanes;
   }
 
-  void write(Eigen::Ref<Matrix>& out, Index row, const Lanes& lanes) const {
+  void write(Eigen::Ref<Matrix>& out, Index row, const Lanes<Together>& lanes) const {
     for (Index c = 0; c < count_; ++c) out(row, first_ + c) = lanes[c];
   }
 
@@ -104,34 +108,46 @@ class LaneColumns {
   Index first_, count_;
 };
 
-template <int Size>
+template <int Size, int Together>
 void rate_lanes(const LinearisedRecord& record, const InnovationFilter& filter, Index equation,
-                const LaneColumns& columns, Eigen::Ref<Matrix>& out) {
-  ErrorRecursion<Size> error(record, filter);
-  const Lanes none = Lanes::Zero();
-  Lanes begin = columns.row(0);
+                const LaneColumns<Together>& columns, Eigen::Ref<Matrix>& out) {
+  ErrorRecursion<Size, Together> error(record, filter);
+  const Lanes<Together> none = Lanes<Together>::Zero();
+  Lanes<Together> begin = columns.row(0);
   for (Index i = 0; i < record.samples(); ++i) {
-    error.measure(i, -1, none, [&](Index c, const Lanes& lanes) {
+    error.measure(i, -1, none, [&](Index c, const auto& lanes) {
       columns.write(out, i * filter.channels + c, lanes);
     });
     if (i + 1 == record.samples()) break;
     error.carry(i);
-    const Lanes end = columns.row(2 * i + 2);
+    const Lanes<Together> end = columns.row(2 * i + 2);
     error.push(i, equation, begin, columns.row(2 * i + 1), end);
     begin = end;
   }
 }
 
-template <int Size>
+template <int Size, int Together>
 void channel_lanes(const LinearisedRecord& record, const InnovationFilter& filter, Index state,
-                   const LaneColumns& columns, Eigen::Ref<Matrix>& out) {
-  ErrorRecursion<Size> error(record, filter);
+                   const LaneColumns<Together>& columns, Eigen::Ref<Matrix>& out) {
+  ErrorRecursion<Size, Together> error(record, filter);
   for (Index i = 0; i < record.samples(); ++i) {
-    error.measure(i, state, columns.row(i), [&](Index c, const Lanes& lanes) {
+    error.measure(i, state, columns.row(i), [&](Index c, const auto& lanes) {
       columns.write(out, i * filter.channels + c, lanes);
     });
     if (i + 1 < record.samples()) error.carry(i);
   }
+}
+
+/// Calls `work(size, columns)` with all columns of `values`, as many together as is good.
+template <class Work>
+void for_lanes(Index size, const Eigen::Ref<const Matrix>& values, Work work) {
+  with_size(size, [&](auto fixed) {
+    for (Index first = 0; first < values.cols(); first += kMany)
+      if (values.cols() - first > kFew)
+        work(fixed, LaneColumns<kMany>(values, first));
+      else
+        work(fixed, LaneColumns<kFew>(values, first));
+  });
 }
 
 }  // namespace
@@ -140,9 +156,8 @@ void column_response(const LinearisedRecord& record, const InnovationFilter& fil
                      Index equation, const Eigen::Ref<const Matrix>& values,
                      Eigen::Ref<Matrix> out) {
   check(filter, record, values, 2 * record.samples() - 1, out);
-  with_size(filter.size, [&](auto size) {
-    for (Index first = 0; first < values.cols(); first += kTogether)
-      rate_lanes<size()>(record, filter, equation, LaneColumns(values, first), out);
+  for_lanes(filter.size, values, [&](auto size, const auto& columns) {
+    rate_lanes<size()>(record, filter, equation, columns, out);
   });
 }
 
@@ -150,9 +165,8 @@ void channel_response(const LinearisedRecord& record, const InnovationFilter& fi
                       Index state, const Eigen::Ref<const Matrix>& values,
                       Eigen::Ref<Matrix> out) {
   check(filter, record, values, record.samples(), out);
-  with_size(filter.size, [&](auto size) {
-    for (Index first = 0; first < values.cols(); first += kTogether)
-      channel_lanes<size()>(record, filter, state, LaneColumns(values, first), out);
+  for_lanes(filter.size, values, [&](auto size, const auto& columns) {
+    channel_lanes<size()>(record, filter, state, columns, out);
   });
 }
 

@@ -61,14 +61,72 @@ inline double density_in(const LinearisedRecord& record, Index i, Index equation
                                         : density;
 }
 
-/// Transition of step i for the states and the coloured noise; the rest of `out` is as it was.
-template <class Out>
-void read_transition(const LinearisedRecord& record, Index i, Out& out) {
-  const Index m = record.states();
-  const double* phi = record.transition.col(i).data();
-  for (Index k = 0; k < m; ++k)
-    for (Index j = 0; j < m; ++j) out(j, k) = phi[j + m * k];
-}
+/// Transition F of one step. Coloured noise only decays, so that F is a block of the states and
+/// a diagonal.
+template <int Size>
+class Transition {
+ public:
+  Transition(const ChannelMap& map, Index states)
+      : states_(states),
+        block_(Square<Size>::Zero(map.size, map.size)),
+        decay_(Column<Size>::Zero(map.size)),
+        carried_(map.size),
+        half_(map.size, map.size) {
+    for (Index k = states; k < map.size; ++k)
+      decay_[k] = map.decay[static_cast<std::size_t>(k - states)];
+  }
+
+  void read(const LinearisedRecord& record, Index i) {
+    const double* phi = record.transition.col(i).data();
+    for (Index k = 0; k < states_; ++k)
+      for (Index j = 0; j < states_; ++j) block_(j, k) = *phi++;
+  }
+
+  void read_transposed(const LinearisedRecord& record, Index i) {
+    const double* phi = record.transition.col(i).data();
+    for (Index k = 0; k < states_; ++k)
+      for (Index j = 0; j < states_; ++j) block_(k, j) = *phi++;
+  }
+
+  /// x -> F x
+  void carry_mean(Column<Size>& x) {
+    carried_ = decay_.cwiseProduct(x);
+    for (Index k = 0; k < states_; ++k) carried_ += x[k] * block_.col(k);
+    x = carried_;
+  }
+
+  /// P -> F P F'
+  void carry_covariance(Square<Size>& p) {
+    const Index size = p.cols();
+    for (Index j = 0; j < size; ++j) {
+      carried_ = decay_.cwiseProduct(p.col(j));
+      for (Index k = 0; k < states_; ++k) carried_ += p(k, j) * block_.col(k);
+      half_.col(j) = carried_;
+    }
+    for (Index j = 0; j < states_; ++j) {
+      carried_ = block_(j, 0) * half_.col(0);
+      for (Index k = 1; k < states_; ++k) carried_ += block_(j, k) * half_.col(k);
+      p.col(j) = carried_;
+    }
+    for (Index j = states_; j < size; ++j) p.col(j) = decay_[j] * half_.col(j);
+  }
+
+  /// Where the model is unstable the skew part of P, which is rounding, must not grow: it is
+  /// taken out now and then.
+  void make_symmetric(Index i, Square<Size>& p) {
+    constexpr Index kNowAndThen = 16;
+    if (i % kNowAndThen != 0) return;
+    half_ = p.transpose();
+    p = 0.5 * (p + half_);
+  }
+
+ private:
+  Index states_;
+  Square<Size> block_;   ///< of the states; the rest is 0
+  Column<Size> decay_;   ///< of the coloured noise; 0 for the states
+  Column<Size> carried_;
+  Square<Size> half_;
+};
 
 /// Mean and covariance (N x N) of the deviation, carried along a record.
 template <int Size>
@@ -83,12 +141,7 @@ class KalmanStep {
         gain_(Column<Size>::Zero(map.size)),
         row_(Column<Size>::Zero(map.size)),
         covariance_(variances_.start.asDiagonal()),
-        half_(map.size, map.size),
-        transition_(Square<Size>::Zero(map.size, map.size)) {
-    const Index m = record.states();
-    for (Index k = m; k < map.size; ++k)
-      transition_(k, k) = map.decay[static_cast<std::size_t>(k - m)];
-  }
+        transition_(map, record.states()) {}
 
   /// Takes in what was measured (minus the path) on one channel. The gain is left in gain().
   Innovation update(Index channel, double measured) {
@@ -111,15 +164,12 @@ class KalmanStep {
 
   /// Goes over step i of the record.
   void predict(Index i) {
-    read_transition(record_, i, transition_);
-    next_ = transition_.lazyProduct(mean_);
-    next_.head(record_.states()) += record_.defect.col(i);
-    mean_ = next_;
-    half_ = transition_.lazyProduct(covariance_);
-    covariance_ = half_.lazyProduct(transition_.transpose());
-    // Rounding must not grow where the model is unstable: the covariance stays symmetric.
-    half_ = covariance_.transpose();
-    covariance_ = 0.5 * (covariance_ + half_);
+    transition_.read(record_, i);
+    transition_.carry_mean(mean_);
+    next_.head(record_.states()) = record_.defect.col(i);
+    mean_ += next_;
+    transition_.carry_covariance(covariance_);
+    transition_.make_symmetric(i, covariance_);
     add_disturbance(i);
   }
 
@@ -132,11 +182,11 @@ class KalmanStep {
     const double step = record_.time[i + 1] - record_.time[i];
     row_.setZero();
     for (Index k = 0; k < record_.states(); ++k) {
-      const double density = density_in(record_, i, k, variances_.disturbance[k]);
+      const double density = density_in(record_, i, k, variances_.disturbance[k]) / step;
       if (density == 0.0) continue;
       constant_response(record_, i, k, row_.data());
-      next_ = (density / step) * row_;
-      covariance_.noalias() += next_.lazyProduct(row_.transpose());
+      for (Index j = 0; j < record_.states(); ++j)
+        covariance_.col(j) += (density * row_[j]) * row_;
     }
     const Index m = record_.states();
     for (Index k = m; k < map_.size; ++k) {
@@ -149,7 +199,8 @@ class KalmanStep {
   const ChannelMap& map_;
   Variances variances_;
   Column<Size> mean_, next_, gain_, row_;
-  Square<Size> covariance_, half_, transition_;
+  Square<Size> covariance_;
+  Transition<Size> transition_;
 };
 
 }  // namespace lacuna

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "lacuna/core/error.hpp"
-#include "lacuna/numerics/lagrange.hpp"
+#include "lacuna/numerics/local_cubic.hpp"
 #include "step_table.hpp"
 
 namespace lacuna {
@@ -15,17 +15,15 @@ namespace {
 Matrix fine_grid(const Vector& time, const Matrix& values) {
   const Index n = time.size();
   const Index width = values.cols();
-  LagrangeInterpolant signal(time, values, LagrangeWindow::centred(4));
   Matrix slots(2 * n - 1, width + 1);
-  Vector middle(width);
-  for (Index i = 0; i < n; ++i) {
-    slots.row(2 * i) << values.row(i), time[i];
-    if (i + 1 == n) break;
-    const double t = 0.5 * (time[i] + time[i + 1]);
-    signal.select(i);
-    signal.evaluate(t, middle.data());
-    slots.row(2 * i + 1) << middle.transpose(), t;
+  const auto samples = Eigen::seq(0, Eigen::last, 2), middles = Eigen::seq(1, Eigen::last, 2);
+  const Vector middle = 0.5 * (time.head(n - 1) + time.tail(n - 1));
+  for (Index k = 0; k < width; ++k) {
+    slots(samples, k) = values.col(k);
+    slots(middles, k) = interpolate_cubic(time, values.col(k), middle);
   }
+  slots(samples, width) = time;
+  slots(middles, width) = middle;
   return slots;
 }
 
@@ -102,15 +100,10 @@ Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVari
   Matrix result(record.slots.rows(), width + static_cast<Index>(delays.size()));
   result.leftCols(width) = record.slots;
   for (std::size_t d = 0; d < delays.size(); ++d) {
-    const Matrix values = record.slots(Eigen::seq(0, Eigen::last, 2), delays[d].slot);
-    LagrangeInterpolant signal(record.time, values, LagrangeWindow::centred(4));
-    Index interval = 0;  // of the past, which goes forward with the present
-    for (Index i = 0; i < result.rows(); ++i) {
-      const double t = std::max(record.slots(i, width - 1) - delays[d].delay, record.time[0]);
-      while (interval + 1 < values.rows() && record.time[interval + 1] <= t) ++interval;
-      signal.select(interval);
-      signal.evaluate(t, result.col(width + static_cast<Index>(d)).data() + i);
-    }
+    const Vector values = record.slots(Eigen::seq(0, Eigen::last, 2), delays[d].slot);
+    const Vector past = record.slots.col(width - 1).array() - delays[d].delay;
+    result.col(width + static_cast<Index>(d)) =
+        interpolate_cubic(record.time, values, past.cwiseMax(record.time[0]));
   }
   return result;
 }

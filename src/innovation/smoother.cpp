@@ -61,9 +61,13 @@ class Backward {
         adjoint_(Column<Size>::Zero(map.size)),
         moved_(Column<Size>::Zero(map.size)),
         covariance_(Square<Size>::Zero(map.size, map.size)),
-        transition_(Square<Size>::Zero(map.size, map.size)) {
-    for (Index k = m_; k < map.size; ++k)
-      transition_(k, k) = map.decay[static_cast<std::size_t>(k - m_)];
+        transition_(map, m_) {
+    for (Index c = 0; c < map.channels(); ++c) {
+      reads_.push_back(Column<Size>::Zero(map.size));
+      reads_.back()[map.state[static_cast<std::size_t>(c)]] = 1.0;
+      const Index colour = map.colour[static_cast<std::size_t>(c)];
+      if (colour < map.size) reads_.back()[colour] = 1.0;
+    }
     const Index sums = m_ + 2 * map.channels();
     result_ = {Matrix(record.samples(), m_),
                Matrix::Zero(record.samples(), map.channels()),
@@ -93,21 +97,11 @@ class Backward {
     const double weight = 1.0 / variance + gain.dot(moved_);
     result_.found[m_ + c] += pull * pull;
     result_.expected[m_ + c] += weight;
-    const Index state = map_.state[static_cast<std::size_t>(c)];
-    const Index colour = map_.colour[static_cast<std::size_t>(c)];
-    add_measurement(state, colour, pull, weight);
-  }
-
-  /// adjoint += h pull; covariance += weight h h' - h moved' - moved h'.
-  void add_measurement(Index state, Index colour, double pull, double weight) {
-    for (const Index a : {state, colour}) {
-      if (a >= map_.size) continue;
-      adjoint_[a] += pull;
-      covariance_.row(a) -= moved_.transpose();
-      covariance_.col(a) -= moved_;
-      for (const Index b : {state, colour})
-        if (b < map_.size) covariance_(a, b) += weight;
-    }
+    // covariance += weight h h' - h moved' - moved h'
+    const Column<Size>& h = reads_[static_cast<std::size_t>(c)];
+    adjoint_ += pull * h;
+    for (Index j = 0; j < map_.size; ++j)
+      covariance_.col(j) += (weight * h[j] - moved_[j]) * h - h[j] * moved_;
   }
 
   void keep(Index i) {
@@ -134,7 +128,8 @@ class Backward {
       result_.disturbance(i, k) = density * pull;
       if (record_.is_bridged(i, k)) continue;
       result_.found[k] += pull * pull / length;
-      spread_ = covariance_.lazyProduct(moved_);
+      spread_ = moved_[0] * covariance_.col(0);
+      for (Index j = 1; j < m_; ++j) spread_ += moved_[j] * covariance_.col(j);
       result_.expected[k] += moved_.dot(spread_) / length;
     }
     for (Index c = 0; c < map_.channels(); ++c) {
@@ -146,13 +141,10 @@ class Backward {
       result_.found[sum] += renewed * adjoint_[colour] * adjoint_[colour];
       result_.expected[sum] += renewed * covariance_(colour, colour);
     }
-    read_transition(record_, i, transition_);
-    moved_ = transition_.transpose().lazyProduct(adjoint_);
-    adjoint_ = moved_;
-    half_ = transition_.transpose().lazyProduct(covariance_);
-    covariance_ = half_.lazyProduct(transition_);
-    half_ = covariance_.transpose();
-    covariance_ = 0.5 * (covariance_ + half_);
+    transition_.read_transposed(record_, i);
+    transition_.carry_mean(adjoint_);
+    transition_.carry_covariance(covariance_);
+    transition_.make_symmetric(i, covariance_);
   }
 
   const LinearisedRecord& record_;
@@ -161,7 +153,9 @@ class Backward {
   const Forward& forward_;
   Index m_;
   Column<Size> adjoint_, moved_, spread_;
-  Square<Size> covariance_, transition_, half_;
+  Square<Size> covariance_;
+  Transition<Size> transition_;
+  std::vector<Column<Size>> reads_;  ///< h of each channel: it measures h' x
   SmoothedRecord result_;
 };
 

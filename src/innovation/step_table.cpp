@@ -109,9 +109,6 @@ class StepVariation {
       : slopes_(slopes), identity_(Square<Size>::Identity(states, states)) {}
 
   void run(Index i, double length, int parts) {
-    transition_ = identity_;
-    for (Square<Size>& w : response_)
-      w = Square<Size>::Zero(identity_.rows(), identity_.cols());
     for (int part = 0; part < parts; ++part) add_part(i, length / parts, part, parts);
   }
 
@@ -142,12 +139,17 @@ class StepVariation {
     const std::array<double, 3> first = parabolas(from), mid = parabolas(half),
                                 last = parabolas(to);
     for (std::size_t q = 0; q < 3; ++q) {
-      const Square<Size> carried = whole.lazyProduct(response_[q]);
-      response_[q] =
-          carried + h / 6.0 * (first[q] * whole + 4.0 * mid[q] * later + last[q] * identity_);
+      const Square<Size> own =
+          h / 6.0 * (first[q] * whole + 4.0 * mid[q] * later + last[q] * identity_);
+      if (part == 0)
+        response_[q] = own;
+      else
+        response_[q] = own + whole.lazyProduct(response_[q]).eval();
     }
-    const Square<Size> before = transition_;
-    transition_ = whole.lazyProduct(before);
+    if (part == 0)
+      transition_ = whole;
+    else
+      transition_ = whole.lazyProduct(transition_).eval();
   }
 
   const Matrix& slopes_;

@@ -12,33 +12,44 @@ constexpr double kUnnoticed = 0.02;
 
 const Matrix kNone;
 
-double& deviation_of(NoiseModel& noise, int kind, Index state) {
-  if (kind == 0) return noise.disturbance[state];
-  const auto k = static_cast<std::size_t>(state);
-  return kind == 1 ? *noise.measurement[k] : noise.coloured[k]->deviation;
+using Kind = NoiseEntry::Kind;
+
+double& deviation_of(NoiseModel& noise, const NoiseEntry& entry) {
+  if (entry.kind == Kind::Disturbance) return noise.disturbance[entry.state];
+  const auto k = static_cast<std::size_t>(entry.state);
+  return entry.kind == Kind::White ? *noise.measurement[k] : noise.coloured[k]->deviation;
+}
+
+/// Places of entries in the smoother's sums: states, then white and coloured channels.
+std::vector<Index> places_in_sums(const NoiseModel& noise,
+                                  const std::vector<NoiseEntry>& entries) {
+  std::vector<Index> channel(static_cast<std::size_t>(noise.states()));
+  Index next = 0;
+  for (std::size_t k = 0; k < channel.size(); ++k)
+    if (noise.measurement[k]) channel[k] = next++;
+  std::vector<Index> places;
+  for (const NoiseEntry& entry : entries) {
+    const Index own = channel[static_cast<std::size_t>(entry.state)];
+    places.push_back(entry.kind == Kind::Disturbance ? entry.state
+                     : entry.kind == Kind::White     ? noise.states() + own
+                                                     : noise.states() + next + own);
+  }
+  return places;
 }
 
 }  // namespace
 
-void VarianceFit::set_white_moves(bool moves) {
-  if (moves == white_moves_) return;
-  white_moves_ = moves;
-  inverse_curvature_.resize(0, 0);
-}
+void VarianceFit::set_white_moves(bool moves) { white_moves_ = moves; }
 
-std::vector<VarianceFit::Entry> VarianceFit::entries_of(const NoiseModel& noise) const {
-  std::vector<Entry> entries;
-  const Index m = noise.states(), channels = noise.measured();
-  for (Index k = 0; k < m; ++k)
-    if (noise.disturbance[k] > 0.0) entries.push_back({Entry::Kind::Disturbance, k, k});
-  Index channel = 0;
-  for (Index k = 0; k < m; ++k) {
+std::vector<NoiseEntry> VarianceFit::entries_of(const NoiseModel& noise) const {
+  std::vector<NoiseEntry> entries;
+  for (Index k = 0; k < noise.states(); ++k)
+    if (noise.disturbance[k] > 0.0) entries.push_back({Kind::Disturbance, k});
+  for (Index k = 0; k < noise.states(); ++k) {
     const auto state = static_cast<std::size_t>(k);
     if (!noise.measurement[state]) continue;
-    if (white_moves_) entries.push_back({Entry::Kind::White, k, m + channel});
-    if (noise.coloured[state])
-      entries.push_back({Entry::Kind::Coloured, k, m + channels + channel});
-    ++channel;
+    if (white_moves_) entries.push_back({Kind::White, k});
+    if (noise.coloured[state]) entries.push_back({Kind::Coloured, k});
   }
   return entries;
 }
@@ -55,27 +66,29 @@ SmoothedNoise VarianceFit::at(const LinearisedData& data, NoiseModel noise) cons
     found = r == 0 ? smoothed.found : Vector(found + smoothed.found);
     expected = r == 0 ? smoothed.expected : Vector(expected + smoothed.expected);
   }
-  const auto count = static_cast<Index>(entries_.size());
+  const std::vector<Index> places = places_in_sums(result.noise, known_.entries);
+  const auto count = static_cast<Index>(places.size());
   result.gradient.resize(count);
   result.weight.resize(count);
   for (Index e = 0; e < count; ++e) {
-    const Entry& entry = entries_[static_cast<std::size_t>(e)];
-    const double s = deviation_of(result.noise, static_cast<int>(entry.kind), entry.state);
-    result.gradient[e] = 2.0 * s * s * (expected[entry.sum] - found[entry.sum]);
-    const bool at_floor = entry.kind == Entry::Kind::White && s <= floor_[entry.state];
+    const NoiseEntry& entry = known_.entries[static_cast<std::size_t>(e)];
+    const Index sum = places[static_cast<std::size_t>(e)];
+    const double s = deviation_of(result.noise, entry);
+    result.gradient[e] = 2.0 * s * s * (expected[sum] - found[sum]);
+    const bool at_floor = entry.kind == Kind::White && s <= floor_[entry.state];
     if (at_floor) result.gradient[e] = std::min(result.gradient[e], 0.0);
-    result.weight[e] = s * s * expected[entry.sum];
+    result.weight[e] = s * s * expected[sum];
   }
   return result;
 }
 
 NoiseModel VarianceFit::moved(const NoiseModel& noise, const Vector& step) const {
   NoiseModel next = noise;
-  for (std::size_t e = 0; e < entries_.size(); ++e) {
-    const Entry& entry = entries_[e];
-    double& s = deviation_of(next, static_cast<int>(entry.kind), entry.state);
+  for (std::size_t e = 0; e < known_.entries.size(); ++e) {
+    const NoiseEntry& entry = known_.entries[e];
+    double& s = deviation_of(next, entry);
     s *= std::exp(step[static_cast<Index>(e)]);
-    if (entry.kind == Entry::Kind::White) s = std::max(s, floor_[entry.state]);
+    if (entry.kind == Kind::White) s = std::max(s, floor_[entry.state]);
   }
   return next;
 }
@@ -86,23 +99,31 @@ bool VarianceFit::learn(const Vector& step, const Vector& change) {
   if (!(inner > 1e-10 * step.norm() * change.norm())) return false;
   const Matrix identity = Matrix::Identity(step.size(), step.size());
   const Matrix left = identity - step * change.transpose() / inner;
-  inverse_curvature_ =
-      left * inverse_curvature_ * left.transpose() + step * step.transpose() / inner;
+  known_.inverse =
+      left * known_.inverse * left.transpose() + step * step.transpose() / inner;
   return true;
+}
+
+/// The curvature at the start: what is known already, unless the step to the fixed point
+/// found/expected, whose curvature is too large, promises more than it.
+void VarianceFit::begin_with(const SmoothedNoise& start) {
+  const Vector& g = start.gradient;
+  const Vector careful = (4.0 * start.weight.array().max(1e-6)).inverse();
+  const bool is_known = known_.inverse.rows() == g.size();
+  if (is_known && g.dot(known_.inverse * g) >= g.dot(careful.cwiseProduct(g))) return;
+  known_.inverse = careful.asDiagonal();
 }
 
 SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& start,
                                int iterations) {
   constexpr double kLongest = 1.5;  // of a step in a logarithm: a factor of 4.5
-  entries_ = entries_of(start);
+  if (std::vector<NoiseEntry> entries = entries_of(start); entries != known_.entries)
+    known_ = {std::move(entries), Matrix()};
   SmoothedNoise best = at(data, start);
-  const auto count = static_cast<Index>(entries_.size());
+  const auto count = static_cast<Index>(known_.entries.size());
+  begin_with(best);
   for (int iteration = 0; iteration < iterations && count > 0; ++iteration) {
-    // The fixed point found/expected is the step with this curvature, which is too large.
-    if (inverse_curvature_.rows() != count)
-      inverse_curvature_ =
-          (4.0 * best.weight.array().max(1e-6)).inverse().matrix().asDiagonal();
-    Vector step = -inverse_curvature_ * best.gradient;
+    Vector step = -known_.inverse * best.gradient;
     if (!step.allFinite() || -0.5 * step.dot(best.gradient) < kUnnoticed) break;
     const double longest = step.cwiseAbs().maxCoeff();
     if (longest > kLongest) step *= kLongest / longest;
@@ -112,7 +133,7 @@ SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& sta
     if (better)
       best = std::move(next);
     else if (!learnt)
-      inverse_curvature_ *= 0.25;
+      known_.inverse *= 0.25;
   }
   return best;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lacuna/core/run_context.hpp"
@@ -38,9 +39,10 @@ struct AssimilationOptions {
   std::vector<CoefficientPlace> free = {};    ///< coefficients that are fitted
   std::vector<CoefficientPrior> priors = {};  ///< tolerances of fitted coefficients
   std::vector<bool> disturbed =
-      {};                 ///< equations that may be disturbed; empty: all but identities
-  bool coloured = false;  ///< measurement noise may have a memory
-  int passes = 12;        ///< at most so many linearisations
+      {};  ///< equations that may be disturbed; empty: all but identities
+  /// Noise with a memory per state, where the fit of its size begins; empty: none.
+  std::vector<std::optional<ColouredNoise>> coloured = {};
+  int passes = 12;  ///< at most so many linearisations
 };
 
 /// A model brought onto records: its coefficients, the path, and what separates the two.
@@ -57,7 +59,8 @@ struct Assimilation {
   NoiseModel noise = {};
   Vector least_noise = {};  ///< m: what white measurement noise cannot be less than
   Vector seen_noise = {};   ///< m: what samples show of it against their neighbours; 0: nothing
-  double deviance = 0.0;    ///< -2 log likelihood
+  NoiseCurvature curvature = {};  ///< of the deviance over the noise model
+  double deviance = 0.0;          ///< -2 log likelihood
   Index used = 0;           ///< samples of all channels
   std::vector<CoefficientPlace> free = {};
   std::vector<ChannelTerm> channel_terms = {};  ///< their coefficients are always fitted
@@ -75,6 +78,11 @@ std::vector<CoefficientPlace> free_coefficients(const OdeModel& model);
 /// are taken on the record's path.
 Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
                              const Variables& variables, const std::vector<ChannelTerm>& terms);
+
+/// A start with the noise that samples show, where an assimilation has much less. Beside
+/// disturbances that explain all, the noise shrinks to where the likelihood hardly depends on
+/// it, and stays there when they are gone.
+std::optional<Assimilation> with_seen_noise(const Assimilation& fit);
 
 /// Brings a model onto records.
 /// @param omitted per record samples to leave out (see run_filter), or empty.

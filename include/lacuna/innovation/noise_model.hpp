@@ -33,4 +33,19 @@ struct NoiseModel {
   Index measured() const noexcept;  ///< number of states that are measured
 };
 
+/// A standard deviation of a noise model that is fitted.
+struct NoiseEntry {
+  enum class Kind { Disturbance, White, Coloured } kind = Kind::Disturbance;
+  Index state = 0;
+
+  bool operator==(const NoiseEntry&) const = default;
+};
+
+/// Inverse of the curvature of the deviance over the logarithms of fitted deviations, as far as
+/// it is known: 0 x 0 when it is not.
+struct NoiseCurvature {
+  std::vector<NoiseEntry> entries;
+  Matrix inverse;
+};
+
 }  // namespace lacuna

@@ -31,7 +31,10 @@ struct SmoothedNoise {
 class VarianceFit {
  public:
   /// @param floor least standard deviation of white noise per state.
-  explicit VarianceFit(Vector floor) : floor_(std::move(floor)) {}
+  /// @param known what another fit has learnt of the curvature; used where it was of the same
+  /// deviations.
+  explicit VarianceFit(Vector floor, NoiseCurvature known = {})
+      : floor_(std::move(floor)), known_(std::move(known)) {}
 
   /// Whether the white noise moves too.
   void set_white_moves(bool moves);
@@ -39,22 +42,19 @@ class VarianceFit {
   /// @param iterations at most so many steps.
   SmoothedNoise run(const LinearisedData& data, const NoiseModel& start, int iterations);
 
- private:
-  struct Entry {
-    enum class Kind { Disturbance, White, Coloured } kind;
-    Index state;
-    Index sum;  ///< its place in the smoother's sums
-  };
+  /// What it has learnt of the curvature.
+  const NoiseCurvature& curvature() const { return known_; }
 
-  std::vector<Entry> entries_of(const NoiseModel& noise) const;
+ private:
+  std::vector<NoiseEntry> entries_of(const NoiseModel& noise) const;
   SmoothedNoise at(const LinearisedData& data, NoiseModel noise) const;
   NoiseModel moved(const NoiseModel& noise, const Vector& step) const;
+  void begin_with(const SmoothedNoise& start);
   bool learn(const Vector& step, const Vector& change);
 
   Vector floor_;
   bool white_moves_ = true;
-  std::vector<Entry> entries_;
-  Matrix inverse_curvature_;  ///< 0 x 0 when nothing is known yet
+  NoiseCurvature known_;
 };
 
 }  // namespace lacuna
