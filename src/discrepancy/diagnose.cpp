@@ -8,12 +8,12 @@
 
 #include "broken_identities.hpp"
 #include "carry_over.hpp"
+#include "coefficient_changes.hpp"
 #include "coloured_noise.hpp"
 #include "free_input.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
-#include "lacuna/innovation/innovation_system.hpp"
 #include "lacuna/numerics/significance.hpp"
 #include "polynomial_gap.hpp"
 #include "records.hpp"
@@ -62,13 +62,18 @@ class Workflow {
     fit_options_.free = free_coefficients(nominal_);
     fit_options_.priors = options_.tolerances;
     context_.report("fitting the nominal coefficients", 0.0);
-    fitted_ = explain(data_, nominal_, *given_, {}, fit_options_, context_).fit;
+    fit_nominal();
     fit_options_.passes = 8;
     if (std::isfinite(fitted_->deviance)) return;
     result_.notes.push_back(
         "these records do not tell the nominal coefficients, which are kept as they are");
     fit_options_.free.clear();
     fitted_ = given_;
+  }
+
+  void fit_nominal() {
+    fitted_ = settled(assimilate_from(nominal_, data_, *given_, fit_options_, context_), data_,
+                      fit_options_, context_);
   }
 
   /// What is missing on top of the model as it is fitted.
@@ -191,7 +196,7 @@ class Workflow {
         fit_options_.free.push_back({k, 0});
     const std::size_t more = fit_options_.free.size() - std::get<3>(before).size();
     given_ = std::move(broken);
-    fitted_ = explain(data_, nominal_, *given_, {}, fit_options_, context_).fit;
+    fit_nominal();
     SearchResult other = search();
     const double price =
         2.0 * static_cast<double>(more) * std::log(static_cast<double>(given_->used));
@@ -229,10 +234,12 @@ class Workflow {
     result_.effects = found.named;
     final_ = found.explanation;
     result_.noise = final_.fit.noise;
-    list_changes();
+    result_.coefficient_changes =
+        coefficient_changes(nominal_, final_.fit, fit_options_.free.size());
     set_remaining(found.left);
     result_.verdict = verdict(left);
-    set_augmented();
+    result_.augmented =
+        result_.verdict == Verdict::NoDiscrepancy ? nominal_ : with_intervals(final_.fit);
   }
 
   /// A stop-gap beside the named effects, which keep their names and get new coefficients.
@@ -317,27 +324,6 @@ class Workflow {
     conclude(found);
   }
 
-  void list_changes() {
-    const Assimilation& fit = final_.fit;
-    result_.coefficient_changes.clear();
-    for (std::size_t j = 0; j < fit_options_.free.size(); ++j) {
-      const CoefficientPlace& place = fit_options_.free[j];
-      const auto equation = static_cast<std::size_t>(place.equation);
-      const WeightedTerm& before =
-          nominal_.equations()[equation][static_cast<std::size_t>(place.term)];
-      const double now =
-          fit.model.equations()[equation][static_cast<std::size_t>(place.term)].coefficient;
-      const auto row = static_cast<Index>(j);
-      const double deviation = std::sqrt(std::max(0.0, fit.covariance(row, row)));
-      const double sigma =
-          deviation > 0.0 ? std::abs(now - before.coefficient) / deviation : 0.0;
-      result_.coefficient_changes.push_back(
-          {place.equation, before.term.name(), before.coefficient, now, deviation, sigma});
-    }
-    std::stable_sort(result_.coefficient_changes.begin(), result_.coefficient_changes.end(),
-                     [](const auto& a, const auto& b) { return a.sigma > b.sigma; });
-  }
-
   void set_remaining(const std::vector<EquationStructure>& left) {
     result_.remaining = {};
     for (const EquationStructure& structure : left) {
@@ -361,47 +347,7 @@ class Workflow {
     const double gain = given_->deviance - fitted_->deviance;
     const auto free = static_cast<double>(fit_options_.free.size());
     if (sigma_of_gain(gain, free, 1.0) < options_.significance) return false;
-    return change_of_rates() >= options_.substance;
-  }
-
-  /// Largest rms of the change of a rate by the new coefficients, over that of the rate.
-  double change_of_rates() const {
-    const Vector rates = rate_rms(*fitted_);
-    double largest = 0.0;
-    for (Index k = 0; k < nominal_.dimension(); ++k) {
-      double sum = 0.0, count = 0.0;
-      for (const LinearisedRecord& record : fitted_->records) {
-        Vector change = Vector::Zero(record.slots.rows());
-        const Equation& before = nominal_.equations()[static_cast<std::size_t>(k)];
-        const Equation& after = fitted_->model.equations()[static_cast<std::size_t>(k)];
-        for (std::size_t j = 0; j < before.size(); ++j)
-          change += (after[j].coefficient - before[j].coefficient) *
-                    evaluate_on(record, nominal_.variables(), before[j].term.expression());
-        sum += change.squaredNorm();
-        count += static_cast<double>(change.size());
-      }
-      if (rates[k] > 0.0) largest = std::max(largest, std::sqrt(sum / count) / rates[k]);
-    }
-    return largest;
-  }
-
-  /// The final model with standard errors and intervals; the nominal model where nothing is
-  /// wrong.
-  void set_augmented() {
-    if (result_.verdict == Verdict::NoDiscrepancy) return;
-    std::vector<Equation> equations = final_.fit.model.equations();
-    for (std::size_t j = 0; j < final_.fit.free.size(); ++j) {
-      const CoefficientPlace& place = final_.fit.free[j];
-      WeightedTerm& summand = equations[static_cast<std::size_t>(place.equation)]
-                                       [static_cast<std::size_t>(place.term)];
-      const auto row = static_cast<Index>(j);
-      summand.standard_error = std::sqrt(std::max(0.0, final_.fit.covariance(row, row)));
-      summand.ci95 = {{summand.coefficient - 1.96 * *summand.standard_error,
-                       summand.coefficient + 1.96 * *summand.standard_error}};
-    }
-    const OdeModel& model = final_.fit.model;
-    result_.augmented =
-        OdeModel(model.states(), model.inputs(), std::move(equations), model.time_unit());
+    return largest_rate_change(nominal_, *fitted_) >= options_.substance;
   }
 
   const OdeModel& nominal_;

@@ -54,7 +54,8 @@ class FreeInput {
     RankedEffect input{explain(p_.data, p_.scope.model, p_.base,
                                {{*candidate, *memory, 1.0, 0.0}}, p_.fit_options, p_.context)};
     judge(input);
-    if (!(input.gain > price() + kVeryStrong)) return std::nullopt;
+    if (!(input.gain > price() + kVeryStrong) || input.contribution < p_.options.substance)
+      return std::nullopt;
     return input;
   }
 
@@ -81,8 +82,8 @@ class FreeInput {
     std::vector<double> deviance(starts.size());
     parallel_for(starts.size(), p_.context.threads, [&](std::size_t i) {
       const Explanation fit =
-          explain_roughly(p_.data, p_.scope.model, p_.base,
-                          {{candidate, starts[i], 1.0, 0.0}}, p_.fit_options, quiet);
+          explain_roughly(p_.data, p_.scope.model, p_.base, {{candidate, starts[i], 1.0, 0.0}},
+                          p_.fit_options, quiet);
       deviance[i] = std::isfinite(fit.fit.deviance) ? fit.fit.deviance : kNothing;
     });
     const auto best = std::min_element(deviance.begin(), deviance.end());

@@ -162,8 +162,8 @@ bool is_one_memory(const MemoryState& a, const MemoryState& b) {
 bool are_namesakes(const FittedEffect& a, const FittedEffect& b) {
   const Candidate& one = a.candidate;
   const Candidate& other = b.candidate;
-  return one.place == other.place && one.equation == other.equation &&
-         one.form == other.form && a.shapes == b.shapes &&
+  return one.place == other.place && one.equation == other.equation && one.form == other.form &&
+         a.shapes == b.shapes &&
          std::equal(one.shapes.begin(), one.shapes.end(), other.shapes.begin(),
                     other.shapes.end(), is_one_shape) &&
          std::equal(one.memory.begin(), one.memory.end(), other.memory.begin(),
@@ -383,10 +383,9 @@ Ranking rank(const Dataset& data, const Explanation& current,
   context.report("fitting candidates exactly", 0.0);
   chosen.clear();
   for (std::size_t i = 0; i < exact; ++i) chosen.push_back(ranking.effects[i].effect());
-  std::vector<RankedEffect> fitted =
-      fitted_in_parallel(chosen, context.threads, [&](std::size_t i) {
-        return ranker.exact(ranking.effects[i], tried);
-      });
+  std::vector<RankedEffect> fitted = fitted_in_parallel(
+      chosen, context.threads,
+      [&](std::size_t i) { return ranker.exact(ranking.effects[i], tried); });
   std::move(fitted.begin(), fitted.end(), ranking.effects.begin());
   std::erase_if(ranking.effects,
                 [&](const auto& ranked) { return !is_sound(ranked) || !plausible(ranked); });

@@ -278,6 +278,44 @@ std::optional<Assimilation> with_seen_noise(const Assimilation& fit) {
   return raised ? std::optional(std::move(start)) : std::nullopt;
 }
 
+namespace {
+
+/// A start with noise in the place of the disturbances where these explain all: as large as
+/// what they do in a step. Where samples hardly show their noise (quantised ones, most of which
+/// are as their neighbours) nothing else leads there.
+std::optional<Assimilation> with_noise_for_disturbances(const Assimilation& fit) {
+  constexpr double kNothing = 10.0;  // times what noise cannot be less than
+  constexpr double kLeft = 0.1;
+  const Vector& time = fit.records.front().time;
+  const double root =
+      std::sqrt((time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1));
+  Assimilation start = fit;
+  bool raised = false;
+  for (Index k = 0; k < fit.noise.states(); ++k) {
+    auto& white = start.noise.measurement[static_cast<std::size_t>(k)];
+    const double moved = root * fit.noise.disturbance[k];
+    if (!white || *white > kNothing * fit.least_noise[k] || moved <= *white) continue;
+    white = moved;
+    start.noise.disturbance[k] *= kLeft;
+    raised = true;
+  }
+  start.curvature = {};
+  return raised ? std::optional(std::move(start)) : std::nullopt;
+}
+
+}  // namespace
+
+Assimilation settled(Assimilation found, const Dataset& data,
+                     const AssimilationOptions& options, const RunContext& context) {
+  for (const auto other : {with_seen_noise, with_noise_for_disturbances}) {
+    const auto start = other(found);
+    if (!start) continue;
+    Assimilation next = assimilate_from(found.model, data, *start, options, context);
+    if (next.deviance < found.deviance) found = std::move(next);
+  }
+  return found;
+}
+
 Assimilation assimilate(const OdeModel& model, const Dataset& data,
                         const std::vector<Matrix>& omitted, const AssimilationOptions& options,
                         const RunContext& context) {
@@ -292,12 +330,8 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
     start.measured.push_back(record.states);
   }
   start.free = options.free;
-  Assimilation found = Turns(data, options, std::move(start), context).run(true);
-  if (const auto again = with_seen_noise(found)) {
-    Assimilation other = assimilate_from(model, data, *again, options, context);
-    if (other.deviance < found.deviance) return other;
-  }
-  return found;
+  return settled(Turns(data, options, std::move(start), context).run(true), data, options,
+                 context);
 }
 
 Assimilation assimilate_from(const OdeModel& model, const Dataset& data,

@@ -61,8 +61,7 @@ class ErrorRecursion {
   }
 
   /// Rates in an equation over step i, with values at its begin, middle and end.
-  void push(Index i, Index equation, const Lane& begin, const Lane& middle,
-            const Lane& end) {
+  void push(Index i, Index equation, const Lane& begin, const Lane& middle, const Lane& end) {
     const double* w = record_.response.col(i).data() + 3 * m_ * equation;
     for (Index j = 0; j < m_; ++j)
       error_.col(j) += w[j] * begin + w[m_ + j] * middle + w[2 * m_ + j] * end;

@@ -28,10 +28,10 @@ decltype(auto) with_size(Index size, Work&& work) {
       return work(std::integral_constant<int, 3>{});
     case 4:
       return work(std::integral_constant<int, 4>{});
-    case 6:
-      return work(std::integral_constant<int, 6>{});
     case 5:
       return work(std::integral_constant<int, 5>{});
+    case 6:
+      return work(std::integral_constant<int, 6>{});
     case 7:
       return work(std::integral_constant<int, 7>{});
     case 8:

@@ -114,7 +114,7 @@ class Transition {
   /// Where the model is unstable the skew part of P, which is rounding, must not grow: it is
   /// taken out now and then.
   void make_symmetric(Index i, Square<Size>& p) {
-    constexpr Index kNowAndThen = 16;
+    constexpr Index kNowAndThen = 8;
     if (i % kNowAndThen != 0) return;
     half_ = p.transpose();
     p = 0.5 * (p + half_);
@@ -122,8 +122,8 @@ class Transition {
 
  private:
   Index states_;
-  Square<Size> block_;   ///< of the states; the rest is 0
-  Column<Size> decay_;   ///< of the coloured noise; 0 for the states
+  Square<Size> block_;  ///< of the states; the rest is 0
+  Column<Size> decay_;  ///< of the coloured noise; 0 for the states
   Column<Size> carried_;
   Square<Size> half_;
 };
@@ -137,7 +137,7 @@ class KalmanStep {
         map_(map),
         variances_(record, noise, map),
         mean_(Column<Size>::Zero(map.size)),
-        next_(Column<Size>::Zero(map.size)),
+        defect_(Column<Size>::Zero(map.size)),
         gain_(Column<Size>::Zero(map.size)),
         row_(Column<Size>::Zero(map.size)),
         covariance_(variances_.start.asDiagonal()),
@@ -166,8 +166,8 @@ class KalmanStep {
   void predict(Index i) {
     transition_.read(record_, i);
     transition_.carry_mean(mean_);
-    next_.head(record_.states()) = record_.defect.col(i);
-    mean_ += next_;
+    defect_.head(record_.states()) = record_.defect.col(i);
+    mean_ += defect_;
     transition_.carry_covariance(covariance_);
     transition_.make_symmetric(i, covariance_);
     add_disturbance(i);
@@ -198,7 +198,7 @@ class KalmanStep {
   const LinearisedRecord& record_;
   const ChannelMap& map_;
   Variances variances_;
-  Column<Size> mean_, next_, gain_, row_;
+  Column<Size> mean_, defect_, gain_, row_;
   Square<Size> covariance_;
   Transition<Size> transition_;
 };

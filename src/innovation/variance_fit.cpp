@@ -99,19 +99,21 @@ bool VarianceFit::learn(const Vector& step, const Vector& change) {
   if (!(inner > 1e-10 * step.norm() * change.norm())) return false;
   const Matrix identity = Matrix::Identity(step.size(), step.size());
   const Matrix left = identity - step * change.transpose() / inner;
-  known_.inverse =
-      left * known_.inverse * left.transpose() + step * step.transpose() / inner;
+  known_.inverse = left * known_.inverse * left.transpose() + step * step.transpose() / inner;
   return true;
 }
 
-/// The curvature at the start: what is known already, unless the step to the fixed point
-/// found/expected, whose curvature is too large, promises more than it.
+/// The curvature at the start. The step to the fixed point found/expected has one that is too
+/// large; where what is known would make even shorter steps, it does not hold here.
 void VarianceFit::begin_with(const SmoothedNoise& start) {
-  const Vector& g = start.gradient;
   const Vector careful = (4.0 * start.weight.array().max(1e-6)).inverse();
-  const bool is_known = known_.inverse.rows() == g.size();
-  if (is_known && g.dot(known_.inverse * g) >= g.dot(careful.cwiseProduct(g))) return;
-  known_.inverse = careful.asDiagonal();
+  if (known_.inverse.rows() != careful.size()) known_.inverse = careful.asDiagonal();
+  for (Index e = 0; e < careful.size(); ++e) {
+    if (known_.inverse(e, e) >= careful[e]) continue;
+    known_.inverse.row(e).setZero();
+    known_.inverse.col(e).setZero();
+    known_.inverse(e, e) = careful[e];
+  }
 }
 
 SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& start,

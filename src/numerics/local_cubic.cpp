@@ -18,9 +18,8 @@ class PiecewiseCubic {
     differences_.col(0) = values;
     for (Index k = 1; k < points_; ++k) {
       const auto below = differences_.col(k - 1);
-      differences_.col(k).head(n - k) =
-          (below.segment(1, n - k) - below.head(n - k)).array() /
-          (time.tail(n - k) - time.head(n - k)).array();
+      differences_.col(k).head(n - k) = (below.segment(1, n - k) - below.head(n - k)).array() /
+                                        (time.tail(n - k) - time.head(n - k)).array();
     }
   }
 

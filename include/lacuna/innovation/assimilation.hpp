@@ -61,7 +61,7 @@ struct Assimilation {
   Vector seen_noise = {};   ///< m: what samples show of it against their neighbours; 0: nothing
   NoiseCurvature curvature = {};  ///< of the deviance over the noise model
   double deviance = 0.0;          ///< -2 log likelihood
-  Index used = 0;           ///< samples of all channels
+  Index used = 0;                 ///< samples of all channels
   std::vector<CoefficientPlace> free = {};
   std::vector<ChannelTerm> channel_terms = {};  ///< their coefficients are always fitted
   Matrix covariance = {};  ///< of the free coefficients, then of those of the channel terms
@@ -84,7 +84,14 @@ Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
 /// it, and stays there when they are gone.
 std::optional<Assimilation> with_seen_noise(const Assimilation& fit);
 
-/// Brings a model onto records.
+/// The best of an assimilation and those that begin where it ended, but with the noise that
+/// samples show, or with noise in the place of disturbances: the likelihood has a maximum in
+/// which the disturbances explain all and the noise nothing, even where the other one is
+/// higher.
+Assimilation settled(Assimilation found, const Dataset& data,
+                     const AssimilationOptions& options, const RunContext& context);
+
+/// Brings a model onto records; the noise is settled().
 /// @param omitted per record samples to leave out (see run_filter), or empty.
 Assimilation assimilate(const OdeModel& model, const Dataset& data,
                         const std::vector<Matrix>& omitted, const AssimilationOptions& options,

@@ -66,6 +66,9 @@ TEST(Rank, NamesOfOneTermShareItsProbability) {
   ASSERT_GE(ranking.effects.size(), 2u);
   EXPECT_GT(ranking.effects[0].probability, 0.99);
   EXPECT_DOUBLE_EQ(ranking.effects[0].probability, ranking.effects[1].probability);
+  EXPECT_EQ(ranking.effects[0].criterion, ranking.effects[1].criterion) << "one fit for both";
+  EXPECT_EQ(ranking.effects[0].effect().candidate.effect, "dry");
+  EXPECT_EQ(ranking.effects[1].effect().candidate.effect, "rubbing");
 }
 
 /// Two bends between an arm and its drive, of which the nominal model has the slope 60.

@@ -54,6 +54,27 @@ TEST(Assimilation, MissingTermsAppearAsDisturbance) {
   EXPECT_GT(fit.noise.disturbance[1], 0.03);
 }
 
+TEST(Assimilation, NoiseThatHasShrunkComesBack) {
+  Assimilation fit = fitted(softer_spring());
+  EXPECT_FALSE(with_seen_noise(fit).has_value());
+  fit.noise.measurement[1] = 1e-6;
+  const auto again = with_seen_noise(fit);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_NEAR(*again->noise.measurement[1], 0.02, 0.004);
+  EXPECT_EQ(again->noise.measurement[0], fit.noise.measurement[0]);
+}
+
+TEST(Assimilation, NoiseWithAMemoryHasTheGivenTime) {
+  AssimilationOptions options;
+  options.coloured = {ColouredNoise{0.05, 0.3}, std::nullopt};
+  const Assimilation fit =
+      assimilate(support::oscillator(), softer_spring(), {}, options, RunContext{});
+  ASSERT_TRUE(fit.noise.coloured[0].has_value());
+  EXPECT_EQ(fit.noise.coloured[0]->time, 0.3);
+  EXPECT_NE(fit.noise.coloured[0]->deviation, 0.05) << "its size is fitted";
+  EXPECT_FALSE(fit.noise.coloured[1].has_value());
+}
+
 TEST(Assimilation, StatesMadeFromOthersAreNotMeasurements) {
   Dataset data = softer_spring();
   data.reconstructed = {false, true};

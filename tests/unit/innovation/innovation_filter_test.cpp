@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+#include <cmath>
+
 #include "lacuna/core/error.hpp"
 #include "support/driven_oscillator.hpp"
 
@@ -99,6 +102,65 @@ TEST(InnovationFilter, DevianceIsThatOfTheFilter) {
               run_filter(made.record, measured, Matrix(), noise_of(0.1)).deviance, 1e-6);
   EXPECT_THROW(run_filter(made.record, Matrix::Zero(4, 2), Matrix(), noise_of(0.1)),
                ArgumentError);
+}
+
+/// log det S + r' S^-1 r of all measurements r, whose covariance S is written out.
+double joint_deviance(const LinearisedRecord& record, const Matrix& measured,
+                      const NoiseModel& noise) {
+  const Index n = record.samples();
+  const double step = record.time[1] - record.time[0];
+  const Vector span = record.path.colwise().maxCoeff() - record.path.colwise().minCoeff();
+  // What moves the deviations: both at the start, then the disturbance of v in each step.
+  Matrix from = Matrix::Zero(2 * n, 2 + n - 1);
+  from.topLeftCorner(2, 2) = span.asDiagonal();
+  Vector left(2 * n), shift = Vector::Zero(2);
+  for (Index i = 0; i < n; ++i) {
+    left.segment(2 * i, 2) = (measured.row(i) - record.path.row(i)).transpose() - shift;
+    if (i + 1 == n) break;
+    const Eigen::Map<const Matrix> phi(record.transition.col(i).data(), 2, 2);
+    from.middleRows(2 * i + 2, 2) = phi * from.middleRows(2 * i, 2);
+    const auto w = record.response.col(i).tail(6);
+    from.block(2 * i + 2, 2 + i, 2, 1) = noise.disturbance[1] / std::sqrt(step) *
+                                         (w.segment(0, 2) + w.segment(2, 2) + w.tail(2));
+    shift = phi * shift + record.defect.col(i);
+  }
+  Matrix covariance = from * from.transpose();
+  for (Index i = 0; i < 2 * n; ++i) {
+    covariance(i, i) += std::pow(*noise.measurement[static_cast<std::size_t>(i % 2)], 2);
+    for (Index j = 0; i % 2 == 0 && j < 2 * n; j += 2)
+      covariance(i, j) += std::pow(noise.coloured[0]->deviation, 2) *
+                          std::exp(-std::abs(record.time[i / 2] - record.time[j / 2]) /
+                                   noise.coloured[0]->time);
+  }
+  const Eigen::LLT<Matrix> factor(covariance);
+  return 2.0 * Matrix(factor.matrixL()).diagonal().array().log().sum() +
+         left.dot(factor.solve(left));
+}
+
+TEST(InnovationFilter, DevianceIsThatOfTheJointGaussian) {
+  const Case made = make_case([](double t, double, double) { return std::sin(3.0 * t); });
+  const LinearisedRecord record = part_of(made.record, 100, 40);
+  const Matrix measured = made.data.trajectories[0].states.middleRows(100, 40);
+  NoiseModel noise = noise_of(0.3);
+  noise.coloured[0] = ColouredNoise{0.03, 0.1};
+  const double expected = joint_deviance(record, measured, noise);
+  EXPECT_NEAR(filter_deviance(record, measured, Matrix(), noise), expected, 1e-6);
+  EXPECT_NEAR(smooth(record, measured, Matrix(), noise).deviance, expected, 1e-6);
+}
+
+TEST(InnovationFilter, TermsGoThroughTheRecordAloneAsTogether) {
+  const Case made = make_case(support::nothing);
+  NoiseModel noise = noise_of(0.1);
+  noise.coloured[1] = ColouredNoise{0.01, 0.3};
+  const InnovationFilter filter =
+      run_filter(made.record, made.data.trajectories[0].states, Matrix(), noise);
+  const Matrix values = made.record.slots.leftCols(3);
+  Matrix together(3002, 3), alone(3002, 1);
+  column_response(made.record, filter, 1, values, together);
+  for (Index k = 0; k < 3; ++k) {
+    column_response(made.record, filter, 1, values.col(k), alone);
+    EXPECT_LT((alone - together.col(k)).norm(), 1e-12 * alone.norm());
+  }
 }
 
 TEST(InnovationFilter, ABridgedStepForgivesAndTellsNothing) {

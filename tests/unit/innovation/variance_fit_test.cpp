@@ -80,6 +80,18 @@ TEST(VarianceFit, GradientIsThatOfTheDeviance) {
               here.gradient[2], 0.05 * std::abs(here.gradient[2]));
 }
 
+TEST(VarianceFit, WhatIsKnownOfTheCurvatureDoesNotMoveTheAnswer) {
+  const Case made = make_case([](double t, double, double) { return std::sin(3.0 * t); });
+  const Vector floor = Vector::Constant(2, 1e-9);
+  VarianceFit first(floor);
+  const SmoothedNoise found = first.run(made.view(), noise_of(0.02, 0.1), 40);
+  NoiseCurvature much_too_steep = first.curvature();
+  much_too_steep.inverse *= 1e-6;
+  for (const NoiseCurvature& known : {first.curvature(), much_too_steep})
+    EXPECT_NEAR(VarianceFit(floor, known).run(made.view(), noise_of(0.05, 1.0), 40).deviance,
+                found.deviance, 0.05);
+}
+
 TEST(VarianceFit, WhiteNoiseStaysAboveItsFloor) {
   const Case made = make_case(support::nothing);
   const SmoothedNoise found =
