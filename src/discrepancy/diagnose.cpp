@@ -295,10 +295,17 @@ class Workflow {
     if (std::isfinite(gap.before) && std::isfinite(gap.after)) result_.gap = std::move(gap);
   }
 
+  /// What makes other records worse is no effect; neither is what they do not show where noise
+  /// that is not independent seems to show it.
   void hear_other_records(SearchResult& found, const Dataset& held_out) {
     const CarryOver carried = carry_over(final_, result_.gap);
     if (carried == CarryOver::Refuted) {
-      withdraw_names(found);
+      withdraw_names(found, "worse; what fails there gets no name");
+      gauge_on(held_out);
+    } else if (carried == CarryOver::Little && mostly_repeats(data_)) {
+      withdraw_names(found,
+                     "hardly; most samples repeat the one before (coarse quantisation), and "
+                     "what they show beyond that gets no name");
       gauge_on(held_out);
     } else if (carried == CarryOver::Little) {
       result_.verdict = Verdict::PartlyExplained;
@@ -309,15 +316,15 @@ class Workflow {
     }
   }
 
-  /// What makes other records worse is no effect.
-  void withdraw_names(SearchResult& found) {
+  /// @param others how the model fits the records that were not used.
+  void withdraw_names(SearchResult& found, const std::string& others) {
     std::vector<std::string> names;
     for (const NamedEffect& effect : found.named)
       names.push_back(effect.name + " in " +
                       nominal_.states()[static_cast<std::size_t>(effect.equation)].name);
-    result_.notes.push_back("with " + join(names, ", ") +
-                            " the model fits the records that were used better and the others "
-                            "worse; what fails there gets no name");
+    result_.notes.push_back(
+        "with " + join(names, ", ") +
+        " the model fits the records that were used better and the others " + others);
     found.named.clear();
     found.explanation = {{}, *fitted_};
     found.left = test_structure(*fitted_, context_);

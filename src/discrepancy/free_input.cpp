@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
@@ -75,20 +76,29 @@ class FreeInput {
   /// How long the input remembers; nothing when it is the shortest that is tried, as a white
   /// disturbance does as well then.
   std::optional<Vector> best_memory(const Candidate& candidate) const {
+    const auto [best, least] = best_of(candidate, candidate.starts);
+    if (best == candidate.starts.front() || !(least < p_.base.deviance)) return std::nullopt;
+    // The starts are a factor of 3 apart.
+    const auto [nearer, less] =
+        best_of(candidate, {best / std::sqrt(3.0), best * std::sqrt(3.0)});
+    return less < least ? nearer : best;
+  }
+
+  /// The most likely of some shapes, with its deviance.
+  std::pair<Vector, double> best_of(const Candidate& candidate,
+                                    const std::vector<Vector>& shapes) const {
     p_.context.report("fitting a free input", 0.0);
-    const std::vector<Vector>& starts = candidate.starts;
-    const RunContext quiet{p_.context.stop, {}, 1, p_.context.seed};
     constexpr double kNothing = std::numeric_limits<double>::infinity();
-    std::vector<double> deviance(starts.size());
-    parallel_for(starts.size(), p_.context.threads, [&](std::size_t i) {
+    const RunContext quiet{p_.context.stop, {}, 1, p_.context.seed};
+    std::vector<double> deviance(shapes.size());
+    parallel_for(shapes.size(), p_.context.threads, [&](std::size_t i) {
       const Explanation fit =
-          explain_roughly(p_.data, p_.scope.model, p_.base, {{candidate, starts[i], 1.0, 0.0}},
+          explain_roughly(p_.data, p_.scope.model, p_.base, {{candidate, shapes[i], 1.0, 0.0}},
                           p_.fit_options, quiet);
       deviance[i] = std::isfinite(fit.fit.deviance) ? fit.fit.deviance : kNothing;
     });
     const auto best = std::min_element(deviance.begin(), deviance.end());
-    if (best == deviance.begin() || !(*best < p_.base.deviance)) return std::nullopt;
-    return starts[static_cast<std::size_t>(best - deviance.begin())];
+    return {shapes[static_cast<std::size_t>(best - deviance.begin())], *best};
   }
 
   double log_samples() const { return std::log(static_cast<double>(p_.base.used)); }

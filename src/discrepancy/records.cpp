@@ -158,4 +158,19 @@ bool clear_false_outliers(const Dataset& data, Assimilation& fit,
   return cleared;
 }
 
+bool mostly_repeats(const Dataset& data) {
+  for (Index k = 0; k < data.state_count(); ++k) {
+    if (!data.is_measured(k)) continue;
+    Index repeats = 0, steps = 0;
+    for (const Trajectory& record : data.trajectories) {
+      const Index n = record.samples() - 1;
+      repeats += (record.states.col(k).tail(n).array() == record.states.col(k).head(n).array())
+                     .count();
+      steps += n;
+    }
+    if (2 * repeats > steps) return true;
+  }
+  return false;
+}
+
 }  // namespace lacuna

@@ -29,4 +29,8 @@ std::vector<Matrix> mark_outliers(const Dataset& data);
 bool clear_false_outliers(const Dataset& data, Assimilation& fit,
                           std::vector<std::string>& notes);
 
+/// Whether most samples of a state are as the one before them: values on a coarse lattice,
+/// whose rounding is not noise that is independent from sample to sample.
+bool mostly_repeats(const Dataset& data);
+
 }  // namespace lacuna

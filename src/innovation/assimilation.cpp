@@ -212,6 +212,17 @@ class Turns {
   int rises_ = 0;
 };
 
+/// Noise that the samples show: against their neighbours, or as values on a lattice.
+Vector visible_noise(const Dataset& data) {
+  Vector noise = estimate_noise(data);
+  const std::vector<StateNoise> analysed = analyse_noise(data);
+  for (Index k = 0; k < noise.size(); ++k)
+    if (const StateNoise& state = analysed[static_cast<std::size_t>(k)];
+        state.kind == NoiseKind::Quantised)
+      noise[k] = state.sigma;
+  return noise;
+}
+
 /// Variances to begin with: noise as the differences of the record show it, disturbances as if
 /// the model explained half of each rate.
 NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector& seen,
@@ -278,42 +289,12 @@ std::optional<Assimilation> with_seen_noise(const Assimilation& fit) {
   return raised ? std::optional(std::move(start)) : std::nullopt;
 }
 
-namespace {
-
-/// A start with noise in the place of the disturbances where these explain all: as large as
-/// what they do in a step. Where samples hardly show their noise (quantised ones, most of which
-/// are as their neighbours) nothing else leads there.
-std::optional<Assimilation> with_noise_for_disturbances(const Assimilation& fit) {
-  constexpr double kNothing = 10.0;  // times what noise cannot be less than
-  constexpr double kLeft = 0.1;
-  const Vector& time = fit.records.front().time;
-  const double root =
-      std::sqrt((time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1));
-  Assimilation start = fit;
-  bool raised = false;
-  for (Index k = 0; k < fit.noise.states(); ++k) {
-    auto& white = start.noise.measurement[static_cast<std::size_t>(k)];
-    const double moved = root * fit.noise.disturbance[k];
-    if (!white || *white > kNothing * fit.least_noise[k] || moved <= *white) continue;
-    white = moved;
-    start.noise.disturbance[k] *= kLeft;
-    raised = true;
-  }
-  start.curvature = {};
-  return raised ? std::optional(std::move(start)) : std::nullopt;
-}
-
-}  // namespace
-
 Assimilation settled(Assimilation found, const Dataset& data,
                      const AssimilationOptions& options, const RunContext& context) {
-  for (const auto other : {with_seen_noise, with_noise_for_disturbances}) {
-    const auto start = other(found);
-    if (!start) continue;
-    Assimilation next = assimilate_from(found.model, data, *start, options, context);
-    if (next.deviance < found.deviance) found = std::move(next);
-  }
-  return found;
+  const auto start = with_seen_noise(found);
+  if (!start) return found;
+  Assimilation other = assimilate_from(found.model, data, *start, options, context);
+  return other.deviance < found.deviance ? other : found;
 }
 
 Assimilation assimilate(const OdeModel& model, const Dataset& data,
@@ -322,7 +303,7 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
   check_dataset(data);
   Assimilation start{model};
   start.omitted = omitted;
-  start.seen_noise = estimate_noise(data);
+  start.seen_noise = visible_noise(data);
   start.noise = first_noise(model, data, start.seen_noise, options);
   for (const Trajectory& record : data.trajectories) {
     start.records.emplace_back();

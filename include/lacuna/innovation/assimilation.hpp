@@ -84,10 +84,7 @@ Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
 /// it, and stays there when they are gone.
 std::optional<Assimilation> with_seen_noise(const Assimilation& fit);
 
-/// The best of an assimilation and those that begin where it ended, but with the noise that
-/// samples show, or with noise in the place of disturbances: the likelihood has a maximum in
-/// which the disturbances explain all and the noise nothing, even where the other one is
-/// higher.
+/// An assimilation, or one that begins where it ended but with_seen_noise(), if that is better.
 Assimilation settled(Assimilation found, const Dataset& data,
                      const AssimilationOptions& options, const RunContext& context);
 

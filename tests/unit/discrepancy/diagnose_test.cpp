@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/core/error.hpp"
 #include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
@@ -66,12 +68,22 @@ TEST(Diagnose, WhatIsLeftOverGetsNoNameForBeingSignificant) {
   EXPECT_LT(diagnosis.gap->ratio(), 0.5);
 }
 
+/// A record with its values on a lattice; 0: as they are.
+Dataset rounded(Dataset data, double lattice) {
+  if (lattice > 0.0)
+    for (double& value : data.trajectories.front().states.reshaped())
+      value = lattice * std::round(value / lattice);
+  return data;
+}
+
 /// The diagnosis of dry friction, gauged on records in which something else is hidden.
-Diagnosis gauged_on(const support::Hidden& other) {
+Diagnosis gauged_on(const support::Hidden& other, double noise = 0.01, double lattice = 0.0) {
   DiagnosisOptions options;
   options.effects = support::own_effects();
-  return diagnose(support::oscillator(), support::hidden_record(support::dry_friction, 0.01, 3),
-                  support::hidden_record(other, 0.01, 4, -0.7), options, RunContext{});
+  return diagnose(support::oscillator(),
+                  rounded(support::hidden_record(support::dry_friction, noise, 3), lattice),
+                  rounded(support::hidden_record(other, noise, 4, -0.7), lattice), options,
+                  RunContext{});
 }
 
 TEST(Diagnose, NamesThatOtherRecordsRefuteAreWithdrawn) {
@@ -83,13 +95,25 @@ TEST(Diagnose, NamesThatOtherRecordsRefuteAreWithdrawn) {
   EXPECT_EQ(diagnosis.notes.back().substr(0, 13), "with dry in v");
 }
 
+double friction_and_more(double t, double q, double v) {
+  return support::dry_friction(t, q, v) + 1.5 * std::sin(6.0 * q);
+}
+
 TEST(Diagnose, NamesThatExplainLittleOfOtherRecordsDoSoInPart) {
-  const Diagnosis diagnosis = gauged_on([](double t, double q, double v) {
-    return support::dry_friction(t, q, v) + 1.5 * std::sin(6.0 * q);
-  });
+  const Diagnosis diagnosis = gauged_on(friction_and_more);
   EXPECT_EQ(diagnosis.verdict, Verdict::PartlyExplained);
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_TRUE(diagnosis.remaining.structure);
+}
+
+TEST(Diagnose, SamplesThatRepeatNeedOtherRecordsToShowAName) {
+  const Diagnosis right = gauged_on(support::dry_friction, 0.0, 0.1);
+  ASSERT_EQ(right.effects.size(), 1u);
+  EXPECT_EQ(right.effects[0].name, "dry");
+  const Diagnosis hardly = gauged_on(friction_and_more, 0.0, 0.1);
+  EXPECT_TRUE(hardly.effects.empty());
+  ASSERT_FALSE(hardly.notes.empty());
+  EXPECT_NE(hardly.notes.back().find("coarse quantisation"), std::string::npos);
 }
 
 /// The diagnosis of records whose sensor of v has an offset and a gain.

@@ -64,6 +64,17 @@ TEST(Assimilation, NoiseThatHasShrunkComesBack) {
   EXPECT_EQ(again->noise.measurement[0], fit.noise.measurement[0]);
 }
 
+TEST(Assimilation, ValuesOnALatticeShowTheirNoise) {
+  Dataset data = support::hidden_record(support::nothing, 0.0);
+  for (double& value : data.trajectories.front().states.reshaped())
+    value = 0.1 * std::round(10.0 * value);
+  const Assimilation fit = fitted(data);
+  for (Index k = 0; k < 2; ++k) {
+    EXPECT_NEAR(fit.seen_noise[k], 0.1 / std::sqrt(12.0), 1e-6);
+    EXPECT_NEAR(*fit.noise.measurement[static_cast<std::size_t>(k)], 0.03, 0.006);
+  }
+}
+
 TEST(Assimilation, NoiseWithAMemoryHasTheGivenTime) {
   AssimilationOptions options;
   options.coloured = {ColouredNoise{0.05, 0.3}, std::nullopt};
