@@ -29,6 +29,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
     if (runs_over && !is_velocity(scope, equation))
       result[result.size() - 2].plainer = "overflow";
   }
+  for (const std::string& gap : differences(scope, equation)) add_stops(scope, gap, result);
   return result;
 }
 

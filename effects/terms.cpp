@@ -69,7 +69,11 @@ double slope(const OdeModel& model, Index equation, const std::string& argument)
   if (whole != 0.0 || minus == std::string::npos) return whole;
   const std::string a = argument.substr(0, minus), b = argument.substr(minus + 1);
   const double reversed = model.coefficient(equation, b + "-" + a);
-  return reversed != 0.0 ? -reversed : model.coefficient(equation, a);
+  if (reversed != 0.0) return -reversed;
+  // What a has more than b acts on it alone: a spring to the ground.
+  const double own = model.coefficient(equation, a), other = model.coefficient(equation, b);
+  const bool opposite = own * other < 0.0;
+  return opposite ? std::copysign(std::min(std::abs(own), std::abs(other)), own) : own;
 }
 
 bool is_velocity(const Scope& scope, Index equation) {
@@ -102,6 +106,31 @@ std::vector<std::string> variable_names(const Scope& scope) {
   return names;
 }
 
+namespace {
+
+const std::string& unit_of(const Scope& scope, const std::string& variable) {
+  static const std::string none;
+  const auto found =
+      std::find_if(scope.variables.begin(), scope.variables.end(),
+                   [&](const VariableRange& range) { return range.name == variable; });
+  return found != scope.variables.end() ? found->unit : none;
+}
+
+/// Whether two terms of an equation are those of a difference: variables with opposite
+/// coefficients, or with coefficients of opposite sign and like size where they are of one
+/// kind, as those of a body that is held by another one and by the ground.
+bool make_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
+  constexpr double kEqual = 0.01, kLike = 3.0;
+  if (!is_variable(one.term) || !is_variable(other.term)) return false;
+  const double a = one.coefficient, b = other.coefficient;
+  if (std::abs(a + b) <= kEqual * std::abs(a - b)) return true;
+  const std::string& unit = unit_of(scope, one.term.name());
+  return !unit.empty() && unit == unit_of(scope, other.term.name()) && a * b < 0.0 &&
+         std::abs(a) <= kLike * std::abs(b) && std::abs(b) <= kLike * std::abs(a);
+}
+
+}  // namespace
+
 std::vector<std::string> differences(const Scope& scope, Index equation) {
   std::vector<std::string> result;
   const auto add = [&](const std::string& a, const std::string& b) {
@@ -114,12 +143,9 @@ std::vector<std::string> differences(const Scope& scope, Index equation) {
       const auto operands = terms[i].term.expression().operands();
       add(operands[0].to_string(), operands[1].to_string());
     }
-    for (std::size_t j = i + 1; j < terms.size(); ++j) {
-      if (!is_variable(terms[i].term) || !is_variable(terms[j].term)) continue;
-      const double a = terms[i].coefficient, b = terms[j].coefficient;
-      if (std::abs(a + b) <= 0.01 * std::abs(a - b))
+    for (std::size_t j = i + 1; j < terms.size(); ++j)
+      if (make_a_difference(scope, terms[i], terms[j]))
         add(terms[i].term.name(), terms[j].term.name());
-    }
   }
   return result;
 }

@@ -13,7 +13,7 @@ namespace {
 
 /// Splines of few and of many pieces; what lies between is found by the one above it.
 constexpr int kFewPieces = 8, kManyPieces = 24, kSurfacePieces = 10;
-constexpr int kLags = 24, kStretches = 16;
+constexpr int kLags = 24, kStretches = 16, kHarmonics = 24;
 
 Candidate member(Index equation, const std::string& form, const std::string& argument,
                  const std::string& description) {
@@ -44,6 +44,17 @@ Bank curve(const VariableRange& x, int pieces, Index equation) {
   Bank bank{Bank::Kind::Curve, {x.name}, {}};
   for (const std::string& form : splines(x, pieces))
     bank.members.push_back(member(equation, form, x.name, "spline of " + x.name));
+  return bank;
+}
+
+/// What comes again with the angle: teeth, slots, poles.
+Bank harmonics(const VariableRange& angle, Index equation) {
+  Bank bank{Bank::Kind::Curve, {angle.name}, {}};
+  for (int order = 1; order <= kHarmonics; ++order)
+    for (const char* wave : {"sin", "cos"})
+      bank.members.push_back(member(
+          equation, std::string(wave) + "(" + std::to_string(order) + "*" + angle.name + ")",
+          angle.name, "harmonic of " + angle.name));
   return bank;
 }
 
@@ -107,6 +118,7 @@ std::vector<Bank> present_banks(const Scope& scope, Index equation) {
     banks.push_back(curve(x, kFewPieces, equation));
     banks.push_back(curve(x, kManyPieces, equation));
     banks.push_back(varying(scope, x, equation));
+    if (x.unit == "rad") banks.push_back(harmonics(x, equation));
     for (std::size_t j = 0; j < i; ++j) {
       banks.push_back(surface(scope.variables[j], x, kFewPieces, equation));
       banks.push_back(surface(scope.variables[j], x, kSurfacePieces, equation));

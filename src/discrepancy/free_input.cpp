@@ -76,12 +76,16 @@ class FreeInput {
   /// How long the input remembers; nothing when it is the shortest that is tried, as a white
   /// disturbance does as well then.
   std::optional<Vector> best_memory(const Candidate& candidate) const {
-    const auto [best, least] = best_of(candidate, candidate.starts);
+    auto [best, least] = best_of(candidate, candidate.starts);
     if (best == candidate.starts.front() || !(least < p_.base.deviance)) return std::nullopt;
     // The starts are a factor of 3 apart.
-    const auto [nearer, less] =
-        best_of(candidate, {best / std::sqrt(3.0), best * std::sqrt(3.0)});
-    return less < least ? nearer : best;
+    for (const double factor : {std::sqrt(3.0), std::pow(3.0, 0.25)}) {
+      auto [nearer, less] = best_of(candidate, {best / factor, best * factor});
+      if (!(less < least)) continue;
+      best = std::move(nearer);
+      least = less;
+    }
+    return best;
   }
 
   /// The most likely of some shapes, with its deviance.
@@ -166,7 +170,7 @@ class FreeInput {
       factor.candidate.form += "*(" + variable.name + ")/" + format_number(size);
       const Explanation fit = explain(p_.data, p_.scope.model, p_.base, {std::move(factor)},
                                       p_.fit_options, p_.context);
-      if (fit.fit.deviance + price() < input.criterion) return true;
+      if (fit.fit.deviance + price() + kVeryStrong < input.criterion) return true;
     }
     return false;
   }

@@ -45,6 +45,11 @@ std::vector<HiddenCase> paired_cases(double s) {
               .hide({"v", {"periodic-forcing"}, {}, "sin(2.3*t+0.5)", 0.4})
               .hide({"v", {"cubic-stiffness", "cubic-term"}, {}, "q^3", -0.15})
               .build(),
+          CaseBuilder("masses-hard-coupling",
+                      "Two masses with a spring that hardens between them", coupled_masses(), s)
+              .hide({"v1", {"cubic-stiffness"}, {"cubic-term"}, "(x1-x2)^3", -7.0})
+              .hide({"v2", {"cubic-stiffness"}, {"cubic-term"}, "(x1-x2)^3", 4.5})
+              .build(),
           CaseBuilder("prey-sated-predator", "Predators that can be sated (Holling)",
                       prey_predator(), s)
               .hide({"x", {"saturating-rate"}, {}, "x*y/(1+0.12*x)-x*y", -0.6})

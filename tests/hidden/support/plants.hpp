@@ -15,6 +15,8 @@ Plant servo_arm();        ///< th, w; angle u of the drive
 Plant geared_drive();     ///< motor speed w1, shaft twist d, load speed w2; torque u
 Plant rigid_body();       ///< w1, w2, w3 with three torques
 Plant two_oscillators();  ///< x1, v1, x2, v2: self-excited, not coupled
+Plant coupled_masses();   ///< x1, v1, x2, v2 on springs to each other and the ground; force u
+Plant turntable();        ///< th, w, as far as it goes; torque u
 Plant hydraulic();        ///< piston v, pressure p; valve u
 
 Plant series_rlc();    ///< current i, capacitor voltage v; source u

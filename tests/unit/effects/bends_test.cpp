@@ -72,6 +72,13 @@ TEST(OneSidedStop, PushesAPositionBack) {
   EXPECT_LT(lower.shapes[0].high, scope.state(0).quantile(0.5));
 }
 
+TEST(OneSidedStop, StandsBetweenTwoPlaces) {
+  const Scope pair = scope_of(
+      model_of_lines({{"a", {{"a", -2.0}, {"b", 2.0}}}, {"b", {{"b", -1.0}}}}, {}));
+  EXPECT_TRUE(forms_of<kOneSidedStop>(pair, 0).contains("max(a-b-edge,0)"));
+  EXPECT_FALSE(forms_of<kOneSidedStop>(pair, 1).contains("max(a-b-edge,0)"));
+}
+
 TEST(PiecewiseLinear, HasOneBendOrTwo) {
   const Forms forms = forms_of<kPiecewiseLinear>(oscillator_scope(), 1);
   EXPECT_TRUE(forms.contains("max(q-edge,0)"));

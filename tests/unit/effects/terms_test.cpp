@@ -50,6 +50,17 @@ TEST(EffectTerms, DifferencesMayBeWrittenAsTerms) {
   EXPECT_EQ(slope(gear.model, 1, "b-a"), -75.0);
 }
 
+TEST(EffectTerms, VariablesOfOneKindMakeADifferenceBesideTheGround) {
+  Scope pair = scope_of(model_of_lines(
+      {{"a", {{"a", -10.0}, {"b", 6.0}}}, {"b", {{"a", 1.0}, {"b", -7.0}}}}, {}));
+  for (VariableRange& variable : pair.variables) variable.unit = "V";
+  EXPECT_EQ(differences(pair, 0), std::vector<std::string>{"a-b"});
+  EXPECT_EQ(slope(pair.model, 0, "a-b"), -6.0) << "the rest holds a to the ground";
+  EXPECT_TRUE(differences(pair, 1).empty()) << "too unlike";
+  pair.variables[1].unit = "A";
+  EXPECT_TRUE(differences(pair, 0).empty()) << "not of one kind";
+}
+
 TEST(EffectTerms, FeltSpeedsAreThoseOfBodiesThatMoveTogether) {
   const Scope cart = support::scope_of(support::model_of_lines(
       {{"x", {{"v", 1.0}}}, {"v", {{"v-u", -2.0}}}, {"q", {{"w", 1.0}}}, {"w", {{"q", -9.0}}}},
