@@ -6,9 +6,8 @@ namespace lacuna {
 namespace {
 
 // Bouc-Wen loop of a spring: the restoring force r follows the position q until it yields,
-// dr/dt = v - (share |v| r + (1 - share) v |r|) / yield.
-Candidate bouc_wen(const Scope& scope, Index equation, Index position) {
-  const std::string& v = scope.state(equation).name;
+// dr/dt = v - (share |v| r + (1 - share) v |r|) / yield. v is the rate of q.
+Candidate bouc_wen(const Scope& scope, Index position, const std::string& v) {
   const VariableRange& q = scope.state(position);
   Candidate candidate =
       plain_candidate("$loop", q.name, "force that depends on the history of " + q.name);
@@ -40,7 +39,11 @@ Candidate straight_loop(const Scope& scope, Index equation, const std::string& x
 std::vector<Candidate> make(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   if (const auto position = scope.integral_of(equation))
-    result.push_back(bouc_wen(scope, equation, *position));
+    result.push_back(bouc_wen(scope, *position, scope.state(equation).name));
+  for (Index k = 0; k < scope.model.dimension(); ++k)
+    if (const std::string& twist = scope.state(k).name;
+        has_term(scope, equation, twist) && is_transmission(scope, twist))
+      result.push_back(bouc_wen(scope, k, "(" + right_hand_side(scope, k) + ")"));
   for (const VariableRange& x : scope.variables)
     if (has_term(scope, equation, x.name))
       result.push_back(straight_loop(scope, equation, x.name));

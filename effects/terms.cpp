@@ -116,14 +116,21 @@ const std::string& unit_of(const Scope& scope, const std::string& variable) {
   return found != scope.variables.end() ? found->unit : none;
 }
 
+bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
+  constexpr double kEqual = 0.01;
+  const double a = one.coefficient, b = other.coefficient;
+  return is_variable(one.term) && is_variable(other.term) &&
+         std::abs(a + b) <= kEqual * std::abs(a - b);
+}
+
 /// Whether two terms of an equation are those of a difference: variables with opposite
 /// coefficients, or with coefficients of opposite sign and like size where they are of one
 /// kind, as those of a body that is held by another one and by the ground.
 bool make_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
-  constexpr double kEqual = 0.01, kLike = 3.0;
+  constexpr double kLike = 3.0;
+  if (are_opposite(one, other)) return true;
   if (!is_variable(one.term) || !is_variable(other.term)) return false;
   const double a = one.coefficient, b = other.coefficient;
-  if (std::abs(a + b) <= kEqual * std::abs(a - b)) return true;
   const std::string& unit = unit_of(scope, one.term.name());
   return !unit.empty() && unit == unit_of(scope, other.term.name()) && a * b < 0.0 &&
          std::abs(a) <= kLike * std::abs(b) && std::abs(b) <= kLike * std::abs(a);
@@ -175,9 +182,12 @@ std::vector<std::string> linear_arguments(const Scope& scope, Index equation) {
 
 bool is_transmission(const Scope& scope, const std::string& argument) {
   if (argument.find('-') != std::string::npos) return true;
-  for (Index j = 0; j < scope.model.dimension(); ++j)
-    if (scope.state(j).name == argument)
-      return terms_of(scope.model, j).size() == 2 && !differences(scope, j).empty();
+  for (Index j = 0; j < scope.model.dimension(); ++j) {
+    if (scope.state(j).name != argument) continue;
+    const Equation& rate = terms_of(scope.model, j);
+    return (rate.size() == 1 && is_difference_of_variables(rate[0].term)) ||
+           (rate.size() == 2 && are_opposite(rate[0], rate[1]));
+  }
   return false;
 }
 

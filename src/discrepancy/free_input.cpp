@@ -45,14 +45,15 @@ std::optional<ScoredBank> best_bank(std::vector<Bank> banks, const BankScreening
 
 class FreeInput {
  public:
-  explicit FreeInput(const Unexplained& problem) : p_(problem) {}
+  explicit FreeInput(const Unexplained& problem)
+      : p_(problem), start_(with_seen_noise(problem.base).value_or(problem.base)) {}
 
   std::optional<RankedEffect> find() const {
     const std::optional<Candidate> candidate = input_candidate();
     if (!candidate) return std::nullopt;
     const std::optional<Vector> memory = best_memory(*candidate);
     if (!memory) return std::nullopt;
-    RankedEffect input{explain(p_.data, p_.scope.model, p_.base,
+    RankedEffect input{explain(p_.data, p_.scope.model, start_,
                                {{*candidate, *memory, 1.0, 0.0}}, p_.fit_options, p_.context)};
     judge(input);
     if (!(input.gain > price() + kVeryStrong) || input.contribution < p_.options.substance)
@@ -97,7 +98,7 @@ class FreeInput {
     std::vector<double> deviance(shapes.size());
     parallel_for(shapes.size(), p_.context.threads, [&](std::size_t i) {
       const Explanation fit =
-          explain_roughly(p_.data, p_.scope.model, p_.base, {{candidate, shapes[i], 1.0, 0.0}},
+          explain_roughly(p_.data, p_.scope.model, start_, {{candidate, shapes[i], 1.0, 0.0}},
                           p_.fit_options, quiet);
       deviance[i] = std::isfinite(fit.fit.deviance) ? fit.fit.deviance : kNothing;
     });
@@ -168,7 +169,7 @@ class FreeInput {
       if (!(size > 0.0)) continue;
       p_.context.report("looking for what a free input multiplies", 0.0);
       factor.candidate.form += "*(" + variable.name + ")/" + format_number(size);
-      const Explanation fit = explain(p_.data, p_.scope.model, p_.base, {std::move(factor)},
+      const Explanation fit = explain(p_.data, p_.scope.model, start_, {std::move(factor)},
                                       p_.fit_options, p_.context);
       if (fit.fit.deviance + price() + kVeryStrong < input.criterion) return true;
     }
@@ -176,6 +177,7 @@ class FreeInput {
   }
 
   const Unexplained& p_;
+  Assimilation start_;  ///< the disturbances that the input takes over had hidden the noise
 };
 
 double variance_of(const Assimilation& fit, Index equation) {

@@ -197,7 +197,9 @@ class Search {
     effects[old] = ranked.effect();
     Explanation next = explain(data_, scope_.model, result_.explanation.fit, std::move(effects),
                                fit_options_, context_);
-    if (!(criterion_of(next) < criterion_of(result_.explanation) - kUndecided)) return false;
+    if (!(criterion_of(next) < criterion_of(result_.explanation) - kUndecided) ||
+        !all_plausible(next))
+      return false;
     const double closed = result_.named[old].gap_closed;
     result_.named[old] = name_effect(ranked, ranking, options_);
     const Index k = ranked.effect().candidate.equation;
@@ -217,6 +219,14 @@ class Search {
     const double before = std::pow(result_.explanation.fit.noise.disturbance[k], 2);
     const double after = std::pow(next.fit.noise.disturbance[k], 2);
     return first > 0.0 ? (before - after) / first : 0.0;
+  }
+
+  /// Whether all effects have numbers such as they can have, by whatever name.
+  bool all_plausible(const Explanation& next) const {
+    return std::all_of(next.effects.begin(), next.effects.end(), [&](const FittedEffect& one) {
+      return is_plausible(one, next.fit.model, options_.effects, scope_) ||
+             other_name_of(one, next.fit.model, options_.effects, scope_);
+    });
   }
 
   /// Numbers may have moved since an effect was named: what is then not plausible by its name
@@ -284,7 +294,7 @@ class Search {
     Explanation next = explain(data_, scope_.model, result_.explanation.fit, std::move(effects),
                                fit_options_, context_);
     const Candidate& candidate = plainer.effect.candidate;
-    if (!std::isfinite(next.fit.deviance) ||
+    if (!std::isfinite(next.fit.deviance) || !all_plausible(next) ||
         !substance_.is_near(next.fit, result_.explanation.fit, candidate))
       return false;
     const double closed = result_.named[e].gap_closed;

@@ -154,7 +154,7 @@ void write_description(const Diagnosis& diagnosis, const Unnamed& unnamed, std::
   if (unnamed.variables.empty())
     out << "is no function of the variables that was found";
   else if (unnamed.periodic)
-    out << "is periodic";
+    out << "is periodic in time";
   else
     out << "depends on " << (unnamed.memory ? "earlier values of " : "")
         << join(unnamed.variables, " and ");

@@ -73,8 +73,8 @@ TEST(OneSidedStop, PushesAPositionBack) {
 }
 
 TEST(OneSidedStop, StandsBetweenTwoPlaces) {
-  const Scope pair = scope_of(
-      model_of_lines({{"a", {{"a", -2.0}, {"b", 2.0}}}, {"b", {{"b", -1.0}}}}, {}));
+  const Scope pair =
+      scope_of(model_of_lines({{"a", {{"a", -2.0}, {"b", 2.0}}}, {"b", {{"b", -1.0}}}}, {}));
   EXPECT_TRUE(forms_of<kOneSidedStop>(pair, 0).contains("max(a-b-edge,0)"));
   EXPECT_FALSE(forms_of<kOneSidedStop>(pair, 1).contains("max(a-b-edge,0)"));
 }

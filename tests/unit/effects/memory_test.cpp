@@ -76,6 +76,14 @@ TEST(Hysteresis, HasALoopOfThePosition) {
             "backlash");
 }
 
+TEST(Hysteresis, HasALoopOfATwist) {
+  const Scope shaft = scope_of(model_of_lines(
+      {{"a", {{"d", -9.0}}}, {"d", {{"a", 1.0}, {"b", -1.0}}}, {"b", {{"d", 5.0}}}}, {}));
+  const Candidate loop = candidate_of<kHysteresis>(shaft, 0, "loop");
+  EXPECT_EQ(loop.argument, "d");
+  EXPECT_EQ(loop.memory[0].rate.substr(0, 20), "((1)*(a)+(-1)*(b))-(");
+}
+
 TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
   Scope scope = oscillator_scope();
   scope.lines = {{1, 0.7, 0.5}, {0, 2.0, 0.0}};

@@ -82,6 +82,9 @@ TEST(EffectTerms, TransmissionsLieBetweenTwoPlaces) {
   EXPECT_TRUE(is_transmission(drive(), "w1-w2"));
   EXPECT_TRUE(is_transmission(drive(), "d"));
   EXPECT_FALSE(is_transmission(drive(), "w1"));
+  const Scope shaft = scope_of(
+      model_of_lines({{"a", {{"d", -9.0}}}, {"d", {{"a-b", 1.0}}}, {"b", {{"d", 5.0}}}}, {}));
+  EXPECT_TRUE(is_transmission(shaft, "d")) << "written as a difference";
 }
 
 TEST(EffectTerms, NonlinearTermsAndTheWholeEquation) {
