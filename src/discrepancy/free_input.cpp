@@ -79,9 +79,11 @@ class FreeInput {
   std::optional<Vector> best_memory(const Candidate& candidate) const {
     auto [best, least] = best_of(candidate, candidate.starts);
     if (best == candidate.starts.front() || !(least < p_.base.deviance)) return std::nullopt;
+    const double longest = candidate.shapes.front().high;
     // The starts are a factor of 3 apart.
     for (const double factor : {std::sqrt(3.0), std::pow(3.0, 0.25)}) {
-      auto [nearer, less] = best_of(candidate, {best / factor, best * factor});
+      const Vector longer = (best * factor).cwiseMin(longest);
+      auto [nearer, less] = best_of(candidate, {best / factor, longer});
       if (!(less < least)) continue;
       best = std::move(nearer);
       least = less;

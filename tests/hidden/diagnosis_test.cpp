@@ -57,6 +57,18 @@ TEST(HiddenDiagnosis, TakesARandomFactorForNoInput) {
   EXPECT_EQ(found.spurious, 0) << found.answer;
 }
 
+TEST(HiddenDiagnosis, TakesPolesOfAMotorForNoInput) {
+  const Score found = diagnosed("turntable-cogging", {"unmeasured-input"}, 0.001);
+  EXPECT_TRUE(found.verdict) << found.answer;
+  EXPECT_EQ(found.spurious, 0) << found.answer;
+}
+
+TEST(HiddenDiagnosis, NamesASpringBetweenBodiesThatTheGroundHoldsToo) {
+  const Score found = diagnosed("masses-hard-coupling", {"cubic-stiffness", "cubic-term"});
+  EXPECT_TRUE(found.verdict && found.equation && found.name) << found.answer;
+  EXPECT_EQ(found.spurious, 0) << found.answer;
+}
+
 TEST(HiddenDiagnosis, TakesNoiseWithAMemoryForNoEffect) {
   const Score found = diagnosed("nerve-null-coloured");
   EXPECT_TRUE(found.verdict) << found.answer;
