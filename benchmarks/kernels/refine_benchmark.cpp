@@ -3,7 +3,7 @@
 
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/refine/score_system.hpp"
+#include "lacuna/shooting/score_system.hpp"
 #include "lacuna/systems/measurement.hpp"
 #include "lacuna/systems/test_systems.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "lacuna/core/random.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/refine/cramer_rao.hpp"
-#include "lacuna/refine/refine.hpp"
+#include "lacuna/shooting/cramer_rao.hpp"
+#include "lacuna/shooting/refine.hpp"
 #include "lacuna/systems/measurement.hpp"
 #include "lacuna/systems/test_systems.hpp"
 

@@ -6,7 +6,7 @@
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/discrepancy/diagnose.hpp"
+#include "lacuna/diagnosis/diagnose.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/report/diagnosis_report.hpp"
 

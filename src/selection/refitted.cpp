@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/refine/refine.hpp"
+#include "lacuna/shooting/refine.hpp"
 #include "reference_path.hpp"
 
 namespace lacuna {

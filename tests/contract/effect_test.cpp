@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/discrepancy/effect.hpp"
+#include "lacuna/candidates/effect.hpp"
 
 #include <set>
 

@@ -6,7 +6,7 @@
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
 #include "lacuna/config/registry.hpp"
-#include "lacuna/discrepancy/diagnose.hpp"
+#include "lacuna/diagnosis/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -5,7 +5,7 @@
 #include "hidden/support/cases.hpp"
 #include "hidden/support/reality.hpp"
 #include "lacuna/config/registry.hpp"
-#include "lacuna/discrepancy/diagnose.hpp"
+#include "lacuna/diagnosis/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -16,7 +16,7 @@
 #include "lacuna/formulations/embedding.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/pipeline/presets.hpp"
-#include "lacuna/refine/refine.hpp"
+#include "lacuna/shooting/refine.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna::testing {

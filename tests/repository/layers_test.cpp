@@ -28,20 +28,26 @@ Allowed allowed_includes() {
   for (const std::string& folder : kConcrete)
     allowed[folder] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["selection"] = allowed["formulations"];
-  allowed["selection"].insert({"formulations", "refine"});
+  allowed["selection"].insert({"formulations", "shooting"});
   allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
   allowed["pipeline"].insert("selection");
   allowed["dynamics"] = {"core", "numerics", "data", "model"};
   allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["attractor"] = {"core", "numerics", "data", "model", "dynamics"};
-  allowed["refine"] = {"core", "numerics", "data", "model", "linear", "dynamics"};
-  allowed["innovation"] = {"core", "numerics", "data", "model"};
-  allowed["discrepancy"] = allowed["pipeline"];
-  allowed["discrepancy"].insert({"pipeline", "dynamics", "refine", "innovation"});
-  allowed["effects"] = {"core", "data", "model", "discrepancy"};
-  allowed["report"] = allowed["discrepancy"];
-  allowed["report"].insert({"discrepancy"});
+  allowed["shooting"] = {"core", "numerics", "data", "model", "linear", "dynamics"};
+  allowed["estimation"] = {"core", "numerics", "data", "model"};
+  allowed["candidates"] = {"core", "numerics", "data", "model", "estimation"};
+  allowed["effects"] = {"core", "data", "model", "candidates"};
+  allowed["decision"] = {"core", "numerics", "data", "model", "estimation", "shooting",
+                         "candidates", "diagnosis"};
+  allowed["hypotheses"] = {"core", "numerics", "data", "model", "estimation", "candidates",
+                           "decision", "diagnosis"};
+  allowed["diagnosis"] = {"core", "numerics", "data", "model", "estimation", "candidates",
+                          "decision", "hypotheses"};
+  allowed["report"] = allowed["pipeline"];
+  allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
+                            "decision", "hypotheses", "diagnosis"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
   allowed["cli"] = allowed["config"];

@@ -2,8 +2,8 @@
 // The nominal oscillator brought onto records with something hidden in them.
 #pragma once
 
-#include "lacuna/discrepancy/candidate.hpp"
-#include "lacuna/innovation/assimilation.hpp"
+#include "lacuna/candidates/candidate.hpp"
+#include "lacuna/estimation/assimilation.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna::support {

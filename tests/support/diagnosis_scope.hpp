@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lacuna/discrepancy/scope.hpp"
+#include "lacuna/candidates/scope.hpp"
 #include "lacuna/model/model_file.hpp"
 
 namespace lacuna::support {

@@ -2,7 +2,7 @@
 // Two effects for tests of the search: one that is right for dry friction, one that is not.
 #pragma once
 
-#include "lacuna/discrepancy/effect.hpp"
+#include "lacuna/candidates/effect.hpp"
 
 namespace lacuna::support {
 

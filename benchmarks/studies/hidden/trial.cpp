@@ -9,7 +9,7 @@
 
 #include "hidden/support/reality.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/discrepancy/diagnose.hpp"
+#include "lacuna/diagnosis/diagnose.hpp"
 #include "support/parallel.hpp"
 
 namespace lacuna::benchmarks {

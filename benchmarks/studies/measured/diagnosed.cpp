@@ -11,14 +11,14 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/discrepancy/diagnose.hpp"
+#include "lacuna/diagnosis/diagnose.hpp"
 #include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/formulations/embedding.hpp"
-#include "lacuna/innovation/innovation_system.hpp"
+#include "lacuna/estimation/innovation_system.hpp"
 #include "lacuna/model/model_file.hpp"
-#include "lacuna/refine/refine.hpp"
+#include "lacuna/shooting/refine.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

@@ -13,7 +13,7 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
-#include "lacuna/refine/structure_test.hpp"
+#include "lacuna/shooting/structure_test.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

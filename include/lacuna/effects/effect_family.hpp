@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/discrepancy/effect.hpp"
+#include "lacuna/candidates/effect.hpp"
 
 namespace lacuna {
 

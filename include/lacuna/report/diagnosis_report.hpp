@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lacuna/discrepancy/diagnosis.hpp"
+#include "lacuna/diagnosis/diagnosis.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hidden/support/records.hpp"
-#include "lacuna/discrepancy/gauge.hpp"
+#include "lacuna/diagnosis/gauge.hpp"
 
 namespace lacuna::hidden {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hidden/support/hidden_case.hpp"
-#include "lacuna/discrepancy/diagnosis.hpp"
+#include "lacuna/diagnosis/diagnosis.hpp"
 
 namespace lacuna::hidden {
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/candidates/explanation.hpp"
+
+namespace lacuna {
+
+/// How far records and model are apart, before and after.
+struct Gap {
+  std::string metric;
+  double before = 0.0;       ///< nominal model as it was given
+  double after = 0.0;        ///< augmented model
+  double noise_floor = 0.0;  ///< measurement noise alone
+  double window = 0.0;       ///< length of the windows, time units
+  std::vector<std::string> records;
+  Index diverged = 0;  ///< windows in which a model has no finite solution; they do not count
+
+  double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }
+};
+
+/// Measures the gap on records that were not used to find the effects.
+///
+/// The records are cut into windows of one mean period of their fastest state. In each window
+/// the model runs freely from the initial state that fits best; the gap is the root mean square
+/// of (measured - model) / (standard deviation of the state) over all samples of all measured
+/// states. What the measurement adds itself (a skew between channels) counts as part of the
+/// augmented model. The noise floor is the same for the measurement noise alone, as the records
+/// show it. Windows in which a model has no finite solution are left out and counted; where
+/// none is left the numbers are not finite.
+Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
+          const RunContext& context);
+
+/// Samples of a window of the gauge: the shortest mean period of a measured state along the
+/// paths, no fewer than 20.
+Index window_samples(const Assimilation& fit);
+
+/// Gap::after on the records that a model was brought onto: what the model leaves when it runs
+/// freely in windows. A disturbance that pushes to and fro within a window hardly counts here,
+/// one that lasts counts most.
+double window_gap(const Assimilation& fit);
+
+}  // namespace lacuna

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/candidates/screening.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "lacuna/core/parallel.hpp"
+#include "nelder_mead.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A gain that no test would notice.
+constexpr double kUnnoticed = 0.1;
+
+/// Shapes from the unit cube, and back.
+class ShapeScale {
+ public:
+  explicit ShapeScale(const std::vector<ShapeParameter>& shapes) : shapes_(shapes) {}
+
+  Vector shapes(const Vector& unit) const {
+    Vector result(unit.size());
+    for (Index i = 0; i < unit.size(); ++i) {
+      const ShapeParameter& shape = shapes_[static_cast<std::size_t>(i)];
+      const double value = shape.logarithmic
+                               ? shape.low * std::pow(shape.high / shape.low, unit[i])
+                               : shape.low + (shape.high - shape.low) * unit[i];
+      result[i] = std::clamp(value, shape.low, shape.high);
+    }
+    return result;
+  }
+
+  Vector unit(const Vector& shapes) const {
+    Vector result(shapes.size());
+    for (Index i = 0; i < shapes.size(); ++i) {
+      const ShapeParameter& shape = shapes_[static_cast<std::size_t>(i)];
+      const double span =
+          shape.logarithmic ? std::log(shape.high / shape.low) : shape.high - shape.low;
+      const double above =
+          shape.logarithmic ? std::log(shapes[i] / shape.low) : shapes[i] - shape.low;
+      result[i] = span > 0.0 ? std::clamp(above / span, 0.0, 1.0) : 0.0;
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<ShapeParameter>& shapes_;
+};
+
+std::span<const double> as_span(const Vector& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+/// Gain less the price of the shape parameters (log n each, as BIC has it).
+double net_gain(const ScreenedCandidate& screened, double log_samples) {
+  return screened.gain - log_samples * static_cast<double>(screened.shapes.size());
+}
+
+/// One start of one candidate.
+struct Start {
+  std::size_t candidate;
+  Probe probe;
+};
+
+/// All starts, those in the same place and equation next to each other.
+std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
+  std::vector<Start> starts;
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    for (const Vector& start : candidates[c].starts)
+      starts.push_back({c, {&candidates[c], start}});
+  std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
+    return std::pair(a.probe.candidate->place, a.probe.candidate->equation) <
+           std::pair(b.probe.candidate->place, b.probe.candidate->equation);
+  });
+  return starts;
+}
+
+/// Runs of starts in the same place and equation, of a length that goes through the records
+/// well together.
+std::vector<std::pair<std::size_t, std::size_t>> batches(const std::vector<Start>& starts) {
+  constexpr std::size_t kTogether = 8;
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t first = 0, end = 0; first < starts.size(); first = end) {
+    const Candidate& head = *starts[first].probe.candidate;
+    while (end < starts.size() && end < first + kTogether &&
+           starts[end].probe.candidate->place == head.place &&
+           starts[end].probe.candidate->equation == head.equation)
+      ++end;
+    result.emplace_back(first, end);
+  }
+  return result;
+}
+
+/// Every candidate at the best of its starts.
+std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candidates,
+                                             const Screening& screening,
+                                             const RunContext& context) {
+  const std::vector<Start> starts = all_starts(candidates);
+  const auto ranges = batches(starts);
+  std::vector<Score> scores(starts.size());
+  parallel_for(ranges.size(), context.threads, [&](std::size_t b) {
+    context.check_stop();
+    std::vector<Probe> probes;
+    for (std::size_t i = ranges[b].first; i < ranges[b].second; ++i)
+      probes.push_back(starts[i].probe);
+    const std::vector<Score> found = screening.scores(probes);
+    std::copy(found.begin(), found.end(),
+              scores.begin() + static_cast<std::ptrdiff_t>(ranges[b].first));
+  });
+  std::vector<ScreenedCandidate> all;
+  for (const Candidate& candidate : candidates)
+    all.push_back({candidate, candidate.starts.front(), 0.0, 0.0, 0});
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    all[starts[i].candidate].consider(starts[i].probe.shapes, scores[i]);
+  return all;
+}
+
+/// Those whose shapes are worth a search: the two best of each effect and equation, where they
+/// are not so far behind the best of all that no search makes up for it.
+std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted) {
+  constexpr int kOfEach = 2;
+  constexpr double kFarBehind = 0.02;
+  double best = 0.0;
+  for (const ScreenedCandidate& candidate : sorted) best = std::max(best, candidate.gain);
+  std::map<std::tuple<std::string, Place, Index>, int> seen;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const Candidate& candidate = sorted[i].candidate;
+    if (candidate.shapes.empty() || sorted[i].gain < kFarBehind * best) continue;
+    if (seen[{candidate.effect, candidate.place, candidate.equation}]++ < kOfEach)
+      chosen.push_back(i);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Screening::Screening(const Assimilation& assimilation)
+    : assimilation_(assimilation), system_(assimilation) {
+  const Matrix columns = system_.fitted_columns();
+  if (columns.cols() > 0) {
+    const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+    const Eigen::ColPivHouseholderQR<Matrix> factor(columns * scale.asDiagonal());
+    nominal_ = factor.householderQ() * Matrix::Identity(columns.rows(), factor.rank());
+  } else {
+    nominal_.resize(columns.rows(), 0);
+  }
+  innovations_ = system_.innovations();
+  innovations_ -= nominal_ * (nominal_.transpose() * innovations_);
+}
+
+std::vector<Score> Screening::scores(std::span<const Probe> probes) const {
+  // Below this share of its length a column is one of the nominal terms, up to rounding.
+  constexpr double kDistinct = 1e-10;
+  const ProbeColumns found = probe_columns(probes, assimilation_, system_);
+  const Vector inner = found.columns.transpose() * innovations_;
+  const Vector length = found.columns.colwise().squaredNorm();
+  const Vector shared = (nominal_.transpose() * found.columns).colwise().squaredNorm();
+  std::vector<Score> result(probes.size());
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    const auto i = static_cast<Index>(p);
+    const double own = length[i] - shared[i];
+    if (!found.finite[p] || !(own > kDistinct * length[i])) continue;
+    const Candidate& candidate = *probes[p].candidate;
+    const double coefficient = std::clamp(inner[i] / own, candidate.least, candidate.most);
+    result[p] = {std::max(0.0, coefficient * (2.0 * inner[i] - coefficient * own)),
+                 coefficient};
+  }
+  return result;
+}
+
+Score Screening::score(const Candidate& candidate, std::span<const double> shapes) const {
+  const Probe probe{&candidate,
+                    Eigen::Map<const Vector>(shapes.data(), static_cast<Index>(shapes.size()))};
+  return scores({&probe, 1}).front();
+}
+
+ScreenedCandidate Screening::at_starts(const Candidate& candidate) const {
+  ScreenedCandidate best{candidate, candidate.starts.front(), 0.0, 0.0, 0};
+  for (const Vector& start : candidate.starts)
+    best.consider(start, score(candidate, as_span(start)));
+  return best;
+}
+
+void Screening::polish(ScreenedCandidate& screened) const {
+  if (screened.shapes.size() == 0) return;
+  constexpr int kEvaluations = 40;
+  const ShapeScale scale(screened.candidate.shapes);
+  int evaluations = 0;
+  const auto loss = [&](const Vector& unit) {
+    ++evaluations;
+    return -score(screened.candidate, as_span(scale.shapes(unit))).gain;
+  };
+  const int budget = kEvaluations * static_cast<int>(screened.shapes.size());
+  const Vector best = scale.shapes(nelder_mead(
+      loss, scale.unit(screened.shapes), {.unnoticed = kUnnoticed, .evaluations = budget}));
+  screened.consider(best, score(screened.candidate, as_span(best)));
+  screened.tried += evaluations;
+}
+
+void ScreenedCandidate::consider(const Vector& at, const Score& score) {
+  ++tried;
+  if (score.gain <= gain) return;
+  shapes = at;
+  gain = score.gain;
+  coefficient = score.coefficient;
+}
+
+std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
+                                      const Screening& screening, const RunContext& context) {
+  const double log_samples = std::log(static_cast<double>(screening.system().used()));
+  context.report("screening candidates", 0.0);
+  std::vector<ScreenedCandidate> all = all_at_starts(candidates, screening, context);
+  const auto better = [&](const ScreenedCandidate& a, const ScreenedCandidate& b) {
+    return net_gain(a, log_samples) > net_gain(b, log_samples);
+  };
+  std::stable_sort(all.begin(), all.end(), better);
+  context.report("searching shapes", 0.5);
+  const std::vector<std::size_t> chosen = to_polish(all);
+  parallel_for(chosen.size(), context.threads, [&](std::size_t i) {
+    context.check_stop();
+    screening.polish(all[chosen[i]]);
+  });
+  std::stable_sort(all.begin(), all.end(), better);
+  return all;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "decision/window_refit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/diagnosis/gauge.hpp"
+#include "lacuna/shooting/refine.hpp"
+
+namespace lacuna {
+namespace {
+
+bool has_delays(const OdeModel& model) {
+  for (const Equation& equation : model.equations())
+    for (const WeightedTerm& summand : equation)
+      if (summand.term.name().find("delay(") != std::string::npos) return true;
+  return false;
+}
+
+/// Whether nothing but rates of the nominal states is in it.
+bool is_plain(const Explanation& explanation) {
+  return !has_delays(explanation.fit.model) && explanation.fit.channel_terms.empty() &&
+         std::all_of(
+             explanation.effects.begin(), explanation.effects.end(),
+             [](const FittedEffect& effect) { return effect.candidate.memory.empty(); });
+}
+
+ParametrisedModel parametrised(const Assimilation& fit, const AssimilationOptions& options) {
+  std::vector<FreeCoefficient> free;
+  for (const CoefficientPlace& place : fit.free) {
+    free.push_back({place.equation, place.term});
+    for (const CoefficientPrior& prior : options.priors)
+      if (prior.place == place) free.back().prior = Prior{prior.mean, prior.deviation};
+  }
+  return {fit.model, std::move(free)};
+}
+
+/// Ten windows of the gauge: the fitted initial states then take up little of what the
+/// coefficients do. Nothing where the records hold fewer than ten that long: drift in a few
+/// long windows would say more than all the rest.
+std::optional<Index> long_window(const Assimilation& fit) {
+  constexpr Index kTen = 10;
+  const Index length = kTen * window_samples(fit);
+  Index count = 0;
+  for (const LinearisedRecord& record : fit.records) count += record.samples() / length;
+  return count >= kTen ? std::optional(length) : std::nullopt;
+}
+
+/// The noise and the path with coefficients as they are.
+Assimilation with_model(const Dataset& data, const OdeModel& model, const Assimilation& fit,
+                        AssimilationOptions options, const RunContext& context) {
+  options.free.clear();
+  options.priors.clear();
+  Assimilation result = assimilate_from(model, data, fit, options, context);
+  result.free = fit.free;
+  return result;
+}
+
+/// Coefficients of the effects, which stand behind the nominal ones.
+void read_effects(const Vector& values, Explanation& explanation) {
+  const auto count = static_cast<Index>(explanation.effects.size());
+  for (Index e = 0; e < count; ++e) {
+    const Index row = values.size() - count + e;
+    FittedEffect& effect = explanation.effects[static_cast<std::size_t>(e)];
+    effect.coefficient = values[row];
+    effect.deviation = std::sqrt(std::max(0.0, explanation.fit.covariance(row, row)));
+  }
+}
+
+}  // namespace
+
+std::optional<Explanation> refit_over_windows(const Dataset& data,
+                                              const AssimilationOptions& options,
+                                              const Explanation& explanation,
+                                              const RunContext& context) {
+  const std::optional<Index> length = long_window(explanation.fit);
+  if (!length || !is_plain(explanation)) return std::nullopt;
+  context.report("refitting over windows", 0.0);
+  RefineOptions windows;
+  windows.window_samples = length;
+  const Refinement refined =
+      refine(parametrised(explanation.fit, options), data, windows, context);
+  if (refined.status == RefineStatus::Diverged || !refined.covariance.allFinite())
+    return std::nullopt;
+  Explanation next{explanation.effects,
+                   with_model(data, refined.model.model(), explanation.fit, options, context)};
+  next.fit.covariance = refined.covariance;
+  // A little is given away in windows of one period for what lasts over ten.
+  constexpr double kLittle = 1.05;
+  if (!(window_gap(next.fit) < kLittle * window_gap(explanation.fit))) return std::nullopt;
+  read_effects(refined.model.values(), next);
+  return next;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/estimation/assimilation.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/data/noise.hpp"
+#include "lacuna/estimation/innovation_system.hpp"
+#include "lacuna/estimation/variance_fit.hpp"
+
+namespace lacuna {
+namespace {
+
+bool is_identity(const OdeModel& model, Index equation) {
+  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
+  if (terms.size() != 1 || terms.front().coefficient != 1.0) return false;
+  const std::string& name = terms.front().term.name();
+  return std::any_of(model.states().begin(), model.states().end(),
+                     [&](const Quantity& state) { return state.name == name; });
+}
+
+Vector spans(const Dataset& data) {
+  Vector low = data.trajectories.front().states.colwise().minCoeff();
+  Vector high = data.trajectories.front().states.colwise().maxCoeff();
+  for (const Trajectory& record : data.trajectories) {
+    low = low.cwiseMin(record.states.colwise().minCoeff().transpose());
+    high = high.cwiseMax(record.states.colwise().maxCoeff().transpose());
+  }
+  return (high - low).cwiseMax(std::numeric_limits<double>::min());
+}
+
+OdeModel with_coefficients(const OdeModel& model, const std::vector<CoefficientPlace>& places,
+                           const Vector& change) {
+  std::vector<Equation> equations = model.equations();
+  for (std::size_t j = 0; j < places.size(); ++j)
+    equations[static_cast<std::size_t>(places[j].equation)]
+             [static_cast<std::size_t>(places[j].term)]
+                 .coefficient += change[static_cast<Index>(j)];
+  return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
+}
+
+/// Takes turns at path, variances and coefficients.
+class Turns {
+ public:
+  Turns(const Dataset& data, const AssimilationOptions& options, Assimilation start,
+        const RunContext& context)
+      : data_(data),
+        options_(options),
+        context_(context),
+        variances_(resolution_of(data), start.curvature),
+        state_(std::move(start)) {
+    state_.least_noise = resolution_of(data);
+  }
+
+  /// @param fresh whether the variances are first guesses.
+  Assimilation run(bool fresh) {
+    double last = std::numeric_limits<double>::infinity();
+    relinearise();
+    if (!fresh) update_coefficients();
+    for (int pass = 0; pass < options_.passes; ++pass) {
+      context_.check_stop();
+      // The noise of the measurement is known roughly from the start, the disturbances are not.
+      const bool settling = fresh && pass < kSettlingPasses;
+      variances_.set_white_moves(!settling);
+      improve_noise_and_path();
+      relinearise();
+      update_coefficients();
+      if (settling) continue;
+      if (state_.deviance < last - kSettled) {
+        last = state_.deviance;
+        best_ = state_;
+        continue;
+      }
+      if (std::abs(state_.deviance - last) <= kSettled || ++rises_ > kRises) break;
+    }
+    if (best_ && !(state_.deviance < best_->deviance + kSettled)) state_ = std::move(*best_);
+    return std::move(state_);
+  }
+
+ private:
+  static constexpr int kIterations = 8;
+  static constexpr int kSettlingPasses = 2;
+  /// A change of the deviance that no test would notice.
+  static constexpr double kSettled = 0.1;
+  /// Steps that raise the deviance before the turns are given up; the linearisation need not
+  /// hold for a long first step.
+  static constexpr int kRises = 2;
+
+  /// What a step cannot be predicted better than: noise and disturbances. Where a state is not
+  /// measured, a thousandth of its range.
+  Vector accuracy() const {
+    Vector result = spans(data_) * 1e-3;
+    // A free input has no column: it is as accurate as its path asks for, to begin with as 1.
+    for (Index k = 0; k < result.size(); ++k) {
+      for (const LinearisedRecord& record : state_.records) {
+        const auto& path = record.path.col(k);
+        result[k] = std::max(result[k], 1e-3 * (path.maxCoeff() - path.minCoeff()));
+      }
+      if (result[k] <= std::numeric_limits<double>::min()) result[k] = 1.0;
+    }
+    const double root = std::sqrt(mean_step(data_.trajectories.front()));
+    for (Index k = 0; k < result.size(); ++k)
+      if (const auto& sd = state_.noise.measurement[static_cast<std::size_t>(k)])
+        result[k] = std::hypot(*sd, root * state_.noise.disturbance[k]);
+    return result;
+  }
+
+  void relinearise() {
+    for (std::size_t r = 0; r < data_.trajectories.size(); ++r) {
+      LinearisedRecord& record = state_.records[r];
+      Matrix bridge = std::move(record.bridge);
+      record = linearise(state_.model, data_.trajectories[r], record.path, accuracy());
+      record.bridge = std::move(bridge);
+    }
+    correct_channels();
+  }
+
+  void correct_channels() {
+    for (std::size_t r = 0; r < state_.records.size(); ++r)
+      state_.measured[r] =
+          without_channel_terms(data_.trajectories[r].states, state_.records[r],
+                                state_.model.variables(), state_.channel_terms);
+  }
+
+  void improve_noise_and_path() {
+    SmoothedNoise best = variances_.run({state_.records, state_.measured, state_.omitted},
+                                        state_.noise, kIterations);
+    state_.noise = std::move(best.noise);
+    state_.curvature = variances_.curvature();
+    for (std::size_t r = 0; r < state_.records.size(); ++r)
+      state_.records[r].path += best.records[r].deviation;
+  }
+
+  void update_coefficients() {
+    const InnovationSystem system(state_);
+    state_.deviance = system.deviance();
+    state_.used = system.used();
+    const Matrix columns = system.fitted_columns();
+    if (columns.cols() == 0) return;
+    Matrix normal = columns.transpose() * columns;
+    Vector right = columns.transpose() * system.innovations();
+    add_priors(normal, right);
+    const Vector scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Matrix scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    const Eigen::LDLT<Matrix> factor(scaled);
+    const Vector change = scale.asDiagonal() * factor.solve(scale.asDiagonal() * right);
+    state_.covariance = scale.asDiagonal() *
+                        factor.solve(Matrix::Identity(scaled.rows(), scaled.cols())) *
+                        scale.asDiagonal();
+    if (!change.allFinite()) return;
+    state_.deviance -= change.dot(right);
+    const auto free = static_cast<Index>(state_.free.size());
+    shift_defects(change.head(free));
+    state_.model = with_coefficients(state_.model, state_.free, change);
+    for (std::size_t j = 0; j < state_.channel_terms.size(); ++j)
+      state_.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
+    correct_channels();
+  }
+
+  /// What new coefficients predict beyond the path, to first order, so that the records need
+  /// not be linearised again for them.
+  void shift_defects(const Vector& change) {
+    for (LinearisedRecord& record : state_.records)
+      for (Index k = 0; k < state_.noise.states(); ++k) shift_defect(record, k, change);
+  }
+
+  void shift_defect(LinearisedRecord& record, Index equation, const Vector& change) const {
+    const Index m = state_.noise.states();
+    const Equation& terms = state_.model.equations()[static_cast<std::size_t>(equation)];
+    std::vector<Expression> formulas;
+    std::vector<double> changes;
+    for (std::size_t j = 0; j < state_.free.size(); ++j) {
+      if (state_.free[j].equation != equation) continue;
+      formulas.push_back(
+          terms[static_cast<std::size_t>(state_.free[j].term)].term.expression());
+      changes.push_back(change[static_cast<Index>(j)]);
+    }
+    if (formulas.empty()) return;
+    const Vector rate =
+        evaluate_on(record, state_.model.variables(), formulas) *
+        Eigen::Map<const Vector>(changes.data(), static_cast<Index>(changes.size()));
+    for (Index i = 0; i < record.steps(); ++i) {
+      const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * equation, m, 3);
+      record.defect.col(i) += w.lazyProduct(rate.segment<3>(2 * i));
+    }
+  }
+
+  void add_priors(Matrix& normal, Vector& right) const {
+    for (const CoefficientPrior& prior : options_.priors)
+      for (std::size_t j = 0; j < state_.free.size(); ++j) {
+        if (!(state_.free[j] == prior.place)) continue;
+        const double now = state_.model
+                               .equations()[static_cast<std::size_t>(prior.place.equation)]
+                                           [static_cast<std::size_t>(prior.place.term)]
+                               .coefficient;
+        const double weight = 1.0 / (prior.deviation * prior.deviation);
+        normal(static_cast<Index>(j), static_cast<Index>(j)) += weight;
+        right[static_cast<Index>(j)] += weight * (prior.mean - now);
+      }
+  }
+
+  const Dataset& data_;
+  const AssimilationOptions& options_;
+  const RunContext& context_;
+  VarianceFit variances_;
+  Assimilation state_;
+  std::optional<Assimilation> best_;
+  int rises_ = 0;
+};
+
+/// Noise that the samples show: against their neighbours, or as values on a lattice.
+Vector visible_noise(const Dataset& data) {
+  Vector noise = estimate_noise(data);
+  const std::vector<StateNoise> analysed = analyse_noise(data);
+  for (Index k = 0; k < noise.size(); ++k)
+    if (const StateNoise& state = analysed[static_cast<std::size_t>(k)];
+        state.kind == NoiseKind::Quantised)
+      noise[k] = state.sigma;
+  return noise;
+}
+
+/// Variances to begin with: noise as the differences of the record show it, disturbances as if
+/// the model explained half of each rate.
+NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector& seen,
+                       const AssimilationOptions& options) {
+  const Vector white = resolution_of(data).cwiseMax(seen);
+  const Trajectory& record = data.trajectories.front();
+  const double step = mean_step(record);
+  NoiseModel noise;
+  noise.coloured = options.coloured;
+  noise.coloured.resize(static_cast<std::size_t>(model.dimension()));
+  noise.disturbance = Vector::Zero(model.dimension());
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const auto measured = data.is_measured(k) ? std::optional(white[k]) : std::nullopt;
+    noise.measurement.push_back(measured);
+    const bool disturbed = options.disturbed.empty()
+                               ? !is_identity(model, k)
+                               : options.disturbed[static_cast<std::size_t>(k)];
+    const Vector change = record.states.col(k).tail(record.samples() - 1) -
+                          record.states.col(k).head(record.samples() - 1);
+    if (disturbed)
+      noise.disturbance[k] =
+          0.1 * std::sqrt(change.squaredNorm() / static_cast<double>(change.size()) / step);
+  }
+  return noise;
+}
+
+}  // namespace
+
+Vector resolution_of(const Dataset& data) {
+  // Text with six digits, the least that is in use, leaves steps of 1e-6 of the span.
+  return 1e-7 * spans(data);
+}
+
+std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {
+  std::vector<CoefficientPlace> places;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    if (is_identity(model, k)) continue;
+    const auto terms =
+        static_cast<Index>(model.equations()[static_cast<std::size_t>(k)].size());
+    for (Index j = 0; j < terms; ++j) places.push_back({k, j});
+  }
+  return places;
+}
+
+Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
+                             const Variables& variables,
+                             const std::vector<ChannelTerm>& terms) {
+  for (const ChannelTerm& term : terms)
+    measured.col(term.state) -= term.coefficient * evaluate_on(record, variables, term.form)(
+                                                       Eigen::seq(0, Eigen::last, 2));
+  return measured;
+}
+
+std::optional<Assimilation> with_seen_noise(const Assimilation& fit) {
+  constexpr double kMuchLess = 0.3;
+  Assimilation start = fit;
+  bool raised = false;
+  for (Index k = 0; k < fit.seen_noise.size(); ++k) {
+    auto& white = start.noise.measurement[static_cast<std::size_t>(k)];
+    if (!white || *white >= kMuchLess * fit.seen_noise[k]) continue;
+    white = fit.seen_noise[k];
+    raised = true;
+  }
+  return raised ? std::optional(std::move(start)) : std::nullopt;
+}
+
+Assimilation settled(Assimilation found, const Dataset& data,
+                     const AssimilationOptions& options, const RunContext& context) {
+  const auto start = with_seen_noise(found);
+  if (!start) return found;
+  Assimilation other = assimilate_from(found.model, data, *start, options, context);
+  return other.deviance < found.deviance ? other : found;
+}
+
+Assimilation assimilate(const OdeModel& model, const Dataset& data,
+                        const std::vector<Matrix>& omitted, const AssimilationOptions& options,
+                        const RunContext& context) {
+  check_dataset(data);
+  Assimilation start{model};
+  start.omitted = omitted;
+  start.seen_noise = visible_noise(data);
+  start.noise = first_noise(model, data, start.seen_noise, options);
+  for (const Trajectory& record : data.trajectories) {
+    start.records.emplace_back();
+    start.records.back().path = record.states;
+    start.measured.push_back(record.states);
+  }
+  start.free = options.free;
+  return settled(Turns(data, options, std::move(start), context).run(true), data, options,
+                 context);
+}
+
+Assimilation assimilate_from(const OdeModel& model, const Dataset& data,
+                             const Assimilation& start, const AssimilationOptions& options,
+                             const RunContext& context) {
+  Assimilation begin = start;
+  begin.model = model;
+  begin.free = options.free;
+  begin.measured.clear();
+  for (const Trajectory& record : data.trajectories) begin.measured.push_back(record.states);
+  return Turns(data, options, std::move(begin), context).run(false);
+}
+
+}  // namespace lacuna

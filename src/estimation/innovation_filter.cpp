@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/estimation/innovation_filter.hpp"
+
+#include <cmath>
+
+#include "kalman_step.hpp"
+#include "lacuna/core/error.hpp"
+
+namespace lacuna {
+namespace {
+
+bool is_omitted(const Matrix& omitted, Index i, Index state) {
+  return omitted.size() > 0 && omitted(i, state) != 0.0;
+}
+
+void check(const LinearisedRecord& record, const Matrix& measured, const Matrix& omitted,
+           const NoiseModel& noise) {
+  if (measured.rows() != record.samples() || measured.cols() != record.states() ||
+      (omitted.size() > 0 &&
+       (omitted.rows() != measured.rows() || omitted.cols() != measured.cols())) ||
+      noise.states() != record.states())
+    throw ArgumentError("innovation filter", "record, noise and path do not fit together",
+                        "give one column for each state");
+}
+
+/// Runs the recursion; `visit(i, channel, innovation, gain)` sees each measurement that is
+/// taken in.
+template <class Visit>
+void run(const LinearisedRecord& record, const Matrix& measured, const Matrix& omitted,
+         const NoiseModel& noise, const ChannelMap& map, Visit visit) {
+  with_size(map.size, [&](auto size) {
+    KalmanStep<size()> step(record, noise, map);
+    for (Index i = 0; i < record.samples(); ++i) {
+      for (Index c = 0; c < map.channels(); ++c) {
+        const Index state = map.state[static_cast<std::size_t>(c)];
+        if (is_omitted(omitted, i, state)) continue;
+        visit(i, c, step.update(c, measured(i, state) - record.path(i, state)), step.gain());
+      }
+      if (i + 1 < record.samples()) step.predict(i);
+    }
+  });
+}
+
+}  // namespace
+
+InnovationFilter run_filter(const LinearisedRecord& record, const Matrix& measured,
+                            const Matrix& omitted, const NoiseModel& noise) {
+  check(record, measured, omitted, noise);
+  const ChannelMap map(record, noise);
+  const Index n = record.samples();
+  InnovationFilter filter;
+  filter.size = map.size;
+  filter.channels = map.channels();
+  filter.state_of_channel = map.state;
+  filter.colour_of_channel = map.colour;
+  filter.colour_decay = map.decay;
+  filter.gain = Matrix::Zero(map.size * map.channels(), n);
+  filter.inverse_deviation = Matrix::Zero(map.channels(), n);
+  filter.innovations = Matrix::Zero(map.channels(), n);
+  run(record, measured, omitted, noise, map,
+      [&](Index i, Index c, const Innovation& innovation, const auto& gain) {
+        filter.gain.col(i).segment(c * map.size, map.size) = gain;
+        filter.inverse_deviation(c, i) = 1.0 / std::sqrt(innovation.variance);
+        filter.innovations(c, i) = innovation.value * filter.inverse_deviation(c, i);
+        filter.deviance += deviance_of(innovation);
+        ++filter.used;
+      });
+  return filter;
+}
+
+double filter_deviance(const LinearisedRecord& record, const Matrix& measured,
+                       const Matrix& omitted, const NoiseModel& noise) {
+  check(record, measured, omitted, noise);
+  double deviance = 0.0;
+  run(record, measured, omitted, noise, ChannelMap(record, noise),
+      [&](Index, Index, const Innovation& innovation, const auto&) {
+        deviance += deviance_of(innovation);
+      });
+  return deviance;
+}
+
+}  // namespace lacuna
