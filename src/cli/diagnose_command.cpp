@@ -62,7 +62,7 @@ DiagnosisOptions diagnosis_options(const Session& session, const OdeModel& model
     result.effects.push_back(session.registry.make<Effect>(name));
   for (const std::string& text : options.tolerances)
     result.tolerances.push_back(parse_tolerance(model, text));
-  result.max_effects = options.max_effects;
+  result.decision.max_effects = options.max_effects;
   result.fill_gap = options.fill_gap;
   return result;
 }

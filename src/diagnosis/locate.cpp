@@ -98,7 +98,7 @@ std::vector<Disagreement> locate(const Assimilation& fit, const RunContext& cont
   const std::vector<SpectralLine> lines = spectral_lines(fit, 1);
   std::vector<Disagreement> result;
   double total = 0.0;
-  for (const EquationStructure& structure : test_structure(fit, context)) {
+  for (const EquationStructure& structure : test_disturbances(fit, context)) {
     context.report("locating the disagreement", 0.5);
     total += structure.drop;
     result.push_back({structure.equation, structure.rms,

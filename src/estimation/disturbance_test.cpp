@@ -80,7 +80,7 @@ double total_disturbance(const Assimilation& fit, const Vector& rates) {
   return sum;
 }
 
-std::vector<EquationStructure> test_structure(const Assimilation& fit,
+std::vector<EquationStructure> test_disturbances(const Assimilation& fit,
                                               const RunContext& context) {
   std::vector<Index> disturbed;
   for (Index k = 0; k < fit.model.dimension(); ++k)

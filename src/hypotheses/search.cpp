@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "hypotheses/search.hpp"
+#include "search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "effect_size.hpp"
 #include "lacuna/core/text.hpp"
-#include "decision/substance.hpp"
+#include "lacuna/hypotheses/rank.hpp"
 
 namespace lacuna {
 namespace {
@@ -35,6 +36,7 @@ NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking,
   named.sigma = ranked.sigma;
   named.contribution = ranked.contribution;
   named.probability = ranked.probability;
+  named.tried = ranking.tried;
   for (const RankedEffect& other : ranking.effects) {
     const bool same_name = other.effect().candidate.effect == named.name;
     if (same_name && mean_the_same(ranked.effect(), other.effect())) continue;
@@ -77,7 +79,8 @@ std::vector<Plainer> plainer_than(const RankedEffect& ranked, const Ranking& ran
   for (const RankedEffect& other : ranking.effects)
     if (other.effect().candidate.equation == candidate.equation &&
         other.effect().candidate.place == candidate.place &&
-        other.sigma >= options.significance && other.contribution >= options.substance &&
+        other.sigma >= options.decision.significance &&
+        other.contribution >= options.decision.effect_size &&
         intricacy(other.effect()) < intricacy(ranked.effect()))
       result.push_back({name_effect(other, ranking, options), other.effect()});
   std::stable_sort(result.begin(), result.end(), [](const Plainer& a, const Plainer& b) {
@@ -86,34 +89,23 @@ std::vector<Plainer> plainer_than(const RankedEffect& ranked, const Ranking& ran
   return result;
 }
 
-/// How large a free input is and how long it remembers: ", 0.3 m/s^2 rms over 2 s".
-std::string size_of_input(const RankedEffect& input, const OdeModel& model) {
-  const auto k = static_cast<std::size_t>(input.effect().candidate.equation);
-  const double rms =
-      input.contribution * rate_rms(input.explanation.fit)[static_cast<Index>(k)];
-  const std::string& unit = model.states()[k].unit;
-  return ", " + format_number(rms, 2) + " " + (unit.empty() ? "1" : unit) + "/" +
-         model.time_unit() + " rms over " + format_number(input.effect().shapes[0], 2) + " " +
-         model.time_unit();
-}
-
 class Search {
  public:
-  Search(const Dataset& data, const Assimilation& base, const Scope& scope,
-         const AssimilationOptions& fit_options, const DiagnosisOptions& options,
-         const RunContext& context)
-      : data_(data),
-        base_(base),
-        scope_(scope),
-        fit_options_(fit_options),
-        options_(options),
-        context_(context),
-        substance_(base, data, fit_options, context),
-        result_{{{}, base}, {}, {}, {}} {}
+  Search(const Problem& problem, const Baseline& base,
+         const std::vector<Stage<Effect>>& effects)
+      : data_(*base.data),
+        base_(base.fitted),
+        scope_(base.scope),
+        fit_options_(base.fit_options),
+        options_(problem.options),
+        effects_(effects),
+        context_(problem.context),
+        substance_(problem, base),
+        result_{{{}, base.fitted}, {}, {}, {}} {}
 
   SearchResult run() {
     do {
-      result_.left = test_structure(result_.explanation.fit, context_);
+      result_.left = test_disturbances(result_.explanation.fit, context_);
     } while (may_go_on() && add_one());
     prefer_plain();
     settle_names();
@@ -125,14 +117,16 @@ class Search {
   /// Later effects are sought only where something is left; the first one may be of a kind that
   /// a white disturbance hardly shows (a small constant, a line).
   bool may_go_on() const {
-    if (static_cast<int>(result_.named.size()) >= options_.max_effects) return false;
+    if (static_cast<int>(result_.named.size()) >= options_.decision.max_effects) return false;
     return result_.named.empty() ||
-           std::any_of(result_.left.begin(), result_.left.end(),
-                       [&](const auto& left) { return is_substantial(left, options_); });
+           std::any_of(result_.left.begin(), result_.left.end(), [&](const auto& left) {
+             return is_substantial(left, options_.decision);
+           });
   }
 
   bool acceptable(const RankedEffect& ranked) const {
-    return ranked.sigma >= options_.significance && ranked.contribution >= options_.substance &&
+    return ranked.sigma >= options_.decision.significance &&
+           ranked.contribution >= options_.decision.effect_size &&
            has_a_part(ranked.effect()) &&
            (result_.named.empty() ||
             substance_.counts(result_.explanation, ranked.explanation));
@@ -141,13 +135,14 @@ class Search {
   /// Whether the gain is the effect's own: with a coefficient that is not told from 0 it is
   /// that of effects before it, whose shapes have moved.
   bool has_a_part(const FittedEffect& effect) const {
-    return std::abs(effect.coefficient) >= options_.significance * effect.deviation;
+    return std::abs(effect.coefficient) >= options_.decision.significance * effect.deviation;
   }
 
   /// The best effect that may come in, or take the place of another form of itself.
   bool add_one() {
-    const Ranking ranking = rank(data_, result_.explanation, options_.effects, scope_,
-                                 fit_options_, options_.rank, context_);
+    const Ranking ranking =
+        rank(data_, result_.explanation, effects_, scope_, fit_options_,
+             {options_.decision.rough_fits, options_.decision.exact_fits}, context_);
     Round round{ranking.tried, "", 0.0, false};
     if (!ranking.effects.empty()) show(ranking.effects.front(), round);
     for (const RankedEffect& ranked : ranking.effects) {
@@ -197,7 +192,8 @@ class Search {
     effects[old] = ranked.effect();
     Explanation next = explain(data_, scope_.model, result_.explanation.fit, std::move(effects),
                                fit_options_, context_);
-    if (!(criterion_of(next) < criterion_of(result_.explanation) - kUndecided) ||
+    if (!(criterion_of(next) <
+          criterion_of(result_.explanation) - options_.decision.undecided) ||
         !all_plausible(next))
       return false;
     const double closed = result_.named[old].gap_closed;
@@ -224,8 +220,8 @@ class Search {
   /// Whether all effects have numbers such as they can have, by whatever name.
   bool all_plausible(const Explanation& next) const {
     return std::all_of(next.effects.begin(), next.effects.end(), [&](const FittedEffect& one) {
-      return is_plausible(one, next.fit.model, options_.effects, scope_) ||
-             other_name_of(one, next.fit.model, options_.effects, scope_);
+      return is_plausible(one, next.fit.model, effects_, scope_) ||
+             other_name_of(one, next.fit.model, effects_, scope_);
     });
   }
 
@@ -235,8 +231,8 @@ class Search {
     const OdeModel& model = result_.explanation.fit.model;
     for (std::size_t e = 0; e < result_.named.size(); ++e) {
       FittedEffect& effect = result_.explanation.effects[e];
-      if (is_plausible(effect, model, options_.effects, scope_)) continue;
-      const auto other = other_name_of(effect, model, options_.effects, scope_);
+      if (is_plausible(effect, model, effects_, scope_)) continue;
+      const auto other = other_name_of(effect, model, effects_, scope_);
       if (!other) continue;
       NamedEffect& named = result_.named[e];
       std::erase_if(named.alternatives, [&](const Alternative& alternative) {
@@ -244,7 +240,7 @@ class Search {
       });
       named.name = other->effect;
       named.description = other->description;
-      named.cause = cause_of(named.name, options_.effects);
+      named.cause = cause_of(named.name, effects_);
       effect.candidate = *other;
     }
   }
@@ -280,7 +276,7 @@ class Search {
       const Index equation = result_.named[e].equation;
       const bool is_left =
           std::any_of(result_.left.begin(), result_.left.end(), [&](const auto& left) {
-            return left.equation == equation && is_substantial(left, options_);
+            return left.equation == equation && is_substantial(left, options_.decision);
           });
       if (!is_left) continue;
       for (Plainer& plainer : plainer_[e])
@@ -304,7 +300,7 @@ class Search {
     result_.rounds.push_back(
         {1, plainer.named.name + ": " + term_of(plainer.effect), plainer.named.sigma, true});
     result_.explanation = std::move(next);
-    result_.left = test_structure(result_.explanation.fit, context_);
+    result_.left = test_disturbances(result_.explanation.fit, context_);
     return true;
   }
 
@@ -313,8 +309,9 @@ class Search {
   const Scope& scope_;
   const AssimilationOptions& fit_options_;
   const DiagnosisOptions& options_;
+  const std::vector<Stage<Effect>>& effects_;
   const RunContext& context_;
-  const Substance substance_;
+  const EffectSize substance_;
   SearchResult result_;
   std::vector<std::vector<Plainer>> plainer_;  ///< of each named effect, plainest first
 };
@@ -333,37 +330,14 @@ void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& na
   }
 }
 
-bool is_substantial(const EquationStructure& structure, const DiagnosisOptions& options) {
-  return structure.sigma >= options.significance && structure.relative >= options.substance;
-}
-
 double criterion_of(const Explanation& explanation) {
   return explanation.fit.deviance + static_cast<double>(explanation.parameters()) *
                                         std::log(static_cast<double>(explanation.fit.used));
 }
 
-SearchResult name_free_input(const RankedEffect& input, const Assimilation& base,
-                             const DiagnosisOptions& options, std::vector<Round> rounds,
-                             const RunContext& context) {
-  SearchResult result{
-      input.explanation, {name_effect(input, {}, options)}, std::move(rounds), {}};
-  update_numbers(result.explanation, result.named);
-  const Index k = result.named.front().equation;
-  result.named.front().description += size_of_input(input, base.model);
-  const double share = input.explanation.fit.noise.disturbance[k] / base.noise.disturbance[k];
-  result.named.front().gap_closed = std::clamp(1.0 - share * share, 0.0, 1.0);
-  result.rounds.push_back({1, "unmeasured-input", input.sigma, true});
-  result.left = test_structure(input.explanation.fit, context);
-  std::erase_if(result.left, [&](const EquationStructure& structure) {
-    return structure.equation >= base.model.dimension();
-  });
-  return result;
-}
-
-SearchResult search_effects(const Dataset& data, const Assimilation& base, const Scope& scope,
-                            const AssimilationOptions& fit_options,
-                            const DiagnosisOptions& options, const RunContext& context) {
-  return Search(data, base, scope, fit_options, options, context).run();
+SearchResult search_effects(const Problem& problem, const Baseline& base,
+                            const std::vector<Stage<Effect>>& effects) {
+  return Search(problem, base, effects).run();
 }
 
 }  // namespace lacuna

@@ -9,6 +9,7 @@
 
 #include "lacuna/core/types.hpp"
 #include "lacuna/data/dataset.hpp"
+#include "lacuna/estimation/spectral_lines.hpp"
 #include "lacuna/model/ode_model.hpp"
 
 namespace lacuna {
@@ -38,13 +39,6 @@ struct VariableRange {
 
   /// The value below which the share `level` (0..1) of the samples lies, interpolated.
   double quantile(double level) const;
-};
-
-/// A line in the spectrum of what the nominal model leaves over in an equation.
-struct SpectralLine {
-  Index equation = 0;
-  double frequency = 0.0;  ///< per time unit
-  double phase = 0.0;      ///< of sin(2 pi frequency t + phase), rad
 };
 
 /// What an effect may look at when it makes its candidates: the nominal model and how the

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lacuna/core/run_context.hpp"
-#include "lacuna/candidates/scope.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
+#include "lacuna/estimation/spectral_lines.hpp"
 
 namespace lacuna {
 
@@ -34,8 +34,5 @@ struct Disagreement {
 /// which range of which variable (a constant rate in the range, ranges between the deciles of
 /// the samples), at which frequency.
 std::vector<Disagreement> locate(const Assimilation& fit, const RunContext& context);
-
-/// The strongest lines of the disturbances, `count` for each equation, strongest first.
-std::vector<SpectralLine> spectral_lines(const Assimilation& fit, Index count);
 
 }  // namespace lacuna

@@ -20,7 +20,7 @@ struct EquationStructure {
 /// Tests for each equation whether it holds exactly: the likelihood ratio of its disturbance
 /// against none, the other variances fitted again. Half chi-squared with one degree of freedom
 /// under the model, as a variance cannot be negative (Self and Liang, JASA 82 (1987)).
-std::vector<EquationStructure> test_structure(const Assimilation& fit,
+std::vector<EquationStructure> test_disturbances(const Assimilation& fit,
                                               const RunContext& context);
 
 /// Root mean square of each state's rate of change by the model along the paths, m entries.

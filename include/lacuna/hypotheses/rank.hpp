@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
 #include "lacuna/candidates/effect.hpp"
 #include "lacuna/candidates/explanation.hpp"
 #include "lacuna/candidates/screening.hpp"
+#include "lacuna/core/run_context.hpp"
 
 namespace lacuna {
 

@@ -11,7 +11,7 @@ namespace {
 TEST(Structure, IsSignificantWhereATermIsMissing) {
   const Assimilation fit =
       support::assimilated(support::hidden_record(support::dry_friction, 0.01));
-  const auto structure = test_structure(fit, RunContext{});
+  const auto structure = test_disturbances(fit, RunContext{});
   ASSERT_EQ(structure.size(), 1u) << "the identity is exact";
   EXPECT_EQ(structure[0].equation, 1);
   EXPECT_GT(structure[0].sigma, 8.0);
@@ -20,7 +20,7 @@ TEST(Structure, IsSignificantWhereATermIsMissing) {
 
 TEST(Structure, IsNotSignificantInACompleteModel) {
   const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
-  for (const auto& structure : test_structure(fit, RunContext{}))
+  for (const auto& structure : test_disturbances(fit, RunContext{}))
     EXPECT_LT(structure.sigma, 3.5);
 }
 

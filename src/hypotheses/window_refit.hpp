@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "lacuna/candidates/explanation.hpp"
+#include "lacuna/hypotheses/problem.hpp"
 
 namespace lacuna {
 
@@ -14,11 +14,10 @@ namespace lacuna {
 /// motion; solutions over windows weigh it as the motion does, and blocks of the record say how
 /// sure the coefficients are.
 /// @return nothing where the explanation has delays, memory or terms in what is measured,
-///   where the records hold fewer than ten windows of ten mean periods, or where the gap in
-///   windows (window_gap()) is no less with the new coefficients.
-std::optional<Explanation> refit_over_windows(const Dataset& data,
-                                              const AssimilationOptions& options,
-                                              const Explanation& explanation,
-                                              const RunContext& context);
+///   where the records hold fewer than `long_window` windows of as many mean periods, or where
+///   the gap in windows (window_gap()) is more than negligibly larger with the new
+///   coefficients.
+std::optional<Explanation> refit_over_windows(const Problem& problem, const Baseline& base,
+                                              const Explanation& explanation);
 
 }  // namespace lacuna

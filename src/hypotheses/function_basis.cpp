@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "hypotheses/banks.hpp"
+#include "function_basis.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/text.hpp"
 #include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/core/text.hpp"
 
 namespace lacuna {
 namespace {
@@ -40,66 +40,67 @@ std::vector<std::string> splines(const VariableRange& x, int pieces) {
   return forms;
 }
 
-Bank curve(const VariableRange& x, int pieces, Index equation) {
-  Bank bank{Bank::Kind::Curve, {x.name}, {}};
+FunctionBasis curve(const VariableRange& x, int pieces, Index equation) {
+  FunctionBasis basis{FunctionBasis::Kind::Curve, {x.name}, {}};
   for (const std::string& form : splines(x, pieces))
-    bank.members.push_back(member(equation, form, x.name, "spline of " + x.name));
-  return bank;
+    basis.members.push_back(member(equation, form, x.name, "spline of " + x.name));
+  return basis;
 }
 
 /// What comes again with the angle: teeth, slots, poles.
-Bank harmonics(const VariableRange& angle, Index equation) {
-  Bank bank{Bank::Kind::Curve, {angle.name}, {}};
+FunctionBasis harmonics(const VariableRange& angle, Index equation) {
+  FunctionBasis basis{FunctionBasis::Kind::Curve, {angle.name}, {}};
   for (int order = 1; order <= kHarmonics; ++order)
     for (const char* wave : {"sin", "cos"})
-      bank.members.push_back(member(
+      basis.members.push_back(member(
           equation, std::string(wave) + "(" + std::to_string(order) + "*" + angle.name + ")",
           angle.name, "harmonic of " + angle.name));
-  return bank;
+  return basis;
 }
 
-Bank surface(const VariableRange& x, const VariableRange& y, int pieces, Index equation) {
-  Bank bank{Bank::Kind::Surface, {x.name, y.name}, {}};
+FunctionBasis surface(const VariableRange& x, const VariableRange& y, int pieces,
+                      Index equation) {
+  FunctionBasis basis{FunctionBasis::Kind::Surface, {x.name, y.name}, {}};
   for (const std::string& first : splines(x, pieces))
     for (const std::string& second : splines(y, pieces))
-      bank.members.push_back(member(equation, "(" + first + ")*(" + second + ")",
-                                    x.name + "," + y.name,
-                                    "spline of " + x.name + " and " + y.name));
-  return bank;
+      basis.members.push_back(member(equation, "(" + first + ")*(" + second + ")",
+                                     x.name + "," + y.name,
+                                     "spline of " + x.name + " and " + y.name));
+  return basis;
 }
 
-Bank varying(const Scope& scope, const VariableRange& x, Index equation) {
-  Bank bank{Bank::Kind::Varying, {x.name, "t"}, {}};
+FunctionBasis varying(const Scope& scope, const VariableRange& x, Index equation) {
+  FunctionBasis basis{FunctionBasis::Kind::Varying, {x.name, "t"}, {}};
   const double length = scope.duration / kStretches;
   for (int j = 0; j < kStretches; ++j) {
     const double begin = scope.start + j * length;
-    bank.members.push_back(member(equation,
-                                  x.name + "*(step(t-(" + format_number(begin) + "))-step(t-(" +
-                                      format_number(begin + length) + ")))",
-                                  x.name, "coefficient of " + x.name + " that varies"));
+    basis.members.push_back(member(equation,
+                                   x.name + "*(step(t-(" + format_number(begin) +
+                                       "))-step(t-(" + format_number(begin + length) + ")))",
+                                   x.name, "coefficient of " + x.name + " that varies"));
   }
-  return bank;
+  return basis;
 }
 
-Bank earlier(const Scope& scope, const VariableRange& x, Index equation) {
-  Bank bank{Bank::Kind::Memory, {x.name}, {}};
+FunctionBasis earlier(const Scope& scope, const VariableRange& x, Index equation) {
+  FunctionBasis basis{FunctionBasis::Kind::Memory, {x.name}, {}};
   const double spacing = std::max(0.5 * x.timescale, scope.step);
   for (int lag = 1; lag <= kLags && lag * spacing < 0.25 * scope.duration; ++lag)
-    bank.members.push_back(member(equation,
-                                  "delay(" + x.name + "," + format_number(lag * spacing) + ")",
-                                  x.name, "earlier values of " + x.name));
-  return bank;
+    basis.members.push_back(member(equation,
+                                   "delay(" + x.name + "," + format_number(lag * spacing) + ")",
+                                   x.name, "earlier values of " + x.name));
+  return basis;
 }
 
-Bank lines(const Scope& scope, Index equation) {
-  Bank bank{Bank::Kind::Lines, {"t"}, {}};
+FunctionBasis lines(const Scope& scope, Index equation) {
+  FunctionBasis basis{FunctionBasis::Kind::Lines, {"t"}, {}};
   for (const SpectralLine& line : scope.lines) {
     if (line.equation != equation) continue;
     const std::string angle = "(2*pi*" + format_number(line.frequency) + "*t)";
-    bank.members.push_back(member(equation, "sin" + angle, "t", "tone"));
-    bank.members.push_back(member(equation, "cos" + angle, "t", "tone"));
+    basis.members.push_back(member(equation, "sin" + angle, "t", "tone"));
+    basis.members.push_back(member(equation, "cos" + angle, "t", "tone"));
   }
-  return bank;
+  return basis;
 }
 
 Matrix orthonormal(const Matrix& columns) {
@@ -111,29 +112,29 @@ Matrix orthonormal(const Matrix& columns) {
 
 }  // namespace
 
-std::vector<Bank> present_banks(const Scope& scope, Index equation) {
-  std::vector<Bank> banks;
+std::vector<FunctionBasis> present_functions(const Scope& scope, Index equation) {
+  std::vector<FunctionBasis> bases;
   for (std::size_t i = 0; i < scope.variables.size(); ++i) {
     const VariableRange& x = scope.variables[i];
-    banks.push_back(curve(x, kFewPieces, equation));
-    banks.push_back(curve(x, kManyPieces, equation));
-    banks.push_back(varying(scope, x, equation));
-    if (x.unit == "rad") banks.push_back(harmonics(x, equation));
+    bases.push_back(curve(x, kFewPieces, equation));
+    bases.push_back(curve(x, kManyPieces, equation));
+    bases.push_back(varying(scope, x, equation));
+    if (x.unit == "rad") bases.push_back(harmonics(x, equation));
     for (std::size_t j = 0; j < i; ++j) {
-      banks.push_back(surface(scope.variables[j], x, kFewPieces, equation));
-      banks.push_back(surface(scope.variables[j], x, kSurfacePieces, equation));
+      bases.push_back(surface(scope.variables[j], x, kFewPieces, equation));
+      bases.push_back(surface(scope.variables[j], x, kSurfacePieces, equation));
     }
   }
-  return banks;
+  return bases;
 }
 
-std::vector<Bank> other_banks(const Scope& scope, Index equation) {
-  std::vector<Bank> banks{lines(scope, equation)};
-  for (const VariableRange& x : scope.variables) banks.push_back(earlier(scope, x, equation));
-  return banks;
+std::vector<FunctionBasis> other_functions(const Scope& scope, Index equation) {
+  std::vector<FunctionBasis> bases{lines(scope, equation)};
+  for (const VariableRange& x : scope.variables) bases.push_back(earlier(scope, x, equation));
+  return bases;
 }
 
-BankScreening::BankScreening(const Assimilation& assimilation)
+FunctionScreening::FunctionScreening(const Assimilation& assimilation)
     : assimilation_(assimilation),
       system_(assimilation),
       fitted_(orthonormal(system_.fitted_columns())) {
@@ -141,17 +142,34 @@ BankScreening::BankScreening(const Assimilation& assimilation)
   left_ = all - fitted_ * (fitted_.transpose() * all);
 }
 
-double BankScreening::log_samples() const {
-  return std::log(static_cast<double>(system_.used()));
+std::vector<FittedEffect> ScoredFunction::members() const {
+  std::vector<FittedEffect> effects;
+  for (const std::size_t place : score.members)
+    effects.push_back({basis.members[place], Vector(0), 0.0, 0.0});
+  return effects;
 }
 
-BankScore BankScreening::score(const Bank& bank) const {
+std::optional<ScoredFunction> FunctionScreening::best_of(std::vector<FunctionBasis> bases,
+                                                         const Criterion& criterion) const {
+  std::optional<ScoredFunction> best;
+  for (FunctionBasis& basis : bases) {
+    FunctionScore found = score(basis);
+    const double net =
+        found.gain - criterion.penalty({0.0, static_cast<double>(found.members.size()),
+                                        static_cast<double>(system_.used()), 0.0});
+    if (!found.members.empty() && (!best || net > best->net))
+      best = ScoredFunction{std::move(basis), std::move(found), net};
+  }
+  return best;
+}
+
+FunctionScore FunctionScreening::score(const FunctionBasis& basis) const {
   // Below this share of its length a column is made of the others, up to what noise would tell.
   constexpr double kIndependent = 1e-3;
   std::vector<std::size_t> places;
-  Matrix columns(system_.rows(), static_cast<Index>(bank.members.size()));
-  for (std::size_t j = 0; j < bank.members.size(); ++j) {
-    const auto column = candidate_column(bank.members[j], {}, assimilation_, system_);
+  Matrix columns(system_.rows(), static_cast<Index>(basis.members.size()));
+  for (std::size_t j = 0; j < basis.members.size(); ++j) {
+    const auto column = candidate_column(basis.members[j], {}, assimilation_, system_);
     if (!column || !(column->squaredNorm() > 0.0)) continue;
     columns.col(static_cast<Index>(places.size())) = column->normalized();
     places.push_back(j);
@@ -161,7 +179,7 @@ BankScore BankScreening::score(const Bank& bank) const {
   columns -= fitted_ * (fitted_.transpose() * columns);
   Eigen::ColPivHouseholderQR<Matrix> factor(columns.rows(), columns.cols());
   factor.compute(columns);
-  BankScore result;
+  FunctionScore result;
   const Vector inner = factor.householderQ().adjoint() * left_;
   for (Index j = 0; j < std::min(columns.cols(), columns.rows()); ++j) {
     if (std::abs(factor.matrixR()(j, j)) < kIndependent) break;

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "decision/window_refit.hpp"
+#include "window_refit.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/error.hpp"
-#include "lacuna/diagnosis/gauge.hpp"
+#include "lacuna/estimation/window_gap.hpp"
 #include "lacuna/shooting/refine.hpp"
 
 namespace lacuna {
 namespace {
 
-bool has_delays(const OdeModel& model) {
-  for (const Equation& equation : model.equations())
-    for (const WeightedTerm& summand : equation)
-      if (summand.term.name().find("delay(") != std::string::npos) return true;
-  return false;
-}
+bool has_delays(const OdeModel& model) { return !model.compile().delays().empty(); }
 
 /// Whether nothing but rates of the nominal states is in it.
 bool is_plain(const Explanation& explanation) {
@@ -36,23 +30,23 @@ ParametrisedModel parametrised(const Assimilation& fit, const AssimilationOption
   return {fit.model, std::move(free)};
 }
 
-/// Ten windows of the gauge: the fitted initial states then take up little of what the
-/// coefficients do. Nothing where the records hold fewer than ten that long: drift in a few
+/// A window of several mean periods: the fitted initial states then take up little of what the
+/// coefficients do. Nothing where the records hold fewer than as many that long: drift in a few
 /// long windows would say more than all the rest.
-std::optional<Index> long_window(const Assimilation& fit) {
-  constexpr Index kTen = 10;
-  const Index length = kTen * window_samples(fit);
+std::optional<Index> long_window(const Assimilation& fit, Index periods) {
+  const Index length = periods * window_samples(fit);
   Index count = 0;
   for (const LinearisedRecord& record : fit.records) count += record.samples() / length;
-  return count >= kTen ? std::optional(length) : std::nullopt;
+  return count >= periods ? std::optional(length) : std::nullopt;
 }
 
 /// The noise and the path with coefficients as they are.
-Assimilation with_model(const Dataset& data, const OdeModel& model, const Assimilation& fit,
-                        AssimilationOptions options, const RunContext& context) {
+Assimilation with_model(const Problem& problem, const Baseline& base, const OdeModel& model,
+                        const Assimilation& fit) {
+  AssimilationOptions options = base.fit_options;
   options.free.clear();
   options.priors.clear();
-  Assimilation result = assimilate_from(model, data, fit, options, context);
+  Assimilation result = assimilate_from(model, *base.data, fit, options, problem.context);
   result.free = fit.free;
   return result;
 }
@@ -70,25 +64,24 @@ void read_effects(const Vector& values, Explanation& explanation) {
 
 }  // namespace
 
-std::optional<Explanation> refit_over_windows(const Dataset& data,
-                                              const AssimilationOptions& options,
-                                              const Explanation& explanation,
-                                              const RunContext& context) {
-  const std::optional<Index> length = long_window(explanation.fit);
+std::optional<Explanation> refit_over_windows(const Problem& problem, const Baseline& base,
+                                              const Explanation& explanation) {
+  const DecisionOptions& decision = problem.options.decision;
+  const std::optional<Index> length = long_window(explanation.fit, decision.long_window);
   if (!length || !is_plain(explanation)) return std::nullopt;
-  context.report("refitting over windows", 0.0);
+  problem.context.report("refitting over windows", 0.0);
   RefineOptions windows;
   windows.window_samples = length;
-  const Refinement refined =
-      refine(parametrised(explanation.fit, options), data, windows, context);
+  const Refinement refined = refine(parametrised(explanation.fit, base.fit_options), *base.data,
+                                    windows, problem.context);
   if (refined.status == RefineStatus::Diverged || !refined.covariance.allFinite())
     return std::nullopt;
   Explanation next{explanation.effects,
-                   with_model(data, refined.model.model(), explanation.fit, options, context)};
+                   with_model(problem, base, refined.model.model(), explanation.fit)};
   next.fit.covariance = refined.covariance;
-  // A little is given away in windows of one period for what lasts over ten.
-  constexpr double kLittle = 1.05;
-  if (!(window_gap(next.fit) < kLittle * window_gap(explanation.fit))) return std::nullopt;
+  // A little is given away in windows of one period for what lasts over many.
+  const double most = (1.0 + decision.negligible) * window_gap(explanation.fit);
+  if (!(window_gap(next.fit) < most)) return std::nullopt;
   read_effects(refined.model.values(), next);
   return next;
 }

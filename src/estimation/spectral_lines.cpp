@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Lines in the spectrum of the disturbances.
+#include "lacuna/estimation/spectral_lines.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-#include "lacuna/diagnosis/locate.hpp"
+#include "lacuna/estimation/disturbance_test.hpp"
 
 namespace lacuna {
 namespace {

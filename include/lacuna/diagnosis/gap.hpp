@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
 #include "lacuna/candidates/explanation.hpp"
+#include "lacuna/core/run_context.hpp"
 
 namespace lacuna {
 
@@ -22,6 +22,13 @@ struct Gap {
   double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }
 };
 
+/// Records that were not used, as they were measured and as the assumptions of an explanation
+/// correct them (the same where these correct nothing).
+struct HeldOutRecords {
+  const Dataset& given;
+  const Dataset& corrected;
+};
+
 /// Measures the gap on records that were not used to find the effects.
 ///
 /// The records are cut into windows of one mean period of their fastest state. In each window
@@ -31,16 +38,7 @@ struct Gap {
 /// augmented model. The noise floor is the same for the measurement noise alone, as the records
 /// show it. Windows in which a model has no finite solution are left out and counted; where
 /// none is left the numbers are not finite.
-Gap gauge(const OdeModel& nominal, const Explanation& explanation, const Dataset& held_out,
-          const RunContext& context);
-
-/// Samples of a window of the gauge: the shortest mean period of a measured state along the
-/// paths, no fewer than 20.
-Index window_samples(const Assimilation& fit);
-
-/// Gap::after on the records that a model was brought onto: what the model leaves when it runs
-/// freely in windows. A disturbance that pushes to and fro within a window hardly counts here,
-/// one that lasts counts most.
-double window_gap(const Assimilation& fit);
+Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
+                const HeldOutRecords& held_out, const RunContext& context);
 
 }  // namespace lacuna

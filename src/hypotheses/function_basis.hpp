@@ -2,17 +2,19 @@
 // Free functions as columns: what a disturbance may depend on when no effect has a name for it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "lacuna/candidates/candidate.hpp"
+#include "lacuna/candidates/explanation.hpp"
 #include "lacuna/candidates/scope.hpp"
+#include "lacuna/decision/criterion.hpp"
 #include "lacuna/estimation/innovation_system.hpp"
 
 namespace lacuna {
 
 /// Terms that together are a free function.
-struct Bank {
+struct FunctionBasis {
   enum class Kind {
     Curve,    ///< cubic spline of one variable
     Surface,  ///< product of cubic splines of two variables
@@ -28,25 +30,38 @@ struct Bank {
 
 /// Curves, surfaces and varying coefficients of all variables in an equation: functions of what
 /// is known at a time.
-std::vector<Bank> present_banks(const Scope& scope, Index equation);
+std::vector<FunctionBasis> present_functions(const Scope& scope, Index equation);
 
 /// Earlier values of all variables, and the lines of the spectrum.
-std::vector<Bank> other_banks(const Scope& scope, Index equation);
+std::vector<FunctionBasis> other_functions(const Scope& scope, Index equation);
 
-/// What a bank explains of the whitened innovations, everything that is fitted refitted.
-struct BankScore {
+/// What a basis explains of the whitened innovations, everything that is fitted refitted.
+struct FunctionScore {
   double gain = 0.0;
   std::vector<std::size_t> members;  ///< that are independent of what is fitted and each other
 };
 
-/// Scores banks against a model that was brought onto records.
-class BankScreening {
+/// A basis with what it explains less the price of its members.
+struct ScoredFunction {
+  FunctionBasis basis;
+  FunctionScore score;
+  double net = 0.0;
+
+  /// The members that were scored, to be fitted.
+  std::vector<FittedEffect> members() const;
+};
+
+/// Scores bases against a model that was brought onto records.
+class FunctionScreening {
  public:
   /// The assimilation must outlive the screening.
-  explicit BankScreening(const Assimilation& assimilation);
+  explicit FunctionScreening(const Assimilation& assimilation);
 
-  BankScore score(const Bank& bank) const;
-  double log_samples() const;
+  FunctionScore score(const FunctionBasis& basis) const;
+
+  /// Of the bases the one that explains most beyond what its members cost by the criterion.
+  std::optional<ScoredFunction> best_of(std::vector<FunctionBasis> bases,
+                                        const Criterion& criterion) const;
 
  private:
   const Assimilation& assimilation_;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "lacuna/estimation/assimilation.hpp"
+
+namespace lacuna {
+
+/// A line in the spectrum of what a model leaves over in an equation.
+struct SpectralLine {
+  Index equation = 0;
+  double frequency = 0.0;  ///< per time unit
+  double phase = 0.0;      ///< of sin(2 pi frequency t + phase), rad
+};
+
+/// The strongest lines of the disturbances along the longest record, `count` for each equation,
+/// strongest first.
+std::vector<SpectralLine> spectral_lines(const Assimilation& fit, Index count);
+
+}  // namespace lacuna

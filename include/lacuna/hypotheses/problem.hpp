@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lacuna/candidates/effect.hpp"
+#include "lacuna/candidates/explanation.hpp"
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/decision/extended_bic.hpp"
+#include "lacuna/decision/options.hpp"
+
+namespace lacuna {
+
+class Hypothesis;
+
+/// How a model is diagnosed.
+struct DiagnosisOptions {
+  std::vector<Stage<Effect>> effects = {};        ///< that are tried
+  std::vector<CoefficientPrior> tolerances = {};  ///< of nominal coefficients
+  std::vector<Stage<Hypothesis>> hypotheses =
+      {};                                      ///< that are judged; empty: the standard ones
+  Stage<Criterion> criterion = ExtendedBic{};  ///< by which they are judged
+  DecisionOptions decision = {};               ///< thresholds
+  bool fill_gap = false;  ///< structure without a name gets a black-box residual function
+};
+
+/// What a diagnosis is about. Everything outlives it.
+struct Problem {
+  const OdeModel& nominal;
+  const Dataset& data;  ///< records to explain, states and inputs in the model's order
+  const DiagnosisOptions& options;
+  const RunContext& context;
+};
+
+/// What is assumed of the records before any effect is sought, and the nominal model brought
+/// onto them under these assumptions.
+struct Baseline {
+  std::shared_ptr<const Dataset> data;  ///< the records as the assumptions correct them
+  Assimilation given;                   ///< with the nominal coefficients
+  Assimilation fitted;                  ///< with the free coefficients fitted
+  AssimilationOptions fit_options;      ///< which are free, and what is known of them
+  Scope scope;                          ///< of the nominal model, for effects
+  /// Parameters that the assumptions themselves took, beside the free coefficients.
+  double parameters = 0.0;
+  std::vector<std::string> notes = {};  ///< the assumptions, for people
+  /// The same correction for other records of the system; empty where there is none.
+  std::function<Dataset(const Dataset&)> correct = {};
+};
+
+/// Lines of the spectrum in each equation from which periodic effects start.
+inline constexpr Index kSpectralLines = 3;
+
+/// The nominal model on its records as they are: outliers are left out and noted.
+/// @throws DataError where the model has no finite solution from one sample to the next.
+Baseline plain_baseline(const Problem& problem);
+
+/// A baseline whose free coefficients are fitted, from a model that is on the records with its
+/// nominal ones. Where the records do not tell the coefficients they are kept and that is
+/// noted.
+/// @param free coefficients that are fitted.
+Baseline fitted_baseline(const Problem& problem, Assimilation given,
+                         std::vector<CoefficientPlace> free);
+
+/// Effects fitted jointly with the nominal model on the records of a baseline: explain().
+Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
+                       const std::vector<FittedEffect>& effects);
+
+/// The same in few passes: explain_roughly().
+Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
+                               const Assimilation& start,
+                               const std::vector<FittedEffect>& effects);
+
+}  // namespace lacuna

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/decision/options.hpp"
+
+namespace lacuna {
+
+void DecisionOptions::describe(OptionVisitor& v) {
+  v.field({"significance", "standard deviations",
+           "What is less significant, after allowing for all that was tried, is chance.", 0.0},
+          significance);
+  v.field({"effect_size", "",
+           "Least rms of an effect or of what is left, as a share of the rms of the state's "
+           "rate; what is less may come from the arithmetic that made or sampled the records.",
+           0.0, 1.0},
+          effect_size);
+  v.field({"undecided", "",
+           "Evidence up to which two explanations are not told apart: 2 log B of Kass and "
+           "Raftery, JASA 90 (1995), from where on it is very strong.",
+           0.0},
+          undecided);
+  v.field({"max_effects", "", "Effects that are named at most.", 0.0, 20.0}, max_effects);
+  v.field({"negligible", "",
+           "A difference of this share (of a gap, of a disturbance, of what an input explains) "
+           "is none.",
+           0.0, 1.0},
+          negligible);
+  v.field({"minor", "",
+           "A part of this share is a minor one: a further effect takes away more of what is "
+           "left; an explanation that leaves less of the square of the gap shows the motion.",
+           0.0, 1.0},
+          minor);
+  v.field({"major", "",
+           "More than this share is most: of the variance of the disturbances that an "
+           "explanation takes away, of the square of the gap on other records, of samples that "
+           "repeat.",
+           0.0, 1.0},
+          major);
+  v.field(
+      {"worth_shaping", "",
+       "Candidates whose gain is a smaller share of the best one's get no search of shapes.",
+       0.0, 1.0},
+      worth_shaping);
+  v.field(
+      {"worth_fitting", "",
+       "Candidates whose gain is a smaller share of the best one's are not fitted.", 0.0, 1.0},
+      worth_fitting);
+  v.field({"possible", "standard deviations",
+           "Candidates whose gain is less significant are not fitted.", 0.0},
+          possible);
+  v.field({"rough_fits", "", "Candidates of a round that are fitted in few passes.", 1.0},
+          rough_fits);
+  v.field({"exact_fits", "", "Of these the best, which are fitted exactly.", 1.0}, exact_fits);
+  v.field({"noise_inflation", "",
+           "Identities are doubted where the noise of a channel comes out larger than its "
+           "samples show against their neighbours, by this factor.",
+           1.0},
+          noise_inflation);
+  v.field({"long_window", "mean periods",
+           "Length, and least number, of windows over which coefficients have to hold where "
+           "structure is left.",
+           1.0},
+          long_window);
+}
+
+}  // namespace lacuna

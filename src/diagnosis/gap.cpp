@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnosis/gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/estimation/window_gap.hpp"
+
+namespace lacuna {
+namespace {
+
+/// First sample at which all effects are known: delayed values lie in the record, memories
+/// have forgotten where they began. The first one of all when no window is left.
+Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effects,
+                  const Trajectory& record, Index length) {
+  const LinearisedRecord grid = grid_of(record, record.states);
+  double time = record.time[0];
+  for (const FittedEffect& effect : effects) {
+    const auto known =
+        known_from(effect.candidate,
+                   {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
+                   nominal.variables(), grid);
+    time = std::max(time, known.value_or(time));
+  }
+  Index first = 0;
+  while (first < record.samples() && record.time[first] < time) ++first;
+  return first + length <= record.samples() ? first : 0;
+}
+
+Vector deviations(const Dataset& data) {
+  std::vector<Matrix> states;
+  for (const Trajectory& record : data.trajectories) states.push_back(record.states);
+  return column_deviations(states);
+}
+
+double noise_floor(const NoiseModel& noise, const Vector& scale) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
+    if (!noise.measurement[k]) continue;
+    const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
+    sum += (*noise.measurement[k] * *noise.measurement[k] + colour * colour) /
+           (scale[static_cast<Index>(k)] * scale[static_cast<Index>(k)]);
+    count += 1.0;
+  }
+  return std::sqrt(sum / count);
+}
+
+/// The model on records, with noise of the kind that was found and without the summands that
+/// the measurement has: these are taken on a first path.
+Assimilation without_faults(const Assimilation& found, Dataset& data,
+                            const RunContext& context) {
+  AssimilationOptions options;
+  options.coloured = found.noise.coloured;
+  Assimilation fit = assimilate(found.model, data, {}, options, context);
+  if (found.channel_terms.empty()) return fit;
+  for (std::size_t r = 0; r < fit.records.size(); ++r)
+    data.trajectories[r].states =
+        without_channel_terms(data.trajectories[r].states, fit.records[r],
+                              found.model.variables(), found.channel_terms);
+  return assimilate(found.model, data, {}, options, context);
+}
+
+/// The noise of a model with fewer states.
+NoiseModel narrowed(NoiseModel noise, Index m) {
+  noise.disturbance.conservativeResize(m);
+  noise.measurement.resize(static_cast<std::size_t>(m));
+  noise.coloured.resize(static_cast<std::size_t>(m));
+  return noise;
+}
+
+/// The nominal model and the one with effects on the same windows.
+struct Comparison {
+  WindowSquares before, after;
+};
+
+/// On one record.
+Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
+                      const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
+  const Index m = nominal.dimension();
+  const LinearisedRecord& full = fit.records[record];
+  constexpr double kExact = 1e-4;  // of a deviation: no error of the integration shows
+  const LinearisedRecord bare =
+      linearise(nominal, given, Matrix(full.path.leftCols(m)), kExact * scale.head(m));
+  return {window_squares(bare, given.states, narrowed(fit.noise, m), scale, grid),
+          window_squares(full, fit.measured[record], fit.noise, scale, grid)};
+}
+
+std::vector<std::string> sources_of(const Dataset& data) {
+  std::vector<std::string> sources;
+  for (const Trajectory& record : data.trajectories)
+    if (sources.empty() || sources.back() != record.source) sources.push_back(record.source);
+  return sources;
+}
+
+}  // namespace
+
+Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
+                const HeldOutRecords& held_out, const RunContext& context) {
+  context.report("measuring the gap on records not used before", 0.0);
+  std::vector<Matrix> paths;
+  for (const Trajectory& record : held_out.corrected.trajectories)
+    paths.push_back(record.states);
+  AugmentedProblem problem =
+      augment(nominal, held_out.corrected, {}, explanation.effects, paths);
+  const Assimilation fit = without_faults(explanation.fit, problem.data, context);
+  const Vector scale = deviations(problem.data);
+  const Index length = window_samples(fit);
+  Comparison all;
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Index samples = std::min(length, fit.records[r].samples());
+    const Trajectory& given = held_out.given.trajectories[r];
+    const Index begin =
+        first_known(nominal, explanation.effects, held_out.corrected.trajectories[r], samples);
+    const Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
+    all.before.add(one.before);
+    all.after.add(one.after);
+  }
+  const Vector& time = fit.records.front().time;
+  return {
+      "rms of (measured - model) / standard deviation in windows of one mean period, "
+      "initial state fitted",
+      all.before.rms(),
+      all.after.rms(),
+      noise_floor(fit.noise, scale),
+      static_cast<double>(length) * (time[1] - time[0]),
+      sources_of(held_out.given),
+      all.before.diverged + all.after.diverged};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "journey.hpp"
+
+#include <utility>
+
+#include "lacuna/core/text.hpp"
+
+namespace lacuna {
+namespace {
+
+using Phase = Hypothesis::Phase;
+using Hypotheses = std::vector<Stage<Hypothesis>>;
+
+/// What an account says in a few words.
+std::string says(const Account& account, const OdeModel& nominal) {
+  std::vector<std::string> parts;
+  for (const NamedEffect& effect : account.named)
+    parts.push_back(effect.name + " in d" +
+                    nominal.states()[static_cast<std::size_t>(effect.equation)].name +
+                    "/dt: " + effect.term);
+  for (const NamedEffect& finding : account.findings) parts.push_back(finding.name);
+  return parts.empty() ? "nothing is missing" : join(parts, "; ");
+}
+
+/// Effects on the baseline of an account.
+Judged with_effects(const Problem& problem, const Hypotheses& hypotheses, Account bare) {
+  return judge_phase(problem, hypotheses, Phase::Effects, {std::move(bare)});
+}
+
+/// A proposal against the best account so far.
+Rival compare(const Problem& problem, const Proposal& proposal, const Account& best) {
+  const Criterion& criterion = *problem.options.criterion;
+  const double value = criterion.value(evidence_of(proposal.account));
+  const double least = criterion.value(evidence_of(best));
+  Rival rival{proposal.account.hypothesis, says(proposal.account, problem.nominal), value};
+  rival.quantity =
+      proposal.precedence.empty() ? std::string(criterion.info().name) : proposal.precedence;
+  rival.value = value + proposal.lead;
+  rival.threshold = least;
+  rival.taken = !proposal.precedence.empty() || rival.value < least;
+  return rival;
+}
+
+void append(std::vector<Rival>& trail, std::vector<Rival> more) {
+  trail.insert(trail.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+/// One proposal; effects are sought on a new baseline before it is judged or after it has won.
+void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Proposal proposal,
+           Judged& so_far) {
+  const bool is_baseline = phase == Phase::Assumptions;
+  std::vector<Rival> inner;
+  const auto search = [&] {
+    const std::string hypothesis = proposal.account.hypothesis;
+    Judged found = with_effects(problem, hypotheses, std::move(proposal.account));
+    proposal.account = std::move(found.best);
+    proposal.account.hypothesis = hypothesis;
+    inner = std::move(found.trail);
+  };
+  if (is_baseline && proposal.search_first) search();
+  const Rival rival = compare(problem, proposal, so_far.best);
+  so_far.trail.push_back(rival);
+  if (rival.taken) {
+    if (is_baseline && !proposal.search_first) search();
+    so_far.best = std::move(proposal.account);
+  }
+  append(so_far.trail, std::move(inner));
+}
+
+/// The account with names only where they explain most, and coefficients that hold.
+Account with_claims(const Problem& problem, Account account, std::vector<Rival>& trail) {
+  if (!leaves_structure(account, problem.options.decision)) return account;
+  if (account.named.empty()) return account;
+  if (!closes_most(account, problem)) {
+    trail.push_back({account.hypothesis,
+                     says(account, problem.nominal),
+                     {},
+                     false,
+                     "disturbances that go",
+                     0.0,
+                     problem.options.decision.major});
+    return without_names(problem, account);
+  }
+  if (account.refitted) {
+    account.explanation = std::move(*account.refitted);
+    account.refitted.reset();
+    update_numbers(account.explanation, account.named);
+  }
+  return account;
+}
+
+}  // namespace
+
+Judged judge_phase(const Problem& problem, const Hypotheses& hypotheses, Phase phase,
+                   Judged so_far) {
+  for (const Stage<Hypothesis>& hypothesis : hypotheses) {
+    if (hypothesis->phase() != phase) continue;
+    Proposals proposals = hypothesis->propose(problem, so_far.best);
+    append(so_far.trail, std::move(proposals.declined));
+    for (Proposal& proposal : proposals.accounts)
+      judge(problem, hypotheses, phase, std::move(proposal), so_far);
+  }
+  return so_far;
+}
+
+Judged choose_account(const Problem& problem, const Hypotheses& hypotheses, Baseline base) {
+  Account bare = bare_account(problem, "coefficients-only",
+                              std::make_shared<const Baseline>(std::move(base)));
+  const double value = problem.options.criterion->value(evidence_of(bare));
+  Judged best = with_effects(problem, hypotheses, std::move(bare));
+  best.trail.insert(best.trail.begin(),
+                    {"coefficients-only", "nothing is missing", value,
+                     best.best.hypothesis == "coefficients-only",
+                     std::string(problem.options.criterion->info().name), value, value});
+  return judge_phase(problem, hypotheses, Phase::Assumptions, std::move(best));
+}
+
+Judged settle_account(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {
+  so_far.best = with_claims(problem, std::move(so_far.best), so_far.trail);
+  return judge_phase(problem, hypotheses, Phase::Residual, std::move(so_far));
+}
+
+Account without_names(const Problem& problem, const Account& account) {
+  Account bare = bare_account(problem, account.hypothesis, account.base);
+  bare.rounds = account.rounds;
+  bare.notes = account.notes;
+  bare.findings = account.findings;
+  return bare;
+}
+
+}  // namespace lacuna

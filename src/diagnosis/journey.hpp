@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The part of a diagnosis that chooses between accounts of the records.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/hypotheses/hypothesis.hpp"
+
+namespace lacuna {
+
+/// The best account and the trail of all that were judged.
+struct Judged {
+  Account best;
+  std::vector<Rival> trail = {};
+};
+
+/// Hypotheses of one phase in order, each against the best account so far.
+/// @param hypotheses as in_order() has them.
+Judged judge_phase(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
+                   Hypothesis::Phase phase, Judged so_far);
+
+/// Accounts of the effects under the plain assumptions, then under others, on top of which the
+/// effects are sought again.
+Judged choose_account(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
+                      Baseline base);
+
+/// What an account may claim: names that leave structure and do not explain most are withdrawn;
+/// beside structure that is left, coefficients are those that hold over windows; what is left
+/// is described.
+Judged settle_account(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
+                      Judged so_far);
+
+/// The account of the same baseline without any name.
+Account without_names(const Problem& problem, const Account& account);
+
+}  // namespace lacuna

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/estimation/window_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/estimation/innovation_filter.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Samples between upward crossings of the mean, on average; the whole record when there are
+/// fewer than two.
+double mean_period(const Eigen::Ref<const Vector>& values) {
+  const double mean = values.mean();
+  Index first = -1, last = -1, crossings = 0;
+  for (Index i = 1; i < values.size(); ++i) {
+    if (!(values[i - 1] < mean && values[i] >= mean)) continue;
+    if (first < 0) first = i;
+    last = i;
+    ++crossings;
+  }
+  if (crossings < 2) return static_cast<double>(values.size());
+  return static_cast<double>(last - first) / static_cast<double>(crossings - 1);
+}
+
+/// Samples of a window: the shortest mean period of the smoothed states, no fewer than 20
+/// samples.
+Index window_length(const std::vector<LinearisedRecord>& records, const NoiseModel& noise) {
+  constexpr Index kShortest = 20;  // so that the fitted initial state takes up little
+  double shortest = static_cast<double>(records.front().samples());
+  for (const LinearisedRecord& record : records)
+    for (Index k = 0; k < record.states(); ++k)
+      if (noise.measurement[static_cast<std::size_t>(k)])
+        shortest = std::min(shortest, mean_period(record.path.col(k)));
+  return std::max(kShortest, static_cast<Index>(shortest));
+}
+
+/// One window, its initial state being fitted.
+WindowSquares one_window(const LinearisedRecord& window,
+                         const Eigen::Ref<const Matrix>& measured, const NoiseModel& exact,
+                         const Vector& scale) {
+  WindowSquares squares;
+  const SmoothedRecord smoothed = smooth(window, measured, Matrix(), exact);
+  for (Index k = 0; k < window.states(); ++k) {
+    if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
+    const Vector left = measured.col(k) - window.path.col(k) - smoothed.deviation.col(k);
+    squares.sum += left.squaredNorm() / (scale[k] * scale[k]);
+    squares.count += static_cast<double>(left.size());
+  }
+  return squares;
+}
+
+}  // namespace
+
+void WindowSquares::add(const WindowSquares& other) {
+  if (!std::isfinite(other.sum)) {
+    ++diverged;
+    return;
+  }
+  sum += other.sum;
+  count += other.count;
+  diverged += other.diverged;
+}
+
+double WindowSquares::rms() const { return std::sqrt(sum / count); }
+
+WindowSquares window_squares(const LinearisedRecord& record, const Matrix& measured,
+                             const NoiseModel& noise, const Vector& scale,
+                             const WindowGrid& grid) {
+  WindowSquares squares;
+  NoiseModel exact = noise;
+  exact.disturbance.setZero();
+  for (Index first = grid.begin; first + grid.length <= record.samples(); first += grid.length)
+    squares.add(one_window(part_of(record, first, grid.length),
+                           measured.middleRows(first, grid.length), exact, scale));
+  return squares;
+}
+
+Vector column_deviations(const std::vector<Matrix>& blocks) {
+  Vector sum = Vector::Zero(blocks.front().cols());
+  double count = 0.0;
+  for (const Matrix& block : blocks) {
+    sum += (block.rowwise() - block.colwise().mean()).colwise().squaredNorm().transpose();
+    count += static_cast<double>(block.rows());
+  }
+  return (sum / count).cwiseSqrt().cwiseMax(1e-300);
+}
+
+Index window_samples(const Assimilation& fit) { return window_length(fit.records, fit.noise); }
+
+double window_gap(const Assimilation& fit) {
+  std::vector<Matrix> paths;
+  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
+  const Vector scale = column_deviations(paths);
+  const Index length = window_samples(fit);
+  WindowSquares all;
+  for (std::size_t r = 0; r < fit.records.size(); ++r)
+    all.add(window_squares(fit.records[r], fit.measured[r], fit.noise, scale,
+                           {0, std::min(length, fit.records[r].samples())}));
+  return all.rms();
+}
+
+}  // namespace lacuna

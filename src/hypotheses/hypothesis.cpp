@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/hypothesis.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "lacuna/hypotheses/broken_identity.hpp"
+#include "lacuna/hypotheses/coloured_noise.hpp"
+#include "lacuna/hypotheses/named_effects.hpp"
+#include "lacuna/hypotheses/residual_function.hpp"
+#include "lacuna/hypotheses/sensor_fault.hpp"
+#include "lacuna/hypotheses/unmeasured_input.hpp"
+
+namespace lacuna {
+
+std::vector<Stage<Hypothesis>> standard_hypotheses() {
+  return in_order({NamedEffects{}, SensorFault{}, UnmeasuredInput{}, ColouredNoiseHypothesis{},
+                   BrokenIdentity{}, ResidualFunction{}});
+}
+
+std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {
+  const auto place = [](const Stage<Hypothesis>& h) {
+    return std::tuple(h->phase(), h->order(), h->info().name);
+  };
+  std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  return hypotheses;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/named_effects.hpp"
+
+#include "search.hpp"
+#include "window_refit.hpp"
+
+namespace lacuna {
+
+Account searched(const Problem& problem, std::shared_ptr<const Baseline> base,
+                 const std::vector<Stage<Effect>>& effects) {
+  SearchResult found = search_effects(problem, *base, effects);
+  Account account{.hypothesis = std::string(kNamedEffects.name),
+                  .base = std::move(base),
+                  .explanation = std::move(found.explanation),
+                  .named = std::move(found.named),
+                  .rounds = std::move(found.rounds),
+                  .left = std::move(found.left)};
+  if (!account.named.empty() && leaves_structure(account, problem.options.decision))
+    account.refitted = refit_over_windows(problem, *account.base, account.explanation);
+  return account;
+}
+
+Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) const {
+  Account account = searched(problem, best.base, problem.options.effects);
+  Proposal proposal{std::move(account)};
+  proposal.precedence = "every effect is significant and of the size of an effect";
+  return {{std::move(proposal)}, {}};
+}
+
+}  // namespace lacuna
