@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "data_options.hpp"
+#include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/diagnosis/diagnose.hpp"
 #include "lacuna/model/model_file.hpp"
@@ -21,8 +22,10 @@ struct Options {
   std::string differentiator = "finite-differences";
   std::vector<std::string> effects;
   std::vector<std::string> tolerances;
-  int max_effects = 4;
-  bool fill_gap = false;
+  std::optional<std::string> config;
+  std::vector<std::string> assignments;
+  std::optional<int> max_effects;
+  bool fill_gap = false, explain = false;
   std::optional<std::string> json, model_out;
 };
 
@@ -53,17 +56,19 @@ CoefficientPrior parse_tolerance(const OdeModel& model, const std::string& text)
                     "name a term of the nominal model");
 }
 
-DiagnosisOptions diagnosis_options(const Session& session, const OdeModel& model,
-                                   const Options& options) {
-  DiagnosisOptions result;
-  std::vector<std::string> names = options.effects;
-  if (names.empty()) names = session.registry.names(Effect::kKind);
-  for (const std::string& name : names)
+DiagnosisOptions make_options(const Session& session, const OdeModel& model,
+                              const Options& options) {
+  Configuration configuration;
+  if (options.config) configuration.merge_file(*options.config);
+  for (const std::string& assignment : options.assignments) configuration.set(assignment);
+  DiagnosisOptions result = diagnosis_options(configuration, session.registry);
+  if (!options.effects.empty()) result.effects.clear();
+  for (const std::string& name : options.effects)
     result.effects.push_back(session.registry.make<Effect>(name));
   for (const std::string& text : options.tolerances)
     result.tolerances.push_back(parse_tolerance(model, text));
-  result.decision.max_effects = options.max_effects;
-  result.fill_gap = options.fill_gap;
+  if (options.max_effects) result.decision.max_effects = *options.max_effects;
+  result.fill_gap = result.fill_gap || options.fill_gap;
   return result;
 }
 
@@ -83,21 +88,32 @@ int diagnose_command(const Session& session, const Options& options) {
   const Dataset data = read_data_for(model, options.data, *differentiator);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =
-      diagnose(model, data, held_out, diagnosis_options(session, model, options), context);
+      diagnose(model, data, held_out, make_options(session, model, options), context);
   finish_progress(session, options.run);
   if (options.model_out)
     write_output(session, *options.model_out, format_model(diagnosis.augmented));
   if (options.json) write_output(session, *options.json, format_json(diagnosis));
-  if (options.json != "-") session.streams.out << format_text(diagnosis);
+  if (options.json != "-") {
+    session.streams.out << format_text(diagnosis);
+    if (options.explain) session.streams.out << "\n" << format_trail(diagnosis);
+  }
   return 0;
 }
 
 void declare_search_options(CLI::App& app, Options& options) {
   app.add_option("--effect", options.effects, "Try only these effects (see `list effect`)")
       ->type_name("NAME");
-  app.add_option("--max-effects", options.max_effects, "Name at most so many effects")
-      ->check(CLI::Range(0, 20))
-      ->capture_default_str();
+  app.add_option("--max-effects", options.max_effects, "Name at most so many effects [4]")
+      ->check(CLI::Range(0, 20));
+  app.add_option("--config", options.config,
+                 "JSON file with decision, criterion, hypotheses, effects")
+      ->type_name("FILE");
+  app.add_option("--set", options.assignments,
+                 "One value of the configuration, e.g. decision.significance=4; repeatable "
+                 "(see `describe decision`)")
+      ->type_name("PATH=VALUE");
+  app.add_flag("--explain", options.explain,
+               "Show every account that was judged and the number that decided");
   app.add_flag("--fill-gap", options.fill_gap,
                "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
   app.add_option("--tolerance", options.tolerances,

@@ -17,8 +17,15 @@ struct Configuration::Document {
 
 namespace {
 
+/// Stages of a pipeline.
 const std::vector<std::string> kStageKeys = {"basis",  "formulation", "differentiator",
                                              "filter", "regressor",   "pruner",         "refiner"};
+
+/// Whatever may be given by its name alone.
+bool is_stage_key(const std::string& key) {
+  return key == "criterion" ||
+         std::find(kStageKeys.begin(), kStageKeys.end(), key) != kStageKeys.end();
+}
 
 /// "line 3, column 7" of a byte position (from 1) in a text.
 std::string position_text(std::string_view text, std::size_t byte) {
@@ -77,8 +84,8 @@ Json value_of(std::string_view text) {
 
 /// A stage given by its name alone becomes the object with that type.
 Json with_stage_objects(Json root) {
-  for (const std::string& key : kStageKeys)
-    if (root.contains(key) && root[key].is_string()) root[key] = Json{{"type", root[key]}};
+  for (auto& [key, value] : root.items())
+    if (is_stage_key(key) && value.is_string()) value = Json{{"type", value}};
   return root;
 }
 

@@ -13,6 +13,12 @@
 #include "lacuna/formulations/integral_form.hpp"
 #include "lacuna/formulations/strong_form.hpp"
 #include "lacuna/formulations/weak_form.hpp"
+#include "lacuna/hypotheses/broken_identity.hpp"
+#include "lacuna/hypotheses/coloured_noise.hpp"
+#include "lacuna/hypotheses/named_effects.hpp"
+#include "lacuna/hypotheses/residual_function.hpp"
+#include "lacuna/hypotheses/sensor_fault.hpp"
+#include "lacuna/hypotheses/unmeasured_input.hpp"
 #include "lacuna/pruners/cross_validation.hpp"
 #include "lacuna/pruners/information_criterion.hpp"
 #include "lacuna/pruners/keep_all.hpp"
@@ -87,6 +93,17 @@ void add_effects(Registry& registry) {
                kTimeTrend, kDelay, kLag, kUnmeasuredInput, kChannelSkew>(registry);
 }
 
+void add_diagnosis(Registry& registry) {
+  registry.add<StandardDecision>();
+  registry.add<ExtendedBic>();
+  registry.add<NamedEffects>();
+  registry.add<SensorFault>();
+  registry.add<UnmeasuredInput>();
+  registry.add<ColouredNoiseHypothesis>();
+  registry.add<BrokenIdentity>();
+  registry.add<ResidualFunction>();
+}
+
 }  // namespace
 
 Registry default_registry() {
@@ -96,6 +113,7 @@ Registry default_registry() {
   add_solvers(registry);
   add_integrators(registry);
   add_effects(registry);
+  add_diagnosis(registry);
   return registry;
 }
 

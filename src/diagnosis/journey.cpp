@@ -33,8 +33,8 @@ Rival compare(const Problem& problem, const Proposal& proposal, const Account& b
   const double value = criterion.value(evidence_of(proposal.account));
   const double least = criterion.value(evidence_of(best));
   Rival rival{proposal.account.hypothesis, says(proposal.account, problem.nominal), value};
-  rival.quantity =
-      proposal.precedence.empty() ? std::string(criterion.info().name) : proposal.precedence;
+  rival.quantity = criterion.info().name;
+  rival.rule = proposal.precedence;
   rival.value = value + proposal.lead;
   rival.threshold = least;
   rival.taken = !proposal.precedence.empty() || rival.value < least;

@@ -111,6 +111,20 @@ Json rounds_json(const Diagnosis& diagnosis) {
   return list;
 }
 
+Json rivals_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Rival& rival : diagnosis.rivals)
+    list.push_back({{"hypothesis", rival.hypothesis},
+                    {"account", rival.account},
+                    {"criterion", rival.criterion ? Json(*rival.criterion) : Json()},
+                    {"taken", rival.taken},
+                    {"quantity", rival.quantity},
+                    {"value", rival.value},
+                    {"threshold", rival.threshold},
+                    {"rule", rival.rule}});
+  return list;
+}
+
 Json unnamed_json(const Diagnosis& diagnosis) {
   if (!diagnosis.unnamed) return {};
   const Unnamed& unnamed = *diagnosis.unnamed;
@@ -138,6 +152,7 @@ std::string format_json(const Diagnosis& diagnosis) {
   json["augmented_model"] = Json::parse(format_model(diagnosis.augmented));
   json["noise"] = noise_json(diagnosis);
   json["rounds"] = rounds_json(diagnosis);
+  json["rivals"] = rivals_json(diagnosis);
   json["notes"] = diagnosis.notes;
   return json.dump(2) + "\n";
 }

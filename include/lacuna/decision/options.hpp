@@ -8,7 +8,7 @@ namespace lacuna {
 /// Every threshold by which a diagnosis decides. What each trades, and what changes at half and
 /// at double its value, is in docs/decisions.md.
 struct DecisionOptions {
-  static constexpr StageInfo kInfo{"standard", "The thresholds of a diagnosis", ""};
+  static constexpr StageInfo kInfo{"decision", "The thresholds of a diagnosis", ""};
 
   double significance = 3.0;
   double effect_size = 1e-3;

@@ -69,13 +69,14 @@ struct Unnamed {
 
 /// An account that was judged and what became of it: an entry of the trail.
 struct Rival {
-  std::string hypothesis;  ///< registered name: "coloured-noise"
-  std::string account;     ///< what it says: "noise of q over 2 s", "dw/dt: sign(w)"
+  std::string hypothesis;                ///< registered name: "coloured-noise"
+  std::string account;                   ///< what it says: "dw/dt: sign(w)"
   std::optional<double> criterion = {};  ///< its number; nothing where it was not fitted
   bool taken = false;
-  std::string quantity = {};  ///< what decided: "criterion", "significance"
+  std::string quantity = {};  ///< what was looked at: "extended-bic", "inflation of the noise"
   double value = 0.0;         ///< what it was
   double threshold = 0.0;     ///< what it was held against
+  std::string rule = {};      ///< why it was taken whatever the number; empty: the number decided
 };
 
 /// One explanation of the records as a whole: what is assumed of them, the effects on top, and

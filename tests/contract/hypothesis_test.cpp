@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/hypothesis.hpp"
+
+#include "contract/contract.hpp"
+#include "lacuna/effects/families.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna::contract {
+namespace {
+
+class EveryHypothesis : public testing::TestWithParam<StageVariant> {
+ protected:
+  /// What it proposes against the bare account of a record with something hidden in it.
+  Proposals proposals(const support::Hidden& hidden) {
+    data_ = support::hidden_record(hidden, 0.01, 3);
+    return stage_of<Hypothesis>(GetParam())->propose(problem(), bare());
+  }
+
+  Problem problem() const { return {nominal_, data_, options_, context_}; }
+
+  Account bare() const {
+    const Problem asked = problem();
+    return bare_account(asked, "bare", std::make_shared<const Baseline>(plain_baseline(asked)));
+  }
+
+  OdeModel nominal_ = support::oscillator();
+  Dataset data_;
+  DiagnosisOptions options_{.effects = {FamilyEffect<kCoulombFriction>{},
+                                        FamilyEffect<kUnmeasuredInput>{}}};
+  RunContext context_;
+};
+
+TEST_P(EveryHypothesis, ProposesAccountsOfTheSameRecords) {
+  for (const Proposal& proposal : proposals(support::dry_friction).accounts) {
+    const Account& account = proposal.account;
+    ASSERT_NE(account.base, nullptr);
+    EXPECT_EQ(account.base->data->samples(), data_.samples());
+    EXPECT_TRUE(std::isfinite(options_.criterion->value(evidence_of(account))));
+    EXPECT_TRUE(account.named.empty() ||
+                account.named.size() == account.explanation.effects.size());
+  }
+}
+
+TEST_P(EveryHypothesis, SignsWhatItProposesAndDeclines) {
+  const Proposals made = proposals(support::dry_friction);
+  for (const Proposal& proposal : made.accounts)
+    EXPECT_EQ(proposal.account.hypothesis, stage_of<Hypothesis>(GetParam())->info().name);
+  for (const Rival& rival : made.declined) {
+    EXPECT_EQ(rival.hypothesis, stage_of<Hypothesis>(GetParam())->info().name);
+    EXPECT_FALSE(rival.taken);
+    EXPECT_FALSE(rival.quantity.empty());
+  }
+}
+
+TEST_P(EveryHypothesis, NamesNothingWhereNothingIsMissing) {
+  for (const Proposal& proposal : proposals(support::nothing).accounts)
+    EXPECT_TRUE(proposal.account.named.empty()) << proposal.account.named.front().name;
+}
+
+TEST_P(EveryHypothesis, DoesNotDependOnTheNumberOfThreads) {
+  const Proposals one = proposals(support::dry_friction);
+  context_.threads = 3;
+  const Proposals three = proposals(support::dry_friction);
+  ASSERT_EQ(one.accounts.size(), three.accounts.size());
+  for (std::size_t i = 0; i < one.accounts.size(); ++i)
+    EXPECT_EQ(one.accounts[i].account.explanation.fit.deviance,
+              three.accounts[i].account.explanation.fit.deviance);
+}
+
+TEST_P(EveryHypothesis, EndsWhenAsked) {
+  data_ = support::hidden_record(support::dry_friction, 0.01, 3);
+  const Account best = bare();
+  std::stop_source source;
+  source.request_stop();
+  context_.stop = source.get_token();
+  EXPECT_THROW(stage_of<Hypothesis>(GetParam())->propose(problem(), best), Cancelled);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryHypothesis,
+                         testing::ValuesIn(available(Hypothesis::kKind)), test_name);
+
+}  // namespace
+}  // namespace lacuna::contract
