@@ -47,4 +47,13 @@ inline std::vector<SourceFile> sources_below(const std::vector<std::string>& fol
   return all;
 }
 
+/// The layer of a source: "linear" for include/lacuna/linear/... and src/linear/..., "solvers"
+/// for solvers/...
+inline std::string layer_of(const std::filesystem::path& path) {
+  std::vector<std::string> parts;
+  for (const auto& part : path) parts.push_back(part.string());
+  if (parts[0] == "include") return parts[2];
+  return parts[0] == "src" ? parts[1] : parts[0];
+}
+
 }  // namespace lacuna::repository

@@ -8,6 +8,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "support/driven_oscillator.hpp"
+#include "support/joint_gaussian.hpp"
 
 namespace lacuna {
 namespace {
@@ -146,6 +147,24 @@ TEST(InnovationFilter, DevianceIsThatOfTheJointGaussian) {
   const double expected = joint_deviance(record, measured, noise);
   EXPECT_NEAR(filter_deviance(record, measured, Matrix(), noise), expected, 1e-6);
   EXPECT_NEAR(smooth(record, measured, Matrix(), noise).deviance, expected, 1e-6);
+}
+
+TEST(InnovationFilter, WhitensAsTheCholeskyFactorOfTheCovarianceDoes) {
+  support::GaussianCase made = support::random_case(3, 20, 11);
+  made.noise.measurement[1].reset();
+  made.noise.coloured[2] = ColouredNoise{0.3, 0.25};
+  made.record.bridge = Matrix::Zero(3, 19);
+  made.record.bridge(0, 9) = 40.0;
+  const InnovationFilter filter =
+      run_filter(made.record, made.measured, Matrix(), made.noise);
+  const support::JointGaussian joint = support::joint_of(made);
+  const Matrix factor = support::measured_covariance(joint).matrixL();
+  const Vector expected = factor.triangularView<Eigen::Lower>().solve(joint.left);
+  EXPECT_LT((filter.innovations.reshaped() - expected).norm(), 1e-8);
+  EXPECT_LT((filter.inverse_deviation.reshaped() - factor.diagonal().cwiseInverse()).norm(),
+            1e-8);
+  EXPECT_EQ(filter.used, 40);
+  EXPECT_NEAR(filter.deviance, support::joint_deviance(made), 1e-7);
 }
 
 TEST(InnovationFilter, TermsGoThroughTheRecordAloneAsTogether) {

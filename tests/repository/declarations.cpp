@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "repository/declarations.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+namespace lacuna::repository {
+namespace {
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+std::string trimmed(std::string text) {
+  while (!text.empty() && is_space(text.back())) text.pop_back();
+  const auto first = std::find_if_not(text.begin(), text.end(), is_space);
+  return {first, text.end()};
+}
+
+/// Where the comment, literal or directive that begins at `at` ends; `at` where none begins.
+std::size_t end_of_blank(const std::string& text, std::size_t at) {
+  const auto past = [&](const std::string& mark, std::size_t from) {
+    const std::size_t found = text.find(mark, from);
+    return found == std::string::npos ? text.size() : found + mark.size();
+  };
+  if (text.compare(at, 2, "//") == 0) return std::min(text.size(), past("\n", at) - 1);
+  if (text.compare(at, 2, "/*") == 0) return past("*/", at + 2);
+  if (text.compare(at, 2, "R\"") == 0 && (at == 0 || !is_word(text[at - 1]))) {
+    const std::size_t open = text.find('(', at);
+    return past(")" + text.substr(at + 2, open - at - 2) + "\"", open);
+  }
+  const bool separates_digits = text[at] == '\'' && at > 0 && is_word(text[at - 1]);
+  const bool quoted = (text[at] == '"' || text[at] == '\'') && !separates_digits;
+  if (quoted) {
+    std::size_t end = at + 1;
+    while (end < text.size() && text[end] != text[at]) end += text[end] == '\\' ? 2 : 1;
+    return end + 1;
+  }
+  if (text[at] == '#') {
+    std::size_t end = text.find('\n', at);
+    while (end != std::string::npos && text[end - 1] == '\\') end = text.find('\n', end + 1);
+    return std::min(text.size(), end);
+  }
+  return at;
+}
+
+/// The source as one text, with blanks in place of comments, literals and directives.
+std::string code_of(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(end_of_blank(text, at), text.size());
+    for (std::size_t i = at; i < end; ++i)
+      if (text[i] != '\n') text[i] = ' ';
+    at = std::max(end, at + 1);
+  }
+  return text;
+}
+
+/// The place of the bracket that closes the one at `at`; kinds are not told apart.
+std::size_t closing(const std::string& text, std::size_t at) {
+  int depth = 0;
+  for (std::size_t i = at; i < text.size(); ++i) {
+    if (std::string("([{").find(text[i]) != std::string::npos) ++depth;
+    if (std::string(")]}").find(text[i]) != std::string::npos && --depth == 0) return i;
+  }
+  throw std::runtime_error("a bracket is not closed: " + text.substr(at, 40));
+}
+
+/// The place of the ">" that closes the "<" at `at`.
+std::size_t closing_angle(const std::string& text, std::size_t at) {
+  int depth = 0;
+  for (std::size_t i = at; i < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == '{') i = closing(text, i);
+    if (text[i] == '<') ++depth;
+    if (text[i] == '>' && text[i - 1] != '-' && --depth == 0) return i;
+  }
+  throw std::runtime_error("an angle bracket is not closed: " + text.substr(at, 40));
+}
+
+bool follows_operator(const std::string& text, std::size_t at) {
+  while (at > 0 && !is_word(text[at - 1]) && text[at - 1] != ')') --at;
+  return at >= 8 && text.compare(at - 8, 8, "operator") == 0;
+}
+
+/// A declaration without what its brackets hold: "()" for each pair of parentheses outside of
+/// template arguments, nothing for other brackets and for initialisers.
+struct Flat {
+  std::string text;
+  std::vector<std::string> groups;  ///< what the parentheses held
+};
+
+Flat flatten(const std::string& head) {
+  Flat flat;
+  for (std::size_t at = 0; at < head.size(); ++at) {
+    const char c = head[at];
+    const bool of_operator = follows_operator(head, at);
+    if (c == '(') {
+      const std::size_t end = closing(head, at);
+      flat.text += "()";
+      flat.groups.push_back(head.substr(at + 1, end - at - 1));
+      at = end;
+    } else if (c == '[' || c == '{') {
+      at = closing(head, at);
+    } else if (c == '<' && !of_operator) {
+      at = closing_angle(head, at);
+    } else if (c == '=' && !of_operator) {
+      while (at + 1 < head.size() && head[at + 1] != ',')
+        at = std::string("([{").find(head[at + 1]) != std::string::npos ? closing(head, at + 1)
+                                                                       : at + 1;
+    } else {
+      flat.text += c;
+    }
+  }
+  return flat;
+}
+
+int count_parameters(const std::string& group) {
+  if (const std::string text = trimmed(group); text.empty() || text == "void") return 0;
+  const std::string text = flatten(group).text;
+  return 1 + static_cast<int>(std::count(text.begin(), text.end(), ','));
+}
+
+/// The name in front of the parameters of a declaration, and their number.
+struct Signature {
+  std::string name;
+  int parameters = 0;
+};
+
+/// The signature of a function's declaration; an empty name for anything else.
+Signature signature_of(const Flat& flat) {
+  static const std::regex pattern(R"(((?:\w+\s*::\s*)*(?:operator[^(]*|~?\w+))\s*\(\))");
+  static const std::set<std::string> others = {"decltype", "alignas", "explicit", "noexcept"};
+  for (std::sregex_iterator match(flat.text.begin(), flat.text.end(), pattern), none;
+       match != none; ++match) {
+    const std::string name = (*match)[1];
+    if (others.contains(name)) continue;
+    const auto end = static_cast<std::size_t>(match->position() + match->length());
+    std::size_t group = 0;
+    for (std::size_t at = flat.text.find("()"); at + 2 < end; at = flat.text.find("()", at + 2))
+      ++group;
+    if (name == "operator" || name.ends_with("::operator")) ++group;  // operator()
+    return {name, count_parameters(flat.groups.at(group))};
+  }
+  return {};
+}
+
+std::string first_word(const std::string& head) {
+  return {head.begin(), std::find_if_not(head.begin(), head.end(), is_word)};
+}
+
+bool is_class(const std::string& head) {
+  const std::string word = first_word(head);
+  return word == "class" || word == "struct" || word == "union";
+}
+
+/// How many members a declaration in a class adds that can change.
+int mutable_members(const std::string& head) {
+  static const std::set<std::string> others = {"using",  "typedef", "friend", "static", "enum",
+                                               "class",  "struct",  "union",  "template", ""};
+  const Flat flat = flatten(head);
+  if (others.contains(first_word(head)) || !flat.groups.empty()) return 0;
+  const bool is_pointer = flat.text.find('*') != std::string::npos;
+  if (flat.text.find('&') != std::string::npos) return 0;
+  if (first_word(head) == "const" && !is_pointer) return 0;
+  return 1 + static_cast<int>(std::count(flat.text.begin(), flat.text.end(), ','));
+}
+
+/// Whether the "{" at the end of a function's head begins the value of a member: " : x_".
+bool initialises_member(const std::string& head) {
+  static const std::regex list(R"(\)\s*(noexcept\s*)?:[^:])");
+  const std::string text = flatten(head).text;
+  if (!std::regex_search(text, list)) return false;
+  const char last = trimmed(head).back();
+  return is_word(last) || last == '>';
+}
+
+/// A namespace, or a class with its name.
+struct Scope {
+  std::string owner;
+  bool is_class = false;
+  bool is_public = true;
+  std::size_t place = 0;  ///< of the class among those read
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::vector<std::string>& lines) : text_(code_of(lines)) {}
+
+  Declarations run() {
+    read_scope(0, text_.size(), {});
+    return std::move(found_);
+  }
+
+ private:
+  void read_scope(std::size_t begin, std::size_t end, Scope scope) {
+    std::size_t start = begin;  // of the declaration that is being read
+    for (std::size_t at = begin; at < end; ++at) {
+      const char c = text_[at];
+      const std::string head = std::string(";<:{").find(c) != std::string::npos
+                                   ? trimmed(text_.substr(start, at - start))
+                                   : "";
+      if (c == ';') {
+        declare(head, start, at, scope);
+        start = at + 1;
+      } else if (c == '<' && head == "template") {
+        at = closing_angle(text_, at);
+        start = at + 1;
+      } else if (c == ':' && (head == "public" || head == "private" || head == "protected")) {
+        scope.is_public = head == "public";
+        start = at + 1;
+      } else if (c == '(' || c == '[') {
+        at = closing(text_, at);
+      } else if (c == '=' && !follows_operator(text_, at)) {
+        while (text_[at + 1] != ';')
+          at = std::string("([{").find(text_[at + 1]) != std::string::npos
+                   ? closing(text_, at + 1)
+                   : at + 1;
+      } else if (c == '{') {
+        const std::size_t close = closing(text_, at);
+        if (open(head, start, at, scope)) start = close + 1;
+        at = close;
+      }
+    }
+  }
+
+  /// What the "{" at `at` begins; false if the declaration goes on behind it.
+  bool open(const std::string& head, std::size_t start, std::size_t at, const Scope& scope) {
+    const std::size_t close = closing(text_, at);
+    const std::string word = first_word(head);
+    if (word == "namespace") {
+      read_scope(at + 1, close, {});
+      return true;
+    }
+    if (is_class(head)) {
+      const Scope inner = add_class(head, start, scope);
+      read_scope(at + 1, close, inner);
+      return false;
+    }
+    if (word == "enum" || initialises_member(head)) return false;
+    if (signature_of(flatten(head)).name.empty()) return false;
+    add_function(head, start, close, scope).has_body = true;
+    return true;
+  }
+
+  void declare(const std::string& head, std::size_t start, std::size_t at, const Scope& scope) {
+    static const std::set<std::string> others = {"using", "typedef", "friend", "static_assert"};
+    if (others.contains(first_word(head))) return;
+    if (scope.is_class) found_.classes[scope.place].mutable_members += mutable_members(head);
+    if (!signature_of(flatten(head)).name.empty()) add_function(head, start, at, scope);
+  }
+
+  Scope add_class(const std::string& head, std::size_t start, const Scope& scope) {
+    static const std::regex pattern(R"(^(?:class|struct|union)\s+((?:\w+::)*\w+))");
+    const std::string text = flatten(head).text;
+    std::smatch match;
+    std::regex_search(text, match, pattern);
+    const std::string name = (scope.owner.empty() ? "" : scope.owner + "::") + match[1].str();
+    found_.classes.push_back({name, line_at(start), 0});
+    return {name, true, first_word(head) != "class", found_.classes.size() - 1};
+  }
+
+  FunctionText& add_function(const std::string& head, std::size_t start, std::size_t end,
+                             const Scope& scope) {
+    const Signature signature = signature_of(flatten(head));
+    const std::size_t colon = signature.name.rfind("::");
+    const bool is_qualified = colon != std::string::npos;
+    FunctionText function;
+    function.owner = is_qualified ? signature.name.substr(0, colon) : scope.owner;
+    function.name = is_qualified ? signature.name.substr(colon + 2) : signature.name;
+    function.first = line_at(start);
+    function.last = line_at(end);
+    function.parameters = signature.parameters;
+    function.is_public = scope.is_public;
+    found_.functions.push_back(function);
+    return found_.functions.back();
+  }
+
+  /// The line of the first word at or behind a place.
+  std::size_t line_at(std::size_t place) const {
+    while (place + 1 < text_.size() && is_space(text_[place])) ++place;
+    return 1 + static_cast<std::size_t>(
+                   std::count(text_.begin(), text_.begin() + static_cast<long>(place), '\n'));
+  }
+
+  const std::string text_;
+  Declarations found_;
+};
+
+}  // namespace
+
+Declarations read_declarations(const std::vector<std::string>& lines) {
+  return Reader(lines).run();
+}
+
+}  // namespace lacuna::repository

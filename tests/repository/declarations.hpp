@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What a C++ source declares: a reader for the rules of this folder. It knows as much of the
+// language as they need: namespaces, classes, functions and members, not what is inside bodies.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace lacuna::repository {
+
+/// A function as it stands in a source: declared, or with its body.
+struct FunctionText {
+  std::string owner;      ///< its class with the classes around it ("A::B"), or empty
+  std::string name;       ///< without its class
+  std::size_t first = 0;  ///< line where it begins, from 1
+  std::size_t last = 0;   ///< line of its ";" or of the "}" of its body
+  int parameters = 0;
+  bool has_body = false;
+  bool is_public = true;  ///< not below "private:" or "protected:"
+
+  std::size_t lines() const { return last - first + 1; }
+};
+
+/// A class, struct or union with its body.
+struct ClassText {
+  std::string name;  ///< with the classes around it: "A::B"
+  std::size_t line = 0;
+  int mutable_members = 0;  ///< data that is neither static nor const nor a reference
+};
+
+/// What a source declares, in its order.
+struct Declarations {
+  std::vector<FunctionText> functions;
+  std::vector<ClassText> classes;
+};
+
+/// Reads a source that compiles. Local classes and lambdas belong to the function around them.
+Declarations read_declarations(const std::vector<std::string>& lines);
+
+}  // namespace lacuna::repository

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The smoother against the conditional mean of the joint Gaussian, and its sums against finite
+// differences of the likelihood.
+#include <gtest/gtest.h>
+
+#include "support/joint_gaussian.hpp"
+
+namespace lacuna {
+namespace {
+
+using support::GaussianCase;
+using support::JointGaussian;
+
+/// Three states, the second not measured, the third with coloured noise, samples left out and a
+/// step that is bridged.
+GaussianCase mixed_case() {
+  GaussianCase made = support::random_case(3, 24, 5);
+  made.noise.measurement[1].reset();
+  made.noise.coloured[2] = ColouredNoise{0.3, 0.25};
+  made.omitted = Matrix::Zero(24, 3);
+  made.omitted(0, 0) = made.omitted(7, 2) = made.omitted(8, 2) = made.omitted(8, 0) = 1.0;
+  made.record.bridge = Matrix::Zero(3, 23);
+  made.record.bridge(1, 12) = 40.0;
+  return made;
+}
+
+SmoothedRecord smoothed(const GaussianCase& made) {
+  return smooth(made.record, made.measured, made.omitted, made.noise);
+}
+
+TEST(Smoother, IsTheConditionalMeanOfTheJointGaussian) {
+  for (const GaussianCase& made :
+       {mixed_case(), support::random_case(1, 30, 2), support::random_case(2, 12, 3),
+        support::random_case(9, 6, 4)}) {
+    const JointGaussian joint = support::joint_of(made);
+    const Vector z = support::posterior(joint);
+    const SmoothedRecord found = smoothed(made);
+    const Vector expected = joint.mean + joint.deviations * z;
+    EXPECT_LT((found.deviation.transpose().reshaped() - expected).cwiseAbs().maxCoeff(), 1e-8);
+    const Vector rates = joint.rates * z;
+    EXPECT_LT((found.disturbance.transpose().reshaped() - rates).cwiseAbs().maxCoeff(),
+              1e-8 * rates.cwiseAbs().maxCoeff());
+    EXPECT_NEAR(found.deviance, support::joint_deviance(made), 1e-7);
+  }
+}
+
+TEST(Smoother, FindsTheColouredNoise) {
+  const GaussianCase made = mixed_case();
+  const JointGaussian joint = support::joint_of(made);
+  const Vector expected = joint.noise[2] * support::posterior(joint);
+  const SmoothedRecord found = smoothed(made);
+  ASSERT_EQ(found.colour.cols(), 2) << "one column for each measured state";
+  EXPECT_LT((found.colour.col(1) - expected).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(found.colour.col(0).norm(), 0.0) << "the first channel has none";
+}
+
+/// Central difference of the joint deviance over the logarithm of a deviation.
+template <class Change>
+double slope(const GaussianCase& made, Change deviation) {
+  constexpr double kReach = 1e-4;
+  GaussianCase above = made, below = made;
+  deviation(above.noise) *= std::exp(kReach);
+  deviation(below.noise) *= std::exp(-kReach);
+  return (support::joint_deviance(above) - support::joint_deviance(below)) / (2.0 * kReach);
+}
+
+TEST(Smoother, SumsAreTheGradientOfTheLikelihood) {
+  const GaussianCase made = mixed_case();
+  const SmoothedRecord found = smoothed(made);
+  ASSERT_EQ(found.found.size(), 3 + 2 + 2);
+  const auto gradient = [&](Index sum, double s) {
+    return 2.0 * s * s * (found.expected[sum] - found.found[sum]);
+  };
+  for (Index k = 0; k < 3; ++k) {
+    const double expected =
+        slope(made, [k](NoiseModel& noise) -> double& { return noise.disturbance[k]; });
+    EXPECT_NEAR(gradient(k, made.noise.disturbance[k]), expected, 1e-5 * std::abs(expected));
+  }
+  const std::size_t states[] = {0, 2};
+  for (Index c = 0; c < 2; ++c) {
+    const std::size_t k = states[c];
+    const double expected =
+        slope(made, [k](NoiseModel& noise) -> double& { return *noise.measurement[k]; });
+    EXPECT_NEAR(gradient(3 + c, *made.noise.measurement[k]), expected,
+                1e-5 * std::abs(expected));
+  }
+}
+
+TEST(Smoother, ABridgedStepAddsNothingToTheSums) {
+  GaussianCase made = mixed_case();
+  const SmoothedRecord some = smoothed(made);
+  made.noise.disturbance[1] *= 1.0 + 1e-9;
+  made.record.bridge.row(1).setConstant(40.0);
+  const SmoothedRecord all = smoothed(made);
+  EXPECT_GT(some.expected[1], 0.0);
+  EXPECT_EQ(all.expected[1], 0.0);
+  EXPECT_EQ(all.found[1], 0.0);
+}
+
+TEST(Smoother, WithoutDisturbancesThePathIsASolution) {
+  GaussianCase made = support::random_case(2, 15, 8);
+  made.noise.disturbance.setZero();
+  const SmoothedRecord found = smoothed(made);
+  EXPECT_EQ(found.disturbance.norm(), 0.0);
+  for (Index i = 0; i + 1 < 15; ++i) {
+    const Eigen::Map<const Matrix> phi(made.record.transition.col(i).data(), 2, 2);
+    const Vector next = phi * found.deviation.row(i).transpose() + made.record.defect.col(i);
+    EXPECT_LT((found.deviation.row(i + 1).transpose() - next).norm(), 1e-9) << i;
+  }
+}
+
+}  // namespace
+}  // namespace lacuna
