@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
-//   study_hidden cases|power|alarm|practice [OUTPUT_FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]
+//   study_hidden cases|power|alarm|practice|decisions [FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing; practice: the cases in the folder
-// `practice` of LACUNA_DATA.
+// `practice` of LACUNA_DATA; decisions: the cases at 1 % noise with each threshold at half and at
+// double its value (it goes on where its table in FOLDER ends).
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
+#include "decisions.hpp"
+#include "lacuna/config/diagnosis_configuration.hpp"
 #include "practice.hpp"
 #include "report.hpp"
 #include "trials.hpp"
@@ -32,22 +35,23 @@ struct Arguments {
 using Results = std::pair<std::vector<Trial>, std::vector<Outcome>>;
 
 Results results_of(const Arguments& given) {
-  const Registry registry = default_registry();
+  const DiagnosisOptions options = diagnosis_options({}, default_registry());
   if (given.name == "practice") {
     const char* data = std::getenv("LACUNA_DATA");
     if (data == nullptr) return {};
-    return run_practice(std::filesystem::path(data) / "practice", given.part, registry);
+    return run_practice(std::filesystem::path(data) / "practice", given.part, options);
   }
   std::vector<Trial> trials = chosen_trials(given.name);
   std::erase_if(trials, [&](const Trial& trial) {
     return trial.hidden.name.find(given.part) == std::string::npos ||
            (!given.level.empty() && trial.level != std::stod(given.level));
   });
-  std::vector<Outcome> outcomes = run_trials(trials, registry);
+  std::vector<Outcome> outcomes = run_trials(trials, options);
   return {std::move(trials), std::move(outcomes)};
 }
 
 int run(const Arguments& given) {
+  if (given.name == "decisions") return run_decisions(given.folder, given.part);
   const auto start = std::chrono::steady_clock::now();
   const auto [trials, outcomes] = results_of(given);
   if (trials.empty()) {

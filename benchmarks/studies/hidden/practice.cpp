@@ -108,7 +108,7 @@ hidden::Records read_records(const fs::path& folder, const std::string& ending,
 
 std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(const fs::path& folder,
                                                                  const std::string& part,
-                                                                 const Registry& registry) {
+                                                                 const DiagnosisOptions& options) {
   std::vector<fs::path> cases;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().string().find(part) != std::string::npos) cases.push_back(entry.path());
@@ -122,7 +122,7 @@ std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(const fs::path&
       result.first.push_back({hidden, 1.0, level, 0});
       result.second.push_back(
           judge(hidden, read_records(path, ending, hidden.nominal),
-                read_records(path, circuit ? "clean" : "n0", hidden.nominal), registry));
+                read_records(path, circuit ? "clean" : "n0", hidden.nominal), options));
       report_progress(result.first.back(), result.second.back());
     }
   return result;

@@ -15,13 +15,6 @@
 namespace lacuna::benchmarks {
 namespace {
 
-std::vector<Stage<Effect>> all_effects(const Registry& registry) {
-  std::vector<Stage<Effect>> effects;
-  for (const std::string& name : registry.names(Effect::kKind))
-    effects.push_back(registry.make<Effect>(name));
-  return effects;
-}
-
 /// Whether an effect is one of the measurement, which the augmented model does not have.
 bool is_of_measurement(const NamedEffect& effect) { return effect.name == "channel-skew"; }
 
@@ -49,12 +42,10 @@ std::string flags_of(const Outcome& outcome) {
 }  // namespace
 
 Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
-              const hidden::Records& clean, const Registry& registry) {
+              const hidden::Records& clean, const DiagnosisOptions& options) {
   Outcome outcome;
   const double start = thread_seconds();
   try {
-    DiagnosisOptions options;
-    options.effects = all_effects(registry);
     const Diagnosis diagnosis =
         diagnose(hidden.nominal, records.find, records.check, options, RunContext{});
     outcome.score = hidden::score(hidden, diagnosis, clean.find);
@@ -66,12 +57,12 @@ Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
   return outcome;
 }
 
-Outcome run_trial(const Trial& trial, const Registry& registry) {
+Outcome run_trial(const Trial& trial, const DiagnosisOptions& options) {
   const std::uint64_t seed = 2 * trial.seed;
   return judge(
       trial.hidden, hidden::make_records(trial.hidden, trial.level, trial.seed),
       {hidden::clean_record(trial.hidden, seed), hidden::clean_record(trial.hidden, seed + 1)},
-      registry);
+      options);
 }
 
 void report_progress(const Trial& trial, const Outcome& outcome) {
@@ -81,10 +72,11 @@ void report_progress(const Trial& trial, const Outcome& outcome) {
   std::cerr << line.str();
 }
 
-std::vector<Outcome> run_trials(const std::vector<Trial>& trials, const Registry& registry) {
+std::vector<Outcome> run_trials(const std::vector<Trial>& trials,
+                                const DiagnosisOptions& options) {
   std::vector<Outcome> outcomes(trials.size());
   for_all(trials.size(), [&](std::size_t i) {
-    outcomes[i] = run_trial(trials[i], registry);
+    outcomes[i] = run_trial(trials[i], options);
     report_progress(trials[i], outcomes[i]);
   });
   return outcomes;

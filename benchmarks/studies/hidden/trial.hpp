@@ -7,7 +7,7 @@
 
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
-#include "lacuna/config/registry.hpp"
+#include "lacuna/hypotheses/problem.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -32,16 +32,17 @@ struct Outcome {
 /// Diagnoses records and holds the answer against the truth. @param clean the same without
 /// noise.
 Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
-              const hidden::Records& clean, const Registry& registry);
+              const hidden::Records& clean, const DiagnosisOptions& options);
 
 /// Makes the records of a trial, diagnoses them and holds the answer against the truth.
-Outcome run_trial(const Trial& trial, const Registry& registry);
+Outcome run_trial(const Trial& trial, const DiagnosisOptions& options);
 
 /// One line about a trial on standard error.
 void report_progress(const Trial& trial, const Outcome& outcome);
 
 /// All trials, spread over the processor's cores; outcomes in the order of the trials. Progress
 /// goes to standard error.
-std::vector<Outcome> run_trials(const std::vector<Trial>& trials, const Registry& registry);
+std::vector<Outcome> run_trials(const std::vector<Trial>& trials,
+                                const DiagnosisOptions& options);
 
 }  // namespace lacuna::benchmarks

@@ -30,19 +30,19 @@ struct NamedParameter {
 /// An effect that the nominal model lacks.
 struct NamedEffect {
   Index equation = 0;
-  std::string name;
-  std::string description;
-  std::string cause;  ///< what usually causes it
-  std::string term;
+  std::string name = {};
+  std::string description = {};
+  std::string cause = {};  ///< what usually causes it
+  std::string term = {};
   double coefficient = 0.0;  ///< state unit per time unit and unit of the term
   double deviation = 0.0;    ///< standard error of the coefficient
-  std::vector<NamedParameter> parameters;
+  std::vector<NamedParameter> parameters = {};
   double sigma = 0.0;
   double gap_closed = 0.0;    ///< share of the disturbance's variance that goes with it
   double contribution = 0.0;  ///< rms of its rate over that of the state's rate
   double probability = 0.0;
   Index tried = 1;  ///< candidates and shapes that it was the best of
-  std::vector<Alternative> alternatives;
+  std::vector<Alternative> alternatives = {};
 
   std::array<double, 2> ci95() const {
     return {coefficient - 1.96 * deviation, coefficient + 1.96 * deviation};

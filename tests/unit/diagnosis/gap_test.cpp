@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnosis/gauge.hpp"
+#include "lacuna/diagnosis/gap.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,29 +8,29 @@
 namespace lacuna {
 namespace {
 
-TEST(Gauge, FallsToTheNoiseWithTheRightEffect) {
+TEST(Gap, FallsToTheNoiseWithTheRightEffect) {
   const Dataset data = support::hidden_record(support::dry_friction, 0.01, 3);
   const Dataset other = support::hidden_record(support::dry_friction, 0.01, 4, -0.7);
   const Assimilation base = support::assimilated(data);
   const Explanation found =
       explain(data, base.model, base, {{support::plain_candidate("sign(v)"), Vector(0), -0.2}},
               support::oscillator_fit_options(), RunContext{});
-  const Gap gap = gauge(support::oscillator(), found, other, RunContext{});
+  const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
   EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
   EXPECT_NEAR(gap.after / gap.noise_floor, 1.0, 0.1);
   EXPECT_LT(gap.ratio(), 0.5);
   EXPECT_EQ(gap.records, std::vector<std::string>{"made"});
 }
 
-TEST(Gauge, StaysWhereNothingIsMissing) {
+TEST(Gap, StaysWhereNothingIsMissing) {
   const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
   const Explanation nothing{{}, support::assimilated(data)};
-  const Gap gap = gauge(support::oscillator(), nothing,
-                        support::hidden_record(support::nothing, 0.01, 5), RunContext{});
+  const Dataset other = support::hidden_record(support::nothing, 0.01, 5);
+  const Gap gap = measure_gap(support::oscillator(), nothing, {other, other}, RunContext{});
   EXPECT_NEAR(gap.ratio(), 1.0, 0.05);
 }
 
-TEST(Gauge, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
+TEST(Gap, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
   const auto skewed = [](std::uint64_t seed, double start) {
     Dataset data = support::hidden_record(support::nothing, 0.001, seed, start);
     Matrix& states = data.trajectories[0].states;
@@ -48,21 +48,10 @@ TEST(Gauge, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
   const Assimilation base = support::assimilated(data);
   const Explanation found = explain(data, base.model, base, {{skew, Vector(0), 0.0}},
                                     support::oscillator_fit_options(), RunContext{});
-  const Gap gap = gauge(support::oscillator(), found, skewed(4, -0.7), RunContext{});
+  const Dataset other = skewed(4, -0.7);
+  const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
   EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
   EXPECT_LT(gap.after, 0.5 * gap.before);
-}
-
-TEST(Gauge, InWindowsCountsWhatLastsAndNotWhatGoesToAndFro) {
-  const auto gap_of = [](const support::Hidden& hidden) {
-    return window_gap(support::assimilated(support::hidden_record(hidden, 1e-4, 3)));
-  };
-  const double steady =
-      gap_of([](double, double, double v) { return -0.1 * (v > 0.0 ? 1.0 : -1.0); });
-  const double quick =
-      gap_of([](double t, double, double) { return 0.1 * std::sin(40.0 * t); });
-  EXPECT_LT(gap_of(support::nothing), 1e-3);
-  EXPECT_GT(steady, 5.0 * quick);
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/estimation/window_gap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+TEST(WindowGap, WindowsAreAMeanPeriodLong) {
+  // The free oscillation has the period 2 pi / 2; what drives it is as slow.
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 1e-3));
+  const Vector& time = fit.records.front().time;
+  const double length = static_cast<double>(window_samples(fit)) * (time[1] - time[0]);
+  EXPECT_NEAR(length, 3.14, 0.5);
+}
+
+TEST(WindowGap, OfTheRightModelIsItsNoise) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Assimilation fit = support::assimilated(data);
+  const Matrix& states = data.trajectories.front().states;
+  double expected = 0.0;
+  for (Index k = 0; k < 2; ++k) {
+    const auto x = states.col(k).array();
+    const double noise = k == 0 ? 0.01 : 0.02;
+    expected += 0.5 * noise * noise / (x - x.mean()).square().mean();
+  }
+  EXPECT_NEAR(window_gap(fit), std::sqrt(expected), 0.1 * std::sqrt(expected));
+}
+
+TEST(WindowGap, WindowsWithoutASolutionCountForNothingElse) {
+  WindowSquares all{4.0, 2.0, 0};
+  all.add({std::numeric_limits<double>::quiet_NaN(), 7.0, 0});
+  EXPECT_EQ(all.diverged, 1);
+  EXPECT_DOUBLE_EQ(all.rms(), std::sqrt(2.0));
+}
+
+TEST(WindowGap, CountsWhatLastsAndNotWhatGoesToAndFro) {
+  const auto gap_of = [](const support::Hidden& hidden) {
+    return window_gap(support::assimilated(support::hidden_record(hidden, 1e-4, 3)));
+  };
+  const double steady =
+      gap_of([](double, double, double v) { return -0.1 * (v > 0.0 ? 1.0 : -1.0); });
+  const double quick =
+      gap_of([](double t, double, double) { return 0.1 * std::sin(40.0 * t); });
+  EXPECT_LT(gap_of(support::nothing), 1e-3);
+  EXPECT_GT(steady, 5.0 * quick);
+}
+
+}  // namespace
+}  // namespace lacuna
