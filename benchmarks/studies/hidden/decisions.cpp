@@ -101,7 +101,7 @@ std::vector<std::string> changed(const std::vector<Trial>& trials,
 std::vector<std::vector<std::string>> read_rows(const std::filesystem::path& path) {
   std::vector<std::vector<std::string>> rows;
   std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) rows.push_back(split(line, ','));
+  for (std::string line; std::getline(file, line);) rows.push_back(split_list(line));
   return rows;
 }
 
@@ -137,7 +137,7 @@ int run_decisions(const std::filesystem::path& folder, const std::string& part) 
     const auto names = changed(trials, before, run_trials(trials, options));
     std::ofstream(csv, std::ios::app)
         << change.name << ',' << factor << ',' << format_number(change.value) << ','
-        << names.size() << ',' << join(names, " ") << '\n';
+        << names.size() << ',' << (names.empty() ? "-" : join(names, " ")) << '\n';
   }
   write_markdown(folder, trials.size());
   std::cout << "table in " << folder << '\n';
