@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hidden/support/records.hpp"
-#include "lacuna/diagnosis/gauge.hpp"
+#include "lacuna/diagnosis/gap.hpp"
 
 namespace lacuna::hidden {
 
@@ -19,7 +19,7 @@ namespace lacuna::hidden {
 std::optional<double> real_gap(const OdeModel& model, const Dataset& clean,
                                const Dataset& measured, const Gap& gap);
 
-/// The gap of the true model of a case on a record, as gauge() has it; nothing where the record
+/// The gap of the true model of a case on a record, as measure_gap() has it; nothing where the record
 /// does not show all of its states.
 std::optional<double> true_gap(const HiddenCase& hidden, const Dataset& measured);
 
