@@ -18,8 +18,8 @@ struct Configuration::Document {
 namespace {
 
 /// Stages of a pipeline.
-const std::vector<std::string> kStageKeys = {"basis",  "formulation", "differentiator",
-                                             "filter", "regressor",   "pruner",         "refiner"};
+const std::vector<std::string> kStageKeys = {
+    "basis", "formulation", "differentiator", "filter", "regressor", "pruner", "refiner"};
 
 /// Whatever may be given by its name alone.
 bool is_stage_key(const std::string& key) {

@@ -21,9 +21,12 @@ Account searched(const Problem& problem, std::shared_ptr<const Baseline> base,
 }
 
 Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) const {
-  Account account = searched(problem, best.base, problem.options.effects);
-  Proposal proposal{std::move(account)};
-  proposal.precedence = "every effect is significant and of the size of an effect";
+  Proposal proposal{searched(problem, best.base, problem.options.effects)};
+  proposal.account.findings = best.findings;
+  proposal.account.notes = best.notes;
+  proposal.precedence = proposal.account.named.empty()
+                            ? "no effect is significant and of the size of an effect"
+                            : "every effect is significant and of the size of an effect";
   return {{std::move(proposal)}, {}};
 }
 

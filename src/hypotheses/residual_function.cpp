@@ -133,8 +133,13 @@ Account described(const Problem& problem, const Account& best) {
 
 Proposals ResidualFunction::do_propose(const Problem& problem, const Account& best) const {
   if (!leaves_structure(best, problem.options.decision)) return {};
-  if (!best.named.empty()) return filled_with_polynomials(problem, best);
+  if (!best.named.empty()) {
+    Proposals filled = filled_with_polynomials(problem, best);
+    for (Proposal& proposal : filled.accounts) proposal.account.hypothesis = info().name;
+    return filled;
+  }
   Proposal proposal{described(problem, best)};
+  proposal.account.hypothesis = info().name;
   proposal.precedence = "describes what is left; explains nothing";
   return {{std::move(proposal)}, {}};
 }

@@ -24,9 +24,7 @@ std::string percent(double share) {
 }
 
 /// A share of something, where less than a thousandth says no more than that.
-std::string share_of(double share) {
-  return share < 1e-3 ? "less than 0.1 %" : percent(share);
-}
+std::string share_of(double share) { return share < 1e-3 ? "less than 0.1 %" : percent(share); }
 
 /// Unit of a rate of change: "rad/s per s", "V/s".
 std::string rate_unit(const Diagnosis& diagnosis, Index equation) {
@@ -103,8 +101,9 @@ void write_effect(const Diagnosis& diagnosis, const NamedEffect& effect, std::os
   out << "Equation " << state_of(diagnosis, effect.equation).name << ": " << effect.description
       << " (" << effect.name << "), " << with_error(effect.coefficient, effect.deviation) << " "
       << rate_unit(diagnosis, effect.equation) << " * "
-      << readable(effect.term, effect.parameters) << ", explains " << share_of(effect.gap_closed)
-      << " of the disagreement (" << format_number(effect.sigma, 3) << " sigma).\n";
+      << readable(effect.term, effect.parameters) << ", explains "
+      << share_of(effect.gap_closed) << " of the disagreement ("
+      << format_number(effect.sigma, 3) << " sigma).\n";
   for (const Alternative& other : effect.alternatives)
     if (other.probability >= 0.01 && other.term != effect.term)
       out << (other.probability > effect.probability ? "  By likelihood alone it would be "

@@ -27,8 +27,8 @@ std::string format_trail(const Diagnosis& diagnosis) {
   for (const Rival& rival : diagnosis.rivals) width = std::max(width, rival.hypothesis.size());
   std::string text = "Accounts of the records, in the order in which they were judged:\n";
   for (const Rival& rival : diagnosis.rivals)
-    text += std::string(rival.taken ? "  + " : "  - ") + padded(rival.hypothesis, width) + "  " +
-            rival.account + "\n      " + reason(rival) + "\n";
+    text += std::string(rival.taken ? "  + " : "  - ") + padded(rival.hypothesis, width) +
+            "  " + rival.account + "\n      " + reason(rival) + "\n";
   return text + "(+ taken over what was best before, - not taken)\n";
 }
 

@@ -25,8 +25,8 @@ class EveryHypothesis : public testing::TestWithParam<StageVariant> {
 
   OdeModel nominal_ = support::oscillator();
   Dataset data_;
-  DiagnosisOptions options_{.effects = {FamilyEffect<kCoulombFriction>{},
-                                        FamilyEffect<kUnmeasuredInput>{}}};
+  DiagnosisOptions options_{
+      .effects = {FamilyEffect<kCoulombFriction>{}, FamilyEffect<kUnmeasuredInput>{}}};
   RunContext context_;
 };
 

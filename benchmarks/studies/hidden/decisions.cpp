@@ -54,8 +54,8 @@ std::vector<Change> all_changes() {
   DecisionOptions options;
   NumberVisitor list([&](const FieldInfo& info, double value) {
     for (const double factor : {0.5, 2.0}) {
-      const double next = std::clamp(factor * value, info.min.value_or(-INFINITY),
-                                     info.max.value_or(INFINITY));
+      const double next =
+          std::clamp(factor * value, info.min.value_or(-INFINITY), info.max.value_or(INFINITY));
       changes.push_back({std::string(info.name), factor, next});
     }
     return value;

@@ -3,8 +3,8 @@
 //   study_hidden cases|power|alarm|practice|decisions [FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing; practice: the cases in the folder
-// `practice` of LACUNA_DATA; decisions: the cases at 1 % noise with each threshold at half and at
-// double its value (it goes on where its table in FOLDER ends).
+// `practice` of LACUNA_DATA; decisions: the cases at 1 % noise with each threshold at half and
+// at double its value (it goes on where its table in FOLDER ends).
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>

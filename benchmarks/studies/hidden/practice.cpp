@@ -106,9 +106,8 @@ hidden::Records read_records(const fs::path& folder, const std::string& ending,
 
 }  // namespace
 
-std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(const fs::path& folder,
-                                                                 const std::string& part,
-                                                                 const DiagnosisOptions& options) {
+std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(
+    const fs::path& folder, const std::string& part, const DiagnosisOptions& options) {
   std::vector<fs::path> cases;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().string().find(part) != std::string::npos) cases.push_back(entry.path());

@@ -30,8 +30,8 @@ TEST(Criterion, IsTheDevianceAndThePenalty) {
 }
 
 TEST(Criterion, AFitThatFailedIsTheWorst) {
-  for (const double deviance : {std::numeric_limits<double>::infinity(),
-                                std::numeric_limits<double>::quiet_NaN()})
+  for (const double deviance :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     EXPECT_EQ(Two{}.value({deviance, 1.0, 10.0, 0.0}), std::numeric_limits<double>::infinity());
 }
 

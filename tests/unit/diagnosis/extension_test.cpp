@@ -6,6 +6,7 @@
 
 #include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/report/diagnosis_report.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
 
@@ -33,10 +34,10 @@ TEST(Extension, ACriterionIsOneClassAndOneLine) {
   Configuration configuration;
   configuration.set("criterion=aicc");
   configuration.set("effects=[\"coulomb-friction\"]");
-  const Diagnosis diagnosis = diagnose(
-      support::oscillator(), support::hidden_record(support::dry_friction, 0.01, 3),
-      support::hidden_record(support::dry_friction, 0.01, 4, -0.7),
-      diagnosis_options(configuration, registry), RunContext{});
+  const Diagnosis diagnosis =
+      diagnose(support::oscillator(), support::hidden_record(support::dry_friction, 0.01, 3),
+               support::hidden_record(support::dry_friction, 0.01, 4, -0.7),
+               diagnosis_options(configuration, registry), RunContext{});
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_EQ(diagnosis.effects[0].name, "coulomb-friction");
   ASSERT_FALSE(diagnosis.rivals.empty());
@@ -65,9 +66,12 @@ class SamplingTime final : public Configured<Hypothesis, HypothesisOptions<kSamp
       return assimilate(problem.nominal, data, omitted, AssimilationOptions{}, problem.context);
     };
     double likeliest = 1.0, least = best.base->given.deviance;
-    for (double factor = 0.8; factor < 1.25; factor += 0.01)
-      if (const double deviance = on(with_clock(problem.data, factor)).deviance;
-          deviance < least) {
+    for (const double step : {0.05, 0.01, 0.002, 0.0004})
+      for (const double centre = likeliest;
+           const double away : {-5, -4, -3, -2, -1, 1, 2, 3, 4, 5}) {
+        const double factor = centre + step * away;
+        const double deviance = on(with_clock(problem.data, factor)).deviance;
+        if (!(deviance < least)) continue;
         least = deviance;
         likeliest = factor;
       }
@@ -76,8 +80,8 @@ class SamplingTime final : public Configured<Hypothesis, HypothesisOptions<kSamp
     Baseline base = fitted_baseline(same, on(corrected), {});
     base.parameters = 1.0;
     base.correct = [likeliest](const Dataset& data) { return with_clock(data, likeliest); };
-    Account account = bare_account(same, "sampling-time",
-                                   std::make_shared<const Baseline>(std::move(base)));
+    Account account =
+        bare_account(same, "sampling-time", std::make_shared<const Baseline>(std::move(base)));
     account.findings.push_back({.name = "sampling-time", .coefficient = likeliest});
     return {{{std::move(account)}}, {}};
   }
@@ -89,10 +93,12 @@ TEST(Extension, AHypothesisIsOneClassAndOneLine) {
   Configuration configuration;
   configuration.set("effects=[\"coulomb-friction\",\"linear-term\"]");
   const Dataset slow = with_clock(support::hidden_record(support::nothing, 0.01, 3), 1.1);
-  const Dataset other = with_clock(support::hidden_record(support::nothing, 0.01, 4, -0.7), 1.1);
-  const Diagnosis diagnosis = diagnose(support::oscillator(), slow, other,
-                                       diagnosis_options(configuration, registry), RunContext{});
-  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  const Dataset other =
+      with_clock(support::hidden_record(support::nothing, 0.01, 4, -0.7), 1.1);
+  const Diagnosis diagnosis =
+      diagnose(support::oscillator(), slow, other, diagnosis_options(configuration, registry),
+               RunContext{});
+  ASSERT_EQ(diagnosis.effects.size(), 1u) << format_trail(diagnosis);
   EXPECT_EQ(diagnosis.effects[0].name, "sampling-time");
   EXPECT_NEAR(diagnosis.effects[0].coefficient, 1.0 / 1.1, 0.01);
   EXPECT_EQ(diagnosis.verdict, Verdict::Explained);

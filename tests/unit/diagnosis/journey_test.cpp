@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The journey with hypotheses and a criterion made for it: who is asked when, what decides, what
-// the trail keeps.
+// The journey with hypotheses and a criterion made for it: who is asked when, what decides,
+// what the trail keeps.
 #include "diagnosis/journey.hpp"
 
 #include <gtest/gtest.h>
@@ -63,9 +63,8 @@ class Journey : public testing::Test {
 };
 
 TEST_F(Journey, TheCriterionDecides) {
-  const Judged result =
-      judged(Phase::Effects, {Claims<kFirst>(Phase::Effects, 5.0),
-                              Claims<kSecond>(Phase::Effects, -1.0)});
+  const Judged result = judged(Phase::Effects, {Claims<kFirst>(Phase::Effects, 5.0),
+                                                Claims<kSecond>(Phase::Effects, -1.0)});
   EXPECT_EQ(result.best.hypothesis, "first");
   ASSERT_EQ(result.trail.size(), 4u);  // each declines one account and puts one forward
   EXPECT_TRUE(result.trail[1].taken);
