@@ -6,20 +6,22 @@
 #include <tuple>
 #include <utility>
 
-#include "hypotheses/broken_identities.hpp"
-#include "decision/carry_over.hpp"
 #include "coefficient_changes.hpp"
+#include "decision/carry_over.hpp"
+#include "decision/substance.hpp"
+#include "decision/window_refit.hpp"
+#include "hypotheses/broken_identities.hpp"
 #include "hypotheses/coloured_noise.hpp"
 #include "hypotheses/free_input.hpp"
+#include "hypotheses/polynomial_gap.hpp"
+#include "hypotheses/search.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
+#include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/numerics/significance.hpp"
-#include "hypotheses/polynomial_gap.hpp"
-#include "records.hpp"
-#include "hypotheses/search.hpp"
-#include "decision/substance.hpp"
-#include "decision/window_refit.hpp"
+#include "lacuna/records/bound_records.hpp"
+#include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
 namespace {
@@ -27,10 +29,11 @@ namespace {
 /// The steps of a diagnosis in their order.
 class Workflow {
  public:
-  Workflow(const OdeModel& nominal, const Dataset& data, const DiagnosisOptions& options,
-           const RunContext& context)
+  Workflow(const OdeModel& nominal, const BoundRecords& records,
+           const DiagnosisOptions& options, const RunContext& context)
       : nominal_(nominal),
-        data_(data),
+        records_(records),
+        data_(records.data),
         options_(options),
         context_(context),
         result_{Verdict::NoDiscrepancy, nominal, {}, {}, {}, {}, {}, nominal, {}, {}, {}} {}
@@ -51,8 +54,11 @@ class Workflow {
  private:
   void bring_onto_records() {
     context_.report("bringing the model onto the records", 0.0);
-    given_ = assimilate(nominal_, data_, mark_outliers(data_), AssimilationOptions{}, context_);
-    if (clear_false_outliers(data_, *given_, result_.notes))
+    given_ = assimilate(nominal_, data_, records_.outliers, AssimilationOptions{}, context_);
+    OutlierCheck outliers = check_outliers(nominal_.states(), *given_);
+    given_->omitted = std::move(outliers.outliers);
+    result_.notes = std::move(outliers.notes);
+    if (outliers.any_false)
       given_ = assimilate_from(nominal_, data_, *given_, AssimilationOptions{}, context_);
     if (!std::isfinite(given_->deviance))
       throw DataError(data_.trajectories.front().source,
@@ -302,7 +308,7 @@ class Workflow {
     if (carried == CarryOver::Refuted) {
       withdraw_names(found, "worse; what fails there gets no name");
       gauge_on(held_out);
-    } else if (carried == CarryOver::Little && mostly_repeats(data_)) {
+    } else if (carried == CarryOver::Little && mostly_repeats(records_)) {
       withdraw_names(found,
                      "hardly; most samples repeat the one before (coarse quantisation), and "
                      "what they show beyond that gets no name");
@@ -358,6 +364,7 @@ class Workflow {
   }
 
   const OdeModel& nominal_;
+  const BoundRecords& records_;
   const Dataset& data_;
   const DiagnosisOptions& options_;
   const RunContext& context_;
@@ -388,13 +395,18 @@ std::string to_string(Verdict verdict) {
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  std::vector<std::string> notes, held_out_notes;
-  const Dataset records = bridged(data, notes);
+  if (lacks_input_columns(data) || lacks_input_columns(held_out))
+    return diagnose(nominal, with_input_columns(data), with_input_columns(held_out), options,
+                    context);
+  const UsableRecords records = usable_records(data);
+  const UsableRecords others =
+      held_out.trajectories.empty() ? UsableRecords{} : usable_records(held_out);
   const auto [find, check] = held_out.trajectories.empty()
-                                 ? split_in_time(records)
-                                 : std::pair(records, bridged(held_out, held_out_notes));
-  Diagnosis result = Workflow(nominal, find, options, context).run(check);
-  for (const std::string& note : held_out_notes) notes.push_back("held-out records: " + note);
+                                 ? split_in_time(records.data)
+                                 : SplitRecords{records.data, others.data};
+  Diagnosis result = Workflow(nominal, observed(find), options, context).run(check);
+  std::vector<std::string> notes = records.notes;
+  for (const std::string& note : others.notes) notes.push_back("held-out records: " + note);
   result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
   return result;
 }

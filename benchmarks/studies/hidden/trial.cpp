@@ -15,13 +15,6 @@
 namespace lacuna::benchmarks {
 namespace {
 
-std::vector<Stage<Effect>> all_effects(const Registry& registry) {
-  std::vector<Stage<Effect>> effects;
-  for (const std::string& name : registry.names(Effect::kKind))
-    effects.push_back(registry.make<Effect>(name));
-  return effects;
-}
-
 /// Whether an effect is one of the measurement, which the augmented model does not have.
 bool is_of_measurement(const NamedEffect& effect) { return effect.name == "channel-skew"; }
 
@@ -54,7 +47,7 @@ Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
   const double start = thread_seconds();
   try {
     DiagnosisOptions options;
-    options.effects = all_effects(registry);
+    options.effects = registry.make_all<Effect>();
     const Diagnosis diagnosis =
         diagnose(hidden.nominal, records.find, records.check, options, RunContext{});
     outcome.score = hidden::score(hidden, diagnosis, clean.find);
