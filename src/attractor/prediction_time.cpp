@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "lacuna/core/error.hpp"
-#include "lacuna/dynamics/model_view.hpp"
 #include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/records/model_view.hpp"
 
 namespace lacuna {
 namespace {

@@ -129,19 +129,12 @@ VariableRange Scope::range_of(const std::string& formula) const {
 }
 
 bool Scope::is_identity(Index equation) const {
-  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
-  if (terms.size() != 1 || terms.front().coefficient != 1.0) return false;
-  for (Index other = 0; other < model.dimension(); ++other)
-    if (other != equation && terms.front().term.name() == state(other).name) return true;
-  return false;
+  return identity_of(model, equation).has_value();
 }
 
 std::optional<Index> Scope::integral_of(Index number) const {
   for (Index other = 0; other < model.dimension(); ++other)
-    if (is_identity(other) &&
-        model.equations()[static_cast<std::size_t>(other)].front().term.name() ==
-            state(number).name)
-      return other;
+    if (identity_of(model, other) == number) return other;
   return std::nullopt;
 }
 

@@ -28,14 +28,6 @@ class DifferentiatorFinder final : public OptionVisitor {
   }
 };
 
-ColumnRoles common_roles(const DataOptions& options) {
-  ColumnRoles roles;
-  roles.time = options.time;
-  roles.step = options.step;
-  roles.trajectory = options.trajectory;
-  return roles;
-}
-
 std::vector<std::string> list_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : split_list(text);
 }
@@ -63,6 +55,14 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
                  "Only q is measured of a system of order N: its derivatives become the states "
                  "q_d1, ...; -1 adds the integral. May be given more than once")
       ->type_name("q=N");
+}
+
+ColumnRoles common_roles(const DataOptions& options) {
+  ColumnRoles roles;
+  roles.time = options.time;
+  roles.step = options.step;
+  roles.trajectory = options.trajectory;
+  return roles;
 }
 
 Dataset read_data(const DataOptions& options) {

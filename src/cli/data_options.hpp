@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "lacuna/data/read.hpp"
-#include "lacuna/formulations/embedding.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/records/embedding.hpp"
 
 namespace lacuna::cli {
 
@@ -25,17 +24,15 @@ struct DataOptions {
 /// be chosen, which a command that has a model leaves to the model.
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns);
 
+/// The roles that the options give to columns in every command: time, step, number of the
+/// record.
+ColumnRoles common_roles(const DataOptions& options);
+
 /// The record that the options describe, as measured.
 Dataset read_data(const DataOptions& options);
 
 /// "q=2" as an embedding. @throws ConfigError when it is not NAME=ORDER.
 std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options);
-
-/// The record in the variables of a model, in its order. States without a column are
-/// reconstructed where the model defines them (equation `q` is the single term `v`: v = dq/dt).
-/// @throws DataError naming a state or an input that is neither there nor defined.
-Dataset read_data_for(const OdeModel& model, const DataOptions& options,
-                      const Differentiator& differentiator);
 
 /// The differentiator inside a stage. @throws ConfigError when it has none.
 Stage<Differentiator> differentiator_of(const StageInterface& stage);

@@ -9,6 +9,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/diagnosis/diagnose.hpp"
 #include "lacuna/model/model_file.hpp"
+#include "lacuna/records/read_records.hpp"
 #include "lacuna/report/diagnosis_report.hpp"
 
 namespace lacuna::cli {
@@ -65,6 +66,7 @@ DiagnosisOptions make_options(const Session& session, const OdeModel& model,
   if (!options.effects.empty()) result.effects.clear();
   for (const std::string& name : options.effects)
     result.effects.push_back(session.registry.make<Effect>(name));
+  if (options.effects.empty()) result.effects = session.registry.make_all<Effect>();
   for (const std::string& text : options.tolerances)
     result.tolerances.push_back(parse_tolerance(model, text));
   if (options.max_effects) result.decision.max_effects = *options.max_effects;
@@ -75,9 +77,7 @@ DiagnosisOptions make_options(const Session& session, const OdeModel& model,
 Dataset read_held_out(const OdeModel& model, const Options& options,
                       const Differentiator& differentiator) {
   if (options.held_out.empty()) return {};
-  DataOptions data = options.data;
-  data.paths = options.held_out;
-  return read_data_for(model, data, differentiator);
+  return read_records(model, options.held_out, common_roles(options.data), differentiator);
 }
 
 int diagnose_command(const Session& session, const Options& options) {
@@ -85,7 +85,8 @@ int diagnose_command(const Session& session, const Options& options) {
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data = read_data_for(model, options.data, *differentiator);
+  const Dataset data =
+      read_records(model, options.data.paths, common_roles(options.data), *differentiator);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =
       diagnose(model, data, held_out, make_options(session, model, options), context);

@@ -8,6 +8,7 @@
 #include "lacuna/data/write.hpp"
 #include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/records/read_records.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -51,16 +52,13 @@ Vector parse_times(const Options& options) {
 }
 
 /// The first record of the input file in the inputs of the model.
-Trajectory read_inputs(const OdeModel& model, const Options& options) {
+Trajectory input_record(const OdeModel& model, const Options& options) {
   if (!options.input_data)
     throw ConfigError("--input-data", "the model has inputs but no record of them is given",
                       "give a file with a column for each input");
   ColumnRoles roles;
   roles.time = options.input_time;
-  for (const Quantity& input : model.inputs()) roles.states.push_back(input.name);
-  Trajectory record = read_dataset({*options.input_data}, roles).trajectories.front();
-  record.inputs = record.states;
-  return record;
+  return read_inputs(model, *options.input_data, roles).trajectories.front();
 }
 
 Solution run(const OdeModel& model, const Integrator& integrator, const Options& options,
@@ -68,7 +66,7 @@ Solution run(const OdeModel& model, const Integrator& integrator, const Options&
   const Vector start = parse_start(model, options.x0);
   const Vector times = parse_times(options);
   if (model.inputs().empty()) return simulate(model, integrator, start, times, context);
-  RecordInput inputs(read_inputs(model, options));
+  RecordInput inputs(input_record(model, options));
   return simulate(model, integrator, start, times, inputs, context);
 }
 

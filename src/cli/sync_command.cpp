@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/records/read_records.hpp"
 #include "lacuna/report/sync_report.hpp"
 
 namespace lacuna::cli {
@@ -44,7 +45,8 @@ int sync_command(const Session& session, const Options& options) {
   const std::optional<Matrix> coupling = parse_coupling(model, options.coupling);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data = read_data_for(model, options.data, *differentiator);
+  const Dataset data =
+      read_records(model, options.data.paths, common_roles(options.data), *differentiator);
 
   SyncReport report{synchronise(model, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), options.integrator};

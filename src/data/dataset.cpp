@@ -131,6 +131,30 @@ const Trajectory& longest_record(const Dataset& data) {
       [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
 }
 
+double median_step(const Dataset& data) {
+  std::vector<double> steps;
+  for (const Trajectory& record : data.trajectories)
+    for (Index i = 1; i < record.samples(); ++i)
+      steps.push_back(record.time[i] - record.time[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+bool lacks_input_columns(const Dataset& data) {
+  return data.inputs.empty() && std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                                            [](const Trajectory& record) {
+                                              return record.inputs.size() == 0 &&
+                                                     record.inputs.rows() != record.samples();
+                                            });
+}
+
+Dataset with_input_columns(Dataset data) {
+  if (lacks_input_columns(data))
+    for (Trajectory& record : data.trajectories) record.inputs.resize(record.samples(), 0);
+  return data;
+}
+
 void check_dataset(const Dataset& data) {
   check_names(data);
   check_rates(data);

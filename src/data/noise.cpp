@@ -252,7 +252,8 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, doubl
   if (record.samples() < static_cast<Index>(kFewest)) return outliers;
   const Vector deviation = without_local_median(bends(record, state)).cwiseAbs();
   std::vector<double> sizes(deviation.begin(), deviation.end());
-  const double limit = 6.0 * std::max(std::sqrt(1.5) * sigma, median(sizes) / kNormalMedian);
+  const double limit =
+      kOutlyingDeviations * std::max(std::sqrt(1.5) * sigma, median(sizes) / kNormalMedian);
   for (Index i = 1; i + 1 < deviation.size(); ++i)
     if (deviation[i] > limit && deviation[i] >= deviation[i - 1] &&
         deviation[i] >= deviation[i + 1])

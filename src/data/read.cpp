@@ -57,7 +57,9 @@ std::vector<std::string> matching_files(const std::string& pattern) {
   return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
 }
 
-std::vector<std::string> all_files(const std::vector<std::string>& paths) {
+}  // namespace
+
+std::vector<std::string> expand_patterns(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
   for (const std::string& path : paths) {
     std::vector<std::string> more =
@@ -67,6 +69,8 @@ std::vector<std::string> all_files(const std::vector<std::string>& paths) {
   if (files.empty()) throw DataError("data", "no file is given", "name at least one file");
   return files;
 }
+
+namespace {
 
 std::vector<std::string> sorted_names(const Table& table) {
   std::vector<std::string> names;
@@ -136,7 +140,7 @@ Table read_table(const fs::path& path) {
 }
 
 Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles) {
-  const std::vector<std::string> files = all_files(paths);
+  const std::vector<std::string> files = expand_patterns(paths);
   Table first = read_table(files.front());
   Dataset data = assign_roles(first, roles);
   if (files.size() == 1) return data;

@@ -10,13 +10,6 @@ double mean_step(const Trajectory& trajectory) {
   return trajectory.duration() / static_cast<double>(trajectory.samples() - 1);
 }
 
-double median_step(const Trajectory& trajectory) {
-  const Index count = trajectory.samples() - 1;
-  Vector steps = trajectory.time.tail(count) - trajectory.time.head(count);
-  std::nth_element(steps.begin(), steps.begin() + count / 2, steps.end());
-  return steps[count / 2];
-}
-
 std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance) {
   const Vector& time = trajectory.time;
   if (time.size() < 2) return std::nullopt;
@@ -24,6 +17,15 @@ std::optional<double> uniform_step(const Trajectory& trajectory, double toleranc
   const auto steps = (time.tail(time.size() - 1) - time.head(time.size() - 1)).array();
   const bool uniform = ((steps - mean).abs() <= tolerance * std::abs(mean)).all();
   return uniform ? std::optional<double>(mean) : std::nullopt;
+}
+
+Trajectory rows_of(const Trajectory& trajectory, Index first, Index count) {
+  const auto part = [&](const Matrix& values) -> Matrix {
+    if (values.rows() == 0) return Matrix(0, 0);
+    return values.middleRows(first, count);
+  };
+  return {trajectory.source, trajectory.time.segment(first, count), part(trajectory.states),
+          part(trajectory.inputs), part(trajectory.derivatives)};
 }
 
 std::string file_of(const Trajectory& trajectory) {

@@ -10,7 +10,6 @@
 #include "lacuna/decision/holdout.hpp"
 #include "lacuna/hypotheses/coloured_noise.hpp"
 #include "lacuna/numerics/significance.hpp"
-#include "records.hpp"
 
 namespace lacuna {
 namespace {
@@ -93,7 +92,7 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
     case HoldoutVerdict::Refuted:
       return {true, false, names + "worse; what fails there gets no name"};
     case HoldoutVerdict::Little:
-      if (mostly_repeats(*account.base->data))
+      if (mostly_repeats(*account.base->records))
         return {true, false,
                 names +
                     "hardly; most samples repeat the one before (coarse quantisation), and "

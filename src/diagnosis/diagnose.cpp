@@ -7,29 +7,27 @@
 
 #include "answer.hpp"
 #include "journey.hpp"
-#include "records.hpp"
+#include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
 namespace {
 
 /// Records to explain and records that choose nothing.
 struct Records {
-  Dataset find, check;
+  BoundRecords find;
+  Dataset check;
   std::vector<std::string> notes = {};
 };
 
 Records prepared(const Dataset& data, const Dataset& held_out) {
-  Records records;
-  Dataset all = bridged(data, records.notes);
+  UsableRecords all = usable_records(data);
   if (held_out.trajectories.empty()) {
-    std::tie(records.find, records.check) = split_in_time(all);
-    return records;
+    SplitRecords parts = split_in_time(all.data);
+    return {observed(std::move(parts.find)), std::move(parts.check), std::move(all.notes)};
   }
-  std::vector<std::string> notes;
-  records.find = std::move(all);
-  records.check = bridged(held_out, notes);
-  for (const std::string& note : notes) records.notes.push_back("held-out records: " + note);
-  return records;
+  UsableRecords other = usable_records(held_out);
+  for (const std::string& note : other.notes) all.notes.push_back("held-out records: " + note);
+  return {observed(std::move(all.data)), std::move(other.data), std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the

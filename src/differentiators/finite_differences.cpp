@@ -174,11 +174,8 @@ Dataset middle_of(const Dataset& data) {
   const Index first = (record.samples() - count) / 2;
   Dataset part;
   part.states = data.states;
-  part.trajectories.push_back({record.source,
-                               record.time.segment(first, count),
-                               record.states.middleRows(first, count),
-                               Matrix(count, 0),
-                               {}});
+  part.trajectories = {rows_of(record, first, count)};
+  part.trajectories[0].inputs.resize(count, 0);
   return part;
 }
 

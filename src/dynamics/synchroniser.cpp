@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "lacuna/dynamics/model_view.hpp"
 #include "lacuna/numerics/lagrange.hpp"
+#include "lacuna/records/model_view.hpp"
 
 namespace lacuna {
 namespace {

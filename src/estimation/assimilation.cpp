@@ -15,14 +15,6 @@
 namespace lacuna {
 namespace {
 
-bool is_identity(const OdeModel& model, Index equation) {
-  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
-  if (terms.size() != 1 || terms.front().coefficient != 1.0) return false;
-  const std::string& name = terms.front().term.name();
-  return std::any_of(model.states().begin(), model.states().end(),
-                     [&](const Quantity& state) { return state.name == name; });
-}
-
 Vector spans(const Dataset& data) {
   Vector low = data.trajectories.front().states.colwise().minCoeff();
   Vector high = data.trajectories.front().states.colwise().maxCoeff();
@@ -238,7 +230,7 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
     const auto measured = data.is_measured(k) ? std::optional(white[k]) : std::nullopt;
     noise.measurement.push_back(measured);
     const bool disturbed = options.disturbed.empty()
-                               ? !is_identity(model, k)
+                               ? !identity_of(model, k)
                                : options.disturbed[static_cast<std::size_t>(k)];
     const Vector change = record.states.col(k).tail(record.samples() - 1) -
                           record.states.col(k).head(record.samples() - 1);
@@ -259,7 +251,7 @@ Vector resolution_of(const Dataset& data) {
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {
   std::vector<CoefficientPlace> places;
   for (Index k = 0; k < model.dimension(); ++k) {
-    if (is_identity(model, k)) continue;
+    if (identity_of(model, k)) continue;
     const auto terms =
         static_cast<Index>(model.equations()[static_cast<std::size_t>(k)].size());
     for (Index j = 0; j < terms; ++j) places.push_back({k, j});

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lacuna/formulations/derived_record.hpp"
 #include "lacuna/formulations/library_rows.hpp"
+#include "lacuna/records/derived_record.hpp"
 #include "non_finite_error.hpp"
 
 namespace lacuna {

@@ -17,16 +17,6 @@ constexpr double kFloor = 1e-10;
 /// Samples of a record that its spectrum is taken of; more do not move the corner.
 constexpr Index kSpectrumSamples = 8192;
 
-double median_step(const Dataset& data) {
-  std::vector<double> steps;
-  for (const Trajectory& record : data.trajectories)
-    for (Index i = 1; i < record.samples(); ++i)
-      steps.push_back(record.time[i] - record.time[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
 double longest_duration(const Dataset& data) {
   double longest = 0.0;
   for (const Trajectory& record : data.trajectories)

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "diagnosis/records.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/noise.hpp"
+#include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/hypotheses/problem.hpp"
 
 namespace lacuna {
@@ -17,25 +17,25 @@ constexpr int kPassesFromBaseline = 8;
 }  // namespace
 
 Baseline plain_baseline(const Problem& problem) {
-  const auto& [nominal, data, options, context] = problem;
+  const auto& [nominal, records, options, context] = problem;
   context.report("bringing the model onto the records", 0.0);
-  std::vector<std::string> notes;
-  Assimilation given =
-      assimilate(nominal, data, mark_outliers(data), AssimilationOptions{}, context);
-  if (clear_false_outliers(data, given, notes))
-    given = assimilate_from(nominal, data, given, AssimilationOptions{}, context);
+  Assimilation given = assimilate(nominal, records.data, records.outliers, {}, context);
+  OutlierCheck outliers = check_outliers(nominal.states(), given);
+  given.omitted = std::move(outliers.outliers);
+  if (outliers.any_false) given = assimilate_from(nominal, records.data, given, {}, context);
   if (!std::isfinite(given.deviance))
-    throw DataError(data.trajectories.front().source,
+    throw DataError(records.data.trajectories.front().source,
                     "the model has no finite solution from one sample to the next",
                     "check that model and record have the same units, above all of time");
   Baseline base = fitted_baseline(problem, std::move(given), free_coefficients(nominal));
-  base.notes.insert(base.notes.begin(), notes.begin(), notes.end());
+  base.notes.insert(base.notes.begin(), outliers.notes.begin(), outliers.notes.end());
   return base;
 }
 
 Baseline fitted_baseline(const Problem& problem, Assimilation given,
                          std::vector<CoefficientPlace> free) {
-  const auto& [nominal, data, options, context] = problem;
+  const auto& [nominal, records, options, context] = problem;
+  const Dataset& data = records.data;
   context.report("fitting the nominal coefficients", 0.0);
   AssimilationOptions fit_options;
   fit_options.free = std::move(free);
@@ -52,7 +52,7 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
   }
   Scope scope =
       make_scope(nominal, data, estimate_noise(data), spectral_lines(fitted, kSpectralLines));
-  return {std::make_shared<const Dataset>(data),
+  return {std::make_shared<const BoundRecords>(records),
           std::move(given),
           std::move(fitted),
           std::move(fit_options),
@@ -63,14 +63,14 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
 
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects) {
-  return explain(*base.data, problem.nominal, start, effects, base.fit_options,
+  return explain(base.records->data, problem.nominal, start, effects, base.fit_options,
                  problem.context);
 }
 
 Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
                                const Assimilation& start,
                                const std::vector<FittedEffect>& effects) {
-  return explain_roughly(*base.data, problem.nominal, start, effects, base.fit_options,
+  return explain_roughly(base.records->data, problem.nominal, start, effects, base.fit_options,
                          problem.context);
 }
 

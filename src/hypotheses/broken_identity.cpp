@@ -54,7 +54,8 @@ Assimilation loosened(const Problem& problem, const Baseline& base,
   for (std::size_t k = 0; k < further.size(); ++k)
     options.disturbed.push_back(further[k] ||
                                 base.given.noise.disturbance[static_cast<Index>(k)] > 0.0);
-  return assimilate(problem.nominal, *base.data, base.given.omitted, options, problem.context);
+  return assimilate(problem.nominal, base.records->data, base.given.omitted, options,
+                    problem.context);
 }
 
 /// Of the doubted equations those that are substantially disturbed when they may be.
@@ -79,7 +80,7 @@ Baseline loosened_baseline(const Problem& problem, const Baseline& base,
     free.push_back({static_cast<Index>(k), 0});
     ++more;
   }
-  const Problem same{problem.nominal, *base.data, problem.options, problem.context};
+  const Problem same{problem.nominal, *base.records, problem.options, problem.context};
   Baseline next = fitted_baseline(same, loosened(problem, base, broken), std::move(free));
   next.parameters = more;  // a variance of the disturbance each
   next.correct = base.correct;

@@ -89,8 +89,8 @@ Baseline coloured_baseline(const Problem& problem, const Baseline& base,
   Baseline next = base;
   Assimilation start = base.given;
   start.noise = coloured.noise;
-  next.given = assimilate_from(problem.nominal, *base.data, start, AssimilationOptions{},
-                               problem.context);
+  next.given = assimilate_from(problem.nominal, base.records->data, start,
+                               AssimilationOptions{}, problem.context);
   next.parameters += 2.0 * static_cast<double>(coloured.noise.measured());
   next.fitted = std::move(coloured);
   next.scope.lines = spectral_lines(next.fitted, kSpectralLines);
@@ -106,7 +106,7 @@ Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
   const Assimilation& fitted = best.base->fitted;
   Assimilation start = fitted;
   start.noise = with_coloured_noise(fitted, problem.context);
-  Assimilation coloured = assimilate_from(fitted.model, *best.base->data, start,
+  Assimilation coloured = assimilate_from(fitted.model, best.base->records->data, start,
                                           best.base->fit_options, problem.context);
   const std::string says = "noise with a memory";
   const double value = problem.options.criterion->value(

@@ -93,7 +93,7 @@ class Search {
  public:
   Search(const Problem& problem, const Baseline& base,
          const std::vector<Stage<Effect>>& effects)
-      : data_(*base.data),
+      : data_(base.records->data),
         base_(base.fitted),
         scope_(base.scope),
         fit_options_(base.fit_options),

@@ -46,7 +46,8 @@ Assimilation with_model(const Problem& problem, const Baseline& base, const OdeM
   AssimilationOptions options = base.fit_options;
   options.free.clear();
   options.priors.clear();
-  Assimilation result = assimilate_from(model, *base.data, fit, options, problem.context);
+  Assimilation result =
+      assimilate_from(model, base.records->data, fit, options, problem.context);
   result.free = fit.free;
   return result;
 }
@@ -72,8 +73,8 @@ std::optional<Explanation> refit_over_windows(const Problem& problem, const Base
   problem.context.report("refitting over windows", 0.0);
   RefineOptions windows;
   windows.window_samples = length;
-  const Refinement refined = refine(parametrised(explanation.fit, base.fit_options), *base.data,
-                                    windows, problem.context);
+  const Refinement refined = refine(parametrised(explanation.fit, base.fit_options),
+                                    base.records->data, windows, problem.context);
   if (refined.status == RefineStatus::Diverged || !refined.covariance.allFinite())
     return std::nullopt;
   Explanation next{explanation.effects,

@@ -122,6 +122,16 @@ OdeModel OdeModel::with_term(Index equation, WeightedTerm summand) const {
   return OdeModel(states_, inputs_, std::move(extended), time_unit_);
 }
 
+std::optional<Index> identity_of(const OdeModel& model, Index equation) {
+  const Equation& summands = equation_at(model, equation);
+  if (summands.size() != 1 || summands.front().coefficient != 1.0) return std::nullopt;
+  const std::string& name = summands.front().term.name();
+  for (Index other = 0; other < model.dimension(); ++other)
+    if (other != equation && model.states()[static_cast<std::size_t>(other)].name == name)
+      return other;
+  return std::nullopt;
+}
+
 CompiledModel OdeModel::compile() const { return CompiledModel(*this); }
 
 }  // namespace lacuna

@@ -261,6 +261,7 @@ IdentificationResult run_equations(const Run& run) {
 
 IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
                               const RunContext& context) {
+  if (lacks_input_columns(data)) return identify(with_input_columns(data), pipeline, context);
   check_dataset(data);
   const TermLibrary library = pipeline.basis->library(variables_of(data));
   context.report("reading rows", 0.0);

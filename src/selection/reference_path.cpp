@@ -63,62 +63,20 @@ void place_path(PathRecord& record, const Matrix& states, const Program& program
 Matrix weights_of(const Trajectory& record, const Dataset& data, const Vector& noise) {
   Matrix weights = Matrix::Zero(record.samples(), record.states.cols());
   for (Index k = 0; k < weights.cols(); ++k) {
-    if (is_derived(data, k)) continue;
+    if (!data.is_measured(k)) continue;
     weights.col(k).setConstant(1.0 / noise[k]);
     for (const Index i : outlying_samples(record, k, noise[k])) weights(i, k) = 0.0;
   }
   return weights;
 }
 
-Matrix stacked(const Matrix& a, const Matrix& b) {
-  Matrix both(a.rows() + b.rows(), a.cols());
-  both << a, b;
-  return both;
-}
-
-void append(Trajectory& target, const Trajectory& more) {
-  target.time = stacked(target.time, more.time);
-  target.states = stacked(target.states, more.states);
-  target.inputs = stacked(target.inputs, more.inputs);
-  if (target.has_derivatives())
-    target.derivatives = stacked(target.derivatives, more.derivatives);
-}
-
 }  // namespace
-
-bool is_derived(const Dataset& data, Index state) {
-  if (data.rate_of.empty()) return false;
-  const std::string& name = data.states[static_cast<std::size_t>(state)].name;
-  return std::any_of(data.states.begin(), data.states.end(), [&](const Quantity& other) {
-    const bool longer = name.size() > other.name.size() + 2;
-    if (!longer || name.rfind(other.name + "_", 0) != 0) return false;
-    const char kind = name[other.name.size() + 1];
-    return (kind == 'd' || kind == 'i') &&
-           name.find_first_not_of("0123456789", other.name.size() + 2) == std::string::npos;
-  });
-}
-
-Dataset joined_across_gaps(const Dataset& data) {
-  constexpr double kLongestGap = 5.5;  // steps
-  const double longest_gap = kLongestGap * median_step(longest_record(data));
-  Dataset joined = data;
-  joined.trajectories.clear();
-  for (const Trajectory& record : data.trajectories) {
-    Trajectory* before = joined.trajectories.empty() ? nullptr : &joined.trajectories.back();
-    if (before && before->has_derivatives() == record.has_derivatives() &&
-        goes_on(*before, record, longest_gap))
-      append(*before, record);
-    else
-      joined.trajectories.push_back(record);
-  }
-  return joined;
-}
 
 Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise) {
   Matrix smooth = record.states;
   std::vector<Matrix> fits(static_cast<std::size_t>(smooth.cols()));
   for (Index k = 0; k < smooth.cols(); ++k) {
-    if (is_derived(data, k)) continue;
+    if (!data.is_measured(k)) continue;
     auto& fit = fits[static_cast<std::size_t>(k)];
     fit = smooth_by_polynomials(record.time, without_outliers(record, k, noise[k]), noise[k]);
     smooth.col(k) = fit.col(0);
@@ -126,7 +84,7 @@ Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vect
   for (Index k = 0; k < smooth.cols(); ++k) {
     const std::optional<Index> rate = data.rate_state(k);
     const Matrix& fit = fits[static_cast<std::size_t>(k)];
-    if (rate && is_derived(data, *rate) && fit.size() > 0) smooth.col(*rate) = fit.col(1);
+    if (rate && !data.is_measured(*rate) && fit.size() > 0) smooth.col(*rate) = fit.col(1);
   }
   return smooth;
 }

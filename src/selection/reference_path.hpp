@@ -29,17 +29,9 @@ std::vector<PathRecord> make_paths(const Dataset& data, const Vector& noise,
 /// Changes the number of parts of an interval; the path goes through its points at samples.
 void set_substeps(PathRecord& record, Index substeps, const Program& program);
 
-/// Whether a state was computed from another one by embed(), not measured: its name is that of
-/// another state with "_d1", "_i1", ... behind it, and one is the rate of the other.
-bool is_derived(const Dataset& data, Index state);
-
 /// Signals as polynomials in moving windows see them, the window of each state being the one
 /// with the least estimated risk, RSS / sigma^2 + 2 trace (Mallows' C_p). States that were not
 /// measured follow from those whose rates they are.
 Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise);
-
-/// The dataset with records joined that follow one another after a gap of at most five usual
-/// steps: samples missing in between need not be known.
-Dataset joined_across_gaps(const Dataset& data);
 
 }  // namespace lacuna

@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "lacuna/shooting/refine.hpp"
-#include "reference_path.hpp"
 
 namespace lacuna {
 
 Dataset measured_part(const Dataset& data) {
   std::vector<Index> measured;
   for (Index k = 0; k < data.state_count(); ++k)
-    if (!is_derived(data, k)) measured.push_back(k);
+    if (data.is_measured(k)) measured.push_back(k);
   Dataset result;
   result.time_unit = data.time_unit;
   result.inputs = data.inputs;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/records/gaps.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
 
@@ -224,12 +225,18 @@ class Searches {
   bool usable_ = false;
 };
 
+/// Half the usual gap: the first path is interpolated where a model would be carried on. With
+/// ten steps Lorenz' equations (1 % noise, eight of each hundred samples missing) have smaller
+/// errors at 150 samples a turn (28 x: 0.007 instead of 0.016) and are lost at 25 samples a
+/// turn.
+constexpr GapOptions kGaps{.longest_gap = 5.0};
+
 }  // namespace
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
                                             const RunContext& context) const {
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
-  Dataset data = joined_across_gaps(task.data);
+  Dataset data = join_across_gaps(task.data, kGaps);
   const std::vector<StateNoise> noise = analyse_noise(data);
   RefinedModel same{.model = task.start, .usable = false};
   same.message = reason_to_leave(task, noise, from_model);

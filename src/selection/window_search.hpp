@@ -13,7 +13,7 @@ namespace lacuna {
 
 /// What is searched in.
 struct SearchTask {
-  Dataset data;  ///< as joined_across_gaps() has it
+  Dataset data;  ///< as join_across_gaps() has it
   const TermLibrary& library;
   std::vector<StateNoise> noise;  ///< of each state, as estimated from the record
   std::optional<double> price;    ///< of a term

@@ -127,6 +127,8 @@ OdeModel Refinement::fitted() const {
 
 Refinement refine(const ParametrisedModel& model, const Dataset& record,
                   const RefineOptions& options, const RunContext& context) {
+  if (lacks_input_columns(record))
+    return refine(model, with_input_columns(record), options, context);
   check_dataset(record);
   check_options(model, record, options);
   RefinementRun run(model, record, options, context);

@@ -6,12 +6,10 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/dynamics/record_input.hpp"
+#include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
 namespace {
-
-/// Steps that are simulated across missing samples; beyond that a record begins anew.
-constexpr double kLongestGap = 10.5;
 
 std::optional<Index> find(const std::vector<Quantity>& quantities, const std::string& name) {
   for (std::size_t i = 0; i < quantities.size(); ++i)
@@ -115,7 +113,8 @@ void write_trajectory(const ShootingRecord& record, const Rates& rates, Index tr
 
 }  // namespace
 
-ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& data) {
+ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& pieces) {
+  const Dataset data = join_across_gaps(pieces);
   ShootingRecord record;
   std::vector<Index> columns;
   for (const Quantity& state : model.symbolic().states()) {
@@ -135,16 +134,12 @@ ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& da
   record.values.resize(samples, static_cast<Index>(columns.size()));
   record.inputs.resize(samples, static_cast<Index>(inputs.size()));
   record.begins = {0};
-  const double longest_gap = kLongestGap * median_step(longest_record(data));
-  const Trajectory* before = nullptr;
   for (const Trajectory& run : data.trajectories) {
     const Index first = record.begins.back(), n = run.samples();
     record.time.segment(first, n) = run.time;
     record.values.middleRows(first, n) = run.states(Eigen::all, columns);
     if (!inputs.empty()) record.inputs.middleRows(first, n) = run.inputs(Eigen::all, inputs);
-    if (before && goes_on(*before, run, longest_gap)) record.begins.pop_back();
     record.begins.push_back(first + n);
-    before = &run;
   }
   return record;
 }

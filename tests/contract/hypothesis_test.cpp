@@ -12,11 +12,11 @@ class EveryHypothesis : public testing::TestWithParam<StageVariant> {
  protected:
   /// What it proposes against the bare account of a record with something hidden in it.
   Proposals proposals(const support::Hidden& hidden) {
-    data_ = support::hidden_record(hidden, 0.01, 3);
+    records_ = observed(support::hidden_record(hidden, 0.01, 3));
     return stage_of<Hypothesis>(GetParam())->propose(problem(), bare());
   }
 
-  Problem problem() const { return {nominal_, data_, options_, context_}; }
+  Problem problem() const { return {nominal_, records_, options_, context_}; }
 
   Account bare() const {
     const Problem asked = problem();
@@ -24,7 +24,7 @@ class EveryHypothesis : public testing::TestWithParam<StageVariant> {
   }
 
   OdeModel nominal_ = support::oscillator();
-  Dataset data_;
+  BoundRecords records_;
   DiagnosisOptions options_{
       .effects = {FamilyEffect<kCoulombFriction>{}, FamilyEffect<kUnmeasuredInput>{}}};
   RunContext context_;
@@ -34,7 +34,7 @@ TEST_P(EveryHypothesis, ProposesAccountsOfTheSameRecords) {
   for (const Proposal& proposal : proposals(support::dry_friction).accounts) {
     const Account& account = proposal.account;
     ASSERT_NE(account.base, nullptr);
-    EXPECT_EQ(account.base->data->samples(), data_.samples());
+    EXPECT_EQ(account.base->records->data.samples(), records_.data.samples());
     EXPECT_TRUE(std::isfinite(options_.criterion->value(evidence_of(account))));
     EXPECT_TRUE(account.named.empty() ||
                 account.named.size() == account.explanation.effects.size());
@@ -68,7 +68,7 @@ TEST_P(EveryHypothesis, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST_P(EveryHypothesis, EndsWhenAsked) {
-  data_ = support::hidden_record(support::dry_friction, 0.01, 3);
+  records_ = observed(support::hidden_record(support::dry_friction, 0.01, 3));
   const Account best = bare();
   std::stop_source source;
   source.request_stop();

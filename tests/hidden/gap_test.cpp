@@ -11,10 +11,8 @@ namespace lacuna::hidden {
 namespace {
 
 Diagnosis diagnosed(const HiddenCase& hidden, const Records& records) {
-  const Registry registry = default_registry();
   DiagnosisOptions options;
-  for (const std::string& effect : registry.names(Effect::kKind))
-    options.effects.push_back(registry.make<Effect>(effect));
+  options.effects = default_registry().make_all<Effect>();
   return diagnose(hidden.nominal, records.find, records.check, options, RunContext{});
 }
 

@@ -13,9 +13,9 @@
 #include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/formulations/embedding.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/pipeline/presets.hpp"
+#include "lacuna/records/embedding.hpp"
 #include "lacuna/shooting/refine.hpp"
 #include "support/temporary_folder.hpp"
 

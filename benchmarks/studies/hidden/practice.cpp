@@ -8,8 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lacuna/data/read.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/model/model_file.hpp"
+#include "lacuna/records/read_records.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -91,17 +92,13 @@ hidden::HiddenCase read_case(const fs::path& folder) {
                     Json::parse(file));
 }
 
-Dataset read_record(const fs::path& folder, const std::string& file, const OdeModel& model) {
-  ColumnRoles roles;
-  for (const Quantity& state : model.states()) roles.states.push_back(state.name);
-  for (const Quantity& input : model.inputs()) roles.inputs.push_back(input.name);
-  return read_dataset({(folder / file).string()}, roles);
-}
-
-hidden::Records read_records(const fs::path& folder, const std::string& ending,
-                             const OdeModel& model) {
-  return {read_record(folder, "r1_" + ending + ".csv.gz", model),
-          read_record(folder, "r2_" + ending + ".csv.gz", model)};
+hidden::Records records_of(const fs::path& folder, const std::string& ending,
+                           const OdeModel& model) {
+  const auto read = [&](const std::string& number) {
+    const fs::path path = folder / (number + "_" + ending + ".csv.gz");
+    return read_records(model, {path.string()}, {}, FiniteDifferences{});
+  };
+  return {read("r1"), read("r2")};
 }
 
 }  // namespace
@@ -119,9 +116,9 @@ std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(
       const hidden::HiddenCase hidden = read_case(path);
       const bool circuit = fs::exists(path / "r1_clean.csv.gz");
       result.first.push_back({hidden, 1.0, level, 0});
-      result.second.push_back(
-          judge(hidden, read_records(path, ending, hidden.nominal),
-                read_records(path, circuit ? "clean" : "n0", hidden.nominal), options));
+      result.second.push_back(judge(hidden, records_of(path, ending, hidden.nominal),
+                                    records_of(path, circuit ? "clean" : "n0", hidden.nominal),
+                                    options));
       report_progress(result.first.back(), result.second.back());
     }
   return result;

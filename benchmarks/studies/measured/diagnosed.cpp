@@ -10,14 +10,14 @@
 #include "lacuna/config/registry.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
-#include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/formulations/embedding.hpp"
 #include "lacuna/estimation/innovation_system.hpp"
 #include "lacuna/model/model_file.hpp"
+#include "lacuna/records/read_records.hpp"
 #include "lacuna/shooting/refine.hpp"
 #include "support/table.hpp"
 
@@ -31,24 +31,14 @@ struct Timed {
 };
 
 Timed diagnosed(const OdeModel& nominal, const Dataset& find, const Dataset& check) {
-  const Registry registry = default_registry();
   DiagnosisOptions options;
-  for (const std::string& name : registry.names(Effect::kKind))
-    options.effects.push_back(registry.make<Effect>(name));
+  options.effects = default_registry().make_all<Effect>();
   const auto start = std::chrono::steady_clock::now();
   RunContext context;
   context.threads = 2;
   Timed result{diagnose(nominal, find, check, options, context)};
   result.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
-
-/// The record with the rate of its state as a second state, made from it.
-Dataset with_rate(const Dataset& data, const std::string& name) {
-  Dataset result = embed(data, {{data.states[0].name, 2}}, FiniteDifferences{});
-  result.states[1].name = name;
-  result.reconstructed = {false, true};
   return result;
 }
 
@@ -191,10 +181,7 @@ ResultTable force_table(const OdeModel& nominal, const OdeModel& found, const Da
 
 Dataset rows(const Dataset& data, Index first, Index count) {
   Dataset part = data;
-  const Trajectory& run = data.trajectories[0];
-  part.trajectories = {{run.source, run.time.segment(first, count),
-                        run.states.middleRows(first, count),
-                        run.inputs.middleRows(first, count), Matrix()}};
+  part.trajectories = {rows_of(data.trajectories[0], first, count)};
   return part;
 }
 
@@ -216,12 +203,10 @@ Dataset oscillator_record(const std::filesystem::path& folder) {
 }
 
 std::string diagnosed_positioning(const std::filesystem::path& folder) {
-  const auto read = [&](const std::string& name) {
-    return with_rate(
-        read_dataset({(folder / "emps" / name).string()}, {.states = {"q"}, .inputs = {"F"}}),
-        "v");
-  };
   const OdeModel nominal = read_model((folder / "emps/nominal.json").string());
+  const auto read = [&](const std::string& name) {
+    return read_records(nominal, {(folder / "emps" / name).string()}, {}, FiniteDifferences{});
+  };
   const Dataset find = read("emps_train.csv.gz"), check = read("emps_validation.csv.gz");
   const Timed timed = diagnosed(nominal, find, check);
   const OdeModel& found = timed.diagnosis.augmented;
@@ -244,7 +229,9 @@ std::string diagnosed_oscillator(const std::filesystem::path& folder) {
   const Dataset train = rows(record, 40650, 8692), test = rows(record, 105712, 21688);
   const Dataset arrow = rows(record, 100, 40475), inside = rows(record, 100, 32000);
   const OdeModel nominal = read_model((folder / "silverbox/nominal.json").string());
-  const Timed timed = diagnosed(nominal, with_rate(train, "w"), with_rate(test, "w"));
+  const FiniteDifferences rates;
+  const Timed timed =
+      diagnosed(nominal, model_view(nominal, train, rates), model_view(nominal, test, rates));
   ResultTable table{
       {"model", "multisine test mV", "arrow mV", "arrow without extrapolation mV"}, {}};
   for (const auto& [name, model] :

@@ -64,6 +64,16 @@ class Registry {
         std::dynamic_pointer_cast<const Interface>(make_default(Interface::kKind, name)));
   }
 
+  /// Every part of a kind that can be used here, with its default options, ordered by name.
+  template <class Interface>
+  std::vector<Stage<Interface>> make_all() const {
+    std::vector<Stage<Interface>> all;
+    for (const RegistryEntry& entry : entries_)
+      if (entry.kind == Interface::kKind && entry.unavailable.empty())
+        all.push_back(make<Interface>(entry.info.name));
+    return all;
+  }
+
  private:
   void add_entry(RegistryEntry entry);
   std::shared_ptr<const StageInterface> make_default(std::string_view kind,

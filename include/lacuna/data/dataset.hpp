@@ -57,8 +57,18 @@ struct Dataset {
 /// The trajectory with the most samples, the first of several; there must be one.
 const Trajectory& longest_record(const Dataset& data);
 
-/// Checks that a dataset can be worked with: at least one trajectory, at least two samples each,
-/// shapes that fit the names, names that are distinct, finite values, increasing time.
+/// Median of the sampling steps of all trajectories; there must be one.
+double median_step(const Dataset& data);
+
+/// Whether a dataset without inputs has trajectories whose inputs are 0 x 0, as they are when
+/// nobody has set them, instead of n x 0.
+bool lacks_input_columns(const Dataset& data);
+
+/// The dataset with n x 0 inputs where lacks_input_columns() found 0 x 0.
+Dataset with_input_columns(Dataset data);
+
+/// Checks that a dataset can be worked with: at least one trajectory, at least two samples
+/// each, shapes that fit the names, names that are distinct, finite values, increasing time.
 /// @throws DataError naming trajectory, column, row and remedy.
 void check_dataset(const Dataset& data);
 

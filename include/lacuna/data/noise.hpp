@@ -31,6 +31,10 @@ struct StateNoise {
   double outliers = 0.0;  ///< share of samples that are not explained by noise of this sigma
 };
 
+/// Deviations of the noise that a sample must be off to be an outlier: one of 5e8 samples of
+/// normal noise is.
+constexpr double kOutlyingDeviations = 6.0;
+
 /// Estimates the measurement noise of each state.
 ///
 /// - Differences of rising order k kill the smooth signal and leave noise of variance

@@ -16,6 +16,11 @@ namespace lacuna {
 /// @throws FileError when it cannot be opened; DataError naming file, line and column.
 Table read_table(const std::filesystem::path& path);
 
+/// Paths with each pattern ("run*.csv") replaced by the files that match it, in the order of
+/// their names. What exists as it is written is no pattern.
+/// @throws DataError when a pattern matches no file or no path is given.
+std::vector<std::string> expand_patterns(const std::vector<std::string>& paths);
+
 /// Reads files (paths or shell-like patterns such as "run*.csv") into one dataset.
 /// All must have the same columns, in any order; the first file sets their order and units.
 /// A pattern stands for the files that match it, in the order of their names.

@@ -29,13 +29,14 @@ struct Trajectory {
 /// Mean of the sampling steps; at least two samples.
 double mean_step(const Trajectory& trajectory);
 
-/// Median of the sampling steps; at least two samples.
-double median_step(const Trajectory& trajectory);
-
 /// The common sampling step of a record.
-/// @return nothing when steps differ by more than `tolerance` times the mean step, or when there
+/// @return nothing when steps differ by more than `tolerance` times the mean step, or when
+/// there
 ///   are fewer than two samples.
 std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance = 1e-3);
+
+/// Samples [first, first + count) of a record.
+Trajectory rows_of(const Trajectory& trajectory, Index first, Index count);
 
 /// File that a record comes from: "run.csv" of "run.csv, record 2".
 std::string file_of(const Trajectory& trajectory);

@@ -11,6 +11,7 @@
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/decision/extended_bic.hpp"
 #include "lacuna/decision/options.hpp"
+#include "lacuna/records/bound_records.hpp"
 
 namespace lacuna {
 
@@ -30,7 +31,7 @@ struct DiagnosisOptions {
 /// What a diagnosis is about. Everything outlives it.
 struct Problem {
   const OdeModel& nominal;
-  const Dataset& data;  ///< records to explain, states and inputs in the model's order
+  const BoundRecords& records;  ///< to explain
   const DiagnosisOptions& options;
   const RunContext& context;
 };
@@ -38,11 +39,11 @@ struct Problem {
 /// What is assumed of the records before any effect is sought, and the nominal model brought
 /// onto them under these assumptions.
 struct Baseline {
-  std::shared_ptr<const Dataset> data;  ///< the records as the assumptions correct them
-  Assimilation given;                   ///< with the nominal coefficients
-  Assimilation fitted;                  ///< with the free coefficients fitted
-  AssimilationOptions fit_options;      ///< which are free, and what is known of them
-  Scope scope;                          ///< of the nominal model, for effects
+  std::shared_ptr<const BoundRecords> records;  ///< as the assumptions correct them
+  Assimilation given;                           ///< with the nominal coefficients
+  Assimilation fitted;                          ///< with the free coefficients fitted
+  AssimilationOptions fit_options;              ///< which are free, and what is known of them
+  Scope scope;                                  ///< of the nominal model, for effects
   /// Parameters that the assumptions themselves took, beside the free coefficients.
   double parameters = 0.0;
   std::vector<std::string> notes = {};  ///< the assumptions, for people

@@ -122,6 +122,10 @@ class CompiledModel {
   Program::Workspace workspace_;
 };
 
+/// The state v of an identity dx/dt = v: the equation is another state alone, with the
+/// coefficient 1; nothing where it is none. dx/dt = x is growth, not an identity.
+std::optional<Index> identity_of(const OdeModel& model, Index equation);
+
 /// Equations for people, one per line: "dx/dt = -y - z". Numbers are unrounded unless a number
 /// of significant digits is given, so that what is printed is the model.
 std::string to_text(const OdeModel& model, std::optional<int> significant_digits = {});

@@ -31,6 +31,23 @@ TEST(SyncCommand, StatesTheCouplingItTookFromTheRecord) {
   EXPECT_THAT(result.out, HasSubstr("from the record's own time scale"));
 }
 
+TEST(SyncCommand, ReconstructsAStateThatIsADerivative) {
+  const Records records;
+  const auto result =
+      run_command({"sync", records.oscillator_model(), records.oscillator(), "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["states"], (std::vector<std::string>{"x", "v"}));
+  EXPECT_LT(json["relative"].get<double>(), 1e-3);
+}
+
+TEST(SyncCommand, ARecordThatLacksAStateIsStatus2) {
+  const Records records;
+  const std::string record = records.folder().write("xy.csv", "t,x,y\n0,1,2\n1,2,3\n2,3,4\n");
+  expect_failure(run_command({"sync", "rossler", record}), 2,
+                 {"xy.csv", "state 'z'", "column"});
+}
+
 TEST(SyncCommand, DivergenceIsStatus1) {
   const Records records;
   const auto result =

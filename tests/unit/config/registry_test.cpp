@@ -51,6 +51,13 @@ TEST(Registry, MakesStagesWithTheDefaultsItWasGiven) {
   EXPECT_EQ(dynamic_cast<const Stlsq&>(*stage).options().threshold, 0.3);
 }
 
+TEST(Registry, MakesAllOfAKindThatAreThere) {
+  const auto all = small_registry().make_all<Regressor>();
+  ASSERT_EQ(all.size(), 2u) << "without the one that is unavailable";
+  EXPECT_EQ(all[0]->info().name, "ols");
+  EXPECT_EQ(dynamic_cast<const Stlsq&>(*all[1]).options().threshold, 0.3);
+}
+
 TEST(Registry, RefusesANameTwice) {
   Registry registry = small_registry();
   expect_error<ConfigError>([&] { registry.add<Ols>(); }, "regressor", "registered already",

@@ -109,6 +109,35 @@ TEST(CheckDataset, RefusesRatesOfStatesThatDoNotExist) {
   expect_refused(data, "dataset", "1 entries for 2 states", "each state");
 }
 
+TEST(MedianStep, IsThatOfAllRecords) {
+  Dataset data;
+  data.trajectories.resize(2);
+  data.trajectories[0].time = Vector{{0.0, 5.0}};
+  data.trajectories[1].time = Vector{{0.0, 1.0, 2.0, 4.0, 6.0}};
+  EXPECT_DOUBLE_EQ(median_step(data), 2.0);
+}
+
+TEST(InputColumns, AreMadeWhereThereIsNoInput) {
+  Dataset data = sample();
+  EXPECT_FALSE(lacks_input_columns(data));
+  data.inputs.clear();
+  for (Trajectory& record : data.trajectories) record.inputs.resize(0, 0);
+  EXPECT_TRUE(lacks_input_columns(data));
+  const Dataset complete = with_input_columns(data);
+  EXPECT_FALSE(lacks_input_columns(complete));
+  for (const Trajectory& record : complete.trajectories) {
+    EXPECT_EQ(record.inputs.rows(), record.samples());
+    EXPECT_EQ(record.inputs.cols(), 0);
+  }
+}
+
+TEST(InputColumns, AreNotMadeUpForAnInputThatIsMissing) {
+  Dataset data = sample();
+  for (Trajectory& record : data.trajectories) record.inputs.resize(0, 0);
+  EXPECT_FALSE(lacks_input_columns(data));
+  EXPECT_THROW(check_dataset(with_input_columns(data)), DataError);
+}
+
 TEST(LongestRecord, IsTheFirstOfThoseWithMostSamples) {
   Dataset data;
   for (const Index samples : {3, 5, 5, 2}) {

@@ -29,11 +29,25 @@ TEST(UniformStep, IsNothingForFewerThanTwoSamples) {
   EXPECT_FALSE(uniform_step(at_times({1.0})));
 }
 
-TEST(Steps, MeanAndMedian) {
+TEST(Steps, HaveAMean) {
   const Trajectory record = at_times({0.0, 1.0, 2.0, 6.0});
   EXPECT_DOUBLE_EQ(record.duration(), 6.0);
   EXPECT_DOUBLE_EQ(mean_step(record), 2.0);
-  EXPECT_DOUBLE_EQ(median_step(record), 1.0);
+}
+
+TEST(RowsOf, AreTheSamplesOfAllThatThereIs) {
+  Trajectory record = at_times({0.0, 1.0, 2.0, 6.0});
+  record.source = "a.csv";
+  record.states = Matrix::Random(4, 2);
+  record.derivatives = Matrix::Random(4, 2);
+  const Trajectory part = rows_of(record, 1, 2);
+  EXPECT_EQ(part.source, "a.csv");
+  EXPECT_EQ(part.time, (Vector{{1.0, 2.0}}));
+  EXPECT_EQ(part.states, Matrix(record.states.middleRows(1, 2)));
+  EXPECT_EQ(part.derivatives, Matrix(record.derivatives.middleRows(1, 2)));
+  EXPECT_EQ(part.inputs.size(), 0) << "0 x 0 stays what it is";
+  record.derivatives.resize(0, 0);
+  EXPECT_FALSE(rows_of(record, 1, 2).has_derivatives());
 }
 
 TEST(GoesOn, AfterAShortGapInTheSameFile) {

@@ -70,14 +70,14 @@ class SamplingTime final : public Configured<Hypothesis, HypothesisOptions<kSamp
       for (const double centre = likeliest;
            const double away : {-5, -4, -3, -2, -1, 1, 2, 3, 4, 5}) {
         const double factor = centre + step * away;
-        const double deviance = on(with_clock(problem.data, factor)).deviance;
+        const double deviance = on(with_clock(problem.records.data, factor)).deviance;
         if (!(deviance < least)) continue;
         least = deviance;
         likeliest = factor;
       }
-    const Dataset corrected = with_clock(problem.data, likeliest);
+    const BoundRecords corrected = observed(with_clock(problem.records.data, likeliest));
     const Problem same{problem.nominal, corrected, problem.options, problem.context};
-    Baseline base = fitted_baseline(same, on(corrected), {});
+    Baseline base = fitted_baseline(same, on(corrected.data), {});
     base.parameters = 1.0;
     base.correct = [likeliest](const Dataset& data) { return with_clock(data, likeliest); };
     Account account =

@@ -46,7 +46,7 @@ class Claims final : public Configured<Hypothesis, HypothesisOptions<Info>> {
 class Journey : public testing::Test {
  protected:
   Judged judged(Phase phase, const std::vector<Stage<Hypothesis>>& hypotheses) {
-    const Problem problem{nominal_, data_, options_, context_};
+    const Problem problem{nominal_, records_, options_, context_};
     Account bare = bare_account(problem, "bare", base(problem));
     return judge_phase(problem, in_order(hypotheses), phase, {std::move(bare)});
   }
@@ -57,7 +57,7 @@ class Journey : public testing::Test {
   }
 
   OdeModel nominal_ = support::oscillator();
-  Dataset data_ = support::hidden_record(support::nothing, 0.01, 3);
+  BoundRecords records_ = observed(support::hidden_record(support::nothing, 0.01, 3));
   DiagnosisOptions options_{.criterion = DevianceOnly{}};
   RunContext context_;
 };
@@ -100,7 +100,7 @@ TEST_F(Journey, EffectsAreSoughtOnTopOfAnAssumptionThatHasWon) {
 }
 
 TEST_F(Journey, NamesThatDoNotExplainMostAreWithdrawn) {
-  const Problem problem{nominal_, data_, options_, context_};
+  const Problem problem{nominal_, records_, options_, context_};
   Account account = bare_account(problem, "bare", base(problem));
   account.named.push_back({.equation = 1, .name = "dry"});
   account.left = {{1, 100.0, 9.0, 1.0, 0.5}};

@@ -26,6 +26,24 @@ TEST(Assimilation, IdentitiesHaveNoFreeCoefficients) {
   EXPECT_EQ(free.front().equation, 1);
 }
 
+TEST(Assimilation, GrowthAtUnitRateIsNoIdentity) {
+  const Variables x{{"x"}, {}};
+  const OdeModel growth({{"x", ""}}, {}, {{{Term::parse("x", x), 1.0}}});
+  const std::vector<CoefficientPlace> only{{0, 0}};
+  EXPECT_EQ(free_coefficients(growth), only);
+  Dataset data;
+  data.states = growth.states();
+  Trajectory record;
+  record.time = Vector::LinSpaced(200, 0.0, 2.0);
+  record.states = (1.1 * record.time.array()).exp();
+  record.inputs.resize(200, 0);
+  data.trajectories = {record};
+  AssimilationOptions options;
+  options.free = free_coefficients(growth);
+  const Assimilation fit = assimilate(growth, data, {}, options, RunContext{});
+  EXPECT_NEAR(fit.model.coefficient(0, "x"), 1.1, 1e-3);
+}
+
 TEST(Assimilation, FindsCoefficientsAndNoise) {
   const Assimilation fit = fitted(softer_spring());
   EXPECT_NEAR(fit.model.coefficient(1, "q"), -3.6, 0.02);

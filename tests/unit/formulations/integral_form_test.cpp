@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/linear/subproblem.hpp"
-#include "records.hpp"
+#include "support/oscillation.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lacuna/core/error.hpp"
-#include "records.hpp"
+#include "support/oscillation.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
-#include "records.hpp"
+#include "support/oscillation.hpp"
 
 namespace lacuna {
 namespace {

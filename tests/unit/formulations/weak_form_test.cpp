@@ -7,7 +7,7 @@
 
 #include "lacuna/core/random.hpp"
 #include "lacuna/linear/subproblem.hpp"
-#include "records.hpp"
+#include "support/oscillation.hpp"
 
 namespace lacuna {
 namespace {

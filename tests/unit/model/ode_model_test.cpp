@@ -74,6 +74,21 @@ TEST(OdeModel, WithTermAppendsOrAddsUp) {
   EXPECT_EQ(changed.time_unit(), "ms");
 }
 
+TEST(IdentityOf, IsAnotherStateAloneWithCoefficientOne) {
+  const Variables variables{{"x", "v"}, {"u"}};
+  const auto identity = [&](const std::string& term, double coefficient) {
+    const WeightedTerm only{Term::parse(term, variables), coefficient};
+    return identity_of(OdeModel({{"x", ""}, {"v", ""}}, {{"u", ""}}, {{only}, {}}), 0);
+  };
+  EXPECT_EQ(identity("v", 1.0), std::optional<Index>(1));
+  EXPECT_EQ(identity("v", 1.000001), std::nullopt);
+  EXPECT_EQ(identity("v^2", 1.0), std::nullopt);
+  EXPECT_EQ(identity("u", 1.0), std::nullopt) << "an input is no state";
+  EXPECT_EQ(identity("x", 1.0), std::nullopt) << "dx/dt = x is growth";
+  EXPECT_EQ(identity_of(oscillator(), 1), std::nullopt);
+  EXPECT_THROW(identity_of(oscillator(), 2), ArgumentError);
+}
+
 TEST(OdeModel, RejectsBadNames) {
   const auto named = [](const std::string& state, const std::string& input) {
     return message([&] { OdeModel({{state, ""}}, {{input, ""}}, {{}}); });

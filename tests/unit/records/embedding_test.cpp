@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/formulations/embedding.hpp"
+#include "lacuna/records/embedding.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/differentiators/savitzky_golay.hpp"
-#include "records.hpp"
+#include "support/oscillation.hpp"
 
 namespace lacuna {
 namespace {
@@ -46,6 +46,15 @@ TEST(Embed, SecondOrderAddsTheDerivative) {
   EXPECT_LT(largest(record.derivatives.col(1) + 4.0 * q), 1e-6);
   EXPECT_LT(largest(record.derivatives.col(2) + 4.0 * q), 1e-8);
   EXPECT_NO_THROW(check_dataset(result));
+}
+
+TEST(Embed, WhatIsAddedIsReconstructed) {
+  Dataset data = measured();
+  data.reconstructed = {false, true};
+  const Dataset result = embed(data, {{"q", 2}}, kDifferences);
+  EXPECT_THAT(result.reconstructed, ElementsAre(false, true, true));
+  EXPECT_THAT(embed(measured(), {{"q", -1}}, kDifferences).reconstructed,
+              ElementsAre(false, true, false));
 }
 
 TEST(Embed, ThirdOrderAddsTwo) {

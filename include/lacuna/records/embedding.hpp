@@ -23,11 +23,12 @@ struct EmbeddingOrder {
 /// as
 ///   identities; integrals start from 0 at the first sample of each record.
 ///
-/// Every state of the result has derivatives. All of them are from the same differentiator,
-/// computed from q itself; q and, in records without derivatives, the other states and the
-/// inputs become its order 0 (see with_derivatives), so keep the original dataset for
-/// simulations. Given derivatives of the other states are kept. Units follow: "m" and "s" give
-/// "m/s", "m/s^2", and "m s" for the integral.
+/// Every state of the result has derivatives; those that were added are marked as
+/// reconstructed. All of them are from the same differentiator, computed from q itself; q and,
+/// in records without derivatives, the other states and the inputs become its order 0 (see
+/// with_derivatives), so keep the original dataset for simulations. Given derivatives of the
+/// other states are kept. Units follow: "m" and "s" give "m/s", "m/s^2", and "m s" for the
+/// integral.
 /// @throws ConfigError for an unknown state, a state named twice, order 0, a name that is
 /// taken;
 ///   DataError when a record is too short for the differentiator or unusable (check_dataset).

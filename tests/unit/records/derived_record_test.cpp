@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/formulations/derived_record.hpp"
+#include "lacuna/records/derived_record.hpp"
 
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/differentiators/savitzky_golay.hpp"
-#include "records.hpp"
+#include "support/oscillation.hpp"
 
 namespace lacuna {
 namespace {

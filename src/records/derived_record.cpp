@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/formulations/derived_record.hpp"
+#include "lacuna/records/derived_record.hpp"
 
 #include "lacuna/core/error.hpp"
 

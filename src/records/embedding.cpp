@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/formulations/embedding.hpp"
+#include "lacuna/records/embedding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "lacuna/core/text.hpp"
-#include "lacuna/formulations/derived_record.hpp"
 #include "lacuna/numerics/local_cubic.hpp"
+#include "lacuna/records/derived_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -170,12 +170,16 @@ class RecordEmbedder {
 
 Dataset embed(const Dataset& data, const std::vector<EmbeddingOrder>& orders,
               const Differentiator& differentiator) {
+  if (lacks_input_columns(data)) return embed(with_input_columns(data), orders, differentiator);
   check_dataset(data);
   const std::vector<Column> columns = plan_columns(data, orders_by_state(data, orders));
   Dataset result = data;
   result.states.clear();
   for (const Column& column : columns) result.states.push_back(column.quantity);
   result.rate_of = identities(data, columns);
+  result.reconstructed.clear();
+  for (const Column& column : columns)
+    result.reconstructed.push_back(column.rank != 0 || !data.is_measured(column.origin));
   for (Trajectory& record : result.trajectories)
     record = RecordEmbedder(record, differentiator).embed(columns);
   return result;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/data/noise.hpp"
+
+namespace lacuna {
+
+/// Samples that may be outliers of the measurement: those of outlying_samples() at which the
+/// record is smooth but for them. Where a fast stretch is sampled coarsely no cubic goes
+/// through the neighbours of a sample either, which says nothing of the sample.
+/// @param noise as analyse_noise() has it, m entries.
+/// @return per record n x m, 1 where a sample may be one.
+std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNoise>& noise);
+
+}  // namespace lacuna

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/data/roles.hpp"
+#include "lacuna/records/model_view.hpp"
+
+namespace lacuna {
+
+/// Reads files (paths or patterns) in the variables of a model, as model_view() has them. Files
+/// may have their columns in any order, columns that the model does not know, and units of time
+/// of their own; a time without a unit is taken to be in the model's. A state is marked as
+/// reconstructed where some file does not have it.
+/// @param roles time, step and number of the record; the model says what the others are.
+/// @throws FileError, DataError as read_dataset() and model_view().
+Dataset read_records(const OdeModel& model, const std::vector<std::string>& paths,
+                     const ColumnRoles& roles, const Differentiator& differentiator);
+
+/// Reads the inputs of a model from one file, which need not have its states: records with n x
+/// 0 states.
+/// @throws FileError, DataError as above.
+Dataset read_inputs(const OdeModel& model, const std::string& path, const ColumnRoles& roles);
+
+}  // namespace lacuna

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/records/time_unit.hpp"
+
+#include <map>
+#include <optional>
+
+#include "lacuna/core/error.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Seconds of a unit of time; nothing for one that is none of seconds (radians, tau).
+std::optional<double> seconds_of(const std::string& unit) {
+  static const std::map<std::string, double> known{
+      {"s", 1.0},   {"ms", 1e-3},  {"us", 1e-6}, {"\u00b5s", 1e-6},
+      {"ns", 1e-9}, {"min", 60.0}, {"h", 3600.0}};
+  const auto found = known.find(unit);
+  return found == known.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace
+
+Dataset in_time_unit_of(const OdeModel& model, Dataset data) {
+  const std::string unit = data.time_unit, &wanted = model.time_unit();
+  const bool pure_number = wanted.empty() || wanted == "1";
+  if (pure_number || unit == wanted || data.trajectories.empty()) return data;
+  const std::string& source = data.trajectories.front().source;
+  const std::string where = source.empty() ? "record" : file_of(data.trajectories.front());
+  const auto seconds = seconds_of(unit), model_seconds = seconds_of(wanted);
+  if (!seconds || !model_seconds)
+    throw DataError(where, "its time is in " + unit + ", that of the model in " + wanted,
+                    "give both in the same unit");
+  for (Trajectory& trajectory : data.trajectories) {
+    trajectory.time *= *seconds / *model_seconds;
+    trajectory.derivatives.resize(0, 0);
+  }
+  data.notes.push_back(where + ": time is taken from " + unit + " to " + wanted);
+  data.time_unit = wanted;
+  return data;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/records/read_records.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
+#include "support/expect_error.hpp"
+#include "support/harmonic_model.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::expect_error;
+using testing::TemporaryFolder;
+
+const FiniteDifferences kDifferences;
+
+/// x = cos(2 t) and u = t with a column that no model knows; `header` names t, x, u, spare.
+std::string table_of(const std::string& header, double seconds = 1.0) {
+  std::string text = header + "\n";
+  for (int i = 0; i < 50; ++i) {
+    const double t = 0.02 * i;
+    text += std::to_string(t / seconds) + "," + std::to_string(std::cos(2.0 * t)) + "," +
+            std::to_string(t) + ",7\n";
+  }
+  return text;
+}
+
+Dataset read(const std::vector<std::string>& paths) {
+  return read_records(support::harmonic_model(), paths, {}, kDifferences);
+}
+
+TEST(ReadRecords, HasTheVariablesOfTheModel) {
+  const TemporaryFolder folder;
+  const Dataset data = read({folder.write("a.csv", table_of("t [s],x [m],u [N],spare"))});
+  EXPECT_EQ(data.states, support::harmonic_model().states());
+  EXPECT_EQ(data.inputs, support::harmonic_model().inputs());
+  EXPECT_THAT(data.reconstructed, ElementsAre(false, true));
+  const Trajectory& record = data.trajectories.at(0);
+  const Vector rate = -2.0 * (2.0 * record.time.array()).sin();
+  EXPECT_LT((record.states.col(1) - rate).cwiseAbs().maxCoeff(), 1e-2);
+  EXPECT_EQ(record.inputs.col(0), record.time);
+}
+
+TEST(ReadRecords, NamesWhatIsNeitherThereNorDefined) {
+  const TemporaryFolder folder;
+  const std::string no_state = folder.write("v.csv", table_of("t,v,u,spare"));
+  expect_error<DataError>([&] { read({no_state}); }, no_state, "the state 'x'", "a column");
+  const std::string no_input = folder.write("x.csv", table_of("t,x,F,spare"));
+  expect_error<DataError>([&] { read({no_input}); }, no_input, "the input 'u'", "column");
+}
+
+TEST(ReadRecords, BringsTimeToTheUnitOfTheModel) {
+  const TemporaryFolder folder;
+  const Dataset seconds = read({folder.write("s.csv", table_of("t [s],x,u,spare"))});
+  const Dataset other = read({folder.write("ms.csv", table_of("t [ms],x,u,spare", 1e-3))});
+  EXPECT_EQ(other.time_unit, "s");
+  EXPECT_LT((other.trajectories[0].time - seconds.trajectories[0].time).norm(), 1e-12);
+  EXPECT_LT((other.trajectories[0].states - seconds.trajectories[0].states).norm(), 1e-9);
+  const std::string turns = folder.write("turns.csv", table_of("t [rev],x,u,spare"));
+  expect_error<DataError>([&] { read({turns}); }, turns, "time is in rev", "same unit");
+}
+
+TEST(ReadRecords, ATimeWithoutUnitIsInThatOfTheModel) {
+  const TemporaryFolder folder;
+  const OdeModel s = support::harmonic_model();
+  const OdeModel ms(s.states(), s.inputs(), s.equations(), "ms");
+  const std::string path = folder.write("a.csv", table_of("t,x,u,spare [s]"));
+  const Dataset data = read_records(ms, {path}, {}, kDifferences);
+  EXPECT_EQ(data.time_unit, "ms");
+  EXPECT_NEAR(data.trajectories[0].duration(), 0.98, 1e-9);
+}
+
+TEST(ReadRecords, FilesMayDifferInTheirColumns) {
+  const TemporaryFolder folder;
+  folder.write("a1.csv", table_of("t,x,u,v"));
+  folder.write("a2.csv", table_of("t,x,u,spare"));
+  const Dataset data = read({folder.file("a*.csv")});
+  ASSERT_EQ(data.trajectories.size(), 2u);
+  EXPECT_EQ(data.trajectories[0].states.col(1), Vector::Constant(50, 7.0));
+  EXPECT_NE(data.trajectories[1].states(20, 1), 7.0);
+  EXPECT_THAT(data.reconstructed, ElementsAre(false, true)) << "one file does not have it";
+  const std::string none = folder.file("no*.csv");
+  expect_error<DataError>([&] { read({none}); }, none, "no file matches", "names");
+}
+
+TEST(ReadInputs, NeedsNoStates) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("u.csv", table_of("t [ms],spare,u,x", 1e-3));
+  const Dataset data = read_inputs(support::harmonic_model(), path, {});
+  const Trajectory& record = data.trajectories.at(0);
+  ASSERT_EQ(record.inputs.cols(), 1);
+  EXPECT_EQ(record.states.cols(), 0);
+  EXPECT_LT((record.inputs.col(0) - record.time).cwiseAbs().maxCoeff(), 1e-12)
+      << "u = t in seconds";
+}
+
+}  // namespace
+}  // namespace lacuna
