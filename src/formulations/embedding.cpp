@@ -9,7 +9,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/formulations/derived_record.hpp"
-#include "lacuna/numerics/local_cubic.hpp"
+#include "lacuna/numerics/sampled_signal.hpp"
 
 namespace lacuna {
 namespace {

@@ -28,15 +28,16 @@ Allowed allowed_includes() {
   for (const std::string& folder : kConcrete)
     allowed[folder] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["selection"] = allowed["formulations"];
-  allowed["selection"].insert({"formulations", "shooting"});
+  allowed["selection"].insert({"formulations", "flow", "shooting"});
   allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
   allowed["pipeline"].insert("selection");
   allowed["dynamics"] = {"core", "numerics", "data", "model"};
   allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["attractor"] = {"core", "numerics", "data", "model", "dynamics"};
-  allowed["shooting"] = {"core", "numerics", "data", "model", "linear", "dynamics"};
-  allowed["estimation"] = {"core", "numerics", "data", "model"};
+  allowed["flow"] = {"core", "numerics", "data", "model", "dynamics"};
+  allowed["shooting"] = {"core", "numerics", "data", "model", "linear", "dynamics", "flow"};
+  allowed["estimation"] = {"core", "numerics", "data", "model", "flow"};
   allowed["candidates"] = {"core", "numerics", "data", "model", "estimation"};
   allowed["effects"] = {"core", "data", "model", "candidates"};
   allowed["decision"] = {"core", "numerics", "data", "model", "estimation", "shooting",
