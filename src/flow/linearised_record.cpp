@@ -54,15 +54,14 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   const int parts = parts_for(rates, slots, accuracy);
   std::vector<Index> steps(static_cast<std::size_t>(record.samples() - 1));
   std::iota(steps.begin(), steps.end(), Index{0});
-  result.defect =
-      (ends_of_steps(rates, slots, steps, parts) - path.bottomRows(path.rows() - 1))
-          .transpose();
+  result.defect = (ends_of_steps(rates, slots, steps, parts) - path.bottomRows(path.rows() - 1))
+                      .transpose();
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
   const int fewer = parts_for(rates, slots, accuracy_of_variations(path, accuracy));
-  StepResponses responses = step_responses(
-      secant_slopes(rates, slots.nodes, part_lengths(length, fewer), accuracy), length, m,
-      fewer);
+  StepResponses responses =
+      step_responses(secant_slopes(rates, slots.nodes, part_lengths(length, fewer), accuracy),
+                     length, m, fewer);
   result.transition = std::move(responses.transition);
   result.response = std::move(responses.response);
   return result;

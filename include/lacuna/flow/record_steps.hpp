@@ -37,9 +37,9 @@ struct StepResponses {
   Matrix transition, response;
 };
 
-/// Of d' = A(t) d + rate, with A a parabola in each step: transition by Runge and Kutta's method
-/// of order 4, responses to rates that are 1, at begin, middle or end, and a parabola between
-/// them by Simpson's rule.
+/// Of d' = A(t) d + rate, with A a parabola in each step: transition by Runge and Kutta's
+/// method of order 4, responses to rates that are 1, at begin, middle or end, and a parabola
+/// between them by Simpson's rule.
 /// @param slopes m^2 x (2n-1): A at begins, middles and ends. @param length n-1 entries.
 /// @return responses w0, w1, w2 (m each) to a rate of state 0, then of 1, ...
 StepResponses step_responses(const Matrix& slopes, const Vector& length, Index states,
