@@ -89,6 +89,8 @@ Vector integrated(Vector d, double from, double h, const std::function<Vector(do
   return d;
 }
 
+// One parabola alone is a rate with a large third derivative: Simpson's rule is less accurate
+// for it than for the smooth rates that the three make up.
 TEST(StepResponses, AreThoseOfAFineIntegration) {
   const double h = 0.05;
   for (const int parts : {1, 4}) {
