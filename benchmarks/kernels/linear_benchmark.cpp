@@ -8,8 +8,8 @@
 #include "lacuna/core/random.hpp"
 #include "lacuna/linear/gram.hpp"
 #include "lacuna/linear/least_squares_system.hpp"
+#include "lacuna/linear/row_fold.hpp"
 #include "lacuna/linear/subproblem.hpp"
-#include "lacuna/linear/tall_skinny_qr.hpp"
 #include "lacuna/linear/tile_kernels.hpp"
 
 namespace lacuna {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/shooting/score_system.hpp"
+#include "lacuna/shooting/refine.hpp"
 #include "lacuna/systems/measurement.hpp"
 #include "lacuna/systems/test_systems.hpp"
 
@@ -24,19 +23,6 @@ void refine_lorenz(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(refine(start, record));
 }
 BENCHMARK(refine_lorenz)->Arg(1000)->Arg(5000)->Unit(benchmark::kMillisecond);
-
-/// All monomials up to a degree in all three equations.
-void score_lorenz(benchmark::State& state) {
-  const Dataset record = lorenz_record(5000);
-  const ParametrisedModel model = with_free_coefficients(test_system("lorenz").model);
-  const Refinement refined = refine(model, record);
-  const Monomials basis{{.max_degree = static_cast<int>(state.range(0))}};
-  const auto candidates =
-      candidates_from(basis.library(model.symbolic().variables()), refined.model);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(ScoreSystem(refined, record, candidates).scores());
-}
-BENCHMARK(score_lorenz)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace lacuna

@@ -3,9 +3,9 @@
 // filter does not know it. Several terms go through the record together.
 #include <vector>
 
-#include "fixed_size.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/estimation/innovation_filter.hpp"
+#include "lacuna/flow/fixed_size.hpp"
 
 namespace lacuna {
 namespace {

@@ -76,21 +76,4 @@ Matrix InnovationSystem::fitted_columns() const {
   return columns;
 }
 
-Matrix evaluate_on(const LinearisedRecord& record, const Variables& variables,
-                   std::span<const Expression> formulas) {
-  const Program program(formulas, variables);
-  Program::Workspace workspace;
-  Matrix out(record.slots.rows(), program.outputs());
-  if (program.delays().empty())
-    program.evaluate(record.slots, out, workspace);
-  else
-    program.evaluate(with_delays(record, program.delays()), out, workspace);
-  return out;
-}
-
-Vector evaluate_on(const LinearisedRecord& record, const Variables& variables,
-                   const Expression& formula) {
-  return evaluate_on(record, variables, std::span<const Expression>(&formula, 1));
-}
-
 }  // namespace lacuna

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "fixed_size.hpp"
-#include "lacuna/estimation/linearised_record.hpp"
 #include "lacuna/estimation/noise_model.hpp"
+#include "lacuna/flow/fixed_size.hpp"
+#include "lacuna/flow/linearised_record.hpp"
 
 namespace lacuna {
 

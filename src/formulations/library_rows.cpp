@@ -6,7 +6,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/numerics/local_cubic.hpp"
+#include "lacuna/numerics/sampled_signal.hpp"
 
 namespace lacuna {
 namespace {

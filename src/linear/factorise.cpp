@@ -8,7 +8,7 @@
 
 #include "lacuna/linear/column_range.hpp"
 #include "lacuna/linear/gram.hpp"
-#include "lacuna/linear/tall_skinny_qr.hpp"
+#include "lacuna/linear/row_fold.hpp"
 #include "lacuna/linear/triangular.hpp"
 
 namespace lacuna {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "lacuna/core/text.hpp"
-#include "lacuna/numerics/local_cubic.hpp"
+#include "lacuna/numerics/sampled_signal.hpp"
 #include "lacuna/records/derived_record.hpp"
 
 namespace lacuna {

@@ -60,7 +60,7 @@ void LinearWindows::rescale(const Vector& factors) {
 
 /// Makes these terms, and derivatives of those of h0, the ones that are evaluated.
 void LinearWindows::choose_values(const std::vector<Index>& terms) {
-  LibraryValues::Choice choice{terms, present_terms(linearised_at_)};
+  LibraryRates::Choice choice{terms, present_terms(linearised_at_)};
   if (!values_ || !(values_->choice() == choice))
     values_.emplace(library_, std::move(choice), !program_.delays().empty());
 }
@@ -192,7 +192,7 @@ std::optional<Matrix> LinearWindows::fold_windows(Folding folding) {
     window_rows(window);
     eliminate(window, fold);
   }
-  return fold.triangle();
+  return fold.finish();
 }
 
 Matrix LinearWindows::linearise(const Matrix& h0, const std::vector<Coefficient>& columns) {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "lacuna/core/run_context.hpp"
-#include "library_values.hpp"
-#include "linear_steps.hpp"
+#include "lacuna/flow/library_rates.hpp"
+#include "lacuna/flow/linear_step.hpp"
+#include "lacuna/linear/row_fold.hpp"
 #include "reference_path.hpp"
-#include "row_fold.hpp"
 
 namespace lacuna {
 
@@ -111,7 +111,7 @@ class LinearWindows {
   Index rows_ = 0;
 
   // Of the loaded window.
-  std::optional<LibraryValues> values_;
+  std::optional<LibraryRates> values_;
   Matrix jacobians_;  // m m x nodes
   Matrix path_;       // m x nodes
   Matrix offsets_;    // m x nodes: -J path, 0 for exact equations

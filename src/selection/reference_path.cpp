@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lacuna/data/noise.hpp"
-#include "lacuna/numerics/local_cubic.hpp"
+#include "lacuna/flow/node_grid.hpp"
 #include "lacuna/selection/moving_polynomial.hpp"
 
 namespace lacuna {
@@ -22,42 +22,16 @@ Vector without_outliers(const Trajectory& record, Index state, double noise) {
   return values;
 }
 
-void fill_inputs(PathRecord& record) {
-  const Index m = record.samples.states.cols();
-  for (Index j = 0; j < record.samples.inputs.cols(); ++j)
-    record.slots.col(m + j) =
-        interpolate_cubic(record.samples.time, record.samples.inputs.col(j), record.time);
-  record.slots.col(m + record.samples.inputs.cols()) = record.time;
-}
-
-void fill_delays(PathRecord& record, const Program& program) {
-  Index slot = record.samples.states.cols() + record.samples.inputs.cols() + 1;
-  const double begin = record.time[0];
-  for (const DelayedVariable& delayed : program.delays()) {
-    const Vector earlier = (record.time.array() - delayed.delay).max(begin);
-    const Vector values = record.slots.col(delayed.slot);
-    record.slots.col(slot++) = interpolate_cubic(record.time, values, earlier);
-  }
-}
-
-Vector node_times(const Vector& time, Index stride) {
-  const Index n = time.size();
-  Vector nodes((n - 1) * stride + 1);
-  for (Index i = 0; i + 1 < n; ++i)
-    for (Index s = 0; s < stride; ++s)
-      nodes[i * stride + s] = time[i] + (time[i + 1] - time[i]) * static_cast<double>(s) /
-                                            static_cast<double>(stride);
-  nodes[nodes.size() - 1] = time[n - 1];
-  return nodes;
-}
-
 void place_path(PathRecord& record, const Matrix& states, const Program& program) {
-  record.time = node_times(record.samples.time, record.stride());
-  record.slots.resize(record.time.size(), program.slots());
-  for (Index k = 0; k < states.cols(); ++k)
-    record.slots.col(k) = interpolate_cubic(record.samples.time, states.col(k), record.time);
-  fill_inputs(record);
-  fill_delays(record, program);
+  Matrix values(states.rows(), states.cols() + record.samples.inputs.cols());
+  values << states, record.samples.inputs;
+  const Matrix variables = node_slots(record.samples.time, values, record.stride());
+  const Index width = variables.cols();
+  record.time = variables.col(width - 1);
+  record.slots.resize(variables.rows(), program.slots());
+  record.slots.leftCols(width) = variables;
+  record.slots.rightCols(program.slots() - width) =
+      delayed_slots(variables, record.stride(), program.delays());
 }
 
 Matrix weights_of(const Trajectory& record, const Dataset& data, const Vector& noise) {

@@ -14,19 +14,17 @@ constexpr double kRounding = 1e-12;
 
 /// R of a window with rows damping * D on the initial states.
 Matrix damped_window(const Matrix& triangle, const Eigen::Ref<const Vector>& damping) {
-  TriangleFold fold(triangle.cols());
+  RowFold fold(triangle.cols());
   fold.add_triangle(triangle);
   for (Index k = 0; k < damping.size(); ++k) {
     double* row = fold.next_row();
     for (Index j = 0; j < triangle.cols(); ++j) row[j * fold.stride()] = 0.0;
     row[k * fold.stride()] = damping[k];
   }
-  Matrix result;
-  fold.finish(result);
-  return result;
+  return *fold.finish();
 }
 
-void add_row(TriangleFold& fold, Index column, double value, double target) {
+void add_row(RowFold& fold, Index column, double value, double target) {
   double* row = fold.next_row();
   for (Index j = 0; j < fold.columns(); ++j) row[j * fold.stride()] = 0.0;
   row[column * fold.stride()] = value;
@@ -70,11 +68,10 @@ Matrix covariance_of(const Eigen::Ref<const Matrix>& triangle) {
 }
 
 ShootingProblem::ShootingProblem(const ParametrisedModel& model, const Dataset& data,
-                                 std::optional<double> huber,
-                                 std::span<const CandidateColumn> candidates)
+                                 std::optional<double> huber)
     : model_(model),
       record_(shooting_record(model, data)),
-      rates_(model_, candidates),
+      rates_(model_),
       huber_(huber),
       priors_(model.priors()) {
   set_scheme({&runge_kutta_4(), 1});
@@ -154,7 +151,7 @@ ShootingLinearisation ShootingProblem::linearise(const WindowPlan& plan,
   const Index m = rates_.dimension(), rest = rates_.columns() + 1;
   ShootingLinearisation linear{{}, {}, Matrix::Zero(record_.samples(), m * m)};
   linear.windows.reserve(plan.size());
-  TriangleFold fold(rest);
+  RowFold fold(rest);
   rows_->run(
       {record_, *signals_, plan, point.orbits, weights},
       [&](Index, const Matrix& triangle) {
@@ -163,7 +160,7 @@ ShootingLinearisation ShootingProblem::linearise(const WindowPlan& plan,
       },
       &linear.transitions);
   add_priors(point.parameters, fold);
-  fold.finish(linear.reduced);
+  linear.reduced = *fold.finish();
   return linear;
 }
 
@@ -174,7 +171,7 @@ void ShootingProblem::sensitivities(const WindowPlan& plan, const ShootingPoint&
   rows_->sensitivities({record_, *signals_, plan, point.orbits, weights}, visit);
 }
 
-void ShootingProblem::add_priors(const Vector& parameters, TriangleFold& fold) const {
+void ShootingProblem::add_priors(const Vector& parameters, RowFold& fold) const {
   for (std::size_t i = 0; i < priors_.size(); ++i) {
     if (!priors_[i]) continue;
     const auto column = static_cast<Index>(i);
@@ -190,7 +187,7 @@ ShootingStep ShootingProblem::solve(const ShootingLinearisation& linear,
   std::vector<Matrix> damped;
   Matrix reduced = linear.reduced;
   if (damping > 0.0) {
-    TriangleFold fold(p + 1);
+    RowFold fold(p + 1);
     for (const Matrix& window : linear.windows) {
       damped.push_back(
           damped_window(window, damping * window.leftCols(m).colwise().norm().transpose()));
@@ -198,7 +195,7 @@ ShootingStep ShootingProblem::solve(const ShootingLinearisation& linear,
     }
     add_priors(point.parameters, fold);
     for (Index j = 0; j < p; ++j) add_row(fold, j, damping * linear.reduced.col(j).norm(), 0.0);
-    fold.finish(reduced);
+    reduced = *fold.finish();
   }
   ShootingStep step{solve_determined(reduced.topLeftCorner(p, p), reduced.col(p).head(p)),
                     Matrix(static_cast<Index>(count), m)};

@@ -36,10 +36,8 @@ struct ShootingStep {
 class ShootingProblem {
  public:
   /// @param huber residuals beyond so many sigma count linearly; nothing: least squares.
-  /// @param candidates further columns of the linear problem, behind the parameters.
   ShootingProblem(const ParametrisedModel& model, const Dataset& data,
-                  std::optional<double> huber,
-                  std::span<const CandidateColumn> candidates = {});
+                  std::optional<double> huber);
 
   const ShootingRecord& record() const noexcept { return record_; }
   Rates& rates() noexcept { return rates_; }
@@ -75,7 +73,7 @@ class ShootingProblem {
  private:
   std::shared_ptr<const StageSignals> signals_of(const StepScheme& scheme);
   double loss(double residual) const;
-  void add_priors(const Vector& parameters, TriangleFold& fold) const;
+  void add_priors(const Vector& parameters, RowFold& fold) const;
 
   ParametrisedModel model_;
   ShootingRecord record_;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "lacuna/core/error.hpp"
-#include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
@@ -30,85 +29,18 @@ std::vector<Index> input_columns(const ParametrisedModel& model, const Dataset& 
   return columns;
 }
 
-/// Record signals of one trajectory as functions of time.
-class TrajectorySignals {
- public:
-  TrajectorySignals(const ShootingRecord& record, Index trajectory, const Rates& rates)
-      : record_(record),
-        delays_(rates.delays()),
-        dimension_(rates.dimension()),
-        first_(record.begins[static_cast<std::size_t>(trajectory)]),
-        count_(record.begins[static_cast<std::size_t>(trajectory) + 1] - first_),
-        values_(signal(record.values)),
-        inputs_(signal(record.inputs)),
-        value_scratch_(record.values.cols()),
-        input_scratch_(record.inputs.cols()) {
-    for (const DelayedVariable& delay : delays_) check(delay);
+/// Samples of a delayed variable.
+/// @throws DataError when it was not measured.
+Vector samples_of(const DelayedVariable& delay, const ShootingRecord& record, Index dimension) {
+  const Index input = delay.slot - dimension;
+  if (input < 0) {
+    if (const auto row = record.rows[static_cast<std::size_t>(delay.slot)])
+      return record.values.col(*row);
+  } else if (input < record.inputs.cols()) {
+    return record.inputs.col(input);
   }
-
-  /// Writes (inputs, t, delayed variables) to one row.
-  void write(double t, Matrix& out, Index row) {
-    const Index p = record_.inputs.cols();
-    if (p > 0) {
-      inputs_(t, input_scratch_.data());
-      out.row(row).head(p) = input_scratch_;
-    }
-    out(row, p) = t;
-    for (std::size_t i = 0; i < delays_.size(); ++i)
-      out(row, p + 1 + static_cast<Index>(i)) = delayed(delays_[i], t - delays_[i].delay);
-  }
-
- private:
-  RecordInput signal(const Matrix& columns) const {
-    return {record_.time.segment(first_, count_), columns.middleRows(first_, count_),
-            std::min<Index>(4, count_)};
-  }
-
-  void check(const DelayedVariable& delay) const {
-    const bool is_state = delay.slot < dimension_;
-    if (is_state ? record_.rows[static_cast<std::size_t>(delay.slot)].has_value()
-                 : delay.slot < dimension_ + record_.inputs.cols())
-      return;
-    throw DataError("record", "a delayed variable of the model was not measured",
-                    "delay measured states and inputs only");
-  }
-
-  double delayed(const DelayedVariable& delay, double t) {
-    if (delay.slot < dimension_) {
-      values_(t, value_scratch_.data());
-      return value_scratch_[*record_.rows[static_cast<std::size_t>(delay.slot)]];
-    }
-    inputs_(t, input_scratch_.data());
-    return input_scratch_[delay.slot - dimension_];
-  }
-
-  const ShootingRecord& record_;
-  const std::vector<DelayedVariable>& delays_;
-  Index dimension_, first_, count_;
-  RecordInput values_, inputs_;
-  Vector value_scratch_, input_scratch_;
-};
-
-void write_step(TrajectorySignals& source, double t, double h, Index step,
-                StageSignals& signals) {
-  signals.lengths[step] = h;
-  for (std::size_t a = 0; a < signals.stages.size(); ++a)
-    source.write(t + signals.scheme.tableau->nodes[a] * h, signals.stages[a], step);
-}
-
-void write_trajectory(const ShootingRecord& record, const Rates& rates, Index trajectory,
-                      StageSignals& signals) {
-  TrajectorySignals source(record, trajectory, rates);
-  const Index substeps = signals.scheme.substeps;
-  const Index begin = record.begins[static_cast<std::size_t>(trajectory)];
-  const Index last = record.begins[static_cast<std::size_t>(trajectory) + 1] - 1;
-  for (Index i = begin; i <= last; ++i) {
-    const double interval = i < last ? record.time[i + 1] - record.time[i] : 0.0;
-    const double h = interval / static_cast<double>(substeps);
-    for (Index j = 0; j < substeps; ++j)
-      write_step(source, record.time[i] + static_cast<double>(j) * h, h, i * substeps + j,
-                 signals);
-  }
+  throw DataError("record", "a delayed variable of the model was not measured",
+                  "delay measured states and inputs only");
 }
 
 }  // namespace
@@ -146,11 +78,20 @@ ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& pi
 
 StageSignals stage_signals(const ShootingRecord& record, const Rates& rates,
                            const StepScheme& scheme) {
-  const Index steps = record.samples() * scheme.substeps;
-  StageSignals signals{scheme, Vector::Zero(steps),
-                       std::vector<Matrix>(static_cast<std::size_t>(scheme.tableau->stages()),
-                                           Matrix::Zero(steps, rates.signals()))};
-  for (Index r = 0; r < record.trajectories(); ++r) write_trajectory(record, rates, r, signals);
+  StageSignals signals = empty_stage_signals(scheme, record.samples(), rates.signals());
+  DrivingSamples all{record.time, record.inputs, {}, {}};
+  all.delayed.resize(record.samples(), static_cast<Index>(rates.delays().size()));
+  for (const DelayedVariable& delay : rates.delays()) {
+    all.delayed.col(static_cast<Index>(all.delays.size())) =
+        samples_of(delay, record, rates.dimension());
+    all.delays.push_back(delay.delay);
+  }
+  for (std::size_t r = 0; r + 1 < record.begins.size(); ++r) {
+    const Index first = record.begins[r], n = record.begins[r + 1] - first;
+    write_stage_signals({all.time.segment(first, n), all.inputs.middleRows(first, n),
+                         all.delayed.middleRows(first, n), all.delays},
+                        first, signals);
+  }
   return signals;
 }
 

@@ -130,7 +130,7 @@ SampledRates sample_rates(const Matrix& states, Rates& rates, const StageSignals
   return result;
 }
 
-Vector jacobian_entry(const Rates& rates, const SampledRates& sampled, Index k, Index j) {
+Vector jacobian_entry(Rates& rates, const SampledRates& sampled, Index k, Index j) {
   for (std::size_t i = 0; i < rates.jacobian_places().size(); ++i)
     if (rates.jacobian_places()[i].row == k && rates.jacobian_places()[i].column == j)
       return sampled.jacobian.col(static_cast<Index>(i));

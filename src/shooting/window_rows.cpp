@@ -3,12 +3,8 @@
 
 #include <algorithm>
 
-#include "lacuna/linear/tile_kernels.hpp"
-
 namespace lacuna {
 namespace {
-
-constexpr Index kFoldRows = 128;
 
 /// B := A B with A square and small.
 void left_multiply(const Matrix& a, Matrix& b, Vector& column) {
@@ -24,38 +20,6 @@ void left_multiply(const Matrix& a, Matrix& b, Vector& column) {
 
 }  // namespace
 
-TriangleFold::TriangleFold(Index columns)
-    : capacity_(std::max(kFoldRows, columns)),
-      scratch_(capacity_, columns),
-      triangle_(Matrix::Zero(columns, columns)) {}
-
-double* TriangleFold::next_row() {
-  if (rows_ == capacity_) fold();
-  return scratch_.data() + rows_++;
-}
-
-void TriangleFold::fold() {
-  if (rows_ == 0) return;
-  const Index padded =
-      (rows_ + Scratch::kRowPadding - 1) / Scratch::kRowPadding * Scratch::kRowPadding;
-  if (padded > rows_) scratch_.block(padded, 0, columns()).bottomRows(padded - rows_).setZero();
-  fold_triangle(scratch_, rows_, triangle_);
-  rows_ = 0;
-}
-
-void TriangleFold::add_triangle(const Eigen::Ref<const Matrix>& triangle) {
-  fold();
-  scratch_.block(columns(), 0, columns()) = triangle.triangularView<Eigen::Upper>();
-  rows_ = columns();
-  fold();
-}
-
-void TriangleFold::finish(Matrix& triangle) {
-  fold();
-  triangle = triangle_;
-  triangle_.setZero();
-}
-
 WindowRows::WindowRows(Rates& rates, const StepScheme& scheme)
     : rates_(rates),
       substeps_(scheme.substeps),
@@ -70,7 +34,6 @@ WindowRows::WindowRows(Rates& rates, const StepScheme& scheme)
 
 void WindowRows::run(const WindowRowsInput& input,
                      FunctionRef<void(Index, const Matrix&)> visit, Matrix* transitions) {
-  Matrix triangle;
   const ShootingRecord& record = input.record;
   const auto add_rows = [&](Index, Index sample, const Matrix& s) {
     for (std::size_t q = 0; q < record.measured.size(); ++q) {
@@ -83,8 +46,7 @@ void WindowRows::run(const WindowRowsInput& input,
   };
   for (std::size_t w = 0; w < input.plan.size(); ++w) {
     follow(input, static_cast<Index>(w), add_rows, transitions);
-    fold_.finish(triangle);
-    visit(static_cast<Index>(w), triangle);
+    visit(static_cast<Index>(w), *fold_.finish());
   }
 }
 
@@ -107,7 +69,7 @@ void WindowRows::follow(const WindowRowsInput& input, Index number,
   visit(number, window.first, sensitivity_);
   for (Index step = 0; step < steps; ++step) {
     if (step % StepMaps::kBlock == 0)
-      maps_.evaluate(rates_, input.signals, input.orbits, begin + step,
+      maps_.evaluate(rates_, input.signals, input.orbits.stages, begin + step,
                      std::min(StepMaps::kBlock, steps - step));
     if (step % substeps_ == 0) interval_.setIdentity();
     pass_step(step % StepMaps::kBlock);

@@ -4,37 +4,11 @@
 #include <vector>
 
 #include "lacuna/core/function_ref.hpp"
-#include "lacuna/linear/row_pass.hpp"
-#include "step_maps.hpp"
+#include "lacuna/flow/step_maps.hpp"
+#include "lacuna/linear/row_fold.hpp"
+#include "window_simulation.hpp"
 
 namespace lacuna {
-
-/// Folds rows into a triangle as they come: R of [rows].
-class TriangleFold {
- public:
-  explicit TriangleFold(Index columns);
-
-  Index columns() const noexcept { return triangle_.cols(); }
-
-  /// MatrixPlace for one more row; the pointer is to its first column, columns are stride()
-  /// apart.
-  double* next_row();
-  Index stride() const noexcept { return scratch_.stride(); }
-
-  /// Folds rows first .. of an upper triangle, starting with its column `first`.
-  void add_triangle(const Eigen::Ref<const Matrix>& triangle);
-
-  /// The triangle of all rows so far; starts anew after it.
-  void finish(Matrix& triangle);
-
- private:
-  void fold();
-
-  Index capacity_;
-  Scratch scratch_;
-  Index rows_ = 0;
-  Matrix triangle_;
-};
 
 /// What the rows of the windows are made of: whitened residuals and their derivatives.
 struct WindowRowsInput {
@@ -79,7 +53,7 @@ class WindowRows {
   Matrix transition_;   // Phi of one step, m x m
   Matrix interval_;     // product over an interval
   Vector column_;       // scratch
-  TriangleFold fold_;
+  RowFold fold_;
 };
 
 }  // namespace lacuna

@@ -30,15 +30,17 @@ Allowed allowed_includes() {
     allowed[folder] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["formulations"].insert("records");
   allowed["selection"] = allowed["formulations"];
-  allowed["selection"].insert({"records", "formulations", "shooting"});
+  allowed["selection"].insert({"records", "formulations", "flow", "shooting"});
   allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
   allowed["pipeline"].insert("selection");
   allowed["dynamics"] = {"core", "numerics", "data", "model", "records"};
   allowed["systems"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["attractor"] = {"core", "numerics", "data", "model", "records", "dynamics"};
-  allowed["shooting"] = {"core", "numerics", "data", "model", "records", "linear", "dynamics"};
-  allowed["estimation"] = {"core", "numerics", "data", "model", "records"};
+  allowed["flow"] = {"core", "numerics", "data", "model", "dynamics"};
+  allowed["shooting"] = {"core",   "numerics", "data",     "model",
+                         "linear", "records",  "dynamics", "flow"};
+  allowed["estimation"] = {"core", "numerics", "data", "model", "records", "flow"};
   allowed["candidates"] = {"core", "numerics", "data", "model", "estimation"};
   allowed["effects"] = {"core", "data", "model", "candidates"};
   allowed["decision"] = {"core", "numerics", "data", "model", "estimation", "candidates"};

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "lacuna/core/types.hpp"
-#include "lacuna/estimation/linearised_record.hpp"
 #include "lacuna/estimation/noise_model.hpp"
+#include "lacuna/flow/linearised_record.hpp"
 
 namespace lacuna {
 

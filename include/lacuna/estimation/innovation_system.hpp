@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "lacuna/estimation/assimilation.hpp"
@@ -47,14 +46,5 @@ class InnovationSystem {
   double deviance_ = 0.0;
   Index used_ = 0;
 };
-
-/// Values of formulas at samples and midpoints, (2n-1) x count.
-/// @throws ModelError when one uses a name that is not a variable of the model.
-Matrix evaluate_on(const LinearisedRecord& record, const Variables& variables,
-                   std::span<const Expression> formulas);
-
-/// Values of one formula at samples and midpoints (2n-1).
-Vector evaluate_on(const LinearisedRecord& record, const Variables& variables,
-                   const Expression& formula);
 
 }  // namespace lacuna

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lacuna/data/dataset.hpp"
-#include "lacuna/shooting/parametrised_model.hpp"
+#include "lacuna/model/parametrised_model.hpp"
 #include "lacuna/shooting/windows.hpp"
 
 namespace lacuna {

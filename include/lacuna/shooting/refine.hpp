@@ -7,7 +7,7 @@
 
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/dataset.hpp"
-#include "lacuna/shooting/parametrised_model.hpp"
+#include "lacuna/model/parametrised_model.hpp"
 #include "lacuna/shooting/residual_statistics.hpp"
 #include "lacuna/shooting/windows.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/shooting/parametrised_model.hpp"
+#include "lacuna/model/parametrised_model.hpp"
 #include "lacuna/systems/measurement.hpp"
 #include "lacuna/systems/test_systems.hpp"
 

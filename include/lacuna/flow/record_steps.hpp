@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Integration of a model over the sampling steps of a record, each from its own begin.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/flow/rates.hpp"
+
+namespace lacuna {
+
+/// Slots at begins, middles and ends of the steps of a record; what drives the model goes on
+/// between them as the cubic through the nearest samples.
+struct StepSlots {
+  Index states = 0, time = 0;  ///< number of states, column of t
+  Matrix nodes;                ///< (2n-1) x (m+p+1+d)
+  Matrix third;  ///< (n-1) x (p+1+d): third differences times the cube of the step, 0 for t
+
+  /// @param slots as node_slots() with two parts, then d columns of delayed variables.
+  StepSlots(Matrix slots, Index states, std::size_t delays);
+
+  Index steps() const noexcept { return (nodes.rows() - 1) / 2; }
+  double length(Index step) const { return nodes(2 * step + 2, time) - nodes(2 * step, time); }
+};
+
+/// States at the ends of steps.
+/// @param steps numbers of the steps; @param parts steps of Runge and Kutta's method of order 4
+///   in each. @return one row for each of `steps`.
+Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps,
+                     int parts);
+
+/// Parts of a step that leave an error of less than a tenth of the accuracy, a power of two up
+/// to 32; a sample of the steps tells.
+int parts_for(Rates& rates, const StepSlots& slots, const Vector& accuracy);
+
+/// Transition matrices (m^2 x steps) and responses (3 m^2 x steps) of linear systems.
+struct StepResponses {
+  Matrix transition, response;
+};
+
+/// Of d' = A(t) d + rate, with A a parabola in each step: transition by Runge and Kutta's
+/// method of order 4, responses to rates that are 1, at begin, middle or end, and a parabola
+/// between them by Simpson's rule.
+/// @param slopes m^2 x (2n-1): A at begins, middles and ends. @param length n-1 entries.
+/// @return responses w0, w1, w2 (m each) to a rate of state 0, then of 1, ...
+StepResponses step_responses(const Matrix& slopes, const Vector& length, Index states,
+                             int parts);
+
+}  // namespace lacuna

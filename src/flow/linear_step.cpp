@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/flow/linear_step.hpp"
+
+#include "lacuna/flow/fixed_size.hpp"
+
+namespace lacuna {
+namespace {
+
+/// With L_4 = h/6, L_3 = h/3 + h L_4 J_1, L_2 = h/3 + h/2 L_3 J_m, L_1 = h/6 + h/2 L_2 J_m:
+/// first = L_1, middle = L_2 + L_3, whole = 1 + L_1 J_0 + (L_2 + L_3) J_m + L_4 J_1.
+template <int M>
+void compute_maps(const Eigen::Ref<const Matrix>& jacobians, Index m, double h,
+                  LinearStep& step) {
+  using View = Eigen::Map<const Square<M>>;
+  const View j0(jacobians.col(0).data(), m, m), jm(jacobians.col(1).data(), m, m),
+      j1(jacobians.col(2).data(), m, m);
+  Square<M> third = (h * h / 6.0) * j1;
+  third.diagonal().array() += h / 3.0;
+  Square<M> second = (0.5 * h) * third.lazyProduct(jm);
+  second.diagonal().array() += h / 3.0;
+  Square<M> first = (0.5 * h) * second.lazyProduct(jm);
+  first.diagonal().array() += h / 6.0;
+  const Square<M> middle = second + third;
+  Square<M> whole = first.lazyProduct(j0) + middle.lazyProduct(jm) + (h / 6.0) * j1;
+  whole.diagonal().array() += 1.0;
+  step.whole = whole;
+  step.first = first;
+  step.middle = middle;
+  step.last = h / 6.0;
+}
+
+}  // namespace
+
+void LinearStep::compute(const Eigen::Ref<const Matrix>& jacobians, Index dimension,
+                         double length) {
+  with_size(dimension, [&](auto size) {
+    // g++ 12 warns of the bounds of a matrix of one entry.
+    constexpr int kSize = size() == 1 ? Eigen::Dynamic : size();
+    compute_maps<kSize>(jacobians, dimension, length, *this);
+  });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/flow/linearised_record.hpp"
+
+#include <numeric>
+#include <utility>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/flow/node_grid.hpp"
+#include "lacuna/flow/rates.hpp"
+#include "lacuna/flow/record_steps.hpp"
+#include "lacuna/flow/secant_slopes.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Samples and the middles between them.
+constexpr Index kNodesPerStep = 2;
+
+void check(const OdeModel& model, const Trajectory& record, const Matrix& path) {
+  if (path.rows() != record.samples() || path.cols() != model.dimension() ||
+      record.inputs.cols() != static_cast<Index>(model.inputs().size()))
+    throw ArgumentError("linearise", "path and record do not fit the model",
+                        "give one column for each state and input");
+  if (record.samples() < 4)
+    throw ArgumentError("linearise", "the record has fewer than four samples",
+                        "give a longer record");
+}
+
+/// Length of the part of a step around each sample and midpoint.
+Vector part_lengths(const Vector& length, int parts) {
+  Vector result(2 * length.size() + 1);
+  for (Index i = 0; i < length.size(); ++i) result.segment<2>(2 * i).setConstant(length[i]);
+  result[2 * length.size()] = length[length.size() - 1];
+  return result / parts;
+}
+
+/// What is accurate enough for transitions and responses, which multiply small deviations only:
+/// a thousandth of the range of each state.
+Vector accuracy_of_variations(const Matrix& path, const Vector& accuracy) {
+  constexpr double kThousandth = 1e-3;
+  const Vector range = path.colwise().maxCoeff() - path.colwise().minCoeff();
+  return accuracy.cwiseMax(kThousandth * range);
+}
+
+}  // namespace
+
+LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, const Matrix& path,
+                           const Vector& accuracy) {
+  check(model, record, path);
+  const Index m = path.cols();
+  LinearisedRecord result = grid_of(record, path);
+  Rates rates(model);
+  const StepSlots slots(with_delays(result, rates.delays()), m, rates.delays().size());
+  const int parts = parts_for(rates, slots, accuracy);
+  std::vector<Index> steps(static_cast<std::size_t>(record.samples() - 1));
+  std::iota(steps.begin(), steps.end(), Index{0});
+  result.defect = (ends_of_steps(rates, slots, steps, parts) - path.bottomRows(path.rows() - 1))
+                      .transpose();
+  const Vector length =
+      record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
+  const int fewer = parts_for(rates, slots, accuracy_of_variations(path, accuracy));
+  StepResponses responses =
+      step_responses(secant_slopes(rates, slots.nodes, part_lengths(length, fewer), accuracy),
+                     length, m, fewer);
+  result.transition = std::move(responses.transition);
+  result.response = std::move(responses.response);
+  return result;
+}
+
+LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count) {
+  LinearisedRecord part{record.time.segment(first, count),
+                        record.path.middleRows(first, count),
+                        record.slots.middleRows(2 * first, 2 * count - 1),
+                        record.transition.middleCols(first, count - 1),
+                        record.response.middleCols(first, count - 1),
+                        record.defect.middleCols(first, count - 1)};
+  if (record.bridge.size() > 0) part.bridge = record.bridge.middleCols(first, count - 1);
+  return part;
+}
+
+LinearisedRecord grid_of(const Trajectory& record, const Matrix& path) {
+  Matrix values(record.samples(), path.cols() + record.inputs.cols());
+  values << path, record.inputs;
+  return {record.time, path, node_slots(record.time, values, kNodesPerStep), {}, {}, {}};
+}
+
+Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVariable>& delays) {
+  const Index width = record.slots.cols(), count = static_cast<Index>(delays.size());
+  Matrix result(record.slots.rows(), width + count);
+  result.leftCols(width) = record.slots;
+  result.rightCols(count) = delayed_slots(record.slots, kNodesPerStep, delays);
+  return result;
+}
+
+Matrix evaluate_on(const LinearisedRecord& record, const Variables& variables,
+                   std::span<const Expression> formulas) {
+  const Program program(formulas, variables);
+  Program::Workspace workspace;
+  Matrix out(record.slots.rows(), program.outputs());
+  if (program.delays().empty())
+    program.evaluate(record.slots, out, workspace);
+  else
+    program.evaluate(with_delays(record, program.delays()), out, workspace);
+  return out;
+}
+
+Vector evaluate_on(const LinearisedRecord& record, const Variables& variables,
+                   const Expression& formula) {
+  return evaluate_on(record, variables, std::span<const Expression>(&formula, 1));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/flow/record_steps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+#include "lacuna/flow/fixed_size.hpp"
+#include "lacuna/numerics/sampled_signal.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Steps that are done together and stay in cache.
+constexpr std::size_t kBlock = 256;
+
+/// The parabolas through 0, 1/2, 1 that are 1 at one of them.
+std::array<double, 3> parabolas(double s) {
+  return {(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)};
+}
+
+/// A block of steps on its way from their begins to their ends.
+class StepBlock {
+ public:
+  StepBlock(Rates& rates, const StepSlots& slots, std::span<const Index> steps)
+      : rates_(rates),
+        slots_(slots),
+        steps_(steps),
+        point_(static_cast<Index>(steps.size()), slots.nodes.cols()),
+        length_(point_.rows()),
+        slope_(point_.rows(), slots.states) {
+    for (Index row = 0; row < point_.rows(); ++row) {
+      const Index i = step_at(row);
+      point_.row(row) = slots.nodes.row(2 * i);
+      length_[row] = slots.length(i);
+    }
+    state_ = point_.leftCols(slots.states);
+  }
+
+  Matrix run(int parts) {
+    for (int part = 0; part < parts; ++part) runge_kutta(part, parts);
+    return state_;
+  }
+
+ private:
+  Index step_at(Index row) const { return steps_[static_cast<std::size_t>(row)]; }
+
+  void runge_kutta(int part, int parts) {
+    constexpr std::array<double, 4> kNode{0.0, 0.5, 0.5, 1.0}, kWeight{1.0, 2.0, 2.0, 1.0};
+    Matrix sum = Matrix::Zero(state_.rows(), state_.cols());
+    for (std::size_t stage = 0; stage < 4; ++stage) {
+      point_.leftCols(slots_.states) = state_;
+      if (stage > 0)
+        point_.leftCols(slots_.states) +=
+            (kNode[stage] / parts * length_).asDiagonal() * slope_;
+      if (stage != 2) set_driven((part + kNode[stage]) / parts);
+      rates_.rate(point_, slope_);
+      sum += kWeight[stage] * slope_;
+    }
+    state_ += (length_ / (6.0 * parts)).asDiagonal() * sum;
+  }
+
+  /// Inputs, t and delayed variables at the share `s` of the steps: the parabola through begin,
+  /// middle and end, and what makes it the cubic through the nearest samples.
+  void set_driven(double s) {
+    const std::array<double, 3> weight = parabolas(s);
+    const double cubic = s * (s - 0.5) * (s - 1.0);
+    for (Index column = slots_.states; column < slots_.nodes.cols(); ++column) {
+      const double* third = slots_.third.col(column - slots_.states).data();
+      for (Index row = 0; row < point_.rows(); ++row) {
+        const double* value = slots_.nodes.col(column).data() + 2 * step_at(row);
+        point_(row, column) = weight[0] * value[0] + weight[1] * value[1] +
+                              weight[2] * value[2] + cubic * third[step_at(row)];
+      }
+    }
+  }
+
+  Rates& rates_;
+  const StepSlots& slots_;
+  std::span<const Index> steps_;
+  Matrix point_;
+  Vector length_;
+  Matrix slope_, state_;
+};
+
+/// Transition and responses of one step: W_q is the response of the state to a rate that is
+/// the parabola q.
+template <int Size>
+class StepVariation {
+ public:
+  StepVariation(const Matrix& slopes, Index states)
+      : slopes_(slopes), identity_(Square<Size>::Identity(states, states)) {}
+
+  void run(Index i, double length, int parts) {
+    for (int part = 0; part < parts; ++part) add_part(i, length / parts, part, parts);
+  }
+
+  const Square<Size>& transition() const { return transition_; }
+  const std::array<Square<Size>, 3>& response() const { return response_; }
+
+ private:
+  Square<Size> slope_at(Index i, double s) const {
+    const std::array<double, 3> weight = parabolas(s);
+    const Index m = identity_.rows();
+    const double* a = slopes_.col(2 * i).data();
+    const Eigen::Map<const Square<Size>> begin(a, m, m), middle(a + m * m, m, m),
+        end(a + 2 * m * m, m, m);
+    return weight[0] * begin + weight[1] * middle + weight[2] * end;
+  }
+
+  /// Runge and Kutta for the transition, Simpson's rule for the responses.
+  void add_part(Index i, double h, int part, int parts) {
+    const double from = static_cast<double>(part) / parts, to = (part + 1.0) / parts;
+    const double half = 0.5 * (from + to);
+    const Square<Size> a = slope_at(i, from), b = slope_at(i, half), c = slope_at(i, to);
+    const Square<Size> k2 = b.lazyProduct(identity_ + 0.5 * h * a);
+    const Square<Size> k3 = b.lazyProduct(identity_ + 0.5 * h * k2);
+    const Square<Size> k4 = c.lazyProduct(identity_ + h * k3);
+    const Square<Size> whole = identity_ + h / 6.0 * (a + 2.0 * k2 + 2.0 * k3 + k4);
+    const Square<Size> second = 0.25 * h * (b + c);
+    const Square<Size> later = identity_ + second + 0.5 * second.lazyProduct(second);
+    const std::array<double, 3> first = parabolas(from), mid = parabolas(half),
+                                last = parabolas(to);
+    for (std::size_t q = 0; q < 3; ++q) {
+      const Square<Size> own =
+          h / 6.0 * (first[q] * whole + 4.0 * mid[q] * later + last[q] * identity_);
+      if (part == 0)
+        response_[q] = own;
+      else
+        response_[q] = own + whole.lazyProduct(response_[q]).eval();
+    }
+    if (part == 0)
+      transition_ = whole;
+    else
+      transition_ = whole.lazyProduct(transition_).eval();
+  }
+
+  const Matrix& slopes_;
+  Square<Size> identity_, transition_;
+  std::array<Square<Size>, 3> response_;
+};
+
+template <int Size>
+void write_responses(const Matrix& slopes, const Vector& length, Index m, int parts,
+                     StepResponses& out) {
+  StepVariation<Size> step(slopes, m);
+  for (Index i = 0; i < length.size(); ++i) {
+    step.run(i, length[i], parts);
+    out.transition.col(i) = step.transition().reshaped();
+    for (Index k = 0; k < m; ++k)
+      for (Index q = 0; q < 3; ++q)
+        out.response.col(i).segment(3 * m * k + m * q, m) =
+            step.response()[static_cast<std::size_t>(q)].col(k);
+  }
+}
+
+}  // namespace
+
+StepSlots::StepSlots(Matrix slots, Index state_count, std::size_t delays)
+    : states(state_count),
+      time(slots.cols() - 1 - static_cast<Index>(delays)),
+      nodes(std::move(slots)),
+      third(Matrix::Zero(steps(), nodes.cols() - states)) {
+  const auto samples = Eigen::seq(0, Eigen::last, 2);
+  for (Index column = states; column < nodes.cols(); ++column) {
+    if (column == time) continue;
+    const Vector values = nodes.col(column)(samples);
+    const SampledSignal signal(nodes.col(time)(samples), values);
+    for (Index i = 0; i < steps(); ++i)
+      third(i, column - states) =
+          signal.third_difference(i) * length(i) * length(i) * length(i);
+  }
+}
+
+Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps,
+                     int parts) {
+  Matrix ends(static_cast<Index>(steps.size()), slots.states);
+  const std::span<const Index> all(steps);
+  for (std::size_t first = 0; first < steps.size(); first += kBlock) {
+    const auto block = all.subspan(first, std::min(kBlock, steps.size() - first));
+    ends.middleRows(static_cast<Index>(first), static_cast<Index>(block.size())) =
+        StepBlock(rates, slots, block).run(parts);
+  }
+  return ends;
+}
+
+int parts_for(Rates& rates, const StepSlots& slots, const Vector& accuracy) {
+  constexpr int kMost = 32;
+  constexpr Index kTried = 400;
+  const Index count = slots.steps();
+  std::vector<Index> steps;
+  for (Index i = 0; i < count; i += std::max<Index>(1, count / kTried)) steps.push_back(i);
+  int parts = 1;
+  Matrix coarse = ends_of_steps(rates, slots, steps, 1);
+  while (parts < kMost) {
+    Matrix fine = ends_of_steps(rates, slots, steps, 2 * parts);
+    const Vector error = (coarse - fine).cwiseAbs().colwise().maxCoeff();
+    if ((error.array() <= 0.1 * accuracy.array()).all()) break;
+    coarse = std::move(fine);
+    parts *= 2;
+  }
+  return parts;
+}
+
+StepResponses step_responses(const Matrix& slopes, const Vector& length, Index states,
+                             int parts) {
+  StepResponses out{Matrix(states * states, length.size()),
+                    Matrix(3 * states * states, length.size())};
+  with_size(states,
+            [&](auto size) { write_responses<size()>(slopes, length, states, parts, out); });
+  return out;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/flow/stage_signals.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Length of the steps in each sampling interval; 0 behind the last sample.
+Vector step_lengths(const Vector& time, Index substeps) {
+  const Index n = time.size();
+  Vector lengths = Vector::Zero(n);
+  lengths.head(n - 1) = (time.tail(n - 1) - time.head(n - 1)) / static_cast<double>(substeps);
+  return lengths;
+}
+
+/// Times of the stages: n * substeps x stages.
+Matrix stage_times(const Vector& time, const Vector& lengths, const StepScheme& scheme) {
+  Matrix times(time.size() * scheme.substeps, scheme.tableau->stages());
+  for (Index i = 0; i < time.size(); ++i)
+    for (Index j = 0; j < scheme.substeps; ++j)
+      for (Index a = 0; a < times.cols(); ++a)
+        times(i * scheme.substeps + j, a) =
+            time[i] + static_cast<double>(j) * lengths[i] +
+            scheme.tableau->nodes[static_cast<std::size_t>(a)] * lengths[i];
+  return times;
+}
+
+}  // namespace
+
+StageSignals empty_stage_signals(const StepScheme& scheme, Index samples, Index signals) {
+  const Index steps = samples * scheme.substeps;
+  return {scheme, Vector::Zero(steps),
+          std::vector<Matrix>(static_cast<std::size_t>(scheme.tableau->stages()),
+                              Matrix::Zero(steps, signals))};
+}
+
+void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals,
+                         Interpolation interpolation) {
+  const Index substeps = signals.scheme.substeps, p = samples.inputs.cols();
+  const Vector lengths = step_lengths(samples.time, substeps);
+  const Matrix times = stage_times(samples.time, lengths, signals.scheme);
+  const auto column_of = [&](Index stage, Index column) {
+    return signals.stages[static_cast<std::size_t>(stage)].col(column).segment(first * substeps,
+                                                                               times.rows());
+  };
+  for (Index step = 0; step < times.rows(); ++step)
+    signals.lengths[first * substeps + step] = lengths[step / substeps];
+  for (Index a = 0; a < times.cols(); ++a) column_of(a, p) = times.col(a);
+  for (Index column = 0; column < p; ++column) {
+    const SampledSignal input(samples.time, samples.inputs.col(column), interpolation);
+    for (Index a = 0; a < times.cols(); ++a)
+      for (Index step = 0; step < times.rows(); ++step)
+        column_of(a, column)[step] = input.in_interval(step / substeps, times(step, a));
+  }
+  for (Index d = 0; d < samples.delayed.cols(); ++d) {
+    SampledSignal signal(samples.time, samples.delayed.col(d), interpolation);
+    for (Index a = 0; a < times.cols(); ++a)
+      for (Index step = 0; step < times.rows(); ++step)
+        column_of(a, p + 1 + d)[step] =
+            signal(times(step, a) - samples.delays[static_cast<std::size_t>(d)]);
+  }
+}
+
+}  // namespace lacuna

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/numerics/sampled_signal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lacuna {
+
+SampledSignal::SampledSignal(Vector time, const Eigen::Ref<const Vector>& values,
+                             Interpolation interpolation)
+    : time_(std::move(time)),
+      points_(std::min(static_cast<Index>(interpolation), time_.size())),
+      before_((static_cast<Index>(interpolation) - 1) / 2),
+      differences_(Matrix::Zero(time_.size(), points_)) {
+  const Index n = time_.size();
+  differences_.col(0) = values;
+  for (Index k = 1; k < points_; ++k) {
+    const auto below = differences_.col(k - 1);
+    differences_.col(k).head(n - k) = (below.segment(1, n - k) - below.head(n - k)).array() /
+                                      (time_.tail(n - k) - time_.head(n - k)).array();
+  }
+}
+
+Index SampledSignal::first_of(Index interval) const {
+  return std::clamp<Index>(interval - before_, 0, time_.size() - points_);
+}
+
+double SampledSignal::in_interval(Index interval, double t) const {
+  const Index first = first_of(interval);
+  double value = differences_(first, points_ - 1);
+  for (Index k = points_ - 2; k >= 0; --k)
+    value = value * (t - time_[first + k]) + differences_(first, k);
+  return value;
+}
+
+double SampledSignal::operator()(double t) {
+  const double* begin = time_.data();
+  const Index n = time_.size();
+  t = std::clamp(t, time_[0], time_[n - 1]);
+  if (t < time_[interval_]) interval_ = 0;
+  if (interval_ + 1 < n && time_[interval_ + 1] <= t) ++interval_;
+  if (interval_ + 1 < n && time_[interval_ + 1] <= t)
+    interval_ = std::upper_bound(begin, begin + n, t) - begin - 1;
+  return in_interval(interval_, t);
+}
+
+double SampledSignal::third_difference(Index interval) const {
+  return points_ == 4 ? differences_(first_of(interval), 3) : 0.0;
+}
+
+Vector interpolate_cubic(const Vector& time, const Vector& values, const Vector& queries) {
+  SampledSignal cubic(time, values);
+  Vector result(queries.size());
+  for (Index i = 0; i < queries.size(); ++i) result[i] = cubic(queries[i]);
+  return result;
+}
+
+Vector integrate_cubic(const Vector& time, const Vector& values) {
+  // Two Gauss points integrate a cubic exactly.
+  const double gauss = 0.5 / std::sqrt(3.0);
+  const SampledSignal cubic(time, values);
+  Vector result = Vector::Zero(time.size());
+  for (Index i = 0; i + 1 < time.size(); ++i) {
+    const double step = time[i + 1] - time[i];
+    const double middle = time[i] + 0.5 * step;
+    const double sum = cubic.in_interval(i, middle - gauss * step) +
+                       cubic.in_interval(i, middle + gauss * step);
+    result[i + 1] = result[i] + 0.5 * step * sum;
+  }
+  return result;
+}
+
+}  // namespace lacuna

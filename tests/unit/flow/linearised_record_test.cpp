@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/flow/linearised_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/core/error.hpp"
+#include "support/driven_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+LinearisedRecord linearised() {
+  const Dataset data = support::hidden_record(support::nothing, 0.0);
+  const Trajectory& record = data.trajectories.front();
+  return linearise(support::oscillator(), record, record.states, Vector::Constant(2, 1e-6));
+}
+
+TEST(LinearisedRecord, ACompleteModelLeavesNoDefect) {
+  EXPECT_LT(linearised().defect.cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(LinearisedRecord, TransitionIsTheMatrixExponential) {
+  const LinearisedRecord record = linearised();
+  const Eigen::Map<const Matrix> phi(record.transition.col(5).data(), 2, 2);
+  const double h = 0.02;
+  Matrix a(2, 2);
+  a << 0.0, 1.0, -4.0, -0.2;
+  const Matrix series =
+      Matrix::Identity(2, 2) + h * a + h * h / 2.0 * a * a + h * h * h / 6.0 * a * a * a;
+  EXPECT_LT((phi - series).norm(), 1e-6);
+}
+
+TEST(LinearisedRecord, ResponsesAddUpToAConstantRate) {
+  const LinearisedRecord record = linearised();
+  const Eigen::Map<const Matrix> w(record.response.col(5).data() + 6, 2, 3);
+  const Vector sum = w.rowwise().sum();
+  EXPECT_NEAR(sum[0], 0.5 * 0.02 * 0.02, 2e-6) << "position moves by h^2/2";
+  EXPECT_NEAR(sum[1], 0.02, 1e-4) << "velocity moves by h";
+}
+
+TEST(LinearisedRecord, DelayedVariablesAreHeldBeforeTheRecord) {
+  const LinearisedRecord record = linearised();
+  const Matrix all = with_delays(record, {{0, 0.1}});
+  ASSERT_EQ(all.cols(), record.slots.cols() + 1);
+  EXPECT_DOUBLE_EQ(all(0, 4), record.slots(0, 0));
+  EXPECT_NEAR(all(100, 4), record.slots(90, 0), 1e-9) << "0.1 s are ten half steps";
+}
+
+TEST(LinearisedRecord, PathMustFitTheRecord) {
+  const Dataset data = support::hidden_record(support::nothing, 0.0);
+  EXPECT_THROW(linearise(support::oscillator(), data.trajectories.front(), Matrix::Zero(3, 2),
+                         Vector::Constant(2, 1e-6)),
+               ArgumentError);
+}
+
+TEST(LinearisedRecord, APartKeepsItsBridge) {
+  LinearisedRecord record = linearised();
+  EXPECT_FALSE(part_of(record, 10, 20).is_bridged(0, 1));
+  record.bridge = Matrix::Zero(2, record.steps());
+  record.bridge(1, 12) = 0.5;
+  const LinearisedRecord part = part_of(record, 10, 20);
+  EXPECT_TRUE(part.is_bridged(2, 1));
+  EXPECT_FALSE(part.is_bridged(2, 0));
+}
+
+}  // namespace
+}  // namespace lacuna
