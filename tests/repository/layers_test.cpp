@@ -39,12 +39,12 @@ Allowed allowed_includes() {
   allowed["estimation"] = {"core", "numerics", "data", "model"};
   allowed["candidates"] = {"core", "numerics", "data", "model", "estimation"};
   allowed["effects"] = {"core", "data", "model", "candidates"};
-  allowed["decision"] = {"core", "numerics", "data", "model", "estimation", "shooting",
-                         "candidates", "diagnosis"};
+  allowed["decision"] = {"core",       "numerics", "data",       "model",
+                         "estimation", "shooting", "candidates", "diagnosis"};
   allowed["hypotheses"] = {"core",       "numerics",   "data",     "model",    "bases",
                            "estimation", "candidates", "decision", "diagnosis"};
-  allowed["diagnosis"] = {"core", "numerics", "data", "model", "estimation", "candidates",
-                          "decision", "hypotheses"};
+  allowed["diagnosis"] = {"core",       "numerics",   "data",     "model",
+                          "estimation", "candidates", "decision", "hypotheses"};
   allowed["report"] = allowed["pipeline"];
   allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
                             "decision", "hypotheses", "diagnosis"});

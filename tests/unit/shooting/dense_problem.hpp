@@ -42,10 +42,10 @@ inline Vector dense_residual(ShootingProblem& problem, const WindowPlan& plan,
 inline ShootingPoint moved(ShootingProblem& problem, const WindowPlan& plan,
                            const ShootingPoint& point, const Vector& u) {
   const Index starts = point.starts.size();
-  ShootingPoint next{point.parameters + u.tail(u.size() - starts),
-                     point.starts + u.head(starts)
-                                        .reshaped(point.starts.cols(), point.starts.rows())
-                                        .transpose()};
+  ShootingPoint next{
+      point.parameters + u.tail(u.size() - starts),
+      point.starts +
+          u.head(starts).reshaped(point.starts.cols(), point.starts.rows()).transpose()};
   problem.evaluate(plan, next);
   return next;
 }
@@ -91,8 +91,7 @@ inline ParametrisedModel van_der_pol() {
 /// The problem at a point that is no minimum, in four windows.
 struct ShootingCase {
   explicit ShootingCase(std::optional<double> huber = {}, Dataset data = two_records())
-      : problem(van_der_pol(), data, huber),
-        plan(equal_windows(problem.record().begins, 10)) {
+      : problem(van_der_pol(), data, huber), plan(equal_windows(problem.record().begins, 10)) {
     problem.set_sigma(Vector::LinSpaced(problem.sigma().size(), 0.1, 0.2));
     point.parameters = 1.02 * problem.model().values();
     point.starts = Matrix::Zero(static_cast<Index>(plan.size()), 2);

@@ -88,9 +88,8 @@ TEST(RefinementRun, GuessIsTheRecordOrWhatIsGiven) {
 TEST(RefinementRun, NeedsASigmaForEachMeasuredState) {
   const RunContext context;
   const RefineOptions options{.sigma = Vector{{0.1, 0.1, 0.1}}};
-  EXPECT_THROW(
-      RefinementRun(testing::van_der_pol(), testing::two_records(), options, context),
-      ArgumentError);
+  EXPECT_THROW(RefinementRun(testing::van_der_pol(), testing::two_records(), options, context),
+               ArgumentError);
 }
 
 }  // namespace

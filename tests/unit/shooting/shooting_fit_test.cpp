@@ -47,8 +47,11 @@ ShootingProblem decay_problem(double a, double noise) {
   const OdeModel model({{"x", ""}}, {}, {{{Term::parse("x", variables), -a}}});
   Dataset data;
   data.states = {{"x", ""}};
-  Trajectory run{.source = "decay.csv", .time = Vector::LinSpaced(20, 0.0, 1.9), .states = {},
-                 .inputs = Matrix(20, 0), .derivatives = {}};
+  Trajectory run{.source = "decay.csv",
+                 .time = Vector::LinSpaced(20, 0.0, 1.9),
+                 .states = {},
+                 .inputs = Matrix(20, 0),
+                 .derivatives = {}};
   Random random(2);
   run.states.resize(20, 1);
   for (Index i = 0; i < 20; ++i)
@@ -117,8 +120,7 @@ TEST(ShootingFit, StepsAreAsFineAsTheNoiseAsks) {
   const Vector exact = 2.0 * (-1.3 * problem.record().time.array()).exp();
   int last_order = 0;
   for (const double sigma : {1e-2, 1e-8, 1e-11}) {
-    const StepScheme scheme =
-        accurate_scheme(problem, plan, point, Vector::Constant(1, sigma));
+    const StepScheme scheme = accurate_scheme(problem, plan, point, Vector::Constant(1, sigma));
     EXPECT_EQ(problem.scheme(), before) << "the problem is left as it was";
     problem.set_scheme(scheme);
     problem.evaluate(plan, point);

@@ -134,8 +134,7 @@ TEST(ShootingProblem, StatesWithoutAColumnHaveNoRows) {
   c.problem.evaluate(c.plan, c.point);
   const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
   EXPECT_EQ(dense.residual.size(), 41 + 1);
-  const ShootingStep step =
-      c.problem.solve(c.problem.linearise(c.plan, c.point), c.point, 0.3);
+  const ShootingStep step = c.problem.solve(c.problem.linearise(c.plan, c.point), c.point, 0.3);
   const Vector expected = dense_step(dense, damping_of(dense, 0.3));
   EXPECT_LT((step.parameters - expected.tail(dense.parameters())).norm(),
             1e-4 * expected.tail(dense.parameters()).norm());

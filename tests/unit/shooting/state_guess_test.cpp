@@ -57,8 +57,8 @@ TEST(StateGuess, MeasuredStatesAreTheSamples) {
 TEST(StateGuess, AnotherStateSolvesTheEquationItStandsIn) {
   const Matrix states = guessed(chain("v", "q"), sines(0.0), 0.0);
   for (Index i = 0; i < 300; ++i) {
-    const double t = i < 200 ? 0.02 * static_cast<double>(i)
-                             : 40.0 + 0.02 * static_cast<double>(i - 200);
+    const double t =
+        i < 200 ? 0.02 * static_cast<double>(i) : 40.0 + 0.02 * static_cast<double>(i - 200);
     EXPECT_NEAR(states(i, 1), 0.5 * (std::cos(t) - std::sin(t)), 5e-4) << i;
   }
 }
