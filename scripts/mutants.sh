@@ -2,7 +2,7 @@
 # Changes one line of the library at a time and counts how many changes the tests notice.
 # Usage: scripts/mutants.sh [--check] [PATTERN]
 #   --check   only looks whether every entry's text is found exactly once
-#   PATTERN   only entries that hold this text; the table is written for a run of all
+#   PATTERN   only entries that hold this text; the others keep the result of an earlier run
 # Works on the last commit, in a copy below build/mutants; the list is tests/mutants/mutants.txt,
 # the result the table in docs/testing.md. A change that does not build is an error, not noticed.
 set -euo pipefail
@@ -12,6 +12,7 @@ if [ "${1:-}" = --check ]; then check=true; shift; fi
 pattern=${1:-}
 list=tests/mutants/mutants.txt
 tree=build/mutants
+results=build/mutants.results  # "RESULT in COMMIT<tab>ENTRY" of all runs
 limit=300  # seconds for the tests of one change; one that goes on longer is noticed
 
 entries() { grep -v '^#' "$list" | grep -F -- "$pattern"; }
@@ -78,19 +79,36 @@ try_entry() {
   echo "$result"
 }
 
+# result_of ENTRY: of the last run of it
+result_of() {
+  ENTRY=$1 perl -ne 'chomp; my ($r, $e) = split /\t/, $_, 2; $last = $r if $e eq $ENV{ENTRY};
+    END { print $last // "not run" }' "$results"
+}
+
+# Rows of the table of all entries.
+rows() {
+  local line
+  while IFS= read -r line; do
+    read_entry "$line"
+    printf '| `%s` | `%s` | `%s` | %s | %s |\n' \
+      "$file" "${text//|/\\|}" "${other//|/\\|}" "$tests" "$(result_of "$line")"
+  done < <(pattern='' entries)
+}
+
 # Puts the table between the two marks in docs/testing.md.
 write_table() {
-  local rows=$1 noticed=$2 all=$3
   local machine
   machine="$(nproc) cores, $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)"
+  rows > build/mutants.rows
   {
     sed '/<!-- mutants -->/q' docs/testing.md
     echo
-    echo "\`scripts/mutants.sh\` on $(date -u +%Y-%m-%d), $machine: $noticed of $all noticed."
+    echo "\`scripts/mutants.sh\` on $(date -u +%Y-%m-%d), $machine:" \
+      "$(grep -c '| noticed in' build/mutants.rows) of $(wc -l < build/mutants.rows) noticed."
     echo
     echo "| file | line | instead | tests | result |"
     echo "|---|---|---|---|---|"
-    cat "$rows"
+    cat build/mutants.rows
     echo
     sed -n '/<!-- end of mutants -->/,$p' docs/testing.md
   } > build/testing.md
@@ -102,8 +120,8 @@ if $check; then exit 0; fi
 prepare
 check_entries "$tree"
 build $(entries | sed 's/.* | //' | tr ' ' '\n' | sort -u) || { cat "$tree/build/log"; exit 1; }
-rows=$(mktemp)
-trap 'rm -f "$rows"' EXIT
+touch "$results"
+commit=$(git rev-parse --short HEAD)
 all=0 noticed=0 broken=0
 while IFS= read -r line; do
   read_entry "$line"
@@ -112,9 +130,8 @@ while IFS= read -r line; do
   if [ "$result" = noticed ]; then noticed=$((noticed + 1)); fi
   if [ "$result" = "does not build" ]; then broken=$((broken + 1)); fi
   echo "$result: $file: $text -> $other"
-  printf '| `%s` | `%s` | `%s` | %s | %s |\n' \
-    "$file" "${text//|/\\|}" "${other//|/\\|}" "$tests" "$result" >> "$rows"
+  printf '%s in %s\t%s\n' "$result" "$commit" "$line" >> "$results"
+  write_table
 done < <(entries)
 echo "$noticed of $all noticed, $broken do not build"
-if [ -z "$pattern" ]; then write_table "$rows" "$noticed" "$all"; fi
 [ "$broken" -eq 0 ]
