@@ -70,14 +70,10 @@ const std::vector<std::string> kLibrary = {"include", "src", "bases", "solvers",
 
 TEST(Classes, AreNoLongFunctionsWithTheirLocalsAsMembers) {
   // What was there before the rule; an entry that is no longer needed has to go.
-  const Names known = {"data/split.cpp/Splitter",
-                       "diagnosis/diagnose.cpp/Workflow",
-                       "model/ProgramBuilder",
-                       "model/parse_expression.cpp/Parser",
-                       "selection/LinearWindows",
-                       "selection/SubsetSearch",
-                       "selection/WindowSearch",
-                       "shooting/RefinementRun"};
+  const Names known = {"data/split.cpp/Splitter", "diagnosis/diagnose.cpp/Workflow",
+                       "model/ProgramBuilder",    "model/parse_expression.cpp/Parser",
+                       "selection/LinearWindows", "selection/SubsetSearch",
+                       "selection/WindowSearch",  "shooting/RefinementRun"};
   EXPECT_EQ(too_large(sources_below(kLibrary)), known);
 }
 
@@ -122,8 +118,8 @@ TEST(ParameterRule, LooksAtWhatAUserCanCall) {
   const SourceFile header{"include/lacuna/some/long.hpp",
                           {"void few(int a, int b, int c, int d, std::map<int, int> e);",
                            "void many(int a, int b, int c, int d,", "          int e, int f);",
-                           "class Long {", "  Long(int, int, int, int, int, int);", " public:",
-                           "  Long(int, int, int, int, int, int, int);", "};"}};
+                           "class Long {", "  Long(int, int, int, int, int, int);",
+                           " public:", "  Long(int, int, int, int, int, int, int);", "};"}};
   EXPECT_EQ(with_many_parameters({header}),
             (Names{"include/lacuna/some/long.hpp: many",
                    "include/lacuna/some/long.hpp: Long::Long"}));

@@ -109,7 +109,7 @@ Flat flatten(const std::string& head) {
     } else if (c == '=' && !of_operator) {
       while (at + 1 < head.size() && head[at + 1] != ',')
         at = std::string("([{").find(head[at + 1]) != std::string::npos ? closing(head, at + 1)
-                                                                       : at + 1;
+                                                                        : at + 1;
     } else {
       flat.text += c;
     }
@@ -158,8 +158,8 @@ bool is_class(const std::string& head) {
 
 /// How many members a declaration in a class adds that can change.
 int mutable_members(const std::string& head) {
-  static const std::set<std::string> others = {"using",  "typedef", "friend", "static", "enum",
-                                               "class",  "struct",  "union",  "template", ""};
+  static const std::set<std::string> others = {"using", "typedef", "friend", "static",   "enum",
+                                               "class", "struct",  "union",  "template", ""};
   const Flat flat = flatten(head);
   if (others.contains(first_word(head)) || !flat.groups.empty()) return 0;
   const bool is_pointer = flat.text.find('*') != std::string::npos;

@@ -22,8 +22,7 @@ std::filesystem::path mirror_of(const std::filesystem::path& source) {
 /// Source to test, from lines "source -> test"; "#" begins a comment.
 std::map<std::string, std::string> covered_elsewhere() {
   std::map<std::string, std::string> covered;
-  for (const std::string& line :
-       read_lines(kRoot / "tests/repository/covered_elsewhere.txt")) {
+  for (const std::string& line : read_lines(kRoot / "tests/repository/covered_elsewhere.txt")) {
     if (line.empty() || line[0] == '#') continue;
     std::istringstream words(line);
     std::string source, arrow, test;

@@ -155,8 +155,7 @@ TEST(InnovationFilter, WhitensAsTheCholeskyFactorOfTheCovarianceDoes) {
   made.noise.coloured[2] = ColouredNoise{0.3, 0.25};
   made.record.bridge = Matrix::Zero(3, 19);
   made.record.bridge(0, 9) = 40.0;
-  const InnovationFilter filter =
-      run_filter(made.record, made.measured, Matrix(), made.noise);
+  const InnovationFilter filter = run_filter(made.record, made.measured, Matrix(), made.noise);
   const support::JointGaussian joint = support::joint_of(made);
   const Matrix factor = support::measured_covariance(joint).matrixL();
   const Vector expected = factor.triangularView<Eigen::Lower>().solve(joint.left);

@@ -118,6 +118,7 @@ struct GaussianData {
 TEST(VarianceFit, ReachesTheLargestLikelihoodWithColouredNoise) {
   support::GaussianCase made = support::random_case(1, 80, 4);
   made.noise.coloured[0] = ColouredNoise{0.5, 0.3};
+  made.noise.disturbance[0] = 1.5;
   made = support::drawn(made, 6);
   const double least = support::least_joint_deviance(made, [](NoiseModel& noise) {
     return std::vector<double*>{&noise.disturbance[0], &*noise.measurement[0],
@@ -129,7 +130,7 @@ TEST(VarianceFit, ReachesTheLargestLikelihoodWithColouredNoise) {
     start.coloured[0]->deviation *= factor;
     const SmoothedNoise found =
         VarianceFit(Vector::Constant(1, 1e-9)).run(GaussianData(made).view(), start, 60);
-    EXPECT_NEAR(found.deviance, least, 0.06) << factor;
+    EXPECT_NEAR(found.deviance, least, 0.25) << factor;  // half a standard deviation
   }
 }
 

@@ -53,6 +53,33 @@ TEST(WeakProjection, HasNoRowsWhereTheSupportDoesNotFit) {
   EXPECT_EQ(weak_projection(oscillation(20), {0.2, 6}, 0.05).rows(), 0);
 }
 
+TEST(Projection, CovarianceIsThatOfTheRowsUnderNoiseOfTheSamples) {
+  // Rows of dq/dt = q^2 + 3 q v: what noise on q and v does to them, by differences.
+  const Trajectory record = uneven(60);
+  const Projection rows = weak_projection(record, {0.1, 4}, 0.05);
+  const auto left = [&](const Matrix& x) {
+    const Vector f = x.col(0).array().square() + 3.0 * x.col(0).array() * x.col(1).array();
+    return Vector(rows.values * f - rows.rates * x.col(0));
+  };
+  constexpr double kReach = 1e-6;
+  const Vector noise = Vector{{0.1, 0.4}};
+  Matrix response(rows.rows(), 120);
+  for (Index j = 0; j < 120; ++j) {
+    Matrix above = record.states, below = record.states;
+    above.data()[j] += kReach;
+    below.data()[j] -= kReach;
+    response.col(j) = noise[j / 60] * (left(above) - left(below)) / (2.0 * kReach);
+  }
+  Matrix sensitivity(60, 2);
+  sensitivity.col(0) = 2.0 * record.states.col(0) + 3.0 * record.states.col(1);
+  sensitivity.col(1) = 3.0 * record.states.col(0);
+  const Matrix expected = response * response.transpose();
+  const Matrix found = rows.covariance(0, rows.rows(), sensitivity, noise, 0);
+  EXPECT_LT((found - expected).norm(), 1e-7 * expected.norm());
+  const Matrix part = rows.covariance(1, 2, sensitivity, noise, 0);
+  EXPECT_LT((part - found.block(1, 1, 2, 2)).norm(), 1e-12);
+}
+
 TEST(IntegralProjection, RowsAreChangesOfTheState) {
   const Trajectory record = uneven(100);
   const Projection rows = integral_projection(record, 10, 5);

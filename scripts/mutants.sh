@@ -1,0 +1,137 @@
+#!/usr/bin/env bash
+# Changes one line of the library at a time and counts how many changes the tests notice.
+# Usage: scripts/mutants.sh [--check] [PATTERN]
+#   --check   only looks whether every entry's text is found exactly once
+#   PATTERN   only entries that hold this text; the others keep the result of an earlier run
+# Works on the last commit, in a copy below build/mutants; the list is tests/mutants/mutants.txt,
+# the result the table in docs/testing.md. A change that does not build is an error, not noticed.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+check=false
+if [ "${1:-}" = --check ]; then check=true; shift; fi
+pattern=${1:-}
+list=tests/mutants/mutants.txt
+tree=build/mutants
+results=build/mutants.results  # "RESULT in COMMIT<tab>ENTRY" of all runs
+limit=300  # seconds for the tests of one change; one that goes on longer is noticed
+
+entries() { grep -v '^#' "$list" | grep -F -- "$pattern"; }
+
+# occurrences FILE TEXT
+occurrences() {
+  TEXT=$2 perl -0777 -ne 'my $n = () = /\Q$ENV{TEXT}\E/g; print $n' "$1"
+}
+
+# replace FILE TEXT OTHER
+replace() {
+  TEXT=$2 OTHER=$3 perl -0777 -i -pe 's/\Q$ENV{TEXT}\E/$ENV{OTHER}/' "$1"
+}
+
+# read_entry LINE: sets file, text, other, tests
+read_entry() {
+  local rest=$1
+  file=${rest%% | *} rest=${rest#* | }
+  text=${rest%% | *} rest=${rest#* | }
+  other=${rest%% | *} tests=${rest#* | }
+}
+
+build() { nice ninja -C "$tree/build/dev" "$@" > "$tree/build/log" 2>&1; }
+
+check_entries() {
+  local bad=0
+  while IFS= read -r line; do
+    read_entry "$line"
+    local found=0
+    [ -f "$1/$file" ] && found=$(occurrences "$1/$file" "$text")
+    if [ "$found" != 1 ]; then
+      echo "$file: '$text' is there $found times, not once" >&2
+      bad=1
+    fi
+  done < <(entries)
+  return "$bad"
+}
+
+# A copy of the last commit, configured as the dev preset is, so that ccache knows most of it.
+prepare() {
+  mkdir -p "$tree"
+  find "$tree" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
+  git archive HEAD | tar -x -m -C "$tree"  # all newer than what was built
+  (cd "$tree" && cmake --preset dev) > /dev/null
+}
+
+# One change: "noticed", "not noticed" or "does not build".
+try_entry() {
+  cp "$tree/$file" "$tree/build/original"
+  replace "$tree/$file" "$text" "$other"
+  local result="not noticed" test
+  if ! build $tests; then
+    result="does not build"
+  else
+    for test in $tests; do
+      if ! timeout "$limit" "$tree/build/dev/tests/$test" --gtest_brief=1 \
+          --gtest_fail_fast > /dev/null 2>&1; then
+        result=noticed
+        break
+      fi
+    done
+  fi
+  cp "$tree/build/original" "$tree/$file"
+  echo "$result"
+}
+
+# result_of ENTRY: of the last run of it
+result_of() {
+  ENTRY=$1 perl -ne 'chomp; my ($r, $e) = split /\t/, $_, 2; $last = $r if $e eq $ENV{ENTRY};
+    END { print $last // "not run" }' "$results"
+}
+
+# Rows of the table of all entries.
+rows() {
+  local line
+  while IFS= read -r line; do
+    read_entry "$line"
+    printf '| `%s` | `%s` | `%s` | %s | %s |\n' \
+      "$file" "${text//|/\\|}" "${other//|/\\|}" "$tests" "$(result_of "$line")"
+  done < <(pattern='' entries)
+}
+
+# Puts the table between the two marks in docs/testing.md.
+write_table() {
+  local machine
+  machine="$(nproc) cores, $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)"
+  rows > build/mutants.rows
+  {
+    sed '/<!-- mutants -->/q' docs/testing.md
+    echo
+    echo "\`scripts/mutants.sh\` on $(date -u +%Y-%m-%d), $machine:" \
+      "$(grep -c '| noticed in' build/mutants.rows) of $(wc -l < build/mutants.rows) noticed."
+    echo
+    echo "| file | line | instead | tests | result |"
+    echo "|---|---|---|---|---|"
+    cat build/mutants.rows
+    echo
+    sed -n '/<!-- end of mutants -->/,$p' docs/testing.md
+  } > build/testing.md
+  mv build/testing.md docs/testing.md
+}
+
+check_entries .
+if $check; then exit 0; fi
+prepare
+check_entries "$tree"
+build $(entries | sed 's/.* | //' | tr ' ' '\n' | sort -u) || { cat "$tree/build/log"; exit 1; }
+touch "$results"
+commit=$(git rev-parse --short HEAD)
+all=0 noticed=0 broken=0
+while IFS= read -r line; do
+  read_entry "$line"
+  result=$(try_entry)
+  all=$((all + 1))
+  if [ "$result" = noticed ]; then noticed=$((noticed + 1)); fi
+  if [ "$result" = "does not build" ]; then broken=$((broken + 1)); fi
+  echo "$result: $file: $text -> $other"
+  printf '%s in %s\t%s\n' "$result" "$commit" "$line" >> "$results"
+  write_table
+done < <(entries)
+echo "$noticed of $all noticed, $broken do not build"
+[ "$broken" -eq 0 ]
