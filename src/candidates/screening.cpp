@@ -10,46 +10,13 @@
 
 #include "lacuna/core/parallel.hpp"
 #include "nelder_mead.hpp"
+#include "shape_scale.hpp"
 
 namespace lacuna {
 namespace {
 
 /// A gain that no test would notice.
 constexpr double kUnnoticed = 0.1;
-
-/// Shapes from the unit cube, and back.
-class ShapeScale {
- public:
-  explicit ShapeScale(const std::vector<ShapeParameter>& shapes) : shapes_(shapes) {}
-
-  Vector shapes(const Vector& unit) const {
-    Vector result(unit.size());
-    for (Index i = 0; i < unit.size(); ++i) {
-      const ShapeParameter& shape = shapes_[static_cast<std::size_t>(i)];
-      const double value = shape.logarithmic
-                               ? shape.low * std::pow(shape.high / shape.low, unit[i])
-                               : shape.low + (shape.high - shape.low) * unit[i];
-      result[i] = std::clamp(value, shape.low, shape.high);
-    }
-    return result;
-  }
-
-  Vector unit(const Vector& shapes) const {
-    Vector result(shapes.size());
-    for (Index i = 0; i < shapes.size(); ++i) {
-      const ShapeParameter& shape = shapes_[static_cast<std::size_t>(i)];
-      const double span =
-          shape.logarithmic ? std::log(shape.high / shape.low) : shape.high - shape.low;
-      const double above =
-          shape.logarithmic ? std::log(shapes[i] / shape.low) : shapes[i] - shape.low;
-      result[i] = span > 0.0 ? std::clamp(above / span, 0.0, 1.0) : 0.0;
-    }
-    return result;
-  }
-
- private:
-  const std::vector<ShapeParameter>& shapes_;
-};
 
 std::span<const double> as_span(const Vector& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
@@ -119,7 +86,7 @@ std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candi
   return all;
 }
 
-/// Those whose shapes are worth a search: the two best of each effect and equation, where they
+/// Those whose shapes are worth a search: the two best of each family and equation, where they
 /// are not so far behind the best of all that no search makes up for it.
 std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted) {
   constexpr int kOfEach = 2;
@@ -131,8 +98,10 @@ std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted)
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Candidate& candidate = sorted[i].candidate;
     if (candidate.shapes.empty() || sorted[i].gain < kFarBehind * best) continue;
-    if (seen[{candidate.effect, candidate.place, candidate.equation}]++ < kOfEach)
-      chosen.push_back(i);
+    bool has_room = candidate.families.empty();
+    for (const std::string& family : candidate.families)
+      has_room = seen[{family, candidate.place, candidate.equation}]++ < kOfEach || has_room;
+    if (has_room) chosen.push_back(i);
   }
   return chosen;
 }

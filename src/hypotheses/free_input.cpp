@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "lacuna/candidates/name_table.hpp"
 #include "lacuna/core/parallel.hpp"
-#include "lacuna/core/text.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
@@ -55,8 +55,11 @@ class FreeInput {
     if (!memory) return std::nullopt;
     RankedEffect input{explain(p_.data, p_.scope.model, start_,
                                {{*candidate, *memory, 1.0, 0.0}}, p_.fit_options, p_.context)};
+    input.names = NameTable{p_.options.effects, p_.scope, p_.options.rank.naming}.names_of(
+        input.effect(), input.explanation.fit.model);
     judge(input);
-    if (!(input.gain > price() + kVeryStrong) || input.contribution < p_.options.substance)
+    if (input.names.empty() || !(input.gain > price() + kVeryStrong) ||
+        input.contribution < p_.options.substance)
       return std::nullopt;
     return input;
   }
@@ -170,7 +173,8 @@ class FreeInput {
       const double size = variable.magnitude();
       if (!(size > 0.0)) continue;
       p_.context.report("looking for what a free input multiplies", 0.0);
-      factor.candidate.form += "*(" + variable.name + ")/" + format_number(size);
+      factor.candidate.form = factor.candidate.form * Expression::variable(variable.name) /
+                              Expression::number(size);
       const Explanation fit = explain(p_.data, p_.scope.model, start_, {std::move(factor)},
                                       p_.fit_options, p_.context);
       if (fit.fit.deviance + price() + kVeryStrong < input.criterion) return true;

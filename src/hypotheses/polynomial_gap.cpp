@@ -9,8 +9,6 @@
 namespace lacuna {
 namespace {
 
-constexpr const char* kStopGap = "stop-gap";
-
 std::vector<Term> monomials_of(const OdeModel& model) {
   constexpr std::size_t kMost = 35;  // degree 3 in four variables
   const Variables states{model.variables().states, {}};
@@ -33,17 +31,23 @@ void add_polynomials(const OdeModel& nominal, Index equation, Explanation& expla
   for (const Term& term : monomials_of(nominal)) {
     if (stands_in(explanation, equation, term)) continue;
     Candidate candidate;
-    candidate.effect = kStopGap;
-    candidate.description = "part of a polynomial";
-    candidate.argument = candidate.form = term.name();
+    candidate.argument = candidate.form = term.expression();
     candidate.equation = equation;
     explanation.effects.push_back({std::move(candidate), Vector(0), 0.0, 0.0});
   }
 }
 
-bool is_insignificant_filling(const FittedEffect& effect, double significance) {
-  return effect.candidate.effect == kStopGap &&
-         std::abs(effect.coefficient) < significance * effect.deviation;
+/// Takes out the polynomials, which stand behind the named effects, that are not significant.
+/// @return how many.
+std::size_t take_out_insignificant(std::size_t named, double significance,
+                                   std::vector<FittedEffect>& effects) {
+  const auto filling = effects.begin() + static_cast<std::ptrdiff_t>(named);
+  const auto kept = std::remove_if(filling, effects.end(), [&](const FittedEffect& effect) {
+    return std::abs(effect.coefficient) < significance * effect.deviation;
+  });
+  const auto removed = static_cast<std::size_t>(effects.end() - kept);
+  effects.erase(kept, effects.end());
+  return removed;
 }
 
 }  // namespace
@@ -61,10 +65,9 @@ std::optional<Explanation> with_polynomials(const Unexplained& problem,
                    problem.fit_options, problem.context);
   };
   filled = fitted(filled);
-  const auto removed = std::erase_if(filled.effects, [&](const FittedEffect& effect) {
-    return is_insignificant_filling(effect, problem.options.significance);
-  });
-  if (removed > 0) filled = fitted(filled);
+  if (take_out_insignificant(explanation.effects.size(), problem.options.significance,
+                             filled.effects) > 0)
+    filled = fitted(filled);
   if (!(criterion_of(filled) < criterion_of(explanation))) return std::nullopt;
   return filled;
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/text.hpp"
 #include "decision/substance.hpp"
+#include "lacuna/core/text.hpp"
 
 namespace lacuna {
 namespace {
@@ -17,50 +17,59 @@ std::string term_of(const FittedEffect& effect) {
       .to_string();
 }
 
-std::string cause_of(const std::string& name, const std::vector<Stage<Effect>>& effects) {
-  for (const Stage<Effect>& effect : effects)
-    if (effect->info().name == name) return std::string(effect->typical_cause());
-  return "";
+std::vector<NamedParameter> parameters_of(const FittedEffect& fitted, const Name& name) {
+  std::vector<NamedParameter> parameters;
+  for (std::size_t s = 0; s < name.parameters.size(); ++s)
+    parameters.push_back({name.parameters[s], fitted.candidate.shapes[s].unit, 0.0, {}});
+  return parameters;
 }
 
-NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking,
-                        const DiagnosisOptions& options) {
+/// The effect under another of its names.
+void take_name(const FittedEffect& fitted, const Name& name, NamedEffect& named) {
+  named.name = name.name;
+  named.description = name.sentence;
+  named.cause = name.cause;
+  named.parameters = parameters_of(fitted, name);
+}
+
+/// First the other names of the same form, then the other forms.
+std::vector<Alternative> alternatives_of(const RankedEffect& ranked, const Ranking& ranking) {
   constexpr std::size_t kAlternatives = 4;
+  std::vector<Alternative> result;
+  const auto add = [&](const RankedEffect& other, const Name& name) {
+    if (result.size() < kAlternatives)
+      result.push_back({name.name, term_of(other.effect()), other.probability});
+  };
+  for (std::size_t i = 1; i < ranked.names.size(); ++i) add(ranked, ranked.names[i]);
+  const Candidate& own = ranked.effect().candidate;
+  for (const RankedEffect& other : ranking.effects) {
+    const Candidate& candidate = other.effect().candidate;
+    if (are_one_form(candidate, own) && other.effect().shapes == ranked.effect().shapes)
+      continue;
+    for (const Name& name : other.names)
+      if (name.name != ranked.names.front().name || !in_one_place(candidate, own))
+        add(other, name);
+  }
+  return result;
+}
+
+NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking) {
   const FittedEffect& fitted = ranked.effect();
   NamedEffect named;
   named.equation = fitted.candidate.equation;
-  named.name = fitted.candidate.effect;
-  named.description = fitted.candidate.description;
-  named.cause = cause_of(named.name, options.effects);
+  take_name(fitted, ranked.names.front(), named);
   named.sigma = ranked.sigma;
   named.contribution = ranked.contribution;
   named.probability = ranked.probability;
-  for (const RankedEffect& other : ranking.effects) {
-    const bool same_name = other.effect().candidate.effect == named.name;
-    if (same_name && mean_the_same(ranked.effect(), other.effect())) continue;
-    if (named.alternatives.size() == kAlternatives) break;
-    named.alternatives.push_back(
-        {other.effect().candidate.effect, term_of(other.effect()), other.probability});
-  }
+  named.alternatives = alternatives_of(ranked, ranking);
   return named;
 }
 
-NamedParameter parameter_of(const FittedEffect& fitted, std::size_t s) {
-  const ShapeParameter& shape = fitted.candidate.shapes[s];
-  const auto i = static_cast<Index>(s);
-  NamedParameter parameter{shape.name, shape.unit, fitted.shapes[i], {}};
-  if (i < fitted.shape_deviations.size() && fitted.shape_deviations[i] > 0.0)
-    parameter.deviation = fitted.shape_deviations[i];
-  return parameter;
-}
-
 /// What makes a name less plain: shape parameters and memory, then the depth of its formula.
-std::pair<std::size_t, int> intricacy(const FittedEffect& effect) {
-  const Candidate& candidate = effect.candidate;
+std::pair<Index, int> intricacy(const FittedEffect& effect) {
   const std::span<const double> shapes(effect.shapes.data(),
                                        static_cast<std::size_t>(effect.shapes.size()));
-  return {candidate.shapes.size() + 2 * candidate.memory.size(),
-          bind_form(candidate, shapes).depth()};
+  return {effect.candidate.intricacy(), bind_form(effect.candidate, shapes).depth()};
 }
 
 /// Another name for an effect.
@@ -79,7 +88,7 @@ std::vector<Plainer> plainer_than(const RankedEffect& ranked, const Ranking& ran
         other.effect().candidate.place == candidate.place &&
         other.sigma >= options.significance && other.contribution >= options.substance &&
         intricacy(other.effect()) < intricacy(ranked.effect()))
-      result.push_back({name_effect(other, ranking, options), other.effect()});
+      result.push_back({name_effect(other, ranking), other.effect()});
   std::stable_sort(result.begin(), result.end(), [](const Plainer& a, const Plainer& b) {
     return intricacy(a.effect) < intricacy(b.effect);
   });
@@ -108,6 +117,7 @@ class Search {
         fit_options_(fit_options),
         options_(options),
         context_(context),
+        table_{options.effects, scope, options.rank.naming},
         substance_(base, data, fit_options, context),
         result_{{{}, base}, {}, {}, {}} {}
 
@@ -152,7 +162,7 @@ class Search {
     if (!ranking.effects.empty()) show(ranking.effects.front(), round);
     for (const RankedEffect& ranked : ranking.effects) {
       if (!acceptable(ranked)) continue;
-      const auto other = other_form_of(ranked.effect().candidate);
+      const auto other = other_form_of(ranked);
       round.accepted = other ? replace(*other, ranked, ranking) : add(ranked, ranking);
       if (!round.accepted) continue;
       show(ranked, round);
@@ -163,12 +173,12 @@ class Search {
   }
 
   static void show(const RankedEffect& ranked, Round& round) {
-    round.best = ranked.effect().candidate.effect + ": " + term_of(ranked.effect());
+    round.best = ranked.names.front().name + ": " + term_of(ranked.effect());
     round.sigma = ranked.sigma;
   }
 
   bool add(const RankedEffect& ranked, const Ranking& ranking) {
-    result_.named.push_back(name_effect(ranked, ranking, options_));
+    result_.named.push_back(name_effect(ranked, ranking));
     result_.named.back().gap_closed = closed_by(ranked.explanation);
     plainer_.push_back(plainer_than(ranked, ranking, options_));
     result_.explanation = ranked.explanation;
@@ -176,18 +186,15 @@ class Search {
     return true;
   }
 
-  /// An effect that is there already, of the same name and of the same variable, in another
-  /// form: dry friction as sign(v) when tanh(v/w) comes; or the plainer effect of which the
-  /// candidate is a special case.
-  std::optional<std::size_t> other_form_of(const Candidate& candidate) const {
+  /// An effect that is there already in another form: dry friction as sign(v) when tanh(v/w)
+  /// comes, or a special case of the candidate.
+  std::optional<std::size_t> other_form_of(const RankedEffect& ranked) const {
     const std::vector<FittedEffect>& effects = result_.explanation.effects;
-    for (std::size_t e = 0; e < effects.size(); ++e) {
-      const Candidate& old = effects[e].candidate;
-      const bool same_kind = old.effect == candidate.effect && old.form != candidate.form;
-      if (old.equation == candidate.equation && old.argument == candidate.argument &&
-          (same_kind || candidate.plainer == old.effect))
+    for (std::size_t e = 0; e < effects.size(); ++e)
+      if (!are_one_form(effects[e].candidate, ranked.effect().candidate) &&
+          are_forms_of_one(effects[e], result_.named[e].name, ranked.effect(),
+                           ranked.names.front().name, scope_))
         return e;
-    }
     return std::nullopt;
   }
 
@@ -201,7 +208,7 @@ class Search {
         !all_plausible(next))
       return false;
     const double closed = result_.named[old].gap_closed;
-    result_.named[old] = name_effect(ranked, ranking, options_);
+    result_.named[old] = name_effect(ranked, ranking);
     const Index k = ranked.effect().candidate.equation;
     result_.named[old].gap_closed = std::clamp(closed + drop_of(next, k), 0.0, 1.0);
     plainer_[old] = plainer_than(ranked, ranking, options_);
@@ -223,29 +230,22 @@ class Search {
 
   /// Whether all effects have numbers such as they can have, by whatever name.
   bool all_plausible(const Explanation& next) const {
-    return std::all_of(next.effects.begin(), next.effects.end(), [&](const FittedEffect& one) {
-      return is_plausible(one, next.fit.model, options_.effects, scope_) ||
-             other_name_of(one, next.fit.model, options_.effects, scope_);
+    return std::none_of(next.effects.begin(), next.effects.end(), [&](const FittedEffect& one) {
+      return table_.names_of(one, next.fit.model).empty();
     });
   }
 
-  /// Numbers may have moved since an effect was named: what is then not plausible by its name
-  /// gets that of the same term by which it is.
+  /// Numbers may have moved since an effect was named: it gets the name that they have now.
   void settle_names() {
-    const OdeModel& model = result_.explanation.fit.model;
     for (std::size_t e = 0; e < result_.named.size(); ++e) {
-      FittedEffect& effect = result_.explanation.effects[e];
-      if (is_plausible(effect, model, options_.effects, scope_)) continue;
-      const auto other = other_name_of(effect, model, options_.effects, scope_);
-      if (!other) continue;
+      const FittedEffect& effect = result_.explanation.effects[e];
+      const std::vector<Name> names = table_.names_of(effect, result_.explanation.fit.model);
       NamedEffect& named = result_.named[e];
+      if (names.empty() || names.front().name == named.name) continue;
+      take_name(effect, names.front(), named);
       std::erase_if(named.alternatives, [&](const Alternative& alternative) {
-        return alternative.name == other->effect;
+        return alternative.name == named.name;
       });
-      named.name = other->effect;
-      named.description = other->description;
-      named.cause = cause_of(named.name, options_.effects);
-      effect.candidate = *other;
     }
   }
 
@@ -314,6 +314,7 @@ class Search {
   const AssimilationOptions& fit_options_;
   const DiagnosisOptions& options_;
   const RunContext& context_;
+  const NameTable table_;
   const Substance substance_;
   SearchResult result_;
   std::vector<std::vector<Plainer>> plainer_;  ///< of each named effect, plainest first
@@ -327,9 +328,13 @@ void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& na
     named[e].term = term_of(fitted);
     named[e].coefficient = fitted.coefficient;
     named[e].deviation = fitted.deviation;
-    named[e].parameters.clear();
-    for (std::size_t s = 0; s < fitted.candidate.shapes.size(); ++s)
-      named[e].parameters.push_back(parameter_of(fitted, s));
+    for (std::size_t s = 0; s < named[e].parameters.size(); ++s) {
+      const auto i = static_cast<Index>(s);
+      const bool known = i < fitted.shape_deviations.size() && fitted.shape_deviations[i] > 0.0;
+      NamedParameter& parameter = named[e].parameters[s];
+      parameter.value = fitted.shapes[i];
+      parameter.deviation = known ? std::optional(fitted.shape_deviations[i]) : std::nullopt;
+    }
   }
 }
 
@@ -343,10 +348,9 @@ double criterion_of(const Explanation& explanation) {
 }
 
 SearchResult name_free_input(const RankedEffect& input, const Assimilation& base,
-                             const DiagnosisOptions& options, std::vector<Round> rounds,
+                             const DiagnosisOptions& /*options*/, std::vector<Round> rounds,
                              const RunContext& context) {
-  SearchResult result{
-      input.explanation, {name_effect(input, {}, options)}, std::move(rounds), {}};
+  SearchResult result{input.explanation, {name_effect(input, {})}, std::move(rounds), {}};
   update_numbers(result.explanation, result.named);
   const Index k = result.named.front().equation;
   result.named.front().description += size_of_input(input, base.model);

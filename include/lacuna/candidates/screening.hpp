@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
 #include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/core/run_context.hpp"
 
 namespace lacuna {
 
@@ -62,7 +62,7 @@ class Screening {
   Vector innovations_;  ///< projected
 };
 
-/// Screens all candidates: starting points of all, then the shapes of the best of each effect
+/// Screens all candidates: starting points of all, then the shapes of the best of each family
 /// and equation. Uses the threads of the context.
 /// @return by falling gain less the price of the shapes.
 std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
