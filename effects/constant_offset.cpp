@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
-  if (has_term(scope, equation, "1")) return {};
-  return {
-      plain_candidate("1", "1", "constant offset of d" + scope.state(equation).name + "/dt")};
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
+  const Expression one = Expression::number(1.0);
+  if (has_term(scope, equation, one)) return {};
+  return {plain_candidate(one, one)};
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  if (candidate.form != Expression::number(1.0)) return std::nullopt;
+  return Reading{"constant offset of d" + fitted.scope.state(candidate.equation).name + "/dt"};
 }
 
 }  // namespace
@@ -16,7 +23,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kConstantOffset{
     {"constant-offset", "A constant rate: an offset, a load, a source", ""},
     "input offset of an amplifier, a constant load, gravity, a steady inflow",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

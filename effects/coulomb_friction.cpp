@@ -1,28 +1,52 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-void add_friction(const VariableRange& range, const std::string& relation,
-                  std::vector<Candidate>& result) {
-  const std::string& v = range.name;
-  const std::string description = "dry friction " + relation + v;
-  result.push_back(plain_candidate("sign(" + v + ")", v, description));
+void add_friction(const Scope& scope, const Expression& v, std::vector<Candidate>& result) {
+  const VariableRange speed = scope.range_of(v);
+  if (!speed.changes_sign()) return;
+  result.push_back(plain_candidate(formula(scope, "sign(v)", {{"v", v}}), v));
   // From where it cannot be told from a jump to where it cannot be told from a straight line.
-  const double widest = range.magnitude();
-  result.push_back(shaped_candidate("tanh((" + v + ")/$width)", v, description,
-                                    {"width", range.unit, 1e-4 * widest, widest, true},
+  const double widest = speed.magnitude();
+  result.push_back(shaped_candidate(formula(scope, "tanh(v/width)", {{"v", v}}), v,
+                                    {"width", speed.unit, 1e-4 * widest, widest, true},
                                     starts_at({0.01 * widest, 0.1 * widest})));
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& v : felt_speeds(scope, equation))
-    if (const VariableRange speed = range_of(scope, v); speed.changes_sign())
-      add_friction(speed, is_own_speed(scope, equation, v) ? "opposing " : "of ", result);
+  for (const Expression& v : felt_speeds(scope, equation)) add_friction(scope, v, result);
   return result;
+}
+
+// A bend so near to standstill that it is as good as a jump, by whatever formula: steep about
+// standstill and against the motion there.
+bool bends_at_standstill(const FittedForm& fitted) {
+  const std::optional<Bend> bend = bend_of(fitted);
+  if (!bend || std::abs(bend->inside) <= std::abs(bend->outside)) return false;
+  const bool own =
+      is_own_speed(fitted.scope, fitted.candidate.equation, fitted.candidate.argument);
+  return bend->edge < fitted.options.standstill * range_of_argument(fitted).magnitude() &&
+         (!own || bend->inside < 0.0);
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const Expression& v = candidate.argument;
+  if (!is_felt_speed(fitted.scope, candidate.equation, v)) return std::nullopt;
+  const bool own_form = has_form(candidate, "sign(x)") || has_form(candidate, "tanh(x/a)");
+  if (!(own_form && opposes(fitted)) && !bends_at_standstill(fitted)) return std::nullopt;
+  const bool own = is_own_speed(fitted.scope, candidate.equation, v);
+  return Reading{(own ? "dry friction opposing " : "dry friction of ") + v.to_string(),
+                 Precedence::Contextual,
+                 std::vector<std::string>(candidate.shapes.size(), "width")};
 }
 
 }  // namespace
@@ -31,8 +55,7 @@ const EffectFamily kCoulombFriction{
     {"coulomb-friction", "Dry friction: a constant force against the velocity",
      "Armstrong-Helouvry, Dupont, Canudas de Wit, Automatica 30 (1994)"},
     "bearings, seals, guides, brushes",
-    {},
-    make,
-    opposes};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,20 +1,41 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <numeric>
+
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  const std::vector<std::string> names = variable_names(scope);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    for (std::size_t j = i + 1; j < names.size(); ++j)
-      for (const std::string& form : {names[i] + "*" + names[j], names[i] + "^2*" + names[j],
-                                      names[i] + "*" + names[j] + "^2"})
-        if (!has_term(scope, equation, form))
-          result.push_back(plain_candidate(form, form, "product " + form));
+  const std::vector<Expression> all = all_variables(scope);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j)
+      for (const char* product : {"x*y", "x^2*y", "x*y^2"}) {
+        const Expression form = formula(scope, product, {{"x", all[i]}, {"y", all[j]}});
+        if (!has_term(scope, equation, form)) result.push_back(plain_candidate(form, form));
+      }
   return result;
+}
+
+// A monomial of several variables, time not among them.
+std::optional<Reading> reading(const FittedForm& fitted) {
+  constexpr int kHighest = 3;
+  const Candidate& candidate = fitted.candidate;
+  if (!candidate.shapes.empty() || !candidate.memory.empty()) return std::nullopt;
+  const Term term(candidate.form, fitted.scope.model.variables());
+  if (!term.exponents() || term.exponents()->back() != 0) return std::nullopt;
+  const std::vector<int>& powers = *term.exponents();
+  const auto factors =
+      std::count_if(powers.begin(), powers.end(), [](int power) { return power > 0; });
+  const bool negative =
+      std::any_of(powers.begin(), powers.end(), [](int power) { return power < 0; });
+  if (negative || factors < 2 || std::accumulate(powers.begin(), powers.end(), 0) > kHighest)
+    return std::nullopt;
+  return Reading{"product " + candidate.form.to_string()};
 }
 
 }  // namespace
@@ -22,7 +43,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kCrossTerm{
     {"cross-term", "A product of different states or inputs, up to degree 3", ""},
     "a multiplier, a gyroscopic or Coriolis force, mass action, a controlled part",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  const auto position = scope.integral_of(equation);
-  for (const std::string& x : variable_names(scope)) {
-    if (has_term(scope, equation, x + "^3")) continue;
-    result.push_back(plain_candidate(x + "^3", x, "cubic term in " + x));
-    // The cube of a position in the equation of its velocity is a stiffness.
-    if (position && scope.state(*position).name == x) result.back().plainer = "cubic-stiffness";
+  for (const Expression& x : all_variables(scope)) {
+    const Expression power = formula(scope, "x^3", {{"x", x}});
+    if (!has_term(scope, equation, power)) result.push_back(plain_candidate(power, x));
   }
   return result;
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  if (!is_variable(candidate.argument) || !has_form(candidate, "x^3")) return std::nullopt;
+  return Reading{"cubic term in " + candidate.argument.name()};
 }
 
 }  // namespace
 
 const EffectFamily kCubicTerm{{"cubic-term", "A term in the cube of a state or an input", ""},
                               "a symmetric characteristic that bends, an odd distortion",
-                              {},
-                              make};
+                              forms,
+                              reading};
 
 }  // namespace lacuna

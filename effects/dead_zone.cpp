@@ -1,41 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-ShapeParameter edge_of(const Scope& scope, const std::string& x) {
-  return {"edge", range_of(scope, x).unit, magnitude_quantile(scope, x, 0.02),
-          magnitude_quantile(scope, x, 0.95), false};
-}
-
-std::vector<Vector> starts(const Scope& scope, const std::string& x) {
-  return starts_at({magnitude_quantile(scope, x, 0.15), magnitude_quantile(scope, x, 0.4),
-                    magnitude_quantile(scope, x, 0.7)});
+Candidate with_edge(const Scope& scope, const char* form, const Expression& x) {
+  const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
+  return shaped_candidate(formula(scope, form, {{"x", x}}), x,
+                          {"edge", scope.range_of(x).unit, at(0.02), at(0.95), false},
+                          starts_at({at(0.15), at(0.4), at(0.7)}));
 }
 
 // What acts linearly in the nominal model loses its action about zero: the clipped part goes.
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& x : linear_arguments(scope, equation)) {
-    if (!range_of(scope, x).changes_sign()) continue;
-    result.push_back(shaped_candidate("clip(" + x + ",-$edge,$edge)", x, "dead zone in " + x,
-                                      edge_of(scope, x), starts(scope, x)));
-    if (is_transmission(scope, x)) result.back().plainer = "backlash";
-  }
-  for (const std::string& x : variable_names(scope))
-    if (!has_term(scope, equation, x) && range_of(scope, x).changes_sign())
-      result.push_back(shaped_candidate(x + "-clip(" + x + ",-$edge,$edge)", x,
-                                        "action of " + x + " beyond a dead zone",
-                                        edge_of(scope, x), starts(scope, x)));
+  for (const Expression& x : linear_arguments(scope, equation))
+    if (scope.range_of(x).changes_sign())
+      result.push_back(with_edge(scope, "clip(x,-edge,edge)", x));
+  for (const Expression& x : all_variables(scope))
+    if (!has_term(scope, equation, x) && scope.range_of(x).changes_sign())
+      result.push_back(with_edge(scope, "x-clip(x,-edge,edge)", x));
   return result;
 }
 
-// Where the argument acts linearly, nothing of its slope may be left inside.
-bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
-  const double outside = slope(fitted.nominal, candidate.equation, candidate.argument);
-  return outside == 0.0 || slopes_agree(outside, -fitted.coefficient, fitted.deviation);
+// Where the nominal model has the argument, its term stays what acts outside.
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const std::optional<Bend> bend = bend_of(fitted);
+  if (!bend || !bend->sharp || !is_flat_inside(*bend, fitted.options)) return std::nullopt;
+  const std::string x = candidate.argument.to_string();
+  const bool known = slope(fitted.scope.model, candidate.equation, candidate.argument) != 0.0;
+  if (known != has_form(candidate, "clip(x,-a,a)")) return std::nullopt;
+  return Reading{known ? "dead zone in " + x : "action of " + x + " beyond a dead zone",
+                 Precedence::Plain,
+                 {"edge"}};
 }
 
 }  // namespace
@@ -43,8 +44,7 @@ bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& 
 const EffectFamily kDeadZone{
     {"dead-zone", "Nothing happens about zero: no action within an edge", ""},
     "valve overlap, a threshold, crossover distortion",
-    {},
-    make,
-    plausible};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
@@ -8,35 +10,44 @@ namespace {
 // From e^25 between zero and the largest value to where it is a quadratic term.
 constexpr double kSharpest = 25.0;
 
+constexpr const char* kForward = "exp(x/a)-1";
+constexpr const char* kReverse = "1-exp(-x/a)";
+constexpr const char* kBoth = "exp(x/a)-exp(-x/a)";
+
 // One junction or, where the argument takes both signs, two in opposite directions.
-void add_junctions(const std::string& x, const VariableRange& range,
-                   std::vector<Candidate>& result) {
+void add_junctions(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+  const VariableRange range = scope.range_of(x);
   const double widest = range.magnitude();
-  const ShapeParameter scale{"scale", range.unit, widest / kSharpest, widest, true};
-  const std::vector<Vector> starts = starts_at({widest / 15.0, widest / 6.0, widest / 2.5});
-  const std::string up = "exp((" + x + ")/$scale)", down = "exp(-(" + x + ")/$scale)";
-  const std::string description = "conduction that grows exponentially with " + x;
+  const Expression scale = formula(scope, "scale");
+  const auto add = [&](const char* pattern) {
+    result.push_back(shaped_candidate(formula(scope, pattern, {{"x", x}, {"a", scale}}), x,
+                                      {"scale", range.unit, widest / kSharpest, widest, true},
+                                      starts_at({widest / 15.0, widest / 6.0, widest / 2.5})));
+  };
   const bool both = range.changes_sign();
-  if (both || range.mean > 0.0)
-    result.push_back(shaped_candidate(up + "-1", x, description, scale, starts));
-  if (both || range.mean < 0.0)
-    result.push_back(shaped_candidate("1-" + down, x, description, scale, starts));
-  if (both) result.push_back(shaped_candidate(up + "-" + down, x, description, scale, starts));
+  if (both || range.mean > 0.0) add(kForward);
+  if (both || range.mean < 0.0) add(kReverse);
+  if (both) add(kBoth);
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (Index j = 0; j < scope.model.dimension(); ++j)
-    add_junctions(scope.state(j).name, scope.state(j), result);
-  for (const std::string& x : differences(scope, equation))
-    add_junctions(x, scope.range_of(x), result);
+    add_junctions(scope, own_state(scope, j), result);
+  for (const Expression& x : differences(scope, equation)) add_junctions(scope, x, result);
   return result;
 }
 
 // A junction that the state itself drives takes away from it.
-bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted) {
-  const bool own = candidate.argument == scope.state(candidate.equation).name;
-  return !own || fitted.coefficient < 0.0;
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const bool is_junction = has_form(candidate, kForward) || has_form(candidate, kReverse) ||
+                           has_form(candidate, kBoth);
+  const bool own = candidate.argument == own_state(fitted.scope, candidate.equation);
+  if (!is_junction || (own && fitted.coefficient >= 0.0)) return std::nullopt;
+  return Reading{"conduction that grows exponentially with " + candidate.argument.to_string(),
+                 Precedence::Plain,
+                 {"scale"}};
 }
 
 }  // namespace
@@ -45,8 +56,7 @@ const EffectFamily kExponentialConduction{
     {"exponential-conduction", "A junction conducts: a current that grows exponentially",
      "Shockley 1949"},
     "a diode, a Zener diode, a transistor, an input's protection",
-    {},
-    make,
-    plausible};
+    forms,
+    reading};
 
 }  // namespace lacuna

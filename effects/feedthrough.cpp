@@ -2,34 +2,42 @@
 #include <algorithm>
 
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
 // Factors of the equation's products.
-std::vector<std::string> factors(const Scope& scope, Index equation) {
-  std::vector<std::string> result;
-  for (const std::string& term : nonlinear_terms(scope, equation))
-    for (const std::string& x :
-         parse_expression(term, scope.model.variables().names()).variables())
-      if (x != "t" && x != term) result.push_back(x);
+std::vector<Expression> factors(const Scope& scope, Index equation) {
+  std::vector<Expression> result;
+  for (const Expression& term : nonlinear_terms(scope, equation))
+    for (const std::string& x : term.variables())
+      if (x != "t") result.push_back(Expression::variable(x));
   return result;
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+bool is_factor(const Scope& scope, Index equation, const Expression& x) {
+  const std::vector<Expression> all = factors(scope, equation);
+  return std::find(all.begin(), all.end(), x) != all.end();
+}
+
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const VariableRange& x : scope.variables)
-    if (x.is_input && !has_term(scope, equation, x.name))
-      result.push_back(plain_candidate(x.name, x.name, "direct path from the input " + x.name));
-  for (const std::string& x : factors(scope, equation)) {
-    const bool known = std::any_of(result.begin(), result.end(),
-                                   [&](const Candidate& made) { return made.form == x; });
-    if (known || has_term(scope, equation, x)) continue;
-    result.push_back(plain_candidate(x, x, "feedthrough of the factor " + x));
-    result.back().plainer = "linear-term";
-  }
+  for (const Expression& x : all_variables(scope))
+    if (!has_term(scope, equation, x) && (is_input(scope, x) || is_factor(scope, equation, x)))
+      result.push_back(plain_candidate(x, x));
   return result;
+}
+
+// That of an input is a path of its own; a factor by itself is as well a linear term.
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Expression& x = fitted.candidate.form;
+  if (is_input(fitted.scope, x))
+    return Reading{"direct path from the input " + x.name(), Precedence::Contextual};
+  if (is_variable(x) && is_factor(fitted.scope, fitted.candidate.equation, x))
+    return Reading{"feedthrough of the factor " + x.name(), Precedence::Special};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -37,7 +45,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kFeedthrough{
     {"feedthrough", "An input or a factor of a product leaks into the equation by itself", ""},
     "a multiplier's feedthrough, stray capacitance, crosstalk",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+constexpr const char* kPowers[] = {"x^4", "x^5"};
+
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& x : variable_names(scope))
-    for (const std::string power : {"^4", "^5"})
-      if (!has_term(scope, equation, x + power))
-        result.push_back(plain_candidate(x + power, x, "term in " + x + power));
+  for (const Expression& x : all_variables(scope))
+    for (const char* power : kPowers) {
+      const Expression form = formula(scope, power, {{"x", x}});
+      if (!has_term(scope, equation, form)) result.push_back(plain_candidate(form, x));
+    }
   return result;
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  for (const char* power : kPowers)
+    if (is_variable(candidate.argument) && has_form(candidate, power))
+      return Reading{"term in " + candidate.form.to_string()};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -19,7 +32,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kHigherOrderTerm{
     {"higher-order-term", "A term in the fourth or fifth power of a state or an input", ""},
     "a characteristic that bends late and strongly",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

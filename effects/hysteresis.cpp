@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
@@ -7,13 +9,12 @@ namespace {
 
 // Bouc-Wen loop of a spring: the restoring force r follows the position q until it yields,
 // dr/dt = v - (share |v| r + (1 - share) v |r|) / yield. v is the rate of q.
-Candidate bouc_wen(const Scope& scope, Index position, const std::string& v) {
+Candidate bouc_wen(const Scope& scope, Index position, const Expression& v) {
   const VariableRange& q = scope.state(position);
-  Candidate candidate =
-      plain_candidate("$loop", q.name, "force that depends on the history of " + q.name);
+  Candidate candidate = plain_candidate(formula(scope, "loop"), own_state(scope, position));
   candidate.memory = {
-      {"loop", v + "-($share*abs(" + v + ")*$loop+(1-$share)*" + v + "*abs($loop))/$yield",
-       "0"}};
+      {"loop", formula(scope, "v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield", {{"v", v}}),
+       Expression::number(0.0)}};
   const double reach = 0.5 * (q.high - q.low);
   candidate.shapes = {{"yield", q.unit, 0.01 * reach, 2.0 * reach, true},
                       {"share", "", 0.5, 1.0, false}};
@@ -23,36 +24,29 @@ Candidate bouc_wen(const Scope& scope, Index position, const std::string& v) {
 }
 
 // A follower with play gives a loop of straight lines.
-Candidate straight_loop(const Scope& scope, Index equation, const std::string& x) {
-  const VariableRange range = range_of(scope, x);
-  const double reach = 0.5 * (range.high - range.low);
-  Candidate candidate =
-      shaped_candidate(follower_ahead_of(x), x, "loop in the characteristic of " + x,
-                       {"gap", range.unit, 0.01 * reach, reach, true},
-                       starts_at({0.05 * reach, 0.15 * reach, 0.4 * reach}));
-  candidate.memory = {follower(scope, x)};
-  candidate.plainer = "backlash";
-  bound_to_term(scope, equation, x, candidate);
-  return candidate;
-}
-
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   if (const auto position = scope.integral_of(equation))
-    result.push_back(bouc_wen(scope, *position, scope.state(equation).name));
+    result.push_back(bouc_wen(scope, *position, own_state(scope, equation)));
   for (Index k = 0; k < scope.model.dimension(); ++k)
-    if (const std::string& twist = scope.state(k).name;
+    if (const Expression twist = own_state(scope, k);
         has_term(scope, equation, twist) && is_transmission(scope, twist))
-      result.push_back(bouc_wen(scope, k, "(" + right_hand_side(scope, k) + ")"));
-  for (const VariableRange& x : scope.variables)
-    if (has_term(scope, equation, x.name))
-      result.push_back(straight_loop(scope, equation, x.name));
+      result.push_back(bouc_wen(scope, k, right_hand_side(scope, k)));
+  for (const Expression& x : all_variables(scope))
+    if (has_term(scope, equation, x)) result.push_back(play_of(scope, equation, x));
   return result;
 }
 
 // A loop in a characteristic that is there takes over a part of it; a spring may be new.
-bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
-  return candidate.shapes.size() > 1 || is_part_of_term(candidate, fitted);
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const std::string x = candidate.argument.to_string();
+  if (has_form(candidate, "clip(m-x,-a,a)")) {
+    if (!is_part_of_term(fitted)) return std::nullopt;
+    return Reading{"loop in the characteristic of " + x, Precedence::Special, {"gap"}};
+  }
+  if (candidate.shapes.size() != 2 || !has_form(candidate, "m")) return std::nullopt;
+  return Reading{"force that depends on the history of " + x};
 }
 
 }  // namespace
@@ -61,8 +55,7 @@ const EffectFamily kHysteresis{
     {"hysteresis", "The action depends on where the state came from",
      "Bouc 1967; Wen, J. Eng. Mech. 102 (1976); Visintin, Differential Models of Hysteresis"},
     "magnetic cores, piezo actuators, wire rope, rubber, plastic deformation",
-    {},
-    make,
-    plausible};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   const double shortest = 0.1 * scope.step, longest = 0.25 * scope.duration;
   for (const WeightedTerm& summand :
        scope.model.equations()[static_cast<std::size_t>(equation)]) {
-    const std::string& term = summand.term.name();
-    if (summand.term.expression().variables().empty()) continue;
+    const Expression& term = summand.term.expression();
+    if (term.variables().empty()) continue;
     Candidate candidate =
-        shaped_candidate("$lagged-(" + term + ")", term,
-                         "lag of " + term + " in d" + scope.state(equation).name + "/dt",
+        shaped_candidate(formula(scope, "lagged-x", {{"x", term}}), term,
                          {"tau", scope.model.time_unit(), shortest, longest, true}, {});
-    candidate.memory = {{"lagged", "((" + term + ")-$lagged)/$tau", term}};
+    candidate.memory = {{"lagged", formula(scope, "(x-lagged)/tau", {{"x", term}}), term}};
     bound_to_term(scope, equation, term, candidate);
     for (double tau = scope.step; tau < longest; tau *= 4.0)
       candidate.starts.emplace_back(Vector::Constant(1, tau));
@@ -27,8 +27,11 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 }
 
 // Part of the term as it is fitted, or the whole of it.
-bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& fitted) {
-  return is_part_of_term(candidate, fitted);
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  if (!has_form(candidate, "m-x") || !is_part_of_term(fitted)) return std::nullopt;
+  return Reading{"lag of " + candidate.argument.to_string() + " in d" +
+                 fitted.scope.state(candidate.equation).name + "/dt"};
 }
 
 }  // namespace
@@ -36,8 +39,7 @@ bool plausible(const Scope&, const Candidate& candidate, const FittedCandidate& 
 const EffectFamily kLag{
     {"lag", "A part of the model acts with finite bandwidth: one more pole", ""},
     "an amplifier's or actuator's bandwidth, a sensor's filter, a line",
-    {},
-    make,
-    plausible};
+    forms,
+    reading};
 
 }  // namespace lacuna

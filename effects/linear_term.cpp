@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-bool is_input(const Scope& scope, const std::string& name) {
-  for (const VariableRange& variable : scope.variables)
-    if (variable.name == name) return variable.is_input;
-  return false;
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
+  std::vector<Candidate> result;
+  for (const Expression& x : all_variables(scope))
+    if (!has_term(scope, equation, x)) result.push_back(plain_candidate(x, x));
+  return result;
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
-  std::vector<Candidate> result;
-  for (const std::string& x : variable_names(scope)) {
-    if (has_term(scope, equation, x)) continue;
-    result.push_back(plain_candidate(x, x, "linear term in " + x));
-    // A path from an input, or between parts that the model keeps apart, has a name of its own.
-    if (is_input(scope, x)) result.back().plainer = "feedthrough";
-    if (in_other_part(scope, equation, x)) result.back().plainer = "missing-coupling";
-  }
-  return result;
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Expression& x = fitted.candidate.form;
+  if (!is_variable(x) || x.name() == "t" || !fitted.candidate.memory.empty())
+    return std::nullopt;
+  return Reading{"linear term in " + x.name()};
 }
 
 }  // namespace
@@ -28,7 +25,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kLinearTerm{
     {"linear-term", "A term proportional to a state or an input", ""},
     "a forgotten resistor, damper, spring or path",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
@@ -7,31 +8,34 @@ namespace {
 
 // An exchange between two states of one kind that the equation has no linear term of. Where it
 // has one of them the other alone says the same.
-bool may_exchange(const Scope& scope, Index equation, const VariableRange& other) {
-  const VariableRange& own = scope.state(equation);
-  return own.unit == other.unit && own.name != other.name &&
-         !has_term(scope, equation, own.name) && !has_term(scope, equation, other.name);
+bool may_exchange(const Scope& scope, Index equation, Index other) {
+  return other != equation && scope.state(equation).unit == scope.state(other).unit &&
+         !has_term(scope, equation, own_state(scope, equation)) &&
+         !has_term(scope, equation, own_state(scope, other));
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (Index j = 0; j < scope.model.dimension(); ++j) {
-    const std::string& x = scope.state(j).name;
-    if (in_other_part(scope, equation, x))
-      result.push_back(plain_candidate(x, x, "coupling to " + x));
-    if (may_exchange(scope, equation, scope.state(j))) {
-      const std::string difference = x + "-" + scope.state(equation).name;
-      result.push_back(plain_candidate(difference, difference, "exchange with " + x));
-    }
+    const Expression x = own_state(scope, j);
+    if (in_other_part(scope, equation, x)) result.push_back(plain_candidate(x, x));
+    if (!may_exchange(scope, equation, j)) continue;
+    const Expression difference = x - own_state(scope, equation);
+    result.push_back(plain_candidate(difference, difference));
   }
   return result;
 }
 
 // An exchange goes from the larger to the smaller.
-bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted) {
-  const bool exchange =
-      candidate.argument.ends_with("-" + scope.state(candidate.equation).name);
-  return !exchange || fitted.coefficient > 0.0;
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Expression& form = fitted.candidate.form;
+  const Index equation = fitted.candidate.equation;
+  if (is_variable(form) && in_other_part(fitted.scope, equation, form))
+    return Reading{"coupling to " + form.name(), Precedence::Contextual};
+  if (!is_difference(form) || form.operands()[1] != own_state(fitted.scope, equation) ||
+      fitted.coefficient <= 0.0)
+    return std::nullopt;
+  return Reading{"exchange with " + form.operands()[0].name()};
 }
 
 }  // namespace
@@ -39,8 +43,7 @@ bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandi
 const EffectFamily kMissingCoupling{
     {"missing-coupling", "A path between parts that the nominal model keeps apart", ""},
     "a common supply, a common base, stray coupling",
-    {},
-    make,
-    plausible};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,43 +1,50 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-// A stop is what is touched now and then, not in the middle of the motion.
+// From where a stop is touched now and then, not in the middle of the motion, to where it is
+// touched at all.
 constexpr double kInnermost = 0.6, kOutermost = 0.99;
 
-void add_stops(const Scope& scope, const std::string& x, std::vector<Candidate>& result) {
-  const VariableRange range = range_of(scope, x);
+void add_stops(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+  const VariableRange range = scope.range_of(x);
   const auto at = [&](double level) { return range.quantile(level); };
-  const ShapeParameter above{"edge", range.unit, at(kInnermost), at(kOutermost), false};
-  const ShapeParameter below{"edge", range.unit, at(1.0 - kOutermost), at(1.0 - kInnermost),
-                             false};
-  const std::string description = "stop that acts when " + x + " is beyond an edge";
-  result.push_back(shaped_candidate("max(" + x + "-$edge,0)", x, description, above,
+  result.push_back(shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
+                                    {"edge", range.unit, at(kInnermost), at(kOutermost), false},
                                     starts_at({at(0.65), at(0.8), at(0.93)})));
-  result.push_back(shaped_candidate("min(" + x + "-$edge,0)", x, description, below,
-                                    starts_at({at(0.35), at(0.2), at(0.07)})));
+  result.push_back(
+      shaped_candidate(formula(scope, "min(x-edge,0)", {{"x", x}}), x,
+                       {"edge", range.unit, at(1.0 - kOutermost), at(1.0 - kInnermost), false},
+                       starts_at({at(0.35), at(0.2), at(0.07)})));
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& x : variable_names(scope)) {
-    add_stops(scope, x, result);
-    const bool runs_over = x == scope.state(equation).name && scope.state(equation).is_amount();
-    if (runs_over && !is_velocity(scope, equation))
-      result[result.size() - 2].plainer = "overflow";
-  }
-  for (const std::string& gap : differences(scope, equation)) add_stops(scope, gap, result);
+  for (const Expression& x : all_variables(scope)) add_stops(scope, x, result);
+  for (const Expression& gap : differences(scope, equation)) add_stops(scope, gap, result);
   return result;
 }
 
-// A stop pushes back: in the equation of a velocity it acts against the position.
-bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted) {
-  const auto position = scope.integral_of(candidate.equation);
-  const bool mechanical = position && scope.state(*position).name == candidate.argument;
-  return !mechanical || fitted.coefficient < 0.0;
+// A stop stands at the rim of the motion and pushes back: in the equation of a velocity it acts
+// against the position.
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const bool above = has_form(candidate, "max(x-a,0)");
+  if (!above && !has_form(candidate, "min(x-a,0)")) return std::nullopt;
+  const VariableRange range = range_of_argument(fitted);
+  const double rim = fitted.options.rim, edge = fitted.shapes[0];
+  const bool at_rim = above ? edge >= range.quantile(rim) : edge <= range.quantile(1.0 - rim);
+  const bool pulls = is_position(fitted.scope, candidate.equation, candidate.argument) &&
+                     fitted.coefficient >= 0.0;
+  if (!at_rim || pulls) return std::nullopt;
+  return Reading{"stop that acts when " + candidate.argument.to_string() + " is beyond an edge",
+                 Precedence::Plain,
+                 {"edge"}};
 }
 
 }  // namespace
@@ -46,8 +53,7 @@ const EffectFamily kOneSidedStop{
     {"one-sided-stop",
      "Something that acts beyond a threshold only, in proportion to the excess", ""},
     "an end stop, a loose contact, a clamp, a relief valve",
-    {},
-    make,
-    plausible};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,19 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+Candidate drifting(const Expression& term) {
+  return plain_candidate(Expression::variable("t") * term, term);
+}
+
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  std::vector<std::string> terms = nonlinear_terms(scope, equation);
-  for (const std::string& x : variable_names(scope))
-    if (has_term(scope, equation, x)) terms.push_back(x);
-  for (const std::string& term : terms)
-    result.push_back(
-        plain_candidate("t*(" + term + ")", term, "slow drift of the coefficient of " + term));
+  for (const Expression& term : nonlinear_terms(scope, equation))
+    result.push_back(drifting(term));
+  for (const Expression& x : all_variables(scope))
+    if (has_term(scope, equation, x)) result.push_back(drifting(x));
   return result;
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  if (!has_form(candidate, "t*x") ||
+      !has_term(fitted.scope, candidate.equation, candidate.argument))
+    return std::nullopt;
+  return Reading{"slow drift of the coefficient of " + candidate.argument.to_string()};
 }
 
 }  // namespace
@@ -21,7 +33,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kParameterDrift{
     {"parameter-drift", "A coefficient that changes steadily with time", ""},
     "warming up, wear, a battery that runs down",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,18 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& v : felt_speeds(scope, equation)) {
-    const std::string form = "(" + v + ")*abs(" + v + ")";
-    if (range_of(scope, v).changes_sign() && !has_term(scope, equation, form))
-      result.push_back(plain_candidate(form, v, "drag of the square of " + v));
+  for (const Expression& v : felt_speeds(scope, equation)) {
+    const Expression form = formula(scope, "v*abs(v)", {{"v", v}});
+    if (scope.range_of(v).changes_sign() && !has_term(scope, equation, form))
+      result.push_back(plain_candidate(form, v));
   }
   return result;
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const Expression& v = candidate.argument;
+  if (!has_form(candidate, "x*abs(x)") || !opposes(fitted) ||
+      !is_felt_speed(fitted.scope, candidate.equation, v))
+    return std::nullopt;
+  return Reading{"drag of the square of " + v.to_string()};
 }
 
 }  // namespace
@@ -20,8 +31,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kQuadraticDrag{
     {"quadratic-drag", "Drag of the square of the speed, against the motion", ""},
     "air or water resistance, turbulent flow, an orifice",
-    {},
-    make,
-    opposes};
+    forms,
+    reading};
 
 }  // namespace lacuna

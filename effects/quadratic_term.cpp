@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& x : variable_names(scope))
-    if (!has_term(scope, equation, x + "^2"))
-      result.push_back(plain_candidate(x + "^2", x, "quadratic term in " + x));
+  for (const Expression& x : all_variables(scope)) {
+    const Expression power = formula(scope, "x^2", {{"x", x}});
+    if (!has_term(scope, equation, power)) result.push_back(plain_candidate(power, x));
+  }
   return result;
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  if (!is_variable(candidate.argument) || !has_form(candidate, "x^2")) return std::nullopt;
+  return Reading{"quadratic term in " + candidate.argument.name()};
 }
 
 }  // namespace
@@ -18,7 +27,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kQuadraticTerm{
     {"quadratic-term", "A term in the square of a state or an input", ""},
     "an asymmetric characteristic, an even distortion, crowding",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

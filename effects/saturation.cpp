@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
@@ -10,54 +12,55 @@ namespace {
 // A coarse converter may show 0 most of the time: the least limit is a share of the largest.
 constexpr double kLeast = 1e-3;
 
-ShapeParameter limit_of(const Scope& scope, const std::string& x, double widest) {
-  const double largest = magnitude_quantile(scope, x, 1.0);
-  const double least = std::max(magnitude_quantile(scope, x, 0.05), kLeast * largest);
-  return {"limit", range_of(scope, x).unit, least, widest * largest, true};
-}
+// Up to where a hard limit is reached at all, and a soft one bends what is seen.
+constexpr double kHard = 0.999, kSoft = 3.0;
 
-std::vector<Vector> starts(const Scope& scope, const std::string& x) {
-  return starts_at({magnitude_quantile(scope, x, 0.4), magnitude_quantile(scope, x, 0.7),
-                    magnitude_quantile(scope, x, 0.93)});
+Candidate limited(const Scope& scope, const char* form, const Expression& x, double widest) {
+  const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
+  const double least = std::max(at(0.05), kLeast * at(1.0));
+  return shaped_candidate(formula(scope, form, {{"x", x}}), x,
+                          {"limit", scope.range_of(x).unit, least, widest * at(1.0), true},
+                          starts_at({at(0.4), at(0.7), at(0.93)}));
 }
 
 // A hard limit and a soft one of something that the nominal model has unlimited.
-void add_limits(const Scope& scope, const std::string& x, std::vector<Candidate>& result) {
-  if (!range_of(scope, x).changes_sign()) return;
-  const std::string description = "saturation of " + x;
-  result.push_back(shaped_candidate("(" + x + ")-clip(" + x + ",-$limit,$limit)", x,
-                                    description, limit_of(scope, x, 0.999), starts(scope, x)));
-  result.push_back(shaped_candidate("(" + x + ")-$limit*tanh((" + x + ")/$limit)", x,
-                                    description, limit_of(scope, x, 3.0), starts(scope, x)));
-  result.back().plainer = "cubic-term";
+void add_limits(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+  if (!scope.range_of(x).changes_sign()) return;
+  result.push_back(limited(scope, "x-clip(x,-limit,limit)", x, kHard));
+  result.push_back(limited(scope, "x-limit*tanh(x/limit)", x, kSoft));
 }
 
 // The same of something that the nominal equation does not have at all.
-void add_new(const Scope& scope, const std::string& x, std::vector<Candidate>& result) {
-  if (!range_of(scope, x).changes_sign()) return;
-  const std::string description = "action of " + x + " that saturates";
-  result.push_back(shaped_candidate("clip(" + x + ",-$limit,$limit)", x, description,
-                                    limit_of(scope, x, 0.999), starts(scope, x)));
-  result.push_back(shaped_candidate("tanh(" + x + "/$limit)", x, description,
-                                    limit_of(scope, x, 3.0), starts(scope, x)));
+void add_new(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+  if (!scope.range_of(x).changes_sign()) return;
+  result.push_back(limited(scope, "clip(x,-limit,limit)", x, kHard));
+  result.push_back(limited(scope, "tanh(x/limit)", x, kSoft));
 }
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const std::string& x : linear_arguments(scope, equation)) add_limits(scope, x, result);
-  for (const std::string& g : nonlinear_terms(scope, equation)) add_limits(scope, g, result);
-  for (const std::string& x : variable_names(scope))
+  for (const Expression& x : linear_arguments(scope, equation)) add_limits(scope, x, result);
+  for (const Expression& g : nonlinear_terms(scope, equation)) add_limits(scope, g, result);
+  for (const Expression& x : all_variables(scope))
     if (!has_term(scope, equation, x)) add_new(scope, x, result);
   return result;
 }
 
-// Nothing of the slope may be left beyond the limit, and a force against the motion that is at
-// its limit as soon as something moves is dry friction.
-bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandidate& fitted) {
-  const double inside = slope(fitted.nominal, candidate.equation, candidate.argument);
-  const bool opposing = (inside == 0.0 ? fitted.coefficient : -fitted.coefficient) < 0.0;
-  if (opposing && bends_at_standstill(scope, candidate, fitted.shapes[0])) return false;
-  return inside == 0.0 || slopes_agree(inside, -fitted.coefficient, fitted.deviation);
+// Nothing of the slope is left beyond the limit. Where the nominal model has it, its term stays
+// what acts inside and the form takes it away outside; a form that empties the nominal term
+// says the same with other coefficients than were given.
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const std::optional<Bend> bend = bend_of(fitted);
+  if (!bend || !is_flat_outside(*bend, fitted.options)) return std::nullopt;
+  const std::string x = candidate.argument.to_string();
+  const bool known = slope(fitted.scope.model, candidate.equation, candidate.argument) != 0.0;
+  const bool acts_inside =
+      has_form(candidate, "clip(x,-a,a)") || has_form(candidate, "tanh(x/a)");
+  if (known && acts_inside) return std::nullopt;
+  return Reading{known ? "saturation of " + x : "action of " + x + " that saturates",
+                 Precedence::Plain,
+                 {"limit"}};
 }
 
 }  // namespace
@@ -65,8 +68,7 @@ bool plausible(const Scope& scope, const Candidate& candidate, const FittedCandi
 const EffectFamily kSaturation{
     {"saturation", "Something stops growing at a limit of both signs", ""},
     "an amplifier at its rails, a current limit, a magnetic core, a valve fully open",
-    {},
-    make,
-    plausible};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
@@ -12,29 +14,34 @@ constexpr double kSlowest = 0.005, kFastest = 0.5;
 // rise.
 constexpr double kSharpest = 1e-4, kBluntest = 0.1;
 
-std::string friction_by(const std::string& v, const std::string& direction) {
-  return "(1+$rise*exp(-(" + v + "/$speed)^2))*" + direction;
-}
-
-std::vector<Candidate> make(const Scope& scope, Index equation) {
-  const VariableRange& v = scope.state(equation);
-  if (!v.changes_sign()) return {};
-  const double widest = v.magnitude();
-  const std::string description =
-      "dry friction opposing " + v.name + " that is larger at low speed";
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
+  const VariableRange& speed = scope.state(equation);
+  if (!speed.changes_sign()) return {};
+  const double widest = speed.magnitude();
+  const Expression v = own_state(scope, equation);
   Candidate sharp =
-      plain_candidate(friction_by(v.name, "sign(" + v.name + ")"), v.name, description);
+      plain_candidate(formula(scope, "(1+rise*exp(-(v/speed)^2))*sign(v)", {{"v", v}}), v);
   sharp.shapes = {{"rise", "", 0.05, 10.0, true},
-                  {"speed", v.unit, kSlowest * widest, kFastest * widest, true}};
-  Candidate blunt =
-      plain_candidate(friction_by(v.name, "tanh(" + v.name + "/$width)"), v.name, description);
+                  {"speed", speed.unit, kSlowest * widest, kFastest * widest, true}};
+  Candidate blunt = plain_candidate(
+      formula(scope, "(1+rise*exp(-(v/speed)^2))*tanh(v/width)", {{"v", v}}), v);
   blunt.shapes = sharp.shapes;
-  blunt.shapes.push_back({"width", v.unit, kSharpest * widest, kBluntest * widest, true});
-  for (const double speed : {0.02 * widest, 0.08 * widest, 0.25 * widest}) {
-    sharp.starts.push_back(Vector{{1.0, speed}});
-    blunt.starts.push_back(Vector{{1.0, speed, 0.01 * widest}});
+  blunt.shapes.push_back({"width", speed.unit, kSharpest * widest, kBluntest * widest, true});
+  for (const double rises : {0.02 * widest, 0.08 * widest, 0.25 * widest}) {
+    sharp.starts.push_back(Vector{{1.0, rises}});
+    blunt.starts.push_back(Vector{{1.0, rises, 0.01 * widest}});
   }
   return {sharp, blunt};
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  if (!has_form(candidate, "(1+a*exp(-(x/b)^2))*sign(x)") &&
+      !has_form(candidate, "(1+a*exp(-(x/b)^2))*tanh(x/c)"))
+    return std::nullopt;
+  if (!opposes(fitted)) return std::nullopt;
+  return Reading{"dry friction opposing " + candidate.argument.to_string() +
+                 " that is larger at low speed"};
 }
 
 }  // namespace
@@ -43,8 +50,7 @@ const EffectFamily kStribeckFriction{
     {"stribeck-friction", "Dry friction that is larger near standstill",
      "Armstrong-Helouvry, Dupont, Canudas de Wit, Automatica 30 (1994)"},
     "boundary lubrication, stick-slip",
-    "coulomb-friction",
-    make,
-    opposes};
+    forms,
+    reading};
 
 }  // namespace lacuna

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> make(const Scope& scope, Index equation) {
-  if (has_term(scope, equation, "t")) return {};
-  return {plain_candidate("t", "t", "steady trend of d" + scope.state(equation).name + "/dt")};
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
+  const Expression t = Expression::variable("t");
+  if (has_term(scope, equation, t)) return {};
+  return {plain_candidate(t, t)};
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  if (fitted.candidate.form != Expression::variable("t")) return std::nullopt;
+  return Reading{"steady trend of d" + fitted.scope.state(fitted.candidate.equation).name +
+                 "/dt"};
 }
 
 }  // namespace
@@ -15,7 +23,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kTimeTrend{
     {"time-trend", "A rate that grows steadily with time, whatever the states do", ""},
     "a room that warms up, a load that is added, an offset that drifts",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

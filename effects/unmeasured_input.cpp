@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
@@ -12,18 +11,23 @@ namespace {
 constexpr double kFewSteps = 3.0, kFewTimes = 10.0;
 
 // A free input is a process of its own (Ornstein and Uhlenbeck's), moved by white noise.
-std::vector<Candidate> make(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index) {
   const double shortest = kFewSteps * scope.step;
   const double longest = scope.duration / kFewTimes;
   if (!(shortest < longest)) return {};
-  const std::string& x = scope.state(equation).name;
-  Candidate candidate =
-      plain_candidate("$drive", "t", "input that is not measured in d" + x + "/dt");
+  Candidate candidate = plain_candidate(formula(scope, "drive"), Expression::variable("t"));
   candidate.shapes = {{"memory", scope.model.time_unit(), shortest, longest, true}};
   for (double time = shortest; time <= longest; time *= 3.0)
     candidate.starts.emplace_back(Vector::Constant(1, time));
-  candidate.memory = {{"drive", "-$drive/$memory", "0", true}};
+  candidate.memory = {
+      {"drive", formula(scope, "-drive/memory"), Expression::number(0.0), true}};
   return {candidate};
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  if (!fitted.candidate.is_driven()) return std::nullopt;
+  return Reading{"input that is not measured in d" +
+                 fitted.scope.state(fitted.candidate.equation).name + "/dt"};
 }
 
 }  // namespace
@@ -31,7 +35,7 @@ std::vector<Candidate> make(const Scope& scope, Index equation) {
 const EffectFamily kUnmeasuredInput{
     {"unmeasured-input", "Something acts from outside that was not recorded", ""},
     "wind, a load that changes, a neighbouring process, a person",
-    {},
-    make};
+    forms,
+    reading};
 
 }  // namespace lacuna

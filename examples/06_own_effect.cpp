@@ -5,30 +5,32 @@
 // along the way.
 #include "lacuna/cli/cli.hpp"
 #include "lacuna/config/registry.hpp"
-#include "lacuna/effects/terms.hpp"
+#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/forms.hpp"
 
 namespace {
 
 using namespace lacuna;
 
-std::vector<Candidate> cogging(const Scope& scope, Index equation) {
+std::vector<Candidate> forms(const Scope& scope, Index equation) {
   const auto position = scope.integral_of(equation);
   if (!position) return {};
-  const VariableRange& x = scope.state(*position);
+  const VariableRange& range = scope.state(*position);
+  const Expression x = Expression::variable(range.name);
   // From one slot in the whole way to a hundred of them.
-  const double way = x.high - x.low;
+  const double way = range.high - range.low;
   std::vector<Candidate> result;
-  for (const std::string function : {"sin", "cos"})
-    result.push_back(shaped_candidate(
-        function + "(2*pi*" + x.name + "/$pitch)", x.name, "cogging along " + x.name,
-        {"pitch", x.unit, 0.01 * way, way, true}, geometric_starts(0.02 * way, way, 60)));
+  for (const char* pattern : {"sin(2*pi*x/pitch)", "cos(2*pi*x/pitch)"})
+    result.push_back(shaped_candidate(formula(scope, pattern, {{"x", x}}), x,
+                                      {"pitch", range.unit, 0.01 * way, way, true},
+                                      geometric_starts(0.02 * way, way, 60)));
   return result;
 }
 
+// What this effect proposes is always it: no row of the name table is needed.
 const EffectFamily kCogging{{"cogging", "A force that repeats along the way", ""},
                             "the slots of a motor, the teeth of a gear",
-                            {},
-                            cogging};
+                            forms};
 
 }  // namespace
 

@@ -45,7 +45,7 @@ Vector begin_of_memory(const Candidate& candidate, std::span<const double> shape
                        const Variables& variables, const LinearisedRecord& record) {
   Vector begin(static_cast<Index>(candidate.memory.size()));
   for (Index k = 0; k < begin.size(); ++k) {
-    const std::string& start = candidate.memory[static_cast<std::size_t>(k)].start;
+    const Expression& start = candidate.memory[static_cast<std::size_t>(k)].start;
     begin[k] = evaluate_on(record, variables, bind_formula(candidate, start, shapes))[0];
   }
   return begin;
@@ -147,7 +147,7 @@ namespace {
 Vector acting_along(const Candidate& candidate, std::span<const double> shapes,
                     const Variables& variables, const LinearisedRecord& record) {
   Vector values = form_along(candidate, shapes, variables, record);
-  if (candidate.form.find("delay(") == std::string::npos) return values;
+  if (!contains(candidate.form, Operation::Delay)) return values;
   const double known = *known_from(candidate, shapes, variables, record);
   const auto t = record.slots.col(record.slots.cols() - 1);
   for (Index i = 0; i < values.size() && t[i] < known; ++i) values[i] = 0.0;

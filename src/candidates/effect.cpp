@@ -2,7 +2,6 @@
 #include "lacuna/candidates/effect.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "lacuna/core/error.hpp"
@@ -11,7 +10,8 @@ namespace lacuna {
 namespace {
 
 [[noreturn]] void fail(const Candidate& candidate, const std::string& problem) {
-  throw ModelError("effect " + candidate.effect, "'" + candidate.form + "': " + problem,
+  throw ModelError("effect " + candidate.families.front(),
+                   "'" + candidate.form.to_string() + "': " + problem,
                    "mend the effect's candidates");
 }
 
@@ -28,11 +28,11 @@ std::set<std::string> known_names(const Candidate& candidate, const Scope& scope
   return known;
 }
 
-void check_formula(const Candidate& candidate, const std::string& text,
+void check_formula(const Candidate& candidate, const Expression& formula,
                    const std::set<std::string>& known) {
   const Vector& start = candidate.starts.front();
   const Expression bound =
-      bind_formula(candidate, text, {start.data(), static_cast<std::size_t>(start.size())});
+      bind_formula(candidate, formula, {start.data(), static_cast<std::size_t>(start.size())});
   for (const std::string& name : bound.variables())
     if (!known.contains(name)) fail(candidate, "there is no variable '" + name + "'");
 }
@@ -61,53 +61,10 @@ void check_candidate(const Candidate& candidate, const Scope& scope) {
   }
 }
 
-/// An identifier that no variable of the model has.
-std::string fresh_name(std::string name, const std::vector<std::string>& taken) {
-  while (std::find(taken.begin(), taken.end(), name) != taken.end()) name += '_';
-  return name;
-}
-
-/// `$old` becomes the new name, as a whole word.
-std::string renamed(const std::string& text, const std::string& old, const std::string& name) {
-  const std::string marked = "$" + old;
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t end = i + marked.size();
-    const bool whole =
-        end >= text.size() ||
-        (std::isalnum(static_cast<unsigned char>(text[end])) == 0 && text[end] != '_');
-    if (text.compare(i, marked.size(), marked) == 0 && whole) {
-      result += name;
-      i = end;
-    } else {
-      result += text[i++];
-    }
-  }
-  return result;
-}
-
-/// Gives shape parameters and memory states that are written `$name` names of their own.
+/// Shape parameters and memory states under names that the model has not.
 void name_apart(Candidate& candidate, const Scope& scope) {
-  const std::vector<std::string> taken = scope.model.variables().names();
-  const auto rename = [&](std::string& own) {
-    const std::string name = fresh_name(own, taken);
-    candidate.form = renamed(candidate.form, own, name);
-    for (MemoryState& memory : candidate.memory) {
-      memory.rate = renamed(memory.rate, own, name);
-      memory.start = renamed(memory.start, own, name);
-    }
-    return name;
-  };
-  const auto marked = [&](const std::string& own) {
-    bool found = renamed(candidate.form, own, "") != candidate.form;
-    for (const MemoryState& memory : candidate.memory)
-      found = found || renamed(memory.rate, own, "") != memory.rate;
-    return found;
-  };
-  for (ShapeParameter& shape : candidate.shapes)
-    if (marked(shape.name)) shape.name = rename(shape.name);
-  for (MemoryState& memory : candidate.memory)
-    if (marked(memory.name)) memory.name = rename(memory.name);
+  for (ShapeParameter& shape : candidate.shapes) shape.name = scope.free_name(shape.name);
+  for (MemoryState& memory : candidate.memory) memory.name = scope.free_name(memory.name);
 }
 
 }  // namespace
@@ -119,9 +76,8 @@ std::vector<Candidate> Effect::candidates(const Scope& scope, Index equation) co
                         "give a number below " + std::to_string(scope.model.dimension()));
   std::vector<Candidate> result = do_candidates(scope, equation);
   for (Candidate& candidate : result) {
-    candidate.effect = info().name;
+    candidate.families = {std::string(info().name)};
     candidate.equation = equation;
-    if (!candidate.plainer && plainer()) candidate.plainer = *plainer();
     name_apart(candidate, scope);
     if (candidate.shapes.empty() && candidate.starts.empty())
       candidate.starts.emplace_back(Vector(0));
@@ -130,14 +86,21 @@ std::vector<Candidate> Effect::candidates(const Scope& scope, Index equation) co
   return result;
 }
 
-bool Effect::plausible(const Scope& scope, const Candidate& candidate,
-                       const FittedCandidate& fitted) const {
-  if (fitted.shapes.size() != static_cast<Index>(candidate.shapes.size()))
-    throw ArgumentError("effect " + candidate.effect,
+std::optional<Reading> Effect::reading(const FittedForm& fitted) const {
+  if (fitted.shapes.size() != static_cast<Index>(fitted.candidate.shapes.size()))
+    throw ArgumentError("effect " + std::string(info().name),
                         std::to_string(fitted.shapes.size()) + " values for " +
-                            std::to_string(candidate.shapes.size()) + " shape parameters",
+                            std::to_string(fitted.candidate.shapes.size()) +
+                            " shape parameters",
                         "give one value for each");
-  return do_plausible(scope, candidate, fitted);
+  return do_reading(fitted);
+}
+
+std::optional<Reading> Effect::do_reading(const FittedForm& fitted) const {
+  const std::vector<std::string>& families = fitted.candidate.families;
+  if (std::find(families.begin(), families.end(), info().name) == families.end())
+    return std::nullopt;
+  return Reading{std::string(info().summary)};
 }
 
 }  // namespace lacuna

@@ -51,7 +51,7 @@ OdeModel nominal_part(const OdeModel& augmented, const OdeModel& nominal) {
                                static_cast<std::ptrdiff_t>(nominal.equations()[k].size()));
   for (Equation& equation : equations)
     for (WeightedTerm& summand : equation)
-      summand.term = Term::parse(summand.term.name(), nominal.variables());
+      summand.term = Term(summand.term.expression(), nominal.variables());
   return {nominal.states(), nominal.inputs(), std::move(equations), nominal.time_unit()};
 }
 

@@ -113,19 +113,26 @@ const VariableRange& Scope::state(Index number) const {
   return variables[static_cast<std::size_t>(number)];
 }
 
-VariableRange Scope::range_of(const std::string& formula) const {
-  const Variables names = model.variables();
-  const Expression expression = parse_expression(formula, names.names());
-  const Program program(std::vector<Expression>{expression}, names);
+VariableRange Scope::range_of(const Expression& expression) const {
+  if (expression.operation() == Operation::Variable)
+    for (const VariableRange& variable : variables)
+      if (variable.name == expression.name()) return variable;
+  const Program program({&expression, 1}, model.variables());
   if (!program.delays().empty())
-    throw ModelError("'" + formula + "'", "a delay has no range of its own",
+    throw ModelError("'" + expression.to_string() + "'", "a delay has no range of its own",
                      "give a formula of the present values");
   Matrix values(samples.rows(), 1);
   Program::Workspace workspace;
   program.evaluate(samples, values, workspace);
   Vector sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  return make_range({formula, ""}, sorted);
+  return make_range({expression.to_string(), ""}, sorted);
+}
+
+std::string Scope::free_name(std::string name) const {
+  const std::vector<std::string> taken = model.variables().names();
+  while (std::find(taken.begin(), taken.end(), name) != taken.end()) name += '_';
+  return name;
 }
 
 bool Scope::is_identity(Index equation) const {

@@ -10,6 +10,7 @@
 
 #include "lacuna/core/parallel.hpp"
 #include "nelder_mead.hpp"
+#include "shape_scale.hpp"
 
 namespace lacuna {
 namespace {
@@ -17,47 +18,13 @@ namespace {
 /// A gain that no test would notice.
 constexpr double kUnnoticed = 0.1;
 
-/// Shapes from the unit cube, and back.
-class ShapeScale {
- public:
-  explicit ShapeScale(const std::vector<ShapeParameter>& shapes) : shapes_(shapes) {}
-
-  Vector shapes(const Vector& unit) const {
-    Vector result(unit.size());
-    for (Index i = 0; i < unit.size(); ++i) {
-      const ShapeParameter& shape = shapes_[static_cast<std::size_t>(i)];
-      const double value = shape.logarithmic
-                               ? shape.low * std::pow(shape.high / shape.low, unit[i])
-                               : shape.low + (shape.high - shape.low) * unit[i];
-      result[i] = std::clamp(value, shape.low, shape.high);
-    }
-    return result;
-  }
-
-  Vector unit(const Vector& shapes) const {
-    Vector result(shapes.size());
-    for (Index i = 0; i < shapes.size(); ++i) {
-      const ShapeParameter& shape = shapes_[static_cast<std::size_t>(i)];
-      const double span =
-          shape.logarithmic ? std::log(shape.high / shape.low) : shape.high - shape.low;
-      const double above =
-          shape.logarithmic ? std::log(shapes[i] / shape.low) : shapes[i] - shape.low;
-      result[i] = span > 0.0 ? std::clamp(above / span, 0.0, 1.0) : 0.0;
-    }
-    return result;
-  }
-
- private:
-  const std::vector<ShapeParameter>& shapes_;
-};
-
 std::span<const double> as_span(const Vector& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
-/// Gain less the price of the shape parameters (log n each, as BIC has it).
-double net_gain(const ScreenedCandidate& screened, double log_samples) {
-  return screened.gain - log_samples * static_cast<double>(screened.shapes.size());
+/// Gain less the price of the shape parameters.
+double net_gain(const ScreenedCandidate& screened, double shape_price) {
+  return screened.gain - shape_price * static_cast<double>(screened.shapes.size());
 }
 
 /// One start of one candidate.
@@ -119,20 +86,22 @@ std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candi
   return all;
 }
 
-/// Those whose shapes are worth a search: the two best of each effect and equation, where they
+/// Those whose shapes are worth a search: the two best of each family and equation, where they
 /// are not so far behind the best of all that no search makes up for it.
-std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted) {
+std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted,
+                                   double worth_shaping) {
   constexpr int kOfEach = 2;
-  constexpr double kFarBehind = 0.02;
   double best = 0.0;
   for (const ScreenedCandidate& candidate : sorted) best = std::max(best, candidate.gain);
   std::map<std::tuple<std::string, Place, Index>, int> seen;
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Candidate& candidate = sorted[i].candidate;
-    if (candidate.shapes.empty() || sorted[i].gain < kFarBehind * best) continue;
-    if (seen[{candidate.effect, candidate.place, candidate.equation}]++ < kOfEach)
-      chosen.push_back(i);
+    if (candidate.shapes.empty() || sorted[i].gain < worth_shaping * best) continue;
+    bool has_room = candidate.families.empty();
+    for (const std::string& family : candidate.families)
+      has_room = seen[{family, candidate.place, candidate.equation}]++ < kOfEach || has_room;
+    if (has_room) chosen.push_back(i);
   }
   return chosen;
 }
@@ -211,16 +180,17 @@ void ScreenedCandidate::consider(const Vector& at, const Score& score) {
 }
 
 std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
-                                      const Screening& screening, const RunContext& context) {
-  const double log_samples = std::log(static_cast<double>(screening.system().used()));
+                                      const Screening& screening,
+                                      const ScreeningOptions& options,
+                                      const RunContext& context) {
   context.report("screening candidates", 0.0);
   std::vector<ScreenedCandidate> all = all_at_starts(candidates, screening, context);
   const auto better = [&](const ScreenedCandidate& a, const ScreenedCandidate& b) {
-    return net_gain(a, log_samples) > net_gain(b, log_samples);
+    return net_gain(a, options.shape_price) > net_gain(b, options.shape_price);
   };
   std::stable_sort(all.begin(), all.end(), better);
   context.report("searching shapes", 0.5);
-  const std::vector<std::size_t> chosen = to_polish(all);
+  const std::vector<std::size_t> chosen = to_polish(all, options.worth_shaping);
   parallel_for(chosen.size(), context.threads, [&](std::size_t i) {
     context.check_stop();
     screening.polish(all[chosen[i]]);

@@ -97,7 +97,7 @@ Judged judge_phase(const Problem& problem, const Hypotheses& hypotheses, Phase p
   for (const Stage<Hypothesis>& hypothesis : hypotheses) {
     if (hypothesis->phase() != phase) continue;
     Proposals proposals = hypothesis->propose(problem, so_far.best);
-    append(so_far.trail, std::move(proposals.declined));
+    append(so_far.trail, std::move(proposals.trail));
     for (Proposal& proposal : proposals.accounts)
       judge(problem, hypotheses, phase, std::move(proposal), so_far);
   }

@@ -61,6 +61,15 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
           std::move(notes)};
 }
 
+double criterion_of(const Problem& problem, const Baseline& base,
+                    const Explanation& explanation) {
+  return problem.options.criterion->value(
+      {explanation.fit.deviance,
+       static_cast<double>(base.fit_options.free.size()) + base.parameters +
+           static_cast<double>(explanation.parameters()),
+       static_cast<double>(explanation.fit.used), 0.0});
+}
+
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects) {
   return explain(base.records->data, problem.nominal, start, effects, base.fit_options,

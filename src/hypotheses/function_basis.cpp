@@ -15,13 +15,14 @@ namespace {
 constexpr int kFewPieces = 8, kManyPieces = 24, kSurfacePieces = 10;
 constexpr int kLags = 24, kStretches = 16, kHarmonics = 24;
 
-Candidate member(Index equation, const std::string& form, const std::string& argument,
-                 const std::string& description) {
+Expression variable(const VariableRange& x) { return Expression::variable(x.name); }
+
+Expression number(double value) { return Expression::number(value); }
+
+Candidate member(Index equation, const Expression& form, const Expression& argument) {
   Candidate candidate;
-  candidate.effect = "stop-gap";
   candidate.form = form;
   candidate.argument = argument;
-  candidate.description = description;
   candidate.equation = equation;
   candidate.starts = {Vector(0)};
   return candidate;
@@ -29,21 +30,24 @@ Candidate member(Index equation, const std::string& form, const std::string& arg
 
 /// Uniform cubic B-splines over the range of a variable (de Boor, A Practical Guide to Splines,
 /// Ch. IX).
-std::vector<std::string> splines(const VariableRange& x, int pieces) {
+std::vector<Expression> splines(const VariableRange& x, int pieces) {
+  static const Expression place = parse_expression("abs((x-middle)/width)");
+  static const Expression spline = parse_expression("(max(2-place,0)^3-4*max(1-place,0)^3)/6");
   const double width = (x.high - x.low) / (pieces - 3);
-  std::vector<std::string> forms;
+  std::vector<Expression> forms;
   for (int j = 0; width > 0.0 && j < pieces; ++j) {
-    const std::string place = "abs((" + x.name + "-(" + format_number(x.low + (j - 1) * width) +
-                              "))/" + format_number(width) + ")";
-    forms.push_back("(max(2-" + place + ",0)^3-4*max(1-" + place + ",0)^3)/6");
+    const Expression middle = number(x.low + (j - 1) * width);
+    const Expression away =
+        substitute(place, {{"x", variable(x)}, {"middle", middle}, {"width", number(width)}});
+    forms.push_back(substitute(spline, {{"place", away}}));
   }
   return forms;
 }
 
 FunctionBasis curve(const VariableRange& x, int pieces, Index equation) {
   FunctionBasis basis{FunctionBasis::Kind::Curve, {x.name}, {}};
-  for (const std::string& form : splines(x, pieces))
-    basis.members.push_back(member(equation, form, x.name, "spline of " + x.name));
+  for (const Expression& form : splines(x, pieces))
+    basis.members.push_back(member(equation, form, variable(x)));
   return basis;
 }
 
@@ -51,33 +55,31 @@ FunctionBasis curve(const VariableRange& x, int pieces, Index equation) {
 FunctionBasis harmonics(const VariableRange& angle, Index equation) {
   FunctionBasis basis{FunctionBasis::Kind::Curve, {angle.name}, {}};
   for (int order = 1; order <= kHarmonics; ++order)
-    for (const char* wave : {"sin", "cos"})
-      basis.members.push_back(member(
-          equation, std::string(wave) + "(" + std::to_string(order) + "*" + angle.name + ")",
-          angle.name, "harmonic of " + angle.name));
+    for (const Operation wave : {Operation::Sin, Operation::Cos})
+      basis.members.push_back(member(equation,
+                                    Expression::make(wave, {number(order) * variable(angle)}),
+                                    variable(angle)));
   return basis;
 }
 
-FunctionBasis surface(const VariableRange& x, const VariableRange& y, int pieces,
-                      Index equation) {
+FunctionBasis surface(const VariableRange& x, const VariableRange& y, int pieces, Index equation) {
   FunctionBasis basis{FunctionBasis::Kind::Surface, {x.name, y.name}, {}};
-  for (const std::string& first : splines(x, pieces))
-    for (const std::string& second : splines(y, pieces))
-      basis.members.push_back(member(equation, "(" + first + ")*(" + second + ")",
-                                     x.name + "," + y.name,
-                                     "spline of " + x.name + " and " + y.name));
+  for (const Expression& first : splines(x, pieces))
+    for (const Expression& second : splines(y, pieces))
+      basis.members.push_back(member(equation, first * second, variable(x) * variable(y)));
   return basis;
 }
 
 FunctionBasis varying(const Scope& scope, const VariableRange& x, Index equation) {
+  static const Expression stretch = parse_expression("x*(step(t-begin)-step(t-end))");
   FunctionBasis basis{FunctionBasis::Kind::Varying, {x.name, "t"}, {}};
   const double length = scope.duration / kStretches;
   for (int j = 0; j < kStretches; ++j) {
     const double begin = scope.start + j * length;
-    basis.members.push_back(member(equation,
-                                   x.name + "*(step(t-(" + format_number(begin) +
-                                       "))-step(t-(" + format_number(begin + length) + ")))",
-                                   x.name, "coefficient of " + x.name + " that varies"));
+    const Expression form = substitute(
+        stretch,
+        {{"x", variable(x)}, {"begin", number(begin)}, {"end", number(begin + length)}});
+    basis.members.push_back(member(equation, form, variable(x)));
   }
   return basis;
 }
@@ -86,19 +88,21 @@ FunctionBasis earlier(const Scope& scope, const VariableRange& x, Index equation
   FunctionBasis basis{FunctionBasis::Kind::Memory, {x.name}, {}};
   const double spacing = std::max(0.5 * x.timescale, scope.step);
   for (int lag = 1; lag <= kLags && lag * spacing < 0.25 * scope.duration; ++lag)
-    basis.members.push_back(member(equation,
-                                   "delay(" + x.name + "," + format_number(lag * spacing) + ")",
-                                   x.name, "earlier values of " + x.name));
+    basis.members.push_back(
+        member(equation, Expression::delayed(x.name, lag * spacing), variable(x)));
   return basis;
 }
 
 FunctionBasis lines(const Scope& scope, Index equation) {
+  static const Expression angle = parse_expression("2*pi*frequency*t");
   FunctionBasis basis{FunctionBasis::Kind::Lines, {"t"}, {}};
   for (const SpectralLine& line : scope.lines) {
     if (line.equation != equation) continue;
-    const std::string angle = "(2*pi*" + format_number(line.frequency) + "*t)";
-    basis.members.push_back(member(equation, "sin" + angle, "t", "tone"));
-    basis.members.push_back(member(equation, "cos" + angle, "t", "tone"));
+    for (const Operation wave : {Operation::Sin, Operation::Cos})
+      basis.members.push_back(member(
+          equation,
+          Expression::make(wave, {substitute(angle, {{"frequency", number(line.frequency)}})}),
+          Expression::variable("t")));
   }
   return basis;
 }

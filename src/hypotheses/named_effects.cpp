@@ -6,28 +6,31 @@
 
 namespace lacuna {
 
-Account searched(const Problem& problem, std::shared_ptr<const Baseline> base,
-                 const std::vector<Stage<Effect>>& effects) {
-  SearchResult found = search_effects(problem, *base, effects);
-  Account account{.hypothesis = std::string(kNamedEffects.name),
-                  .base = std::move(base),
-                  .explanation = std::move(found.explanation),
-                  .named = std::move(found.named),
-                  .rounds = std::move(found.rounds),
-                  .left = std::move(found.left)};
+SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
+                         const std::vector<Stage<Effect>>& effects) {
+  FoundEffects found = search_effects({problem, *base, effects});
+  SearchedAccount result{{.hypothesis = std::string(kNamedEffects.name),
+                          .base = std::move(base),
+                          .explanation = std::move(found.explanation),
+                          .named = std::move(found.named),
+                          .rounds = std::move(found.rounds),
+                          .left = std::move(found.left)},
+                         std::move(found.rivals)};
+  Account& account = result.account;
   if (!account.named.empty() && leaves_structure(account, problem.options.decision))
     account.refitted = refit_over_windows(problem, *account.base, account.explanation);
-  return account;
+  return result;
 }
 
 Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) const {
-  Proposal proposal{searched(problem, best.base, problem.options.effects)};
+  SearchedAccount found = searched(problem, best.base, problem.options.effects);
+  Proposal proposal{std::move(found.account)};
   proposal.account.findings = best.findings;
   proposal.account.notes = best.notes;
   proposal.precedence = proposal.account.named.empty()
                             ? "no effect is significant and of the size of an effect"
                             : "every effect is significant and of the size of an effect";
-  return {{std::move(proposal)}, {}};
+  return {{std::move(proposal)}, std::move(found.rivals)};
 }
 
 }  // namespace lacuna

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
 
+#include "lacuna/candidates/nesting.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
 #include "lacuna/numerics/significance.hpp"
@@ -18,67 +17,86 @@
 namespace lacuna {
 namespace {
 
-bool same_place(const Candidate& a, const Candidate& b) {
-  return a.equation == b.equation && a.place == b.place && a.argument == b.argument;
-}
-
-/// Whether an effect that is there covers a candidate: another one of its kind with other
-/// numbers, or what it is a special case of.
-bool covers(const Candidate& adopted, const Candidate& candidate) {
-  if (!same_place(adopted, candidate)) return false;
-  if (adopted.plainer == candidate.effect) return true;
-  if (adopted.effect != candidate.effect || candidate.repeats) return false;
-  const bool same_form =
-      adopted.form == candidate.form || (!adopted.memory.empty() && !candidate.memory.empty());
-  return same_form || candidate.shapes.size() < adopted.shapes.size();
+/// Whether an effect that is there covers a candidate: the same form with other numbers,
+/// another memory of the same variable, or what it has as a special case.
+bool covers(const Candidate& adopted, const Candidate& candidate, const Scope& scope) {
+  if (!in_one_place(adopted, candidate) || candidate.repeats) return false;
+  const auto proposes_both = [&](const std::string& family) {
+    return std::find(candidate.families.begin(), candidate.families.end(), family) !=
+           candidate.families.end();
+  };
+  const bool both_remember =
+      !adopted.memory.empty() && !candidate.memory.empty() &&
+      std::any_of(adopted.families.begin(), adopted.families.end(), proposes_both);
+  return both_remember || are_one_form(adopted, candidate) ||
+         nests(adopted, candidate, candidate.starts.front(), scope);
 }
 
 /// Whether a candidate is for the search: not a free input, not in an equation that holds
 /// exactly, not covered by what is there.
-bool is_searched(const Candidate& candidate, const Explanation& current) {
+bool is_searched(const Candidate& candidate, const Explanation& current, const Scope& scope) {
   const bool exact = current.fit.noise.disturbance[candidate.equation] == 0.0;
   if (candidate.is_driven() || (candidate.place == Place::Rate && exact)) return false;
   return std::none_of(
       current.effects.begin(), current.effects.end(),
-      [&](const FittedEffect& adopted) { return covers(adopted.candidate, candidate); });
+      [&](const FittedEffect& adopted) { return covers(adopted.candidate, candidate, scope); });
 }
 
-std::vector<Candidate> all_candidates(const std::vector<Stage<Effect>>& effects,
-                                      const Scope& scope, const Explanation& current) {
-  std::vector<Candidate> result;
-  const std::vector<std::string> taken = current.fit.model.variables().names();
-  for (const Stage<Effect>& effect : effects)
+std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanation& current) {
+  const Scope& scope = search.base.scope;
+  std::vector<Candidate> proposed;
+  for (const Stage<Effect>& effect : search.effects)
     for (Index k = 0; k < scope.model.dimension(); ++k)
       for (Candidate& candidate : effect->candidates(scope, k))
-        if (is_searched(candidate, current))
-          result.push_back(without_clash(std::move(candidate), taken));
+        proposed.push_back(std::move(candidate));
+  std::vector<Candidate> result;
+  const std::vector<std::string> taken = current.fit.model.variables().names();
+  for (Candidate& candidate : merged(proposed))
+    if (is_searched(candidate, current, scope))
+      result.push_back(without_clash(std::move(candidate), taken));
   return result;
 }
 
-/// The two best of each effect and equation, with and without shapes, in the order of the
-/// screening: those that may be significant and that are not far behind the best, whose lead
-/// only grows by an exact fit. The second is of another argument: a lag of a product whose
-/// factor seems to lag as well.
+/// How many forms of each family and equation have been taken, with and without shapes.
+class Shares {
+ public:
+  /// Takes the candidate when one of its families has room for its argument. Two of each are
+  /// taken, of different arguments: a lag of a product whose factor seems to lag as well.
+  bool take(const Candidate& candidate) {
+    bool has_room = false;
+    for (const std::string& family : candidate.families) {
+      std::vector<Candidate>& taken =
+          taken_[{family, candidate.equation, !candidate.shapes.empty()}];
+      const bool again = std::any_of(taken.begin(), taken.end(), [&](const Candidate& other) {
+        return other.argument == candidate.argument && other.within == candidate.within;
+      });
+      if (taken.size() >= kOfEach || again) continue;
+      taken.push_back(candidate);
+      has_room = true;
+    }
+    return has_room;
+  }
+
+ private:
+  static constexpr std::size_t kOfEach = 2;
+  std::map<std::tuple<std::string, Index, bool>, std::vector<Candidate>> taken_;
+};
+
+/// The best of each family and equation in the order of the screening: those that may be
+/// significant and that are not far behind the best, whose lead only grows by an exact fit.
 std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& screened,
-                                          Index count) {
-  constexpr double kPossible = 2.0;  // standard deviations
-  constexpr double kFarBehind = 0.05;
-  constexpr std::size_t kOfEach = 2;
+                                          const DecisionOptions& decision) {
   std::vector<ScreenedCandidate> result;
   const auto tried = static_cast<double>(screened.size());
   const double best = screened.empty() ? 0.0 : screened.front().gain;
-  std::map<std::tuple<std::string, Index, bool>, std::set<std::string>> seen;
+  Shares shares;
   for (const ScreenedCandidate& candidate : screened) {
-    if (static_cast<Index>(result.size()) == count) break;
+    if (static_cast<int>(result.size()) == decision.rough_fits) break;
     const double freedom = 1.0 + static_cast<double>(candidate.shapes.size());
-    if (candidate.gain < kFarBehind * best ||
-        sigma_of_gain(candidate.gain, freedom, tried) < kPossible)
+    if (candidate.gain < decision.worth_fitting * best ||
+        sigma_of_gain(candidate.gain, freedom, tried) < decision.possible)
       continue;
-    const bool shaped = candidate.shapes.size() > 0;
-    std::set<std::string>& arguments =
-        seen[{candidate.candidate.effect, candidate.candidate.equation, shaped}];
-    if (arguments.size() < kOfEach && arguments.insert(candidate.candidate.argument).second)
-      result.push_back(candidate);
+    if (shares.take(candidate.candidate)) result.push_back(candidate);
   }
   return result;
 }
@@ -92,7 +110,7 @@ double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
     const Vector values = form_along(
         candidate, {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
         fit.model.variables(), record);
-    const double mean = candidate.form == "1" ? 0.0 : values.mean();
+    const double mean = candidate.form.variables().empty() ? 0.0 : values.mean();
     sum += (values.array() - mean).square().sum();
     count += values.size();
   }
@@ -104,94 +122,27 @@ double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
   return rms / rate_rms(fit)[candidate.equation];
 }
 
-double bic_of(const Explanation& explanation) {
-  return explanation.fit.deviance + static_cast<double>(explanation.parameters()) *
-                                        std::log(static_cast<double>(explanation.fit.used));
+/// What a fit with one more effect is worth. @param tried number of candidates.
+RankedEffect judged(const EffectSearch& search, const Explanation& current,
+                    Explanation explanation, double tried) {
+  RankedEffect ranked{std::move(explanation)};
+  const FittedEffect& effect = ranked.effect();
+  ranked.criterion = criterion_of(search.problem, search.base, ranked.explanation);
+  ranked.gain = current.fit.deviance - ranked.explanation.fit.deviance;
+  ranked.sigma =
+      sigma_of_gain(ranked.gain, 1.0 + static_cast<double>(effect.shapes.size()), tried);
+  ranked.contribution = contribution_of(effect, ranked.explanation.fit);
+  ranked.names = search.names().names_of(effect, ranked.explanation.fit.model);
+  return ranked;
 }
 
-class Ranker {
- public:
-  Ranker(const Dataset& data, const OdeModel& nominal, const Explanation& current,
-         const AssimilationOptions& options, const RunContext& context)
-      : data_(data),
-        nominal_(nominal),
-        current_(current),
-        options_(options),
-        context_(context) {}
-
-  RankedEffect rough(const FittedEffect& next, double tried) const {
-    std::vector<FittedEffect> effects = current_.effects;
-    effects.push_back(next);
-    return judged(explain_roughly(data_, nominal_, current_.fit, effects, options_, context_),
-                  tried);
-  }
-
-  RankedEffect exact(const RankedEffect& ranked, double tried) const {
-    return judged(explain(data_, nominal_, ranked.explanation.fit, ranked.explanation.effects,
-                          options_, context_),
-                  tried);
-  }
-
- private:
-  RankedEffect judged(Explanation explanation, double tried) const {
-    RankedEffect ranked{std::move(explanation)};
-    ranked.criterion = bic_of(ranked.explanation);
-    ranked.gain = current_.fit.deviance - ranked.explanation.fit.deviance;
-    ranked.sigma = sigma_of_gain(
-        ranked.gain, 1.0 + static_cast<double>(ranked.effect().shapes.size()), tried);
-    ranked.contribution = contribution_of(ranked.effect(), ranked.explanation.fit);
-    return ranked;
-  }
-
-  const Dataset& data_;
-  const OdeModel& nominal_;
-  const Explanation& current_;
-  const AssimilationOptions& options_;
-  const RunContext& context_;
-};
-
-bool is_one_shape(const ShapeParameter& a, const ShapeParameter& b) {
-  return a.name == b.name && a.low == b.low && a.high == b.high;
-}
-
-bool is_one_memory(const MemoryState& a, const MemoryState& b) {
-  return a.name == b.name && a.rate == b.rate && a.start == b.start && a.driven == b.driven;
-}
-
-/// Whether two effects are one but for what they are called, so that one fit does for both.
-bool are_namesakes(const FittedEffect& a, const FittedEffect& b) {
-  const Candidate& one = a.candidate;
-  const Candidate& other = b.candidate;
-  return one.place == other.place && one.equation == other.equation && one.form == other.form &&
-         a.shapes == b.shapes &&
-         std::equal(one.shapes.begin(), one.shapes.end(), other.shapes.begin(),
-                    other.shapes.end(), is_one_shape) &&
-         std::equal(one.memory.begin(), one.memory.end(), other.memory.begin(),
-                    other.memory.end(), is_one_memory);
-}
-
-/// The place of each effect's first namesake, its own for most.
-std::vector<std::size_t> first_namesakes(const std::vector<FittedEffect>& effects) {
-  std::vector<std::size_t> first(effects.size());
-  for (std::size_t i = 0; i < effects.size(); ++i)
-    while (!are_namesakes(effects[first[i]], effects[i])) ++first[i];
-  return first;
-}
-
-/// fit(0) ... fit(count - 1), in this order; namesakes share a fit.
+/// fit(0) ... fit(count - 1), in this order.
 template <class Fit>
-std::vector<RankedEffect> fitted_in_parallel(const std::vector<FittedEffect>& effects,
-                                             int threads, Fit fit) {
-  const std::vector<std::size_t> first = first_namesakes(effects);
-  std::vector<std::optional<RankedEffect>> places(effects.size());
-  parallel_for(effects.size(), threads, [&](std::size_t i) {
-    if (first[i] == i) places[i] = fit(i);
-  });
+std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit fit) {
+  std::vector<std::optional<RankedEffect>> places(count);
+  parallel_for(count, threads, [&](std::size_t i) { places[i] = fit(i); });
   std::vector<RankedEffect> result;
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    result.push_back(first[i] == i ? std::move(*places[i]) : result[first[i]]);
-    result.back().explanation.effects.back().candidate = effects[i].candidate;
-  }
+  for (std::optional<RankedEffect>& place : places) result.push_back(std::move(*place));
   return result;
 }
 
@@ -201,31 +152,43 @@ std::vector<RankedEffect> fitted_in_parallel(const std::vector<FittedEffect>& ef
 /// with a channel that is corrected by the rate of a noisy path: an effect there has to take
 /// away most of what disturbs the equations together, so that it is judged on a smooth path.
 bool lessens_disturbance(const RankedEffect& ranked, const Explanation& current,
-                         const Vector& rates) {
-  constexpr double kMost = 0.5;
+                         const Vector& rates, double most) {
   const Candidate& candidate = ranked.effect().candidate;
   if (candidate.place == Place::Channel)
     return total_disturbance(ranked.explanation.fit, rates) <
-           (1.0 - kMost) * total_disturbance(current.fit, rates);
+           (1.0 - most) * total_disturbance(current.fit, rates);
   const double before = current.fit.noise.disturbance[candidate.equation];
   return ranked.explanation.fit.noise.disturbance[candidate.equation] < before;
+}
+
+std::string leading_name(const std::vector<Name>& names) {
+  return names.empty() ? std::string() : names.front().name;
+}
+
+/// Leading names of the effects that are there, with the numbers that they have.
+std::vector<std::string> present_names(const Explanation& current, const NameTable& table) {
+  std::vector<std::string> names;
+  for (const FittedEffect& effect : current.effects)
+    names.push_back(leading_name(table.names_of(effect, current.fit.model)));
+  return names;
 }
 
 /// Whether the effects that were there before still have numbers such as they can have, by
 /// whatever name. One that is not told from 0 any more, or that the new one stands for, will
 /// go.
-bool leaves_others_plausible(const RankedEffect& ranked,
-                             const std::vector<Stage<Effect>>& effects, const Scope& scope) {
-  constexpr double kTold = 3.0;  // standard deviations
+bool leaves_others_plausible(const RankedEffect& ranked, const EffectSearch& search,
+                             const std::vector<std::string>& names) {
+  const NameTable table = search.names();
+  const double told = search.problem.options.decision.significance;
   const std::vector<FittedEffect>& all = ranked.explanation.effects;
-  const OdeModel& model = ranked.explanation.fit.model;
-  return std::all_of(all.begin(), all.end() - 1, [&](const FittedEffect& old) {
-    const bool goes = std::abs(old.coefficient) < kTold * old.deviation ||
-                      mean_the_same(old, ranked.effect()) ||
-                      ranked.effect().candidate.plainer == old.candidate.effect;
-    return goes || is_plausible(old, model, effects, scope) ||
-           other_name_of(old, model, effects, scope);
-  });
+  for (std::size_t e = 0; e + 1 < all.size(); ++e) {
+    const bool goes = std::abs(all[e].coefficient) < told * all[e].deviation;
+    if (!goes && table.names_of(all[e], ranked.explanation.fit.model).empty() &&
+        !are_forms_of_one(all[e], names[e], ranked.effect(), leading_name(ranked.names),
+                          table.scope))
+      return false;
+  }
+  return true;
 }
 
 void sort_by_criterion(std::vector<RankedEffect>& effects) {
@@ -243,156 +206,157 @@ std::size_t keep_leaders(std::vector<RankedEffect>& sorted, Plausible plausible)
   return leaders;
 }
 
-/// Weights exp(-BIC/2) against the best; a second name of the same term weighs nothing.
-std::vector<double> weights_of(const std::vector<RankedEffect>& effects, double least) {
-  std::vector<double> weights;
-  for (auto effect = effects.begin(); effect != effects.end(); ++effect) {
-    const bool again = std::any_of(effects.begin(), effect, [&](const RankedEffect& other) {
-      return have_one_term(other.effect(), effect->effect());
-    });
-    weights.push_back(again ? 0.0 : std::exp(-0.5 * (effect->criterion - least)));
-  }
-  return weights;
+/// Whether two ranked effects are forms that have one leading name.
+bool mean_the_same(const RankedEffect& a, const RankedEffect& b) {
+  return in_one_place(a.effect().candidate, b.effect().candidate) &&
+         leading_name(a.names) == leading_name(b.names);
 }
 
 void set_probabilities(Ranking& ranking, double none_criterion) {
   double least = none_criterion;
   for (const RankedEffect& effect : ranking.effects) least = std::min(least, effect.criterion);
-  const std::vector<double> weights = weights_of(ranking.effects, least);
-  ranking.none = std::exp(-0.5 * (none_criterion - least));
-  const double sum = std::accumulate(weights.begin(), weights.end(), ranking.none);
-  ranking.none /= sum;
+  const auto weight = [&](double criterion) { return std::exp(-0.5 * (criterion - least)); };
+  double sum = weight(none_criterion);
+  for (const RankedEffect& effect : ranking.effects) sum += weight(effect.criterion);
+  ranking.none = weight(none_criterion) / sum;
   for (RankedEffect& effect : ranking.effects) {
     effect.probability = 0.0;
-    for (std::size_t j = 0; j < weights.size(); ++j)
-      if (mean_the_same(effect.effect(), ranking.effects[j].effect()))
-        effect.probability += weights[j] / sum;
+    for (const RankedEffect& other : ranking.effects)
+      if (mean_the_same(effect, other)) effect.probability += weight(other.criterion) / sum;
   }
-}
-
-/// Shape parameters and memory states: what makes a candidate less plain.
-Index intricacy(const RankedEffect& ranked) {
-  const Candidate& candidate = ranked.effect().candidate;
-  return static_cast<Index>(candidate.shapes.size() + 2 * candidate.memory.size());
 }
 
 /// Of those in the same equation that the data cannot tell from the best, the least intricate
 /// goes first.
-void put_least_intricate_first(std::vector<RankedEffect>& effects) {
+void put_least_intricate_first(std::vector<RankedEffect>& effects, double undecided) {
   if (effects.empty()) return;
-  const double limit = effects.front().criterion + kUndecided;
+  const double limit = effects.front().criterion + undecided;
   const Index equation = effects.front().effect().candidate.equation;
   auto place = effects.begin();
-  for (auto other = effects.begin(); other != effects.end(); ++other)
-    if (other->criterion <= limit && other->effect().candidate.equation == equation &&
-        intricacy(*other) < intricacy(*place))
+  for (auto other = effects.begin(); other != effects.end(); ++other) {
+    const Candidate& candidate = other->effect().candidate;
+    if (other->criterion <= limit && candidate.equation == equation &&
+        candidate.intricacy() < place->effect().candidate.intricacy())
       place = other;
+  }
   std::rotate(effects.begin(), place, place + 1);
 }
 
-/// The plainer of two names goes first where the data cannot tell them apart.
-void put_plainer_first(std::vector<RankedEffect>& effects) {
-  if (effects.empty() || !effects.front().effect().candidate.plainer) return;
-  const double limit = effects.front().criterion + kUndecided;
-  const auto place =
-      std::find_if(effects.begin() + 1, effects.end(), [&](const RankedEffect& other) {
-        return other.effect().candidate.effect == *effects.front().effect().candidate.plainer &&
-               other.criterion <= limit &&
-               other.effect().candidate.equation == effects.front().effect().candidate.equation;
+/// The short list fitted in few passes, and how many of it are fitted exactly.
+struct RoughRanking {
+  std::vector<RankedEffect> effects;  ///< best first
+  std::size_t exact = 0;
+};
+
+/// What an effect has to be to be ranked.
+class Requirements {
+ public:
+  Requirements(const EffectSearch& search, const Explanation& current)
+      : search_(search),
+        current_(current),
+        names_(present_names(current, search.names())),
+        rates_(rate_rms(current.fit).head(search.base.scope.model.dimension())) {}
+
+  /// Whether the fit is one and the disturbance falls.
+  bool sound(const RankedEffect& ranked) const {
+    return std::isfinite(ranked.criterion) &&
+           lessens_disturbance(ranked, current_, rates_,
+                               search_.problem.options.decision.major);
+  }
+
+  /// Whether it has a name, and those that were there before keep theirs.
+  bool plausible(const RankedEffect& ranked) const {
+    return !ranked.names.empty() && leaves_others_plausible(ranked, search_, names_);
+  }
+
+ private:
+  const EffectSearch& search_;
+  const Explanation& current_;
+  std::vector<std::string> names_;
+  Vector rates_;
+};
+
+/// The same search on one thread, for fits side by side.
+Problem alone(const Problem& problem, const RunContext& quiet) {
+  return {problem.nominal, problem.records, problem.options, quiet};
+}
+
+RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current,
+                          const Requirements& required,
+                          const std::vector<ScreenedCandidate>& screened) {
+  const RunContext& context = search.problem.context;
+  const DecisionOptions& decision = search.problem.options.decision;
+  const auto tried = static_cast<double>(screened.size());
+  const std::vector<ScreenedCandidate> list = short_list(screened, decision);
+  context.report("fitting candidates", 0.0);
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem problem = alone(search.problem, quiet);
+  RoughRanking rough{fitted_in_parallel(list.size(), context.threads, [&](std::size_t i) {
+    std::vector<FittedEffect> effects = current.effects;
+    effects.push_back({list[i].candidate, list[i].shapes, list[i].coefficient, 0.0});
+    return judged(search, current,
+                  explain_roughly_on(problem, search.base, current.fit, effects), tried);
+  })};
+  // Numbers at shapes that are not settled say nothing against a name.
+  std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
+    return !required.sound(ranked) ||
+           (ranked.effect().shapes.size() == 0 && !required.plausible(ranked));
+  });
+  sort_by_criterion(rough.effects);
+  const std::size_t leaders = keep_leaders(
+      rough.effects, [&](const RankedEffect& ranked) { return required.plausible(ranked); });
+  rough.exact = std::min(rough.effects.size(),
+                         leaders + static_cast<std::size_t>(decision.exact_fits));
+  return rough;
+}
+
+/// Fits the best of a rough ranking exactly.
+std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explanation& current,
+                                       const Requirements& required, RoughRanking rough,
+                                       double tried) {
+  const RunContext& context = search.problem.context;
+  context.report("fitting candidates exactly", 0.0);
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem problem = alone(search.problem, quiet);
+  std::vector<RankedEffect> fitted =
+      fitted_in_parallel(rough.exact, context.threads, [&](std::size_t i) {
+        const Explanation& start = rough.effects[i].explanation;
+        return judged(search, current,
+                      explain_on(problem, search.base, start.fit, start.effects), tried);
       });
-  if (place != effects.end()) std::rotate(effects.begin(), place, place + 1);
+  std::move(fitted.begin(), fitted.end(), rough.effects.begin());
+  std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
+    return !required.sound(ranked) || !required.plausible(ranked);
+  });
+  sort_by_criterion(rough.effects);
+  return std::move(rough.effects);
 }
 
 }  // namespace
 
-bool have_one_term(const FittedEffect& a, const FittedEffect& b) {
-  const auto term = [](const FittedEffect& effect) {
-    return bind_form(effect.candidate,
-                     {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())})
-        .to_string();
-  };
-  const bool plain = a.candidate.memory.empty() && b.candidate.memory.empty();
-  return plain && a.candidate.place == b.candidate.place &&
-         a.candidate.equation == b.candidate.equation && term(a) == term(b);
+bool are_forms_of_one(const FittedEffect& a, const std::string& name_of_a,
+                      const FittedEffect& b, const std::string& name_of_b, const Scope& scope) {
+  if (!in_one_place(a.candidate, b.candidate)) return false;
+  return name_of_a == name_of_b || nests(a.candidate, b.candidate, b.shapes, scope) ||
+         nests(b.candidate, a.candidate, a.shapes, scope);
 }
 
-bool is_plausible(const FittedEffect& fitted, const OdeModel& model,
-                  const std::vector<Stage<Effect>>& effects, const Scope& scope) {
-  for (const Stage<Effect>& effect : effects)
-    if (effect->info().name == fitted.candidate.effect)
-      return effect->plausible(scope, fitted.candidate,
-                               {model, fitted.coefficient, fitted.deviation, fitted.shapes});
-  return true;
-}
-
-std::optional<Candidate> other_name_of(const FittedEffect& fitted, const OdeModel& model,
-                                       const std::vector<Stage<Effect>>& effects,
-                                       const Scope& scope) {
-  std::optional<Candidate> best;
-  for (const Stage<Effect>& family : effects)
-    for (Candidate& other : family->candidates(scope, fitted.candidate.equation)) {
-      if (other.shapes.size() != fitted.candidate.shapes.size()) continue;
-      FittedEffect renamed = fitted;
-      renamed.candidate = other;
-      const bool fits =
-          have_one_term(renamed, fitted) && is_plausible(renamed, model, effects, scope);
-      if (fits && (!best || best->plainer == other.effect)) best = std::move(other);
-    }
-  return best;
-}
-
-bool mean_the_same(const FittedEffect& a, const FittedEffect& b) {
-  const bool same_name = a.candidate.effect == b.candidate.effect;
-  return (same_name && same_place(a.candidate, b.candidate)) || have_one_term(a, b);
-}
-
-Ranking rank(const Dataset& data, const Explanation& current,
-             const std::vector<Stage<Effect>>& effects, const Scope& scope,
-             const AssimilationOptions& options, const RankOptions& rank_options,
-             const RunContext& context) {
+Ranking rank(const EffectSearch& search, const Explanation& current) {
+  const DecisionOptions& decision = search.problem.options.decision;
   const Screening screening(current.fit);
+  const double shape_price = search.problem.options.criterion->penalty(
+      {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
   const std::vector<ScreenedCandidate> screened =
-      screen(all_candidates(effects, scope, current), screening, context);
+      screen(all_candidates(search, current), screening, {shape_price, decision.worth_shaping},
+             search.problem.context);
+  const Requirements required(search, current);
   Ranking ranking;
   for (const ScreenedCandidate& candidate : screened) ranking.tried += candidate.tried;
-  const RunContext quiet{context.stop, {}, 1, context.seed};
-  const Ranker ranker(data, scope.model, current, options, quiet);
-  const auto tried = static_cast<double>(screened.size());
-  const Vector rates = rate_rms(current.fit).head(scope.model.dimension());
-  const auto is_sound = [&](const RankedEffect& ranked) {
-    return std::isfinite(ranked.criterion) && lessens_disturbance(ranked, current, rates);
-  };
-  const auto plausible = [&](const RankedEffect& ranked) {
-    return is_plausible(ranked.effect(), ranked.explanation.fit.model, effects, scope) &&
-           leaves_others_plausible(ranked, effects, scope);
-  };
-  std::vector<FittedEffect> chosen;
-  for (const ScreenedCandidate& next : short_list(screened, rank_options.refits))
-    chosen.push_back({next.candidate, next.shapes, next.coefficient, 0.0});
-  context.report("fitting candidates", 0.0);
-  ranking.effects = fitted_in_parallel(
-      chosen, context.threads, [&](std::size_t i) { return ranker.rough(chosen[i], tried); });
-  // Numbers at shapes that are not settled say nothing against a name.
-  std::erase_if(ranking.effects, [&](const auto& ranked) {
-    return !is_sound(ranked) || (ranked.effect().shapes.size() == 0 && !plausible(ranked));
-  });
-  sort_by_criterion(ranking.effects);
-  const std::size_t leaders = keep_leaders(ranking.effects, plausible);
-  const std::size_t exact =
-      std::min(ranking.effects.size(), leaders + static_cast<std::size_t>(rank_options.exact));
-  context.report("fitting candidates exactly", 0.0);
-  chosen.clear();
-  for (std::size_t i = 0; i < exact; ++i) chosen.push_back(ranking.effects[i].effect());
-  std::vector<RankedEffect> fitted = fitted_in_parallel(
-      chosen, context.threads,
-      [&](std::size_t i) { return ranker.exact(ranking.effects[i], tried); });
-  std::move(fitted.begin(), fitted.end(), ranking.effects.begin());
-  std::erase_if(ranking.effects,
-                [&](const auto& ranked) { return !is_sound(ranked) || !plausible(ranked); });
-  sort_by_criterion(ranking.effects);
-  set_probabilities(ranking, bic_of(current));
-  put_least_intricate_first(ranking.effects);
-  put_plainer_first(ranking.effects);
+  ranking.effects =
+      rank_exactly(search, current, required, rank_roughly(search, current, required, screened),
+                   static_cast<double>(screened.size()));
+  set_probabilities(ranking, criterion_of(search.problem, search.base, current));
+  put_least_intricate_first(ranking.effects, decision.undecided);
   return ranking;
 }
 

@@ -11,9 +11,6 @@
 namespace lacuna {
 namespace {
 
-/// What a part of a residual function is called, which is no name of an effect.
-constexpr const char* kStopGap = "stop-gap";
-
 std::vector<Term> monomials_of(const OdeModel& model) {
   constexpr std::size_t kMost = 35;  // degree 3 in four variables
   const Variables states{model.variables().states, {}};
@@ -37,9 +34,7 @@ void add_polynomials(const OdeModel& nominal, Index equation, Explanation& expla
   for (const Term& term : monomials_of(nominal)) {
     if (stands_in(explanation, equation, term)) continue;
     Candidate candidate;
-    candidate.effect = kStopGap;
-    candidate.description = "part of a polynomial";
-    candidate.argument = candidate.form = term.name();
+    candidate.argument = candidate.form = term.expression();
     candidate.equation = equation;
     explanation.effects.push_back({std::move(candidate), Vector(0), 0.0, 0.0});
   }
@@ -56,11 +51,15 @@ std::optional<Explanation> with_polynomials(const Problem& problem, const Accoun
     if (is_substantial(structure, decision))
       add_polynomials(problem.nominal, structure.equation, filled);
   filled = explain_on(problem, *best.base, best.explanation.fit, filled.effects);
-  const auto removed = std::erase_if(filled.effects, [&](const FittedEffect& effect) {
-    return effect.candidate.effect == kStopGap &&
-           std::abs(effect.coefficient) < decision.significance * effect.deviation;
-  });
-  if (removed > 0)
+  const auto filling =
+      filled.effects.begin() + static_cast<std::ptrdiff_t>(best.explanation.effects.size());
+  const auto kept =
+      std::remove_if(filling, filled.effects.end(), [&](const FittedEffect& effect) {
+        return std::abs(effect.coefficient) < decision.significance * effect.deviation;
+      });
+  const bool removed = kept != filled.effects.end();
+  filled.effects.erase(kept, filled.effects.end());
+  if (removed)
     filled = explain_on(problem, *best.base, best.explanation.fit, filled.effects);
   Account account = best;
   account.explanation = filled;

@@ -4,340 +4,274 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "effect_size.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/hypotheses/rank.hpp"
+#include "lacuna/hypotheses/named_effects.hpp"
 
 namespace lacuna {
 namespace {
 
-std::string term_of(const FittedEffect& effect) {
-  return bind_form(effect.candidate,
-                   {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())})
-      .to_string();
+const DecisionOptions& decision_of(const EffectSearch& search) {
+  return search.problem.options.decision;
 }
 
-std::string cause_of(const std::string& name, const std::vector<Stage<Effect>>& effects) {
-  for (const Stage<Effect>& effect : effects)
-    if (effect->info().name == name) return std::string(effect->typical_cause());
-  return "";
+Explanation explain_from(const EffectSearch& search, const Explanation& start,
+                         const std::vector<FittedEffect>& effects) {
+  return explain_on(search.problem, search.base, start.fit, effects);
 }
 
-NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking,
-                        const DiagnosisOptions& options) {
-  constexpr std::size_t kAlternatives = 4;
-  const FittedEffect& fitted = ranked.effect();
-  NamedEffect named;
-  named.equation = fitted.candidate.equation;
-  named.name = fitted.candidate.effect;
-  named.description = fitted.candidate.description;
-  named.cause = cause_of(named.name, options.effects);
-  named.sigma = ranked.sigma;
-  named.contribution = ranked.contribution;
-  named.probability = ranked.probability;
-  named.tried = ranking.tried;
-  for (const RankedEffect& other : ranking.effects) {
-    const bool same_name = other.effect().candidate.effect == named.name;
-    if (same_name && mean_the_same(ranked.effect(), other.effect())) continue;
-    if (named.alternatives.size() == kAlternatives) break;
-    named.alternatives.push_back(
-        {other.effect().candidate.effect, term_of(other.effect()), other.probability});
-  }
-  return named;
+double criterion_of(const EffectSearch& search, const Explanation& explanation) {
+  return criterion_of(search.problem, search.base, explanation);
 }
 
-NamedParameter parameter_of(const FittedEffect& fitted, std::size_t s) {
-  const ShapeParameter& shape = fitted.candidate.shapes[s];
-  const auto i = static_cast<Index>(s);
-  NamedParameter parameter{shape.name, shape.unit, fitted.shapes[i], {}};
-  if (i < fitted.shape_deviations.size() && fitted.shape_deviations[i] > 0.0)
-    parameter.deviation = fitted.shape_deviations[i];
-  return parameter;
+/// Coefficient over its standard error; infinite where it has none.
+double told_from_zero(const FittedEffect& effect) {
+  return effect.deviation > 0.0 ? std::abs(effect.coefficient) / effect.deviation : INFINITY;
 }
 
-/// What makes a name less plain: shape parameters and memory, then the depth of its formula.
-std::pair<std::size_t, int> intricacy(const FittedEffect& effect) {
-  const Candidate& candidate = effect.candidate;
-  const std::span<const double> shapes(effect.shapes.data(),
-                                       static_cast<std::size_t>(effect.shapes.size()));
-  return {candidate.shapes.size() + 2 * candidate.memory.size(),
-          bind_form(candidate, shapes).depth()};
-}
-
-/// Another name for an effect.
-struct Plainer {
-  NamedEffect named;
-  FittedEffect effect;
+/// Why an effect is not acceptable; nothing when it is.
+struct Shortfall {
+  std::string quantity;
+  double value = 0.0;
+  double threshold = 0.0;
 };
 
-/// The names in a ranking that are plainer than one of them, plainest first.
-std::vector<Plainer> plainer_than(const RankedEffect& ranked, const Ranking& ranking,
-                                  const DiagnosisOptions& options) {
-  std::vector<Plainer> result;
-  const Candidate& candidate = ranked.effect().candidate;
-  for (const RankedEffect& other : ranking.effects)
-    if (other.effect().candidate.equation == candidate.equation &&
-        other.effect().candidate.place == candidate.place &&
-        other.sigma >= options.decision.significance &&
-        other.contribution >= options.decision.effect_size &&
-        intricacy(other.effect()) < intricacy(ranked.effect()))
-      result.push_back({name_effect(other, ranking, options), other.effect()});
-  std::stable_sort(result.begin(), result.end(), [](const Plainer& a, const Plainer& b) {
-    return intricacy(a.effect) < intricacy(b.effect);
-  });
-  return result;
+/// The gain has to be the effect's own: with a coefficient that is not told from 0 it is that of
+/// effects before it, whose shapes have moved.
+std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
+                                   const FoundEffects& found, const RankedEffect& ranked) {
+  const DecisionOptions& decision = decision_of(search);
+  if (ranked.sigma < decision.significance)
+    return Shortfall{"significance", ranked.sigma, decision.significance};
+  if (ranked.contribution < decision.effect_size)
+    return Shortfall{"effect size", ranked.contribution, decision.effect_size};
+  if (const double told = told_from_zero(ranked.effect()); told < decision.significance)
+    return Shortfall{"coefficient over its error", told, decision.significance};
+  if (!found.named.empty() && !size.counts(found.explanation, ranked.explanation))
+    return Shortfall{"share of what is left that goes",
+                     1.0 - size.disturbance(ranked.explanation.fit, ranked.effect().candidate),
+                     decision.minor};
+  return std::nullopt;
 }
 
-class Search {
- public:
-  Search(const Problem& problem, const Baseline& base,
-         const std::vector<Stage<Effect>>& effects)
-      : data_(base.records->data),
-        base_(base.fitted),
-        scope_(base.scope),
-        fit_options_(base.fit_options),
-        options_(problem.options),
-        effects_(effects),
-        context_(problem.context),
-        substance_(problem, base),
-        result_{{{}, base.fitted}, {}, {}, {}} {}
+/// Drop of the disturbance variance of an equation, as a share of the baseline's.
+double drop_of(const EffectSearch& search, const Explanation& before, const Explanation& after,
+               Index equation) {
+  const auto variance = [&](const Assimilation& fit) {
+    return std::pow(fit.noise.disturbance[equation], 2);
+  };
+  const double first = variance(search.base.fitted);
+  return first > 0.0 ? (variance(before.fit) - variance(after.fit)) / first : 0.0;
+}
 
-  SearchResult run() {
-    do {
-      result_.left = test_disturbances(result_.explanation.fit, context_);
-    } while (may_go_on() && add_one());
-    prefer_plain();
-    settle_names();
-    update_numbers(result_.explanation, result_.named);
-    return std::move(result_);
-  }
+/// Whether all effects have numbers such as they can have, by whatever name.
+bool all_named(const EffectSearch& search, const Explanation& explanation) {
+  const NameTable table = search.names();
+  return std::none_of(explanation.effects.begin(), explanation.effects.end(),
+                      [&](const FittedEffect& one) {
+                        return table.names_of(one, explanation.fit.model).empty();
+                      });
+}
 
- private:
-  /// Later effects are sought only where something is left; the first one may be of a kind that
-  /// a white disturbance hardly shows (a small constant, a line).
-  bool may_go_on() const {
-    if (static_cast<int>(result_.named.size()) >= options_.decision.max_effects) return false;
-    return result_.named.empty() ||
-           std::any_of(result_.left.begin(), result_.left.end(), [&](const auto& left) {
-             return is_substantial(left, options_.decision);
-           });
-  }
-
-  bool acceptable(const RankedEffect& ranked) const {
-    return ranked.sigma >= options_.decision.significance &&
-           ranked.contribution >= options_.decision.effect_size &&
-           has_a_part(ranked.effect()) &&
-           (result_.named.empty() ||
-            substance_.counts(result_.explanation, ranked.explanation));
-  }
-
-  /// Whether the gain is the effect's own: with a coefficient that is not told from 0 it is
-  /// that of effects before it, whose shapes have moved.
-  bool has_a_part(const FittedEffect& effect) const {
-    return std::abs(effect.coefficient) >= options_.decision.significance * effect.deviation;
-  }
-
-  /// The best effect that may come in, or take the place of another form of itself.
-  bool add_one() {
-    const Ranking ranking =
-        rank(data_, result_.explanation, effects_, scope_, fit_options_,
-             {options_.decision.rough_fits, options_.decision.exact_fits}, context_);
-    Round round{ranking.tried, "", 0.0, false};
-    if (!ranking.effects.empty()) show(ranking.effects.front(), round);
-    for (const RankedEffect& ranked : ranking.effects) {
-      if (!acceptable(ranked)) continue;
-      const auto other = other_form_of(ranked.effect().candidate);
-      round.accepted = other ? replace(*other, ranked, ranking) : add(ranked, ranking);
-      if (!round.accepted) continue;
-      show(ranked, round);
-      break;
-    }
-    result_.rounds.push_back(round);
-    return round.accepted;
-  }
-
-  static void show(const RankedEffect& ranked, Round& round) {
-    round.best = ranked.effect().candidate.effect + ": " + term_of(ranked.effect());
-    round.sigma = ranked.sigma;
-  }
-
-  bool add(const RankedEffect& ranked, const Ranking& ranking) {
-    result_.named.push_back(name_effect(ranked, ranking, options_));
-    result_.named.back().gap_closed = closed_by(ranked.explanation);
-    plainer_.push_back(plainer_than(ranked, ranking, options_));
-    result_.explanation = ranked.explanation;
-    look_back();
+/// Takes out the first effect that is not told from 0 any more, if the records are explained no
+/// worse without it. @return whether there was one.
+bool take_out_one(const EffectSearch& search, FoundEffects& found) {
+  for (std::size_t e = 0; e + 1 < found.explanation.effects.size(); ++e) {
+    if (told_from_zero(found.explanation.effects[e]) >= decision_of(search).significance)
+      continue;
+    const auto place = static_cast<std::ptrdiff_t>(e);
+    std::vector<FittedEffect> rest = found.explanation.effects;
+    rest.erase(rest.begin() + place);
+    Explanation smaller = explain_from(search, found.explanation, rest);
+    if (criterion_of(search, smaller) > criterion_of(search, found.explanation)) continue;
+    found.explanation = std::move(smaller);
+    found.named.erase(found.named.begin() + place);
+    found.plainer.erase(found.plainer.begin() + place);
     return true;
   }
+  return false;
+}
 
-  /// An effect that is there already, of the same name and of the same variable, in another
-  /// form: dry friction as sign(v) when tanh(v/w) comes; or the plainer effect of which the
-  /// candidate is a special case.
-  std::optional<std::size_t> other_form_of(const Candidate& candidate) const {
-    const std::vector<FittedEffect>& effects = result_.explanation.effects;
-    for (std::size_t e = 0; e < effects.size(); ++e) {
-      const Candidate& old = effects[e].candidate;
-      const bool same_kind = old.effect == candidate.effect && old.form != candidate.form;
-      if (old.equation == candidate.equation && old.argument == candidate.argument &&
-          (same_kind || candidate.plainer == old.effect))
-        return e;
+void add(const EffectSearch& search, const RankedEffect& ranked, const Ranking& ranking,
+         FoundEffects& found) {
+  const Index equation = ranked.effect().candidate.equation;
+  found.named.push_back(name_effect(ranked, ranking));
+  found.named.back().gap_closed = std::clamp(
+      drop_of(search, found.explanation, ranked.explanation, equation), 0.0, 1.0);
+  found.plainer.push_back(plainer_forms(ranked, ranking, decision_of(search)));
+  found.explanation = ranked.explanation;
+  while (take_out_one(search, found)) {
+  }
+}
+
+/// An effect that is there already in another form: dry friction as sign(v) when tanh(v/w)
+/// comes, or a special case of the candidate.
+std::optional<std::size_t> other_form_of(const EffectSearch& search, const FoundEffects& found,
+                                         const RankedEffect& ranked) {
+  const std::vector<FittedEffect>& effects = found.explanation.effects;
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    if (!are_one_form(effects[e].candidate, ranked.effect().candidate) &&
+        are_forms_of_one(effects[e], found.named[e].name, ranked.effect(),
+                         ranked.names.front().name, search.base.scope))
+      return e;
+  return std::nullopt;
+}
+
+/// Puts another form in the place of effect `e`.
+void take_place(const EffectSearch& search, std::size_t e, NamedEffect named, Explanation next,
+                FoundEffects& found) {
+  const double drop = drop_of(search, found.explanation, next, named.equation);
+  named.gap_closed = std::clamp(found.named[e].gap_closed + drop, 0.0, 1.0);
+  found.named[e] = std::move(named);
+  found.explanation = std::move(next);
+}
+
+Explanation with_form(const EffectSearch& search, const FoundEffects& found, std::size_t e,
+                      const FittedEffect& form) {
+  std::vector<FittedEffect> effects = found.explanation.effects;
+  effects[e] = form;
+  return explain_from(search, found.explanation, effects);
+}
+
+/// Puts another form of an effect in its place, when that is better beyond doubt.
+bool replace(const EffectSearch& search, std::size_t old, const RankedEffect& ranked,
+             const Ranking& ranking, FoundEffects& found) {
+  Explanation next = with_form(search, found, old, ranked.effect());
+  const double now = criterion_of(search, found.explanation);
+  if (!(criterion_of(search, next) < now - decision_of(search).undecided) ||
+      !all_named(search, next))
+    return false;
+  take_place(search, old, name_effect(ranked, ranking), std::move(next), found);
+  found.plainer[old] = plainer_forms(ranked, ranking, decision_of(search));
+  return true;
+}
+
+std::string says(const EffectSearch& search, const RankedEffect& ranked) {
+  const auto k = static_cast<std::size_t>(ranked.effect().candidate.equation);
+  return ranked.names.front().name + " in d" + search.problem.nominal.states()[k].name +
+         "/dt: " + term_of(ranked.effect());
+}
+
+/// One candidate of a round: whether it comes in, and what decided. @param taken whether one
+/// came in before it.
+Rival try_candidate(const EffectSearch& search, const EffectSize& size,
+                    const RankedEffect& ranked, const Ranking& ranking, FoundEffects& found) {
+  Rival rival{std::string(kNamedEffects.name), says(search, ranked), ranked.criterion};
+  if (const auto why = shortfall(search, size, found, ranked)) {
+    rival.quantity = why->quantity;
+    rival.value = why->value;
+    rival.threshold = why->threshold;
+    return rival;
+  }
+  rival.quantity = "significance";
+  rival.value = ranked.sigma;
+  rival.threshold = decision_of(search).significance;
+  if (const auto other = other_form_of(search, found, ranked)) {
+    rival.taken = replace(search, *other, ranked, ranking, found);
+    if (!rival.taken) rival.rule = "another form of an effect that is there does as well";
+    return rival;
+  }
+  add(search, ranked, ranking, found);
+  rival.taken = true;
+  return rival;
+}
+
+/// The best effect that may come in, or take the place of another form of itself.
+/// @return whether one did.
+bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+  const Ranking ranking = rank(search, found.explanation);
+  Round round{ranking.tried, "", 0.0, false};
+  double best = 0.0;
+  for (const RankedEffect& ranked : ranking.effects) {
+    const std::string label = ranked.names.front().name + ": " + term_of(ranked.effect());
+    if (round.best.empty()) round = {ranking.tried, label, ranked.sigma, false};
+    if (round.accepted) {
+      const std::string name(search.problem.options.criterion->info().name);
+      found.rivals.push_back({std::string(kNamedEffects.name), says(search, ranked),
+                              ranked.criterion, false, name, ranked.criterion, best});
+      continue;
     }
-    return std::nullopt;
+    Rival rival = try_candidate(search, size, ranked, ranking, found);
+    if (rival.taken) {
+      round = {ranking.tried, label, ranked.sigma, true};
+      best = ranked.criterion;
+    }
+    found.rivals.push_back(std::move(rival));
   }
+  found.rounds.push_back(round);
+  return round.accepted;
+}
 
-  /// Puts another form of an effect in its place, when that is better.
-  bool replace(std::size_t old, const RankedEffect& ranked, const Ranking& ranking) {
-    std::vector<FittedEffect> effects = result_.explanation.effects;
-    effects[old] = ranked.effect();
-    Explanation next = explain(data_, scope_.model, result_.explanation.fit, std::move(effects),
-                               fit_options_, context_);
-    if (!(criterion_of(next) <
-          criterion_of(result_.explanation) - options_.decision.undecided) ||
-        !all_plausible(next))
-      return false;
-    const double closed = result_.named[old].gap_closed;
-    result_.named[old] = name_effect(ranked, ranking, options_);
-    const Index k = ranked.effect().candidate.equation;
-    result_.named[old].gap_closed = std::clamp(closed + drop_of(next, k), 0.0, 1.0);
-    plainer_[old] = plainer_than(ranked, ranking, options_);
-    result_.explanation = std::move(next);
-    return true;
+bool is_left_in(const std::vector<EquationStructure>& left, const DecisionOptions& decision,
+                std::optional<Index> equation = {}) {
+  return std::any_of(left.begin(), left.end(), [&](const EquationStructure& structure) {
+    return (!equation || structure.equation == *equation) &&
+           is_substantial(structure, decision);
+  });
+}
+
+/// Later effects are sought only where something is left; the first one may be of a kind that a
+/// white disturbance hardly shows (a small constant, a line).
+bool may_go_on(const EffectSearch& search, const FoundEffects& found) {
+  const DecisionOptions& decision = decision_of(search);
+  if (static_cast<int>(found.named.size()) >= decision.max_effects) return false;
+  return found.named.empty() || is_left_in(found.left, decision);
+}
+
+/// Puts a plainer form in the place of an effect where it leaves hardly more.
+bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
+            const OtherForm& plainer, FoundEffects& found) {
+  const Candidate& candidate = plainer.effect.candidate;
+  Explanation next = with_form(search, found, e, plainer.effect);
+  if (!std::isfinite(next.fit.deviance) || !all_named(search, next) ||
+      !size.is_near(next.fit, found.explanation.fit, candidate))
+    return false;
+  found.rounds.push_back({1, plainer.named.name + ": " + term_of(plainer.effect),
+                          plainer.named.sigma, true});
+  take_place(search, e, plainer.named, std::move(next), found);
+  found.left = test_disturbances(found.explanation.fit, search.problem.context);
+  return true;
+}
+
+/// Where structure is left in the end, special forms that the likelihood prefers for it give way
+/// to plain ones.
+void prefer_plain(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+  for (std::size_t e = found.named.size(); e-- > 0;) {
+    if (!is_left_in(found.left, decision_of(search), found.named[e].equation)) continue;
+    const std::vector<OtherForm> plainer = found.plainer[e];
+    for (const OtherForm& form : plainer)
+      if (prefer(search, size, e, form, found)) break;
   }
+}
 
-  /// Share of the nominal model's disturbance variance that goes with the newest effect.
-  double closed_by(const Explanation& next) const {
-    return std::clamp(drop_of(next, next.effects.back().candidate.equation), 0.0, 1.0);
-  }
-
-  double drop_of(const Explanation& next, Index k) const {
-    const double first = std::pow(base_.noise.disturbance[k], 2);
-    const double before = std::pow(result_.explanation.fit.noise.disturbance[k], 2);
-    const double after = std::pow(next.fit.noise.disturbance[k], 2);
-    return first > 0.0 ? (before - after) / first : 0.0;
-  }
-
-  /// Whether all effects have numbers such as they can have, by whatever name.
-  bool all_plausible(const Explanation& next) const {
-    return std::all_of(next.effects.begin(), next.effects.end(), [&](const FittedEffect& one) {
-      return is_plausible(one, next.fit.model, effects_, scope_) ||
-             other_name_of(one, next.fit.model, effects_, scope_);
+/// Numbers may have moved since an effect was named: it gets the name that they have now.
+void settle_names(const EffectSearch& search, FoundEffects& found) {
+  const NameTable table = search.names();
+  for (std::size_t e = 0; e < found.named.size(); ++e) {
+    const FittedEffect& effect = found.explanation.effects[e];
+    const std::vector<Name> names = table.names_of(effect, found.explanation.fit.model);
+    NamedEffect& named = found.named[e];
+    if (names.empty() || names.front().name == named.name) continue;
+    take_name(effect, names.front(), named);
+    std::erase_if(named.alternatives, [&](const Alternative& alternative) {
+      return alternative.name == named.name;
     });
   }
-
-  /// Numbers may have moved since an effect was named: what is then not plausible by its name
-  /// gets that of the same term by which it is.
-  void settle_names() {
-    const OdeModel& model = result_.explanation.fit.model;
-    for (std::size_t e = 0; e < result_.named.size(); ++e) {
-      FittedEffect& effect = result_.explanation.effects[e];
-      if (is_plausible(effect, model, effects_, scope_)) continue;
-      const auto other = other_name_of(effect, model, effects_, scope_);
-      if (!other) continue;
-      NamedEffect& named = result_.named[e];
-      std::erase_if(named.alternatives, [&](const Alternative& alternative) {
-        return alternative.name == other->effect;
-      });
-      named.name = other->effect;
-      named.description = other->description;
-      named.cause = cause_of(named.name, effects_);
-      effect.candidate = *other;
-    }
-  }
-
-  /// Takes out effects that the newest one makes superfluous.
-  void look_back() {
-    while (take_out_one()) {
-    }
-  }
-
-  /// Takes out the first effect that is not told from 0 any more, if the records are explained
-  /// no worse without it by BIC.
-  bool take_out_one() {
-    for (std::size_t e = 0; e + 1 < result_.explanation.effects.size(); ++e) {
-      if (has_a_part(result_.explanation.effects[e])) continue;
-      std::vector<FittedEffect> rest = result_.explanation.effects;
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(e));
-      Explanation smaller =
-          explain(data_, scope_.model, result_.explanation.fit, rest, fit_options_, context_);
-      if (criterion_of(smaller) > criterion_of(result_.explanation)) continue;
-      result_.explanation = std::move(smaller);
-      result_.named.erase(result_.named.begin() + static_cast<std::ptrdiff_t>(e));
-      plainer_.erase(plainer_.begin() + static_cast<std::ptrdiff_t>(e));
-      return true;
-    }
-    return false;
-  }
-
-  /// Where structure is left in the end, special names for it that the likelihood prefers give
-  /// way to plain ones that leave hardly more.
-  void prefer_plain() {
-    for (std::size_t e = result_.named.size(); e-- > 0;) {
-      const Index equation = result_.named[e].equation;
-      const bool is_left =
-          std::any_of(result_.left.begin(), result_.left.end(), [&](const auto& left) {
-            return left.equation == equation && is_substantial(left, options_.decision);
-          });
-      if (!is_left) continue;
-      for (Plainer& plainer : plainer_[e])
-        if (put_in_place(e, plainer)) break;
-    }
-  }
-
-  bool put_in_place(std::size_t e, Plainer& plainer) {
-    std::vector<FittedEffect> effects = result_.explanation.effects;
-    effects[e] = plainer.effect;
-    Explanation next = explain(data_, scope_.model, result_.explanation.fit, std::move(effects),
-                               fit_options_, context_);
-    const Candidate& candidate = plainer.effect.candidate;
-    if (!std::isfinite(next.fit.deviance) || !all_plausible(next) ||
-        !substance_.is_near(next.fit, result_.explanation.fit, candidate))
-      return false;
-    const double closed = result_.named[e].gap_closed;
-    result_.named[e] = plainer.named;
-    result_.named[e].gap_closed =
-        std::clamp(closed + drop_of(next, candidate.equation), 0.0, 1.0);
-    result_.rounds.push_back(
-        {1, plainer.named.name + ": " + term_of(plainer.effect), plainer.named.sigma, true});
-    result_.explanation = std::move(next);
-    result_.left = test_disturbances(result_.explanation.fit, context_);
-    return true;
-  }
-
-  const Dataset& data_;
-  const Assimilation& base_;
-  const Scope& scope_;
-  const AssimilationOptions& fit_options_;
-  const DiagnosisOptions& options_;
-  const std::vector<Stage<Effect>>& effects_;
-  const RunContext& context_;
-  const EffectSize substance_;
-  SearchResult result_;
-  std::vector<std::vector<Plainer>> plainer_;  ///< of each named effect, plainest first
-};
+}
 
 }  // namespace
 
-void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
-  for (std::size_t e = 0; e < named.size(); ++e) {
-    const FittedEffect& fitted = explanation.effects[e];
-    named[e].term = term_of(fitted);
-    named[e].coefficient = fitted.coefficient;
-    named[e].deviation = fitted.deviation;
-    named[e].parameters.clear();
-    for (std::size_t s = 0; s < fitted.candidate.shapes.size(); ++s)
-      named[e].parameters.push_back(parameter_of(fitted, s));
-  }
-}
-
-double criterion_of(const Explanation& explanation) {
-  return explanation.fit.deviance + static_cast<double>(explanation.parameters()) *
-                                        std::log(static_cast<double>(explanation.fit.used));
-}
-
-SearchResult search_effects(const Problem& problem, const Baseline& base,
-                            const std::vector<Stage<Effect>>& effects) {
-  return Search(problem, base, effects).run();
+FoundEffects search_effects(const EffectSearch& search) {
+  const EffectSize size(search.problem, search.base);
+  FoundEffects found{{{}, search.base.fitted}};
+  do {
+    found.left = test_disturbances(found.explanation.fit, search.problem.context);
+  } while (may_go_on(search, found) && add_one(search, size, found));
+  prefer_plain(search, size, found);
+  settle_names(search, found);
+  update_numbers(found.explanation, found.named);
+  return found;
 }
 
 }  // namespace lacuna

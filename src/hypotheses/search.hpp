@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The rounds of a diagnosis: one effect after another.
+// The rounds of a search: one effect after another.
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "effect_names.hpp"
 #include "lacuna/hypotheses/account.hpp"
+#include "lacuna/hypotheses/rank.hpp"
 
 namespace lacuna {
 
-/// What the rounds ended with.
-struct SearchResult {
+/// Effects that were found, in the order in which they came in.
+struct FoundEffects {
   Explanation explanation;
-  std::vector<NamedEffect> named;  ///< one for each effect of the explanation
-  std::vector<Round> rounds;
-  std::vector<EquationStructure> left;
+  std::vector<NamedEffect> named = {};               ///< one for each effect of the explanation
+  std::vector<std::vector<OtherForm>> plainer = {};  ///< forms that may take their places
+  std::vector<Round> rounds = {};
+  std::vector<EquationStructure> left = {};  ///< what they leave over
+  std::vector<Rival> rivals = {};            ///< candidates of all rounds, taken or not
 };
 
 /// Adds effects until none is significant and of the size of an effect, or there are enough;
-/// effects that later ones make superfluous are taken out again.
-SearchResult search_effects(const Problem& problem, const Baseline& base,
-                            const std::vector<Stage<Effect>>& effects);
-
-/// BIC of an explanation.
-double criterion_of(const Explanation& explanation);
+/// effects that later ones make superfluous are taken out again. Where structure is left in the
+/// end special forms give way to plain ones that leave hardly more. Names are those of the
+/// numbers that the effects have in the end.
+FoundEffects search_effects(const EffectSearch& search);
 
 }  // namespace lacuna

@@ -28,7 +28,8 @@ Proposals SensorFault::do_propose(const Problem& problem, const Account& best) c
   std::erase_if(dynamics, [&](const Stage<Effect>& effect) {
     return is_fault(*effect, best.base->scope);
   });
-  Account other = searched(problem, best.base, dynamics);
+  SearchedAccount found = searched(problem, best.base, dynamics);
+  Account& other = found.account;
   other.hypothesis = info().name;
   if (!closes_most(other, problem))
     return {{},
@@ -43,7 +44,7 @@ Proposals SensorFault::do_propose(const Problem& problem, const Account& best) c
   Proposal proposal{std::move(other)};
   proposal.precedence =
       "a fault of the measurement leaves structure; effects of the dynamics alone explain most";
-  return {{std::move(proposal)}, {}};
+  return {{std::move(proposal)}, std::move(found.rivals)};
 }
 
 }  // namespace lacuna

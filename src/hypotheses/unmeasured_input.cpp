@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "effect_names.hpp"
 #include "function_basis.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
@@ -88,12 +89,7 @@ double contribution_of(const Explanation& explanation, const Search& search) {
 }
 
 double value_of(const Explanation& explanation, const Search& search) {
-  const Baseline& base = search.base;
-  return search.problem.options.criterion->value(
-      {explanation.fit.deviance,
-       static_cast<double>(base.fit_options.free.size()) + base.parameters +
-           static_cast<double>(explanation.parameters()),
-       static_cast<double>(explanation.fit.used), 0.0});
+  return criterion_of(search.problem, search.base, explanation);
 }
 
 std::optional<FoundInput> find_input(const Search& search) {
@@ -165,7 +161,8 @@ bool is_a_factor(const FoundInput& input, const Search& search) {
     const double size = variable.magnitude();
     if (!(size > 0.0)) continue;
     search.problem.context.report("looking for what an input multiplies", 0.0);
-    factor.candidate.form += "*(" + variable.name + ")/" + format_number(size);
+    factor.candidate.form = factor.candidate.form * Expression::variable(variable.name) /
+                            Expression::number(size);
     const Explanation fit =
         explain_on(search.problem, search.base, search.start, {std::move(factor)});
     if (value_of(fit, search) + search.problem.options.decision.undecided < input.value)
@@ -186,13 +183,14 @@ std::string size_of(const FoundInput& input, const Search& search) {
 }
 
 NamedEffect name_of(const FoundInput& input, const Search& search) {
-  const Candidate& candidate = input.effect().candidate;
+  const NameTable table{search.problem.options.effects, search.base.scope,
+                        search.problem.options.decision.naming};
+  const std::vector<Name> names =
+      table.names_of(input.effect(), input.explanation.fit.model);
   NamedEffect named;
   named.equation = search.equation;
-  named.name = candidate.effect;
-  named.description = candidate.description + size_of(input, search);
-  for (const Stage<Effect>& effect : search.problem.options.effects)
-    if (effect->info().name == named.name) named.cause = effect->typical_cause();
+  if (!names.empty()) take_name(input.effect(), names.front(), named);
+  named.description += size_of(input, search);
   named.sigma = sigma_of_gain(input.gain, 2.0, 1.0);
   named.contribution = input.contribution;
   named.probability = 1.0;

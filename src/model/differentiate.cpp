@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <string>
 
+#include "lacuna/core/error.hpp"
 #include "lacuna/model/expression.hpp"
 #include "operations.hpp"
 
@@ -68,6 +70,7 @@ class Derivative {
   explicit Derivative(std::string_view variable) : variable_(variable) {}
 
   Expression of(const Expression& e) const {
+    if (e.operation() == Operation::Delay) return of_delay(e);
     const auto operands = e.operands();
     switch (operands.size()) {
       case 0:
@@ -85,6 +88,14 @@ class Derivative {
   Expression leaf(const Expression& e) const {
     const bool same = e.operation() == Operation::Variable && e.name() == variable_;
     return number(same ? 1.0 : 0.0);
+  }
+
+  Expression of_delay(const Expression& e) const {
+    if (!e.operands().empty() && e.operands()[0].variables().contains(std::string(variable_)))
+      throw ModelError("derivative of " + e.to_string(),
+                       "the delay depends on '" + std::string(variable_) + "'",
+                       "bind it to a number first");
+    return number(0.0);
   }
 
   Expression of_one(const Expression& e, const Expression& u) const {

@@ -106,6 +106,18 @@ Expression Expression::delayed(std::string name, double delay) {
   return Expression(std::make_shared<const Node>(std::move(node)));
 }
 
+Expression Expression::delayed(std::string name, const Expression& delay) {
+  if (const std::optional<double> value = constant_value(delay))
+    return delayed(std::move(name), *value);
+  check_name(name);
+  if (name == "t") return variable(std::move(name)) - delay;
+  Node node{.operation = Operation::Delay, .name = std::move(name), .operands = {delay}};
+  node.hash = mix(leaf_hash(node.operation, 0.0, node.name), delay.hash());
+  node.depth = delay.depth() + 1;
+  check_depth(node.depth);
+  return Expression(std::make_shared<const Node>(std::move(node)));
+}
+
 Expression Expression::make(Operation operation, std::vector<Expression> operands) {
   check_operand_count(operation, operands.size());
   if (operation == Operation::Negate && operands[0].operation() == Operation::Number)

@@ -22,23 +22,6 @@ bool is_letter(char c) { return is_identifier(std::string_view(&c, 1)); }
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// The formula with every variable taken `delay` time units ago.
-Expression delay_all(const Expression& e, double delay) {
-  switch (e.operation()) {
-    case Operation::Number:
-      return e;
-    case Operation::Variable:
-      return Expression::delayed(e.name(), delay);
-    case Operation::Delay:
-      return Expression::delayed(e.name(), e.value() + delay);
-    default:
-      break;
-  }
-  std::vector<Expression> operands;
-  for (const Expression& operand : e.operands()) operands.push_back(delay_all(operand, delay));
-  return Expression::make(e.operation(), std::move(operands));
-}
-
 /// Recursive descent:
 ///   sum     = product { ("+" | "-") product }
 ///   product = signed { ("*" | "/") signed }
@@ -252,11 +235,12 @@ class Parser {
 
   Expression delay(const Expression& formula, const Expression& time, std::size_t position) {
     const std::optional<double> value = constant_value(time);
-    if (!value) fail(position, "the delay is not a constant", "give a number");
-    if (!std::isfinite(*value) || *value < 0.0)
+    if (!value && !known_.empty())
+      fail(position, "the delay is not a constant", "give a number");
+    if (value && (!std::isfinite(*value) || *value < 0.0))
       fail(position, "the delay " + format_number(*value) + " is not a finite number >= 0",
            "give a time in the past as a positive number");
-    Expression result = delay_all(formula, *value);
+    Expression result = lacuna::delay(formula, value ? Expression::number(*value) : time);
     check_depth(result, position);
     return result;
   }

@@ -69,7 +69,7 @@ Printed print_delay(const Expression& e) {
   std::string text = "delay(";
   text += e.name();
   text += ',';
-  text += format_number(e.value());
+  text += e.operands().empty() ? format_number(e.value()) : print(e.operands()[0]).text;
   text += ')';
   return {std::move(text), kAtom};
 }

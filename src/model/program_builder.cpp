@@ -48,6 +48,9 @@ void ProgramBuilder::move_into(Program& program) {
 
 void ProgramBuilder::collect_delays(const Expression& expression) {
   if (expression.operation() == Operation::Delay) {
+    if (!expression.operands().empty())
+      throw ModelError(expression.to_string(), "the delay has no number yet",
+                       "bind its parameters: substitute() numbers for their names");
     const DelayedVariable delayed{slot_of(expression), expression.value()};
     if (std::find(delays_.begin(), delays_.end(), delayed) == delays_.end())
       delays_.push_back(delayed);

@@ -45,9 +45,8 @@ TEST_P(EveryHypothesis, SignsWhatItProposesAndDeclines) {
   const Proposals made = proposals(support::dry_friction);
   for (const Proposal& proposal : made.accounts)
     EXPECT_EQ(proposal.account.hypothesis, stage_of<Hypothesis>(GetParam())->info().name);
-  for (const Rival& rival : made.declined) {
+  for (const Rival& rival : made.trail) {
     EXPECT_EQ(rival.hypothesis, stage_of<Hypothesis>(GetParam())->info().name);
-    EXPECT_FALSE(rival.taken);
     EXPECT_FALSE(rival.quantity.empty());
   }
 }

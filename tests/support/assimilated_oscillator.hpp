@@ -23,8 +23,8 @@ inline double dry_friction(double, double, double v) { return -0.3 * (v > 0.0 ? 
 /// A candidate without shapes in dv/dt.
 inline Candidate plain_candidate(const std::string& form) {
   Candidate candidate;
-  candidate.effect = "test";
-  candidate.form = form;
+  candidate.form = candidate.argument = parse_expression(form);
+  candidate.families = {"test"};
   candidate.equation = 1;
   candidate.starts = {Vector(0)};
   return candidate;

@@ -23,7 +23,7 @@ template <const EffectFamily& Family>
 std::set<std::string> forms_of(const Scope& scope, Index equation) {
   std::set<std::string> forms;
   for (const Candidate& candidate : candidates_of<Family>(scope, equation))
-    forms.insert(candidate.form);
+    forms.insert(candidate.form.to_string());
   return forms;
 }
 
@@ -31,16 +31,32 @@ std::set<std::string> forms_of(const Scope& scope, Index equation) {
 template <const EffectFamily& Family>
 Candidate candidate_of(const Scope& scope, Index equation, const std::string& form) {
   std::vector<Candidate> found = candidates_of<Family>(scope, equation);
-  std::erase_if(found, [&](const Candidate& candidate) { return candidate.form != form; });
+  std::erase_if(found,
+                [&](const Candidate& candidate) { return candidate.form.to_string() != form; });
   return found.at(0);
 }
 
-/// Whether a coefficient of a candidate is one that the family can have, at its first starting
-/// point and with the nominal coefficients as they are.
+/// What a family's row of the name table makes of a candidate with a coefficient and shapes,
+/// the nominal coefficients being as they are.
+template <const EffectFamily& Family>
+std::optional<Reading> reading_of(const Scope& scope, const Candidate& candidate,
+                                  double coefficient, const Vector& shapes) {
+  const NamingOptions options;
+  return FamilyEffect<Family>().reading(
+      {candidate, shapes, coefficient, 0.01, scope.model, scope, options});
+}
+
+/// The same at the candidate's first starting point.
+template <const EffectFamily& Family>
+std::optional<Reading> reading_of(const Scope& scope, const Candidate& candidate,
+                                  double coefficient) {
+  return reading_of<Family>(scope, candidate, coefficient, candidate.starts.front());
+}
+
+/// Whether the row applies at the candidate's first starting point.
 template <const EffectFamily& Family>
 bool plausible_with(const Scope& scope, const Candidate& candidate, double coefficient) {
-  return FamilyEffect<Family>().plausible(
-      scope, candidate, {scope.model, coefficient, 0.01, candidate.starts.front()});
+  return reading_of<Family>(scope, candidate, coefficient).has_value();
 }
 
 /// A model from lines of terms: {"x", {{"y", -1.0}}}.

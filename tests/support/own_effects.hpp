@@ -18,8 +18,7 @@ class FormEffect final : public Configured<Effect, EffectOptions<Info>> {
   std::string_view do_typical_cause() const override { return "a test"; }
   std::vector<Candidate> do_candidates(const Scope&, Index) const override {
     Candidate candidate;
-    candidate.description = "what the test asks for";
-    candidate.form = form_;
+    candidate.form = candidate.argument = parse_expression(form_);
     return {candidate};
   }
   std::string form_;

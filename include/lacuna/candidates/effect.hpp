@@ -2,32 +2,23 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "lacuna/candidates/reading.hpp"
 #include "lacuna/core/options.hpp"
 #include "lacuna/core/stage.hpp"
-#include "lacuna/candidates/candidate.hpp"
-#include "lacuna/candidates/scope.hpp"
 
 namespace lacuna {
 
-/// What the data say of one candidate.
-struct FittedCandidate {
-  const OdeModel& nominal;   ///< with its coefficients fitted together with the candidate
-  double coefficient = 0.0;  ///< of the form
-  double deviation = 0.0;    ///< its standard error
-  Vector shapes = {};        ///< one value per shape parameter
-};
-
 /// Plug point: a named family of effects that a nominal model may lack.
 ///
-/// The registered name (`info().name`) is the word by which the answer calls the effect, from
-/// the vocabulary of the diagnosis; `info().summary` is the sentence for people. An effect
-/// makes the concrete candidates for one equation: for every state, input, pair of them and
-/// existing term of the nominal model for which it makes sense there. It sees no residual, only
-/// the scope.
+/// It gives two things: the forms that the search should try, nameless, for every state, input,
+/// pair of them and term of the nominal model for which they make sense; and a row of the name
+/// table, which says of a fitted form, whoever proposed it, whether it is this effect. The
+/// registered name (`info().name`) is the word by which the answer calls the effect, from the
+/// vocabulary of the diagnosis; `info().summary` is the sentence of `lacuna list`. An effect
+/// sees no residual, only the scope, and knows of no other effect.
 class Effect : public StageInterface {
  public:
   static constexpr std::string_view kKind = "effect";
@@ -35,35 +26,28 @@ class Effect : public StageInterface {
   /// What usually causes it in a real system: "bearings, seals, brushes".
   std::string_view typical_cause() const { return do_typical_cause(); }
 
-  /// The plainer effect of which this one is a special case (`coulomb-friction` of
-  /// `stribeck-friction`): where the data cannot tell the two apart the plainer one is named
-  /// first. Nothing for an effect that stands by itself.
-  std::optional<std::string_view> plainer() const { return do_plainer(); }
-
-  /// The candidates for one equation, each with this effect's name, the equation, starting
-  /// points inside the ranges of its shape parameters (one empty point when it has none),
-  /// distinct in their forms. The list may be empty.
-  /// @throws ArgumentError when there is no such equation; ModelError when a form that this
-  /// effect
-  ///   made cannot be read or uses a name that is neither a variable nor one of its parameters.
+  /// The candidates for one equation, each with this effect among its families, the equation,
+  /// starting points inside the ranges of its shape parameters (one empty point when it has
+  /// none), distinct in their forms. The list may be empty. Shape parameters and memory states
+  /// get names that no variable of the model has (Scope::free_name()).
+  /// @throws ArgumentError when there is no such equation; ModelError when a form uses a name
+  ///   that is neither a variable nor one of its parameters.
   std::vector<Candidate> candidates(const Scope& scope, Index equation) const;
 
-  /// Whether fitted numbers are such as this effect has: dry friction opposes the motion, a
-  /// saturated amplifier has no slope beyond its limit. A candidate that fits with other
-  /// numbers may describe the data, but not by this name.
+  /// What a fitted form is by this effect's row of the name table; nothing where it is not this
+  /// effect, or has numbers that this effect cannot have: dry friction opposes the motion.
   /// @throws ArgumentError when the number of shapes is not that of the candidate.
-  bool plausible(const Scope& scope, const Candidate& candidate,
-                 const FittedCandidate& fitted) const;
+  std::optional<Reading> reading(const FittedForm& fitted) const;
+
+ protected:
+  /// By default what the effect itself proposes is this effect, whatever the numbers.
+  virtual std::optional<Reading> do_reading(const FittedForm& fitted) const;
 
  private:
   virtual std::string_view do_typical_cause() const = 0;
-  virtual std::optional<std::string_view> do_plainer() const { return std::nullopt; }
-  /// Candidates without effect and equation filled in; `starts` may be left empty for a
+  /// Candidates without family and equation filled in; `starts` may be left empty for a
   /// candidate without shape parameters.
   virtual std::vector<Candidate> do_candidates(const Scope& scope, Index equation) const = 0;
-  virtual bool do_plausible(const Scope&, const Candidate&, const FittedCandidate&) const {
-    return true;
-  }
 };
 
 /// Options of an effect that has none: `EffectOptions<kName>` with

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
 #include "lacuna/candidates/candidate.hpp"
+#include "lacuna/core/run_context.hpp"
 #include "lacuna/estimation/assimilation.hpp"
 
 namespace lacuna {

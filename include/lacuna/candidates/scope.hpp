@@ -55,9 +55,14 @@ struct Scope {
   /// The range of a state. @throws ArgumentError when there is none.
   const VariableRange& state(Index number) const;
 
-  /// How a formula of the variables is spread (quantiles, mean, deviation; no noise).
-  /// @throws ModelError when it cannot be read or has delays.
-  VariableRange range_of(const std::string& formula) const;
+  /// How an expression is spread: a variable as it is described above, a formula of variables
+  /// with its quantiles, mean and deviation only.
+  /// @throws ModelError when it has other names or delays.
+  VariableRange range_of(const Expression& expression) const;
+
+  /// The name itself, or with underscores behind it where the model has a variable of that
+  /// name.
+  std::string free_name(std::string name) const;
 
   /// Whether the equation is an identity, dx/dt = v with v another state (coefficient 1).
   bool is_identity(Index equation) const;

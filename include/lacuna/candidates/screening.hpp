@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
 #include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/core/run_context.hpp"
 
 namespace lacuna {
 
@@ -62,10 +62,18 @@ class Screening {
   Vector innovations_;  ///< projected
 };
 
-/// Screens all candidates: starting points of all, then the shapes of the best of each effect
+/// What decides in a screening.
+struct ScreeningOptions {
+  double shape_price = 0.0;    ///< gain that a shape parameter has to bring, as a criterion has it
+  double worth_shaping = 0.0;  ///< share of the best gain below which shapes are not searched
+};
+
+/// Screens all candidates: starting points of all, then the shapes of the best of each family
 /// and equation. Uses the threads of the context.
 /// @return by falling gain less the price of the shapes.
 std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
-                                      const Screening& screening, const RunContext& context);
+                                      const Screening& screening,
+                                      const ScreeningOptions& options,
+                                      const RunContext& context);
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lacuna/candidates/reading.hpp"
 #include "lacuna/core/options.hpp"
 
 namespace lacuna {
@@ -27,6 +28,8 @@ struct DecisionOptions {
 
   double noise_inflation = 1.3;
   int long_window = 10;
+
+  NamingOptions naming = {};  ///< listed with the others
 
   void describe(OptionVisitor& v);
 };

@@ -8,17 +8,17 @@ namespace lacuna {
 /// An effect without options, written down as a value in one source file:
 /// @code
 ///   const EffectFamily kQuadraticDrag{
-///       {"quadratic-drag", "Drag of the square of the speed", ""}, "fluids", {}, make,
-///       opposes};
+///       {"quadratic-drag", "Drag of the square of the speed", ""}, "fluids", forms, reading};
 ///   registry.add<FamilyEffect<kQuadraticDrag>>();
 /// @endcode
 struct EffectFamily {
   StageInfo info;
-  std::string_view typical_cause;           ///< Effect::typical_cause()
-  std::optional<std::string_view> plainer;  ///< Effect::plainer()
-  std::vector<Candidate> (*candidates)(const Scope& scope, Index equation);
-  /// Effect::plausible(); null when any numbers are.
-  bool (*plausible)(const Scope&, const Candidate&, const FittedCandidate&) = nullptr;
+  std::string_view typical_cause;  ///< Effect::typical_cause()
+  /// Effect::candidates(): the forms that it wants searched.
+  std::vector<Candidate> (*forms)(const Scope& scope, Index equation);
+  /// Effect::reading(): its row of the name table; null where what it proposes is always it.
+  std::optional<Reading> (*reading)(const FittedForm& fitted) = nullptr;
+  Place place = Place::Rate;  ///< only what stands there is this effect
 };
 
 /// Options of a family: none.
@@ -36,15 +36,14 @@ class FamilyEffect final : public Configured<Effect, FamilyOptions<Family>> {
 
  private:
   std::string_view do_typical_cause() const override { return Family.typical_cause; }
-  std::optional<std::string_view> do_plainer() const override { return Family.plainer; }
 
   std::vector<Candidate> do_candidates(const Scope& scope, Index equation) const override {
-    return Family.candidates(scope, equation);
+    return Family.forms(scope, equation);
   }
 
-  bool do_plausible(const Scope& scope, const Candidate& candidate,
-                    const FittedCandidate& fitted) const override {
-    return Family.plausible == nullptr || Family.plausible(scope, candidate, fitted);
+  std::optional<Reading> do_reading(const FittedForm& fitted) const override {
+    if (fitted.candidate.place != Family.place) return std::nullopt;
+    return Family.reading != nullptr ? Family.reading(fitted) : Effect::do_reading(fitted);
   }
 };
 

@@ -23,7 +23,7 @@ struct Proposal {
 /// What a hypothesis has to say of records.
 struct Proposals {
   std::vector<Proposal> accounts;
-  std::vector<Rival> declined;  ///< accounts that it looked at and does not put forward
+  std::vector<Rival> trail;  ///< what it looked at on the way
 };
 
 /// Plug point: one kind of explanation of why a model and records disagree. It proposes

@@ -20,9 +20,15 @@ class NamedEffects final : public Configured<Hypothesis, HypothesisOptions<kName
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
 
+/// What a search over effects came to.
+struct SearchedAccount {
+  Account account;
+  std::vector<Rival> rivals;  ///< candidates of all rounds, taken or not
+};
+
 /// The account of a baseline with the effects that a search finds on top.
 /// @param effects that are tried.
-Account searched(const Problem& problem, std::shared_ptr<const Baseline> base,
-                 const std::vector<Stage<Effect>>& effects);
+SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
+                         const std::vector<Stage<Effect>>& effects);
 
 }  // namespace lacuna

@@ -65,6 +65,11 @@ Baseline plain_baseline(const Problem& problem);
 Baseline fitted_baseline(const Problem& problem, Assimilation given,
                          std::vector<CoefficientPlace> free);
 
+/// Value of an explanation by the criterion, with all parameters and without the price of
+/// choosing its effects.
+double criterion_of(const Problem& problem, const Baseline& base,
+                    const Explanation& explanation);
+
 /// Effects fitted jointly with the nominal model on the records of a baseline: explain().
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects);

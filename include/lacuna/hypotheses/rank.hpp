@@ -1,26 +1,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "lacuna/candidates/effect.hpp"
-#include "lacuna/candidates/explanation.hpp"
+#include "lacuna/candidates/name_table.hpp"
 #include "lacuna/candidates/screening.hpp"
-#include "lacuna/core/run_context.hpp"
+#include "lacuna/hypotheses/problem.hpp"
 
 namespace lacuna {
 
+/// Where effects are sought.
+struct EffectSearch {
+  const Problem& problem;
+  const Baseline& base;
+  const std::vector<Stage<Effect>>& effects;  ///< that are tried
+
+  /// What fitted forms are called.
+  NameTable names() const {
+    return {effects, base.scope, problem.options.decision.naming};
+  }
+};
+
 /// One more effect, fitted together with all that were there before.
 struct RankedEffect {
-  Explanation explanation;    ///< the new effect is the last
-  double criterion = 0.0;     ///< deviance + parameters x log n (BIC)
-  double gain = 0.0;          ///< drop of the deviance against the explanation without it
-  double sigma = 0.0;         ///< of the gain, for the number of candidates tried
-  double contribution = 0.0;  ///< rms of coefficient x form over that of the state's rate
-  /// Among all ranked and "none of them"; of all forms of the effect in this variable together,
-  /// and of the term, whatever its name.
+  Explanation explanation;       ///< the new effect is the last
+  std::vector<Name> names = {};  ///< of the new effect with its numbers, best first
+  double criterion = 0.0;        ///< of the explanation, without the price of the choice
+  double gain = 0.0;             ///< drop of the deviance against the explanation without it
+  double sigma = 0.0;            ///< of the gain, for the number of candidates tried
+  double contribution = 0.0;     ///< rms of coefficient x form over that of the state's rate
+  /// Among all ranked and "none of them"; of all forms that have the leading name in this
+  /// variable together.
   double probability = 0.0;
 
   const FittedEffect& effect() const { return explanation.effects.back(); }
@@ -33,45 +44,18 @@ struct Ranking {
   Index tried = 0;                    ///< candidates and shapes that were tried
 };
 
-/// What ranking needs to know besides data.
-struct RankOptions {
-  Index refits = 10;  ///< candidates that are fitted in few passes with their shapes fixed
-  Index exact = 4;    ///< of these the best, which are fitted exactly
-};
+/// Whether two effects are forms of one: functions of one argument in one place that have one
+/// leading name (dry friction as sign(w) and as tanh(w/width)), or of which one has the other
+/// as a special case.
+bool are_forms_of_one(const FittedEffect& a, const std::string& name_of_a,
+                      const FittedEffect& b, const std::string& name_of_b, const Scope& scope);
 
-/// Evidence up to which two explanations are not told apart: 2 log B of Kass and Raftery, JASA
-/// 90 (1995), from where on it is very strong.
-inline constexpr double kUndecided = 10.0;
-
-/// Whether two effects are the same term of the same equation under whatever names: a cubic
-/// stiffness is a cubic term.
-bool have_one_term(const FittedEffect& a, const FittedEffect& b);
-
-/// Whether a fitted effect has numbers such as its family has (Effect::plausible).
-/// @param model with its nominal coefficients as they are fitted together with the effect.
-bool is_plausible(const FittedEffect& fitted, const OdeModel& model,
-                  const std::vector<Stage<Effect>>& effects, const Scope& scope);
-
-/// Another name of the same term by which a fitted effect is plausible, if there is one: a bend
-/// whose inner slope turns out as 0 is a play. Arguments as of is_plausible().
-std::optional<Candidate> other_name_of(const FittedEffect& fitted, const OdeModel& model,
-                                       const std::vector<Stage<Effect>>& effects,
-                                       const Scope& scope);
-
-/// Whether two effects are forms of one (dry friction as sign(w) and as tanh(w/width)) or one
-/// term.
-bool mean_the_same(const FittedEffect& a, const FittedEffect& b);
-
-/// Ranks the candidates that may come next: score tests of all, then the best of each effect
+/// Ranks the candidates that may come next: score tests of all, then the best of each family
 /// and equation is fitted exactly, with all coefficients, shapes and variances, and compared by
-/// BIC = deviance + parameters x log n. "None of them" is the model with its disturbances as
-/// they are. Where the plainer name of an effect is within the evidence that cannot tell them
-/// apart (kUndecided), it leads.
-/// @param current the explanation so far, where all fits start; @param scope of the nominal
-///   model.
-Ranking rank(const Dataset& data, const Explanation& current,
-             const std::vector<Stage<Effect>>& effects, const Scope& scope,
-             const AssimilationOptions& options, const RankOptions& rank_options,
-             const RunContext& context);
+/// the criterion. "None of them" is the model with its disturbances as they are. A form that has
+/// no name with its numbers is left out. Where a form with fewer shape parameters is within the
+/// evidence that cannot tell them apart (DecisionOptions::undecided), it leads.
+/// @param current the explanation so far, where all fits start.
+Ranking rank(const EffectSearch& search, const Explanation& current);
 
 }  // namespace lacuna

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -15,12 +16,29 @@ namespace lacuna {
 enum class Operation {
   Number,    ///< a constant
   Variable,  ///< a state, an input or t
-  Delay,     ///< a variable as it was a fixed time ago: delay(x,T)
-  Add, Subtract, Multiply, Divide, Power, Negate,
-  Sin, Cos, Tan, Asin, Acos, Atan, Tanh, Exp, Log, Sqrt, Abs, Sign,
-  Step,      ///< 0 for x < 0, 1 from 0 on
-  Min, Max,
-  Clip,      ///< clip(x,lo,hi)
+  Delay,     ///< a variable as it was some time ago: delay(x,T)
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Power,
+  Negate,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan,
+  Tanh,
+  Exp,
+  Log,
+  Sqrt,
+  Abs,
+  Sign,
+  Step,  ///< 0 for x < 0, 1 from 0 on
+  Min,
+  Max,
+  Clip,  ///< clip(x,lo,hi)
 };
 
 /// Deepest formula the parser takes, in operations from the whole to a leaf.
@@ -36,8 +54,9 @@ inline constexpr int kMaxExpressionDepth = 2400;
 ///
 /// The language: numbers, `pi`, `+ - * / ^` (`^` binds tightest and to the right, then the
 /// sign), parentheses, `sin cos tan asin acos atan tanh exp log sqrt abs sign min max step(x)`
-/// `clip(x,lo,hi)`, `delay(x,T)` with a constant T >= 0. A delay of a formula is stored as the
-/// formula of its delayed variables, so that only variables are ever delayed.
+/// `clip(x,lo,hi)`, `delay(x,T)` with T >= 0. A delay of a formula is stored as the formula of
+/// its delayed variables, so that only variables are ever delayed. T may be a formula of
+/// parameters that have no number yet; it is bound by substitute() before anything is computed.
 ///
 /// What was written is kept: nothing is reordered; only a sign in front of a number is folded,
 /// a delay of 0 is the variable itself, and time delayed by T is t-T.
@@ -63,9 +82,15 @@ class Expression {
   /// @throws ModelError for a delay that is negative or not finite, and as variable() does.
   static Expression delayed(std::string name, double delay);
 
+  /// The same with a delay that may be a formula of parameters, whose names are variables() of
+  /// the whole until they are bound.
+  static Expression delayed(std::string name, const Expression& delay);
+
   Operation operation() const noexcept;
-  double value() const noexcept;             ///< of a Number; the time of a Delay
+  double value() const noexcept;             ///< of a Number; the time of a bound Delay
   const std::string& name() const noexcept;  ///< of a Variable or a Delay
+
+  /// Of an operation; the time of a Delay that is not bound to a number is its only operand.
   std::span<const Expression> operands() const noexcept;
 
   /// Names of all variables, delayed ones too.
@@ -91,7 +116,8 @@ class Expression {
 };
 
 /// Reads a formula.
-/// @param known when not empty, the only names that may stand for variables.
+/// @param known when not empty, the only names that may stand for variables; delays have to be
+///   constant then, as there are no parameters.
 /// @throws ModelError naming the column (from 1): an unknown name or function, wrong number of
 ///   arguments, unbalanced parentheses, a number out of range, too deep a nesting.
 Expression parse_expression(std::string_view text, std::span<const std::string> known = {});
@@ -99,7 +125,23 @@ Expression parse_expression(std::string_view text, std::span<const std::string> 
 /// The exact partial derivative, with plain simplifications (0*x, 1*x, x+0, constant folding).
 /// d|x|/dx = sign(x); the derivative of sign and step is 0 (it exists almost everywhere);
 /// min, max and clip select a branch with step. A delayed variable counts as another variable.
+/// @throws ModelError for a parameter on which a delay depends: that takes the rate of the
+/// past.
 Expression differentiate(const Expression& expression, std::string_view variable);
+
+/// The formula with expressions in place of variables, all at once: what is put in is not
+/// looked at again. A delayed variable becomes the delayed expression, a delay whose time
+/// becomes a number is bound.
+/// @throws ModelError for a delay that becomes negative, and as Expression::make().
+Expression substitute(const Expression& expression,
+                      const std::map<std::string, Expression>& replacements);
+
+/// The formula as it was `time` ago: every variable in it delayed.
+/// @throws ModelError as Expression::delayed().
+Expression delay(const Expression& expression, const Expression& time);
+
+/// Whether an operation stands anywhere in a formula.
+bool contains(const Expression& expression, Operation operation);
 
 /// The operations, without any simplification: `a + b` is make(Operation::Add, {a, b}).
 Expression operator+(const Expression& a, const Expression& b);

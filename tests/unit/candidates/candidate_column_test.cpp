@@ -10,7 +10,7 @@ namespace {
 
 Candidate lag(double tau) {
   Candidate candidate = support::plain_candidate("lagged-F");
-  candidate.memory = {{"lagged", "(F-lagged)/tau", "F"}};
+  candidate.memory = {{"lagged", parse_expression("(F-lagged)/tau"), parse_expression("F")}};
   candidate.shapes = {{"tau", "s", 1e-4, 10.0, true}};
   candidate.starts = {Vector::Constant(1, tau)};
   return candidate;
@@ -67,7 +67,8 @@ TEST(CandidateColumn, ALagForgetsInThreeOfItsTimes) {
 
 TEST(CandidateColumn, APlayThatNeverMovesIsNeverKnown) {
   Candidate play = support::plain_candidate("follower-q");
-  play.memory = {{"follower", "25*((q-follower)-clip(q-follower,-gap,gap))", "q"}};
+  play.memory = {{"follower", parse_expression("25*((q-follower)-clip(q-follower,-gap,gap))"),
+                  parse_expression("q")}};
   play.shapes = {{"gap", "m", 0.01, 100.0, true}};
   const std::vector<double> wide{50.0}, narrow{0.05};
   const Variables variables = support::oscillator().variables();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/effects/forms.hpp"
 #include "support/diagnosis_scope.hpp"
 
 namespace lacuna {
@@ -26,7 +27,7 @@ class Made final : public Configured<Effect, EffectOptions<kMade>> {
 
 Candidate edge(double start) {
   Candidate candidate;
-  candidate.form = "max(q-edge,0)";
+  candidate.form = parse_expression("max(q-edge,0)");
   candidate.shapes = {{"edge", "m", -1.0, 1.0, false}};
   candidate.starts = {Vector::Constant(1, start)};
   return candidate;
@@ -34,10 +35,10 @@ Candidate edge(double start) {
 
 TEST(Effect, FillsInNameEquationAndTheEmptyStart) {
   Candidate plain;
-  plain.form = "q*abs(v)";
+  plain.form = parse_expression("q*abs(v)");
   const auto made = Made(plain).candidates(support::oscillator_scope(), 1);
   ASSERT_EQ(made.size(), 1u);
-  EXPECT_EQ(made[0].effect, "made");
+  EXPECT_EQ(made[0].families, std::vector<std::string>{"made"});
   EXPECT_EQ(made[0].equation, 1);
   ASSERT_EQ(made[0].starts.size(), 1u);
   EXPECT_EQ(made[0].starts[0].size(), 0);
@@ -51,36 +52,38 @@ TEST(Effect, RefusesStartsOutsideTheRange) {
 
 TEST(Effect, RefusesUnknownNames) {
   Candidate wrong = edge(0.5);
-  wrong.form = "max(p-edge,0)";
+  wrong.form = parse_expression("max(p-edge,0)");
   EXPECT_THROW(Made(wrong).candidates(support::oscillator_scope(), 1), ModelError);
 }
 
-TEST(Effect, RefusesMemoryThatTakesAVariablesName) {
-  Candidate wrong = edge(0.5);
-  wrong.memory = {{"q", "v", "0"}};
-  EXPECT_THROW(Made(wrong).candidates(support::oscillator_scope(), 1), ModelError);
-}
-
-TEST(Effect, MarkedNamesAreKeptApartFromTheModels) {
-  Candidate marked;
-  marked.form = "tanh(q/$q)+$v";
-  marked.shapes = {{"q", "m", 0.0, 1.0, false}};
-  marked.starts = {Vector::Constant(1, 0.5)};
-  marked.memory = {{"v", "(v-$v)/$q", "v"}};
-  const Candidate made = Made(marked).candidates(support::oscillator_scope(), 1).at(0);
-  EXPECT_EQ(made.form, "tanh(q/q_)+v_");
+TEST(Effect, NamesAreKeptApartFromTheModels) {
+  const Scope scope = support::oscillator_scope();
+  const Expression q = Expression::variable("q");
+  Candidate clash;
+  clash.form = formula(scope, "tanh(x/q)+v", {{"x", q}});
+  clash.shapes = {{"q", "m", 0.0, 1.0, false}};
+  clash.starts = {Vector::Constant(1, 0.5)};
+  clash.memory = {{"v", formula(scope, "(x-v)/q", {{"x", q}}), Expression::variable("v")}};
+  const Candidate made = Made(clash).candidates(scope, 1).at(0);
+  EXPECT_EQ(made.form, parse_expression("tanh(q/q_)+v_"));
   EXPECT_EQ(made.shapes[0].name, "q_");
   EXPECT_EQ(made.memory[0].name, "v_");
-  EXPECT_EQ(made.memory[0].rate, "(v-v_)/q_");
+  EXPECT_EQ(made.memory[0].rate, parse_expression("(q-v_)/q_"));
 }
 
-TEST(Effect, PlausibleNeedsAValueForEveryShape) {
+TEST(Effect, WhatItProposesIsItUnlessItSaysOtherwise) {
   const Scope scope = support::oscillator_scope();
+  const NamingOptions options;
   const Made made(edge(0.5));
-  const Candidate candidate = made.candidates(scope, 1).at(0);
-  EXPECT_TRUE(made.plausible(scope, candidate, {scope.model, 1.0, 0.1, Vector::Zero(1)}));
-  EXPECT_THROW(made.plausible(scope, candidate, {scope.model, 1.0, 0.1, Vector::Zero(2)}),
-               ArgumentError);
+  Candidate candidate = made.candidates(scope, 1).at(0);
+  const auto reading = [&](const Vector& shapes) {
+    return made.reading({candidate, shapes, 1.0, 0.1, scope.model, scope, options});
+  };
+  ASSERT_TRUE(reading(Vector::Zero(1)).has_value());
+  EXPECT_EQ(reading(Vector::Zero(1))->sentence, "Candidates that the test gives");
+  EXPECT_THROW(reading(Vector::Zero(2)), ArgumentError);
+  candidate.families = {"another"};
+  EXPECT_FALSE(reading(Vector::Zero(1)).has_value());
 }
 
 TEST(Effect, RefusesAnEquationThatDoesNotExist) {

@@ -27,7 +27,7 @@ TEST(Explanation, MemoryBecomesAStateOfTheModel) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const Assimilation base = support::assimilated(data);
   Candidate lag = support::plain_candidate("lagged-F");
-  lag.memory = {{"lagged", "(F-lagged)/tau", "F"}};
+  lag.memory = {{"lagged", parse_expression("(F-lagged)/tau"), parse_expression("F")}};
   lag.shapes = {{"tau", "s", 1e-3, 10.0, true}};
   const AugmentedProblem problem =
       augment(support::oscillator(), data, base.free, {{lag, Vector::Constant(1, 0.5), 1.0}},

@@ -44,10 +44,18 @@ TEST(Scope, TellsAmountsFromSignedVariables) {
 }
 
 TEST(Scope, FormulasHaveARange) {
-  const VariableRange range = support::oscillator_scope().range_of("4*q^2+v^2");
+  const VariableRange range =
+      support::oscillator_scope().range_of(parse_expression("4*q^2+v^2"));
   EXPECT_NEAR(range.low, 4.0, 1e-9);
   EXPECT_NEAR(range.high, 4.0, 1e-9);
-  EXPECT_THROW(support::oscillator_scope().range_of("delay(q,1)"), ModelError);
+  EXPECT_THROW(support::oscillator_scope().range_of(parse_expression("delay(q,1)")),
+               ModelError);
+}
+
+TEST(Scope, NamesOfTheModelAreNotFree) {
+  const Scope scope = support::oscillator_scope();
+  EXPECT_EQ(scope.free_name("edge"), "edge");
+  EXPECT_EQ(scope.free_name("q"), "q_");
 }
 
 TEST(Scope, KnowsIdentities) {

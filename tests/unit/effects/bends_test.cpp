@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "support/effect_forms.hpp"
 
 namespace lacuna {
@@ -14,6 +15,7 @@ using support::forms_of;
 using support::model_of_lines;
 using support::oscillator_scope;
 using support::plausible_with;
+using support::reading_of;
 using support::scope_of;
 
 TEST(DeadZone, LeavesNoSlopeInside) {
@@ -27,25 +29,36 @@ TEST(DeadZone, LeavesNoSlopeInside) {
 
 TEST(Saturation, LeavesNoSlopeOutside) {
   const Scope scope = oscillator_scope();
-  const Candidate limit = candidate_of<kSaturation>(scope, 1, "(F)-clip(F,-limit,limit)");
+  const Candidate limit = candidate_of<kSaturation>(scope, 1, "F-clip(F,-limit,limit)");
   EXPECT_TRUE(plausible_with<kSaturation>(scope, limit, -1.0));
   EXPECT_FALSE(plausible_with<kSaturation>(scope, limit, -0.5));
-  EXPECT_EQ(candidate_of<kSaturation>(scope, 1, "(q)-limit*tanh((q)/limit)").plainer,
-            "cubic-term");
+  EXPECT_EQ(reading_of<kSaturation>(scope, limit, -1.0)->sentence, "saturation of F");
 }
 
-TEST(Saturation, LeavesAForceThatIsAtItsLimitAtOnceToFriction) {
+TEST(CoulombFriction, IsABendAtStandstillThatOpposesTheMotion) {
   // The speed is within +-2; the damping of the nominal model has the coefficient -0.2.
   const Scope scope = oscillator_scope();
-  const auto plausible_at = [&](const std::string& x, double coefficient, double limit) {
-    const Candidate candidate =
-        candidate_of<kSaturation>(scope, 1, "(" + x + ")-clip(" + x + ",-limit,limit)");
-    return FamilyEffect<kSaturation>().plausible(
-        scope, candidate, {scope.model, coefficient, 0.01, Vector::Constant(1, limit)});
+  const auto is_friction = [&](const std::string& form, double coefficient, double edge) {
+    const Candidate candidate = candidate_of<kPiecewiseLinear>(scope, 1, form);
+    return reading_of<kCoulombFriction>(scope, candidate, coefficient,
+                                        Vector::Constant(1, edge))
+        .has_value();
   };
-  EXPECT_FALSE(plausible_at("v", 0.2, 0.05));
-  EXPECT_TRUE(plausible_at("v", 0.2, 1.0));
-  EXPECT_TRUE(plausible_at("F", -1.0, 0.01)) << "a switch, not friction";
+  EXPECT_TRUE(is_friction("clip(v,-edge,edge)", -5.0, 0.05));
+  EXPECT_FALSE(is_friction("clip(v,-edge,edge)", -5.0, 1.0)) << "not at once";
+  EXPECT_FALSE(is_friction("clip(v,-edge,edge)", 5.0, 0.05)) << "it pushes";
+  EXPECT_FALSE(is_friction("clip(v,-edge,edge)", 0.2, 0.05)) << "nothing acts inside";
+  EXPECT_FALSE(is_friction("clip(F,-edge,edge)", -5.0, 0.01)) << "a switch, not friction";
+}
+
+TEST(CoulombFriction, GoesBeforeOtherWordsForTheSameForm) {
+  const Scope scope = oscillator_scope();
+  const Candidate bends = candidate_of<kPiecewiseLinear>(scope, 1, "clip(v,-edge,edge)");
+  const Vector edge = Vector::Constant(1, 0.05);
+  const auto friction = reading_of<kCoulombFriction>(scope, bends, -0.5, edge);
+  const auto bent = reading_of<kPiecewiseLinear>(scope, bends, -0.5, edge);
+  ASSERT_TRUE(friction && bent);
+  EXPECT_LT(friction->precedence, bent->precedence);
 }
 
 TEST(Saturation, OfWhatTheEquationHasNot) {
@@ -57,7 +70,7 @@ TEST(Saturation, CopesWithRecordsThatAreMostlyZero) {
   Dataset data = support::oscillator_record();
   data.trajectories[0].inputs.topRows(900).setZero();
   const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
-  const Candidate limit = candidate_of<kSaturation>(scope, 1, "(F)-clip(F,-limit,limit)");
+  const Candidate limit = candidate_of<kSaturation>(scope, 1, "F-clip(F,-limit,limit)");
   EXPECT_GT(limit.shapes[0].low, 0.0);
   for (const Vector& start : limit.starts) EXPECT_GE(start[0], limit.shapes[0].low);
 }
@@ -86,25 +99,37 @@ TEST(PiecewiseLinear, HasOneBendOrTwo) {
   EXPECT_FALSE(forms.contains("abs(q)")) << "with q in the equation the bend covers it";
 }
 
-TEST(PiecewiseLinear, LeavesNamesOfTheirOwnToOthers) {
+TEST(PiecewiseLinear, HasTwoSlopesOrABendInTheMiddle) {
   const Scope scope = oscillator_scope();
   const Candidate bends = candidate_of<kPiecewiseLinear>(scope, 1, "clip(q,-edge,edge)");
   EXPECT_TRUE(plausible_with<kPiecewiseLinear>(scope, bends, 1.5));
-  EXPECT_FALSE(plausible_with<kPiecewiseLinear>(scope, bends, 4.0)) << "a dead zone";
+  EXPECT_FALSE(plausible_with<kPiecewiseLinear>(scope, bends, 4.0)) << "nothing inside";
   const Candidate bend = candidate_of<kPiecewiseLinear>(scope, 1, "max(q-edge,0)");
-  EXPECT_FALSE(plausible_with<kPiecewiseLinear>(scope, bend, -5.0)) << "a stop, at the rim";
+  EXPECT_FALSE(plausible_with<kPiecewiseLinear>(scope, bend, -5.0)) << "at the rim";
   EXPECT_TRUE(plausible_with<kPiecewiseLinear>(scope, bend, 5.0)) << "no stop pulls";
 }
 
-TEST(PiecewiseLinear, LeavesAJumpAtStandstillToFriction) {
+TEST(Bends, SlopesAreThoseOfNominalTermAndFormTogether) {
   const Scope scope = oscillator_scope();
-  const Candidate bends = candidate_of<kPiecewiseLinear>(scope, 1, "clip(v,-edge,edge)");
-  const auto plausible_at = [&](double edge) {
-    return FamilyEffect<kPiecewiseLinear>().plausible(
-        scope, bends, {scope.model, -0.5, 0.01, Vector::Constant(1, edge)});
+  const NamingOptions options;
+  const auto bend = [&](const std::string& form) {
+    const Candidate candidate = candidate_of<kSaturation>(scope, 1, form);
+    return *bend_of(
+        {candidate, candidate.starts.front(), 3.0, 0.1, scope.model, scope, options});
   };
-  EXPECT_FALSE(plausible_at(0.05));
-  EXPECT_TRUE(plausible_at(1.0));
+  // The nominal coefficient of q is -4.
+  EXPECT_EQ(bend("q-clip(q,-limit,limit)").inside, -4.0);
+  EXPECT_EQ(bend("q-clip(q,-limit,limit)").outside, -1.0);
+  EXPECT_FALSE(bend("q-limit*tanh(q/limit)").sharp);
+}
+
+TEST(Bends, SlopesAgreeWithinAFifthOrThreeErrors) {
+  const NamingOptions options;
+  EXPECT_TRUE(is_flat_inside({1.5, 10.0, 1.0, 0.01, true}, options));
+  EXPECT_FALSE(is_flat_inside({2.5, 10.0, 1.0, 0.01, true}, options));
+  EXPECT_TRUE(is_flat_inside({2.5, 10.0, 1.0, 1.0, true}, options));
+  EXPECT_FALSE(is_flat_inside({10.0, 1.0, 1.0, 0.01, true}, options));
+  EXPECT_TRUE(is_flat_outside({10.0, 1.0, 1.0, 0.01, true}, options));
 }
 
 TEST(Overflow, LosesHereAndGainsThere) {
@@ -115,7 +140,9 @@ TEST(Overflow, LosesHereAndGainsThere) {
   EXPECT_FALSE(plausible_with<kOverflow>(tanks, lost, 1.0));
   const Candidate gained = candidate_of<kOverflow>(tanks, 1, "max(a-edge,0)");
   EXPECT_TRUE(plausible_with<kOverflow>(tanks, gained, 1.0));
-  EXPECT_EQ(candidate_of<kOneSidedStop>(tanks, 0, "max(a-edge,0)").plainer, "overflow");
+  EXPECT_EQ(reading_of<kOverflow>(tanks, lost, -1.0)->precedence, Precedence::Contextual);
+  EXPECT_EQ(reading_of<kOneSidedStop>(tanks, lost, -1.0, Vector::Constant(1, 2.9))->precedence,
+            Precedence::Plain);
 }
 
 TEST(Overflow, IsOfAmountsOnly) {
@@ -126,14 +153,14 @@ TEST(SaturatingRate, IsOfAmountsAndOfTermsWithThem) {
   const Scope life =
       scope_of(model_of_lines({{"x", {{"x*y", -1.0}}}, {"y", {{"x*y", 1.0}}}}, {}), 2.0);
   const Forms forms = forms_of<kSaturatingRate>(life, 0);
-  EXPECT_TRUE(forms.contains("(x)/(half+abs(x))"));
-  EXPECT_TRUE(forms.contains("(x*y)/(half+abs(x))"));
+  EXPECT_TRUE(forms.contains("x/(half+abs(x))"));
+  EXPECT_TRUE(forms.contains("x*y/(half+abs(x))"));
   EXPECT_EQ(forms_of<kSaturatingRate>(oscillator_scope(), 1), Forms{});
 }
 
 TEST(ExponentialConduction, TakesAwayFromItsOwnState) {
   const Scope scope = oscillator_scope();
-  const Candidate diode = candidate_of<kExponentialConduction>(scope, 1, "exp((v)/scale)-1");
+  const Candidate diode = candidate_of<kExponentialConduction>(scope, 1, "exp(v/scale)-1");
   EXPECT_TRUE(plausible_with<kExponentialConduction>(scope, diode, -1e-3));
   EXPECT_FALSE(plausible_with<kExponentialConduction>(scope, diode, 1e-3));
   EXPECT_GT(diode.shapes[0].low, scope.state(1).magnitude() / 50.0) << "no overflow";

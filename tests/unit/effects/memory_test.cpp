@@ -15,22 +15,23 @@ using support::forms_of;
 using support::model_of_lines;
 using support::oscillator_scope;
 using support::plausible_with;
+using support::reading_of;
 using support::scope_of;
 
 TEST(Lag, EveryTermOfTheEquationMayLag) {
   const auto made = candidates_of<kLag>(oscillator_scope(), 1);
   ASSERT_EQ(made.size(), 3u);
-  EXPECT_EQ(made[2].form, "lagged-(F)");
+  EXPECT_EQ(made[2].form, parse_expression("lagged-F"));
   ASSERT_EQ(made[2].memory.size(), 1u);
-  EXPECT_EQ(made[2].memory[0].start, "F");
+  EXPECT_EQ(made[2].memory[0].start, parse_expression("F"));
   const std::vector<double> tau{0.5};
   EXPECT_EQ(bind_formula(made[2], made[2].memory[0].rate, tau),
-            parse_expression("((F)-lagged)/(0.5)"));
+            parse_expression("(F-lagged)/0.5"));
 }
 
 TEST(Lag, IsOfWhatIsThere) {
   const Scope scope = oscillator_scope();
-  const Candidate slow = candidate_of<kLag>(scope, 1, "lagged-(q)");
+  const Candidate slow = candidate_of<kLag>(scope, 1, "lagged-q");
   EXPECT_TRUE(plausible_with<kLag>(scope, slow, -4.0));
   EXPECT_FALSE(plausible_with<kLag>(scope, slow, 4.0));
 }
@@ -47,8 +48,11 @@ TEST(Delay, OfAWholeTermOrAFactor) {
   const Scope scope =
       scope_of(model_of_lines({{"x", {{"x*y", -1.0}}}, {"y", {{"x", 1.0}}}}, {}));
   EXPECT_EQ(forms_of<kDelay>(scope, 0),
-            (Forms{"delay(x,T)", "delay(y,T)", "(delay(x*y,T)-(x*y))", "((y))*(delay(x,T)-(x))",
-                   "((x))*(delay(y,T)-(y))"}));
+            (Forms{"delay(x,T)", "delay(y,T)", "delay(x,T)*delay(y,T)-x*y", "y*(delay(x,T)-x)",
+                   "x*(delay(y,T)-y)"}));
+  EXPECT_EQ(reading_of<kDelay>(scope, candidate_of<kDelay>(scope, 0, "y*(delay(x,T)-x)"), 0.1)
+                ->sentence,
+            "delayed action of x in x*y");
 }
 
 TEST(Backlash, OfADifferenceIsADeadZone) {
@@ -61,7 +65,7 @@ TEST(Backlash, OfADifferenceIsADeadZone) {
 
 TEST(Backlash, OfOnePlaceHasAFollower) {
   const Scope scope = oscillator_scope();
-  const Candidate play = candidate_of<kBacklash>(scope, 1, "clip(follower-(F),-gap,gap)");
+  const Candidate play = candidate_of<kBacklash>(scope, 1, "clip(follower-F,-gap,gap)");
   ASSERT_EQ(play.memory.size(), 1u);
   EXPECT_TRUE(plausible_with<kBacklash>(scope, play, 1.0));
   EXPECT_FALSE(plausible_with<kBacklash>(scope, play, 0.3));
@@ -70,18 +74,17 @@ TEST(Backlash, OfOnePlaceHasAFollower) {
 TEST(Hysteresis, HasALoopOfThePosition) {
   const Scope scope = oscillator_scope();
   const Candidate loop = candidate_of<kHysteresis>(scope, 1, "loop");
-  EXPECT_EQ(loop.argument, "q");
-  EXPECT_EQ(loop.memory[0].rate, "v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield");
-  EXPECT_EQ(candidate_of<kHysteresis>(scope, 1, "clip(follower-(F),-gap,gap)").plainer,
-            "backlash");
+  EXPECT_EQ(loop.argument, parse_expression("q"));
+  EXPECT_EQ(loop.memory[0].rate,
+            parse_expression("v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield"));
 }
 
 TEST(Hysteresis, HasALoopOfATwist) {
   const Scope shaft = scope_of(model_of_lines(
       {{"a", {{"d", -9.0}}}, {"d", {{"a", 1.0}, {"b", -1.0}}}, {"b", {{"d", 5.0}}}}, {}));
   const Candidate loop = candidate_of<kHysteresis>(shaft, 0, "loop");
-  EXPECT_EQ(loop.argument, "d");
-  EXPECT_EQ(loop.memory[0].rate.substr(0, 20), "((1)*(a)+(-1)*(b))-(");
+  EXPECT_EQ(loop.argument, parse_expression("d"));
+  EXPECT_EQ(loop.memory[0].rate.operands()[0], parse_expression("1*a+(-1)*b"));
 }
 
 TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
@@ -94,8 +97,7 @@ TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
 }
 
 TEST(ParameterDrift, IsOfEveryTermThatVaries) {
-  EXPECT_EQ(forms_of<kParameterDrift>(oscillator_scope(), 1),
-            (Forms{"t*(q)", "t*(v)", "t*(F)"}));
+  EXPECT_EQ(forms_of<kParameterDrift>(oscillator_scope(), 1), (Forms{"t*q", "t*v", "t*F"}));
 }
 
 TEST(TimeTrend, IsTimeItself) {
@@ -106,7 +108,7 @@ TEST(ChannelSkew, MovesAChannelAlongTheModel) {
   const auto made = candidates_of<kChannelSkew>(oscillator_scope(), 0);
   ASSERT_EQ(made.size(), 2u);
   for (const Candidate& candidate : made) EXPECT_EQ(candidate.place, Place::Channel);
-  EXPECT_EQ(made[0].form, "(1)*(v)");
+  EXPECT_EQ(made[0].form, parse_expression("1*v"));
 }
 
 TEST(ChannelSkew, FollowsABendOfTheMotionToo) {
@@ -129,9 +131,16 @@ TEST(ChannelSkew, FollowsABendOfTheMotionToo) {
   EXPECT_NEAR(value_of(made[1], {0.1}), f + 0.05 * (-4.0 * 0.5 - 0.2 * f + 1.0), 1e-9);
 }
 
+TEST(Hysteresis, APlayIsTheWholeOfWhatIsThere) {
+  const Scope scope = oscillator_scope();
+  const Candidate loop = candidate_of<kHysteresis>(scope, 1, "clip(follower-F,-gap,gap)");
+  EXPECT_EQ(reading_of<kHysteresis>(scope, loop, 1.0)->precedence, Precedence::Special);
+  EXPECT_EQ(reading_of<kBacklash>(scope, loop, 1.0)->precedence, Precedence::Plain);
+}
+
 TEST(Hysteresis, ALoopIsAPartOfWhatIsThere) {
   const Scope scope = oscillator_scope();
-  const Candidate loop = candidate_of<kHysteresis>(scope, 1, "clip(follower-(F),-gap,gap)");
+  const Candidate loop = candidate_of<kHysteresis>(scope, 1, "clip(follower-F,-gap,gap)");
   EXPECT_TRUE(plausible_with<kHysteresis>(scope, loop, 0.5));
   EXPECT_FALSE(plausible_with<kHysteresis>(scope, loop, 3.0));
   EXPECT_FALSE(plausible_with<kHysteresis>(scope, loop, -0.5));
@@ -141,9 +150,19 @@ TEST(Hysteresis, ALoopIsAPartOfWhatIsThere) {
 
 TEST(Lag, IsNoMoreThanTheWhole) {
   const Scope scope = oscillator_scope();
-  const Candidate slow = candidate_of<kLag>(scope, 1, "lagged-(q)");
+  const Candidate slow = candidate_of<kLag>(scope, 1, "lagged-q");
   EXPECT_FALSE(plausible_with<kLag>(scope, slow, -400.0));
   EXPECT_DOUBLE_EQ(slow.least, -8.0);
+}
+
+TEST(Play, TheFollowerStandsStillInsideTheGap) {
+  const Candidate play =
+      candidate_of<kBacklash>(oscillator_scope(), 1, "clip(follower-F,-gap,gap)");
+  const MemoryState& follower = play.memory[0];
+  EXPECT_EQ(follower.start, parse_expression("F"));
+  EXPECT_EQ(follower.rate.operands()[1],
+            parse_expression("F-follower-clip(F-follower,-gap,gap)"));
+  EXPECT_NEAR(follower.rate.operands()[0].value(), 800.0, 1e-6) << "eight per step of 0.01 s";
 }
 
 TEST(Delay, OfAStateItselfIsNoFasterThanTheState) {
@@ -158,7 +177,7 @@ TEST(UnmeasuredInput, IsDrivenAndRemembers) {
   const auto made = candidates_of<kUnmeasuredInput>(scope, 1);
   ASSERT_EQ(made.size(), 1u);
   EXPECT_TRUE(made[0].is_driven());
-  EXPECT_EQ(made[0].form, made[0].memory[0].name);
+  EXPECT_EQ(made[0].form, Expression::variable(made[0].memory[0].name));
   EXPECT_GT(made[0].starts.front()[0], scope.step);
   EXPECT_LE(made[0].starts.back()[0], 0.1 * scope.duration);
 }

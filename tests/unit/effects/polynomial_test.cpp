@@ -14,6 +14,7 @@ using support::forms_of;
 using support::model_of_lines;
 using support::oscillator_scope;
 using support::plausible_with;
+using support::reading_of;
 using support::scope_of;
 
 /// A product and an input in one equation, neither in the other.
@@ -33,9 +34,10 @@ TEST(LinearTerm, IsWhatTheEquationHasNot) {
   EXPECT_EQ(forms_of<kLinearTerm>(product(), 1), (Forms{"x", "y"}));
 }
 
-TEST(LinearTerm, LeavesThePathOfAnInputToFeedthrough) {
-  EXPECT_EQ(candidate_of<kLinearTerm>(product(), 0, "u").plainer, "feedthrough");
-  EXPECT_EQ(candidate_of<kLinearTerm>(product(), 1, "x").plainer, std::nullopt);
+TEST(LinearTerm, IsThePlainWord) {
+  const Candidate path = candidate_of<kLinearTerm>(product(), 0, "u");
+  EXPECT_EQ(reading_of<kLinearTerm>(product(), path, 1.0)->precedence, Precedence::Plain);
+  EXPECT_EQ(reading_of<kLinearTerm>(product(), path, 1.0)->sentence, "linear term in u");
 }
 
 TEST(Powers, AreThoseThatTheEquationHasNot) {
@@ -49,16 +51,39 @@ TEST(Powers, AreThoseThatTheEquationHasNot) {
 }
 
 TEST(CubicTerm, OfAPositionIsAStiffness) {
-  EXPECT_EQ(candidate_of<kCubicTerm>(oscillator_scope(), 1, "q^3").plainer, "cubic-stiffness");
-  EXPECT_EQ(candidate_of<kCubicTerm>(oscillator_scope(), 1, "v^3").plainer, std::nullopt);
+  const Scope scope = oscillator_scope();
+  const Candidate cube = candidate_of<kCubicTerm>(scope, 1, "q^3");
+  EXPECT_EQ(reading_of<kCubicStiffness>(scope, cube, 1.0)->precedence, Precedence::Contextual);
+  EXPECT_EQ(reading_of<kCubicTerm>(scope, cube, 1.0)->precedence, Precedence::Plain);
+  EXPECT_FALSE(
+      reading_of<kCubicStiffness>(scope, candidate_of<kCubicTerm>(scope, 1, "v^3"), 1.0));
   EXPECT_EQ(forms_of<kCubicStiffness>(oscillator_scope(), 1), Forms{"q^3"});
   EXPECT_EQ(forms_of<kCubicStiffness>(product(), 0), Forms{});
+}
+
+TEST(CrossTerm, IsAnyProductOfUpToThreeFactors) {
+  const auto is_product = [](const std::string& form) {
+    Candidate candidate;
+    candidate.form = candidate.argument = parse_expression(form);
+    return reading_of<kCrossTerm>(product(), candidate, 1.0, Vector(0)).has_value();
+  };
+  EXPECT_TRUE(is_product("x*u*y"));
+  EXPECT_TRUE(is_product("u*x*u"));
+  EXPECT_FALSE(is_product("x^3"));
+  EXPECT_FALSE(is_product("x^2*y^2"));
+  EXPECT_FALSE(is_product("t*x"));
 }
 
 TEST(Feedthrough, IsAnInputOrAFactor) {
   EXPECT_EQ(forms_of<kFeedthrough>(product(), 0), Forms{"u"});
   EXPECT_EQ(forms_of<kFeedthrough>(product(), 1), (Forms{"x", "y"}));
-  EXPECT_EQ(candidate_of<kFeedthrough>(product(), 1, "x").plainer, "linear-term");
+  const auto precedence = [](Index equation, const std::string& form) {
+    return reading_of<kFeedthrough>(product(),
+                                    candidate_of<kFeedthrough>(product(), equation, form), 1.0)
+        ->precedence;
+  };
+  EXPECT_EQ(precedence(0, "u"), Precedence::Contextual);
+  EXPECT_EQ(precedence(1, "x"), Precedence::Special) << "as well a linear term";
 }
 
 TEST(MissingCoupling, IsBetweenPartsOnly) {
@@ -66,7 +91,10 @@ TEST(MissingCoupling, IsBetweenPartsOnly) {
       scope_of(model_of_lines({{"x", {{"x", -1.0}}}, {"y", {{"y", -2.0}}}}, {}));
   EXPECT_EQ(forms_of<kMissingCoupling>(parts, 0), Forms{"y"});
   EXPECT_EQ(forms_of<kMissingCoupling>(product(), 0), Forms{});
-  EXPECT_EQ(candidate_of<kLinearTerm>(parts, 0, "y").plainer, "missing-coupling");
+  EXPECT_EQ(
+      reading_of<kMissingCoupling>(parts, candidate_of<kMissingCoupling>(parts, 0, "y"), 1.0)
+          ->precedence,
+      Precedence::Contextual);
 }
 
 TEST(MissingCoupling, IsAnExchangeWhereNeitherStateActsByItself) {
@@ -86,7 +114,8 @@ TEST(Leakage, TakesAway) {
   const Candidate hole = candidate_of<kLeakage>(tank, 0, "sqrt(max(h,0))");
   EXPECT_TRUE(plausible_with<kLeakage>(tank, hole, -0.5));
   EXPECT_FALSE(plausible_with<kLeakage>(tank, hole, 0.5));
-  EXPECT_EQ(candidate_of<kLeakage>(tank, 0, "h").plainer, "linear-term");
+  EXPECT_EQ(reading_of<kLeakage>(tank, candidate_of<kLeakage>(tank, 0, "h"), -0.5)->precedence,
+            Precedence::Special);
   EXPECT_EQ(forms_of<kLeakage>(oscillator_scope(), 1), Forms{}) << "a velocity is not stored";
 }
 

@@ -23,7 +23,8 @@ TEST(Rank, TheRightEffectLeadsWithItsSize) {
   const Ranking ranking = ranking_of(support::dry_friction);
   ASSERT_FALSE(ranking.effects.empty());
   const RankedEffect& best = ranking.effects.front();
-  EXPECT_EQ(best.effect().candidate.effect, "dry");
+  ASSERT_FALSE(best.names.empty());
+  EXPECT_EQ(best.names.front().name, "dry");
   EXPECT_NEAR(best.effect().coefficient, -0.3, 0.02);
   EXPECT_GT(best.sigma, 8.0);
   EXPECT_GT(best.probability, 0.99);
@@ -39,66 +40,38 @@ TEST(Rank, NothingIsRankedWhereNothingIsMissing) {
 
 constexpr StageInfo kRubbing{"rubbing", "Dry friction under another name", ""};
 
-FittedEffect named(const std::string& name, const std::string& form) {
-  FittedEffect effect{support::plain_candidate(form), Vector(0), 1.0, 0.0};
-  effect.candidate.effect = name;
-  effect.candidate.argument = "v";
-  return effect;
-}
-
-TEST(Rank, NamesOfOneTermAndFormsOfOneEffectMeanTheSame) {
-  EXPECT_TRUE(have_one_term(named("stiffness", "v^3"), named("cubic", "v^3")));
-  EXPECT_FALSE(have_one_term(named("stiffness", "v^3"), named("stiffness", "v^5")));
-  EXPECT_TRUE(mean_the_same(named("friction", "sign(v)"), named("friction", "tanh(v/0.1)")));
-  EXPECT_FALSE(mean_the_same(named("friction", "sign(v)"), named("saturation", "tanh(v)")));
-  FittedEffect elsewhere = named("friction", "sign(v)");
-  elsewhere.candidate.equation = 0;
-  EXPECT_FALSE(mean_the_same(named("friction", "sign(v)"), elsewhere));
-}
-
-TEST(Rank, NamesOfOneTermShareItsProbability) {
+TEST(Rank, NamesOfOneTermShareItsFit) {
   const Dataset data = support::hidden_record(support::dry_friction, 0.01);
   std::vector<Stage<Effect>> twice = support::own_effects();
   twice.push_back(support::FormEffect<kRubbing>("sign(v)"));
   const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
   const Ranking ranking = rank(data, {{}, support::assimilated(data)}, twice, scope,
                                support::oscillator_fit_options(), {}, RunContext{});
-  ASSERT_GE(ranking.effects.size(), 2u);
+  ASSERT_GE(ranking.effects.size(), 1u);
   EXPECT_GT(ranking.effects[0].probability, 0.99);
-  EXPECT_DOUBLE_EQ(ranking.effects[0].probability, ranking.effects[1].probability);
-  EXPECT_EQ(ranking.effects[0].criterion, ranking.effects[1].criterion) << "one fit for both";
-  EXPECT_EQ(ranking.effects[0].effect().candidate.effect, "dry");
-  EXPECT_EQ(ranking.effects[1].effect().candidate.effect, "rubbing");
+  ASSERT_EQ(ranking.effects[0].names.size(), 2u);
+  EXPECT_EQ(ranking.effects[0].names[0].name, "dry");
+  EXPECT_EQ(ranking.effects[0].names[1].name, "rubbing");
+  EXPECT_EQ(ranking.tried, 2) << "the form is tried once";
 }
 
-/// Two bends between an arm and its drive, of which the nominal model has the slope 60.
-struct Bends {
-  Scope scope = support::scope_of(support::model_of_lines(
-      {{"q", {{"v", 1.0}}}, {"v", {{"q", -60.0}, {"u", 60.0}}}}, {"u"}));
-  std::vector<Stage<Effect>> effects{FamilyEffect<kBacklash>(), FamilyEffect<kDeadZone>(),
-                                     FamilyEffect<kPiecewiseLinear>()};
-
-  FittedEffect with(double coefficient) const {
-    return {support::candidate_of<kPiecewiseLinear>(scope, 1, "clip(q-u,-edge,edge)"),
-            Vector::Constant(1, 0.3), coefficient, 0.1};
-  }
-};
-
-TEST(Rank, NamesAreJudgedByTheFittedNumbers) {
-  const Bends bends;
-  EXPECT_TRUE(is_plausible(bends.with(30.0), bends.scope.model, bends.effects, bends.scope));
-  EXPECT_FALSE(is_plausible(bends.with(60.0), bends.scope.model, bends.effects, bends.scope));
+FittedEffect fitted(const Candidate& candidate) {
+  return {candidate, candidate.starts.front(), -1.0, 0.01};
 }
 
-TEST(Rank, WhatHasNoSlopeInsideIsAPlayByAnotherName) {
-  const Bends bends;
-  const auto other =
-      other_name_of(bends.with(60.0), bends.scope.model, bends.effects, bends.scope);
-  ASSERT_TRUE(other.has_value());
-  EXPECT_EQ(other->effect, "backlash");
-  EXPECT_FALSE(other_name_of(bends.with(60.0), bends.scope.model,
-                             {FamilyEffect<kPiecewiseLinear>()}, bends.scope))
-      << "there is no other name";
+TEST(Rank, FormsOfOneEffectHaveOneNameOrNest) {
+  const Scope scope = support::oscillator_scope();
+  const FittedEffect sharp =
+      fitted(support::candidate_of<kCoulombFriction>(scope, 1, "sign(v)"));
+  const FittedEffect rising = fitted(
+      support::candidate_of<kStribeckFriction>(scope, 1, "(1+rise*exp(-(v/speed)^2))*sign(v)"));
+  const FittedEffect drag = fitted(support::candidate_of<kQuadraticDrag>(scope, 1, "v*abs(v)"));
+  EXPECT_TRUE(are_forms_of_one(sharp, "friction", rising, "rising friction", scope));
+  EXPECT_FALSE(are_forms_of_one(sharp, "friction", drag, "drag", scope));
+  EXPECT_TRUE(are_forms_of_one(sharp, "friction", drag, "friction", scope));
+  FittedEffect elsewhere = sharp;
+  elsewhere.candidate.equation = 0;
+  EXPECT_FALSE(are_forms_of_one(sharp, "friction", elsewhere, "friction", scope));
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lacuna/candidates/candidate.hpp"
+#include "lacuna/candidates/scope.hpp"
+
+// How effects put candidates together.
+namespace lacuna {
+
+/// A form from its pattern: expressions in place of the names that `parts` lists; every other
+/// name is a shape parameter or a memory state and becomes Scope::free_name() of itself.
+/// @code
+///   formula(scope, "clip(x,-edge,edge)", {{"x", argument}})
+/// @endcode
+/// @throws ModelError when the pattern cannot be read.
+Expression formula(const Scope& scope, std::string_view pattern,
+                   const std::map<std::string, Expression>& parts = {});
+
+/// A candidate without shape parameters.
+Candidate plain_candidate(const Expression& form, const Expression& argument);
+
+/// A candidate with one shape parameter. Starting points outside its range move to the end of
+/// it.
+Candidate shaped_candidate(const Expression& form, const Expression& argument,
+                           const ShapeParameter& shape, std::vector<Vector> starts);
+
+/// Values low, ..., high in equal ratios, as starting points of one shape parameter.
+std::vector<Vector> geometric_starts(double low, double high, int count);
+
+/// The given values as starting points of one shape parameter.
+std::vector<Vector> starts_at(const std::vector<double>& values);
+
+/// What takes over the action of a place x through play of half width gap: clip(follower-x,
+/// -gap,gap) with a memory state that stands still while it is within the gap and is taken
+/// along at its edge, within an eighth of a sample. The coefficient is bounded to the term's.
+Candidate play_of(const Scope& scope, Index equation, const Expression& x);
+
+/// Bounds the coefficient of a candidate that takes over a part of a term, or the whole of it.
+/// The nominal coefficient may be half the true one.
+void bound_to_term(const Scope& scope, Index equation, const Expression& term,
+                   Candidate& candidate);
+
+}  // namespace lacuna

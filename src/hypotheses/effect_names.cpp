@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "effect_names.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+std::vector<NamedParameter> parameters_of(const FittedEffect& fitted, const Name& name) {
+  std::vector<NamedParameter> parameters;
+  for (std::size_t s = 0; s < name.parameters.size(); ++s)
+    parameters.push_back({name.parameters[s], fitted.candidate.shapes[s].unit, 0.0, {}});
+  return parameters;
+}
+
+/// First the other names of the same form, then the other forms.
+std::vector<Alternative> alternatives_of(const RankedEffect& ranked, const Ranking& ranking) {
+  constexpr std::size_t kAlternatives = 4;
+  std::vector<Alternative> result;
+  const auto add = [&](const RankedEffect& other, const Name& name) {
+    if (result.size() < kAlternatives)
+      result.push_back({name.name, term_of(other.effect()), other.probability});
+  };
+  for (std::size_t i = 1; i < ranked.names.size(); ++i) add(ranked, ranked.names[i]);
+  const Candidate& own = ranked.effect().candidate;
+  for (const RankedEffect& other : ranking.effects) {
+    const Candidate& candidate = other.effect().candidate;
+    if (are_one_form(candidate, own) && other.effect().shapes == ranked.effect().shapes)
+      continue;
+    for (const Name& name : other.names)
+      if (name.name != ranked.names.front().name || !in_one_place(candidate, own))
+        add(other, name);
+  }
+  return result;
+}
+
+/// What makes a name less plain: shape parameters and memory, then the depth of its formula.
+std::pair<Index, int> intricacy(const FittedEffect& effect) {
+  const std::span<const double> shapes(effect.shapes.data(),
+                                       static_cast<std::size_t>(effect.shapes.size()));
+  return {effect.candidate.intricacy(), bind_form(effect.candidate, shapes).depth()};
+}
+
+}  // namespace
+
+std::string term_of(const FittedEffect& effect) {
+  return bind_form(effect.candidate,
+                   {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())})
+      .to_string();
+}
+
+void take_name(const FittedEffect& fitted, const Name& name, NamedEffect& named) {
+  named.name = name.name;
+  named.description = name.sentence;
+  named.cause = name.cause;
+  named.parameters = parameters_of(fitted, name);
+}
+
+NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking) {
+  const FittedEffect& fitted = ranked.effect();
+  NamedEffect named;
+  named.equation = fitted.candidate.equation;
+  take_name(fitted, ranked.names.front(), named);
+  named.sigma = ranked.sigma;
+  named.contribution = ranked.contribution;
+  named.probability = ranked.probability;
+  named.tried = ranking.tried;
+  named.alternatives = alternatives_of(ranked, ranking);
+  return named;
+}
+
+std::vector<OtherForm> plainer_forms(const RankedEffect& ranked, const Ranking& ranking,
+                                     const DecisionOptions& decision) {
+  std::vector<OtherForm> result;
+  const Candidate& candidate = ranked.effect().candidate;
+  for (const RankedEffect& other : ranking.effects)
+    if (other.effect().candidate.equation == candidate.equation &&
+        other.effect().candidate.place == candidate.place &&
+        other.sigma >= decision.significance && other.contribution >= decision.effect_size &&
+        intricacy(other.effect()) < intricacy(ranked.effect()))
+      result.push_back({name_effect(other, ranking), other.effect()});
+  std::stable_sort(result.begin(), result.end(), [](const OtherForm& a, const OtherForm& b) {
+    return intricacy(a.effect) < intricacy(b.effect);
+  });
+  return result;
+}
+
+void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
+  for (std::size_t e = 0; e < named.size(); ++e) {
+    const FittedEffect& fitted = explanation.effects[e];
+    named[e].term = term_of(fitted);
+    named[e].coefficient = fitted.coefficient;
+    named[e].deviation = fitted.deviation;
+    for (std::size_t s = 0; s < named[e].parameters.size(); ++s) {
+      const auto i = static_cast<Index>(s);
+      const bool known = i < fitted.shape_deviations.size() && fitted.shape_deviations[i] > 0.0;
+      NamedParameter& parameter = named[e].parameters[s];
+      parameter.value = fitted.shapes[i];
+      parameter.deviation = known ? std::optional(fitted.shape_deviations[i]) : std::nullopt;
+    }
+  }
+}
+
+}  // namespace lacuna
