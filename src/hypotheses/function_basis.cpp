@@ -57,12 +57,13 @@ FunctionBasis harmonics(const VariableRange& angle, Index equation) {
   for (int order = 1; order <= kHarmonics; ++order)
     for (const Operation wave : {Operation::Sin, Operation::Cos})
       basis.members.push_back(member(equation,
-                                    Expression::make(wave, {number(order) * variable(angle)}),
-                                    variable(angle)));
+                                     Expression::make(wave, {number(order) * variable(angle)}),
+                                     variable(angle)));
   return basis;
 }
 
-FunctionBasis surface(const VariableRange& x, const VariableRange& y, int pieces, Index equation) {
+FunctionBasis surface(const VariableRange& x, const VariableRange& y, int pieces,
+                      Index equation) {
   FunctionBasis basis{FunctionBasis::Kind::Surface, {x.name, y.name}, {}};
   for (const Expression& first : splines(x, pieces))
     for (const Expression& second : splines(y, pieces))

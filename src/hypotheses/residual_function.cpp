@@ -59,8 +59,7 @@ std::optional<Explanation> with_polynomials(const Problem& problem, const Accoun
       });
   const bool removed = kept != filled.effects.end();
   filled.effects.erase(kept, filled.effects.end());
-  if (removed)
-    filled = explain_on(problem, *best.base, best.explanation.fit, filled.effects);
+  if (removed) filled = explain_on(problem, *best.base, best.explanation.fit, filled.effects);
   Account account = best;
   account.explanation = filled;
   const Criterion& criterion = *problem.options.criterion;

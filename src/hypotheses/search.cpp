@@ -37,8 +37,8 @@ struct Shortfall {
   double threshold = 0.0;
 };
 
-/// The gain has to be the effect's own: with a coefficient that is not told from 0 it is that of
-/// effects before it, whose shapes have moved.
+/// The gain has to be the effect's own: with a coefficient that is not told from 0 it is that
+/// of effects before it, whose shapes have moved.
 std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
                                    const FoundEffects& found, const RankedEffect& ranked) {
   const DecisionOptions& decision = decision_of(search);
@@ -97,8 +97,8 @@ void add(const EffectSearch& search, const RankedEffect& ranked, const Ranking& 
          FoundEffects& found) {
   const Index equation = ranked.effect().candidate.equation;
   found.named.push_back(name_effect(ranked, ranking));
-  found.named.back().gap_closed = std::clamp(
-      drop_of(search, found.explanation, ranked.explanation, equation), 0.0, 1.0);
+  found.named.back().gap_closed =
+      std::clamp(drop_of(search, found.explanation, ranked.explanation, equation), 0.0, 1.0);
   found.plainer.push_back(plainer_forms(ranked, ranking, decision_of(search)));
   found.explanation = ranked.explanation;
   while (take_out_one(search, found)) {
@@ -188,8 +188,15 @@ bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& f
     if (round.best.empty()) round = {ranking.tried, label, ranked.sigma, false};
     if (round.accepted) {
       const std::string name(search.problem.options.criterion->info().name);
-      found.rivals.push_back({std::string(kNamedEffects.name), says(search, ranked),
-                              ranked.criterion, false, name, ranked.criterion, best});
+      Rival rival{std::string(kNamedEffects.name),
+                  says(search, ranked),
+                  ranked.criterion,
+                  false,
+                  name,
+                  ranked.criterion,
+                  best};
+      if (ranked.criterion < best) rival.rule = "a plainer form does as well";
+      found.rivals.push_back(std::move(rival));
       continue;
     }
     Rival rival = try_candidate(search, size, ranked, ranking, found);
@@ -227,15 +234,15 @@ bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
   if (!std::isfinite(next.fit.deviance) || !all_named(search, next) ||
       !size.is_near(next.fit, found.explanation.fit, candidate))
     return false;
-  found.rounds.push_back({1, plainer.named.name + ": " + term_of(plainer.effect),
-                          plainer.named.sigma, true});
+  found.rounds.push_back(
+      {1, plainer.named.name + ": " + term_of(plainer.effect), plainer.named.sigma, true});
   take_place(search, e, plainer.named, std::move(next), found);
   found.left = test_disturbances(found.explanation.fit, search.problem.context);
   return true;
 }
 
-/// Where structure is left in the end, special forms that the likelihood prefers for it give way
-/// to plain ones.
+/// Where structure is left in the end, special forms that the likelihood prefers for it give
+/// way to plain ones.
 void prefer_plain(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
   for (std::size_t e = found.named.size(); e-- > 0;) {
     if (!is_left_in(found.left, decision_of(search), found.named[e].equation)) continue;

@@ -161,8 +161,8 @@ bool is_a_factor(const FoundInput& input, const Search& search) {
     const double size = variable.magnitude();
     if (!(size > 0.0)) continue;
     search.problem.context.report("looking for what an input multiplies", 0.0);
-    factor.candidate.form = factor.candidate.form * Expression::variable(variable.name) /
-                            Expression::number(size);
+    factor.candidate.form =
+        factor.candidate.form * Expression::variable(variable.name) / Expression::number(size);
     const Explanation fit =
         explain_on(search.problem, search.base, search.start, {std::move(factor)});
     if (value_of(fit, search) + search.problem.options.decision.undecided < input.value)
@@ -185,8 +185,7 @@ std::string size_of(const FoundInput& input, const Search& search) {
 NamedEffect name_of(const FoundInput& input, const Search& search) {
   const NameTable table{search.problem.options.effects, search.base.scope,
                         search.problem.options.decision.naming};
-  const std::vector<Name> names =
-      table.names_of(input.effect(), input.explanation.fit.model);
+  const std::vector<Name> names = table.names_of(input.effect(), input.explanation.fit.model);
   NamedEffect named;
   named.equation = search.equation;
   if (!names.empty()) take_name(input.effect(), names.front(), named);
@@ -253,7 +252,9 @@ Proposals UnmeasuredInput::do_propose(const Problem& problem, const Account& bes
   if (!input || !is_evident(*input, search)) return {};
   const double least = problem.options.criterion->value(evidence_of(best));
   if (input->value > least)
-    return {{}, {{name, says, input->value, false, "criterion", input->value, least}}};
+    return {{},
+            {{name, says, input->value, false,
+              std::string(problem.options.criterion->info().name), input->value, least}}};
   std::vector<EquationStructure> left = left_by(*input, search);
   Proposal proposal =
       stands_alone(*input, left, search)
