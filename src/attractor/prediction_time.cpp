@@ -39,7 +39,7 @@ class Forecast {
   Matrix states(Index first, Index count) {
     const Vector start = run_.states.row(first).transpose();
     const Vector times = run_.time.segment(first, count);
-    if (input_) return simulate(model_, integrator_, start, times, *input_).states;
+    if (input_) return simulate(DrivenModel{model_, *input_}, integrator_, start, times).states;
     return simulate(model_, integrator_, start, times).states;
   }
 

@@ -119,24 +119,23 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
 /// Fits with the shapes as they are.
 class JointFit {
  public:
-  JointFit(const Dataset& data, const OdeModel& nominal, const AssimilationOptions& options,
-           const RunContext& context)
-      : data_(data), nominal_(nominal), options_(options), context_(context) {}
+  explicit JointFit(const JointFitTask& task) : task_(task) {}
 
   Explanation at(const Assimilation& from, std::vector<FittedEffect> effects,
                  int passes) const {
-    const Index m = nominal_.dimension();
-    if (stands_twice(nominal_, effects)) return unknown(from, effects);
-    AugmentedProblem problem = augment(nominal_part(from.model, nominal_), data_, options_.free,
+    const auto& [data, nominal, given, context] = task_;
+    const Index m = nominal.dimension();
+    if (stands_twice(nominal, effects)) return unknown(from, effects);
+    AugmentedProblem problem = augment(nominal_part(from.model, nominal), data, given.free,
                                        effects, nominal_paths(from, m));
-    if (!bridge(from, nominal_, effects, problem)) return unknown(from, effects);
-    AssimilationOptions options = options_;
+    if (!bridge(from, nominal, effects, problem)) return unknown(from, effects);
+    AssimilationOptions options = given;
     options.free = problem.free;
     options.passes = passes;
     Assimilation start = widened(nominal_start(from, m), problem);
     set_drives(effects, m, start.noise.disturbance);
     Explanation result{std::move(effects),
-                       assimilate_from(problem.model, problem.data, start, options, context_)};
+                       assimilate_from(problem.model, problem.data, start, options, context)};
     read_coefficients(result);
     return result;
   }
@@ -196,7 +195,7 @@ class JointFit {
 
   void read_coefficients(Explanation& result) const {
     const Assimilation& fit = result.fit;
-    auto place = static_cast<Index>(options_.free.size());
+    auto place = static_cast<Index>(task_.options.free.size());
     auto channel = static_cast<Index>(fit.free.size());
     std::size_t term = 0;
     for (FittedEffect& effect : result.effects) {
@@ -221,10 +220,7 @@ class JointFit {
   /// `at` gets the standard errors of its shapes.
   bool move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const;
 
-  const Dataset& data_;
-  const OdeModel& nominal_;
-  const AssimilationOptions& options_;
-  const RunContext& context_;
+  const JointFitTask& task_;
 };
 
 /// d(column)/d(shape) times the coefficient, by central differences inside the range.
@@ -318,20 +314,19 @@ Index Explanation::parameters() const noexcept {
   return count;
 }
 
-Explanation explain_roughly(const Dataset& data, const OdeModel& nominal,
-                            const Assimilation& start, const std::vector<FittedEffect>& effects,
-                            const AssimilationOptions& options, const RunContext& context) {
+Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
+                            const std::vector<FittedEffect>& effects) {
   constexpr int kFew = 3;
-  return JointFit(data, nominal, options, context).at(start, effects, kFew);
+  return JointFit(task).at(start, effects, kFew);
 }
 
-Explanation explain(const Dataset& data, const OdeModel& nominal, const Assimilation& start,
-                    const std::vector<FittedEffect>& effects,
-                    const AssimilationOptions& options, const RunContext& context) {
-  const JointFit fit(data, nominal, options, context);
-  Explanation best = fit.with_shapes(fit.at(start, effects, options.passes));
+Explanation explain(const JointFitTask& task, const Assimilation& start,
+                    const std::vector<FittedEffect>& effects) {
+  const JointFit fit(task);
+  const int passes = task.options.passes;
+  Explanation best = fit.with_shapes(fit.at(start, effects, passes));
   if (const auto again = with_seen_noise(best.fit)) {
-    Explanation other = fit.with_shapes(fit.at(*again, best.effects, options.passes));
+    Explanation other = fit.with_shapes(fit.at(*again, best.effects, passes));
     if (other.fit.deviance < best.fit.deviance) return other;
   }
   return best;

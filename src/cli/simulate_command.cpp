@@ -67,7 +67,7 @@ Solution run(const OdeModel& model, const Integrator& integrator, const Options&
   const Vector times = parse_times(options);
   if (model.inputs().empty()) return simulate(model, integrator, start, times, context);
   RecordInput inputs(input_record(model, options));
-  return simulate(model, integrator, start, times, inputs, context);
+  return simulate(DrivenModel{model, inputs}, integrator, start, times, context);
 }
 
 Dataset as_dataset(const OdeModel& model, Solution orbit) {

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
@@ -48,195 +51,189 @@ std::string rows_text(Index count) {
   return std::to_string(count) + (count == 1 ? " row" : " rows");
 }
 
-/// Cuts one table; the state of the walk over its rows.
-class Splitter {
- public:
-  Splitter(const Table& table, const ColumnIndices& columns)
-      : table_(table), columns_(columns), used_(columns.used()), notes_(table.source) {}
+constexpr Index kNone = std::numeric_limits<Index>::max();
 
-  Records split() {
-    find_gaps();
-    Index first = 0;
-    for (Index row = 1; row <= table_.values.rows(); ++row) {
-      if (row < table_.values.rows() && !new_trajectory(row)) continue;
-      split_numbered(first, row);
-      first = row;
-    }
-    note_trajectories();
-    if (ranges_.empty()) fail_empty();
-    return {std::move(ranges_), notes_.take()};
-  }
+/// A table with what its columns are for and where values are missing.
+struct Rows {
+  const Table& table;
+  const ColumnIndices& columns;
+  std::vector<Index> missing;  ///< column whose value is missing, per row; empty if none is
 
- private:
   const std::string& name(Index column) const {
-    return table_.columns[static_cast<std::size_t>(column)].name;
+    return table.columns[static_cast<std::size_t>(column)].name;
   }
 
-  double time(Index row) const { return table_.values(row, *columns_.time); }
-
-  /// Marks the rows in which a value is missing.
-  void find_gaps() {
-    for (const Index column : used_) {
-      const auto values = table_.values.col(column);
-      if (values.allFinite()) continue;
-      if (missing_.empty()) missing_.assign(static_cast<std::size_t>(values.size()), kNone);
-      bool any = false;
-      for (Index row = 0; row < values.size(); ++row) {
-        if (std::isinf(values[row])) fail_infinite(row, column);
-        if (std::isnan(values[row]) && column == columns_.trajectory) fail_number(row);
-        Index& missing = missing_[static_cast<std::size_t>(row)];
-        if (std::isnan(values[row]) && missing == kNone) missing = column;
-        any = any || !std::isnan(values[row]);
-      }
-      if (!any) fail_no_value(column);
-    }
-  }
+  double time(Index row) const { return table.values(row, *columns.time); }
 
   bool is_missing(Index row) const {
-    return !missing_.empty() && missing_[static_cast<std::size_t>(row)] != kNone;
+    return !missing.empty() && missing[static_cast<std::size_t>(row)] != kNone;
   }
 
   bool new_trajectory(Index row) const {
-    if (!columns_.trajectory) return false;
-    return table_.values(row, *columns_.trajectory) !=
-           table_.values(row - 1, *columns_.trajectory);
+    if (!columns.trajectory) return false;
+    return table.values(row, *columns.trajectory) != table.values(row - 1, *columns.trajectory);
   }
-
-  /// Rows [first, last) have one number: cuts them where values are missing and time jumps.
-  void split_numbered(Index first, Index last) {
-    ++numbered_;
-    number_begin_ = first;
-    check_time(first, last);
-    const std::optional<double> threshold = threshold_of(first, last);
-    Index begin = first;
-    for (Index row = first; row < last; ++row) {
-      if (is_missing(row)) {
-        const Index end = missing_end(row, last);
-        note_missing(row, end, row > first && end < last);
-        add(begin, row);
-        begin = end;
-        row = end - 1;
-      } else if (row > begin && threshold && time(row) - time(row - 1) > *threshold) {
-        note_jump(row);
-        add(begin, row);
-        begin = row;
-      }
-    }
-    add(begin, last);
-  }
-
-  Index missing_end(Index row, Index last) const {
-    while (row < last && is_missing(row)) ++row;
-    return row;
-  }
-
-  /// Time must rise from each row to the next that has one.
-  void check_time(Index first, Index last) const {
-    if (!columns_.time) return;
-    std::optional<Index> before;
-    for (Index row = first; row < last; ++row) {
-      if (!missing_.empty() && std::isnan(time(row))) continue;
-      if (before && !(time(row) > time(*before))) fail_time(*before, row);
-      before = row;
-    }
-  }
-
-  std::optional<double> threshold_of(Index first, Index last) const {
-    if (!columns_.time || last - first < 2) return std::nullopt;
-    double smallest = std::numeric_limits<double>::infinity();
-    double largest = 0.0;
-    for (Index row = first + 1; row < last; ++row) {
-      const double step = time(row) - time(row - 1);
-      if (is_missing(row) || is_missing(row - 1)) continue;
-      smallest = std::min(smallest, step);
-      largest = std::max(largest, step);
-    }
-    // No step can exceed any threshold then; spares the quantiles in the usual case.
-    if (largest <= 1.5 * smallest) return std::nullopt;
-    return gap_threshold(steps_of(first, last));
-  }
-
-  std::vector<double> steps_of(Index first, Index last) const {
-    std::vector<double> steps;
-    for (Index row = first + 1; row < last; ++row)
-      if (!is_missing(row) && !is_missing(row - 1)) steps.push_back(time(row) - time(row - 1));
-    return steps;
-  }
-
-  void add(Index begin, Index end) {
-    if (end - begin >= 2) ranges_.push_back({begin, end - begin, begin - number_begin_});
-    if (end - begin != 1) return;
-    notes_.add(place(table_, begin, used_[0]) + ": a single row between two cuts is left out");
-  }
-
-  void note_missing(Index row, Index end, bool inside) {
-    const Index column = missing_[static_cast<std::size_t>(row)];
-    notes_.add(place(table_, row, column) + ": value of '" + name(column) + "' missing, " +
-               rows_text(end - row) + " left out" + (inside ? ", record split" : ""));
-  }
-
-  void note_jump(Index row) {
-    notes_.add(place(table_, row, *columns_.time) + ": record split, time jumps from " +
-               format_number(time(row - 1)) + " to " + format_number(time(row)));
-  }
-
-  void note_trajectories() {
-    if (numbered_ < 2) return;
-    notes_.add(table_.source + ": " + std::to_string(numbered_) + " records by column '" +
-               name(*columns_.trajectory) + "'");
-  }
-
-  [[noreturn]] void fail_infinite(Index row, Index column) const {
-    throw DataError(place(table_, row, column),
-                    "the value in column '" + name(column) + "' is infinite",
-                    "leave the field empty when the value is missing, or remove the line");
-  }
-
-  [[noreturn]] void fail_number(Index row) const {
-    throw DataError(
-        place(table_, row, *columns_.trajectory),
-        "the number of the record is missing in column '" + name(*columns_.trajectory) + "'",
-        "give every line the number of its record");
-  }
-
-  [[noreturn]] void fail_no_value(Index column) const {
-    throw DataError(table_.source + ", column " + std::to_string(column + 1),
-                    "column '" + name(column) + "' has no values",
-                    "remove it, or name the columns to be used as states and inputs");
-  }
-
-  [[noreturn]] void fail_time(Index before, Index row) const {
-    const bool same = time(row) == time(before);
-    std::string remedy = same ? "remove the repeated line"
-                              : "sort the lines by time; number records that follow each other "
-                                "in a column and name it as the trajectory column";
-    if (columns_.time_by_position)
-      remedy = "the first column was taken as the time: name the time column or give the step";
-    throw DataError(place(table_, row, *columns_.time),
-                    "time in column '" + name(*columns_.time) + "' " +
-                        (same ? "stands still at " + format_number(time(row))
-                              : "goes backwards, from " + format_number(time(before)) + " to " +
-                                    format_number(time(row))),
-                    remedy);
-  }
-
-  [[noreturn]] void fail_empty() const {
-    const Index rows = table_.values.rows();
-    const std::string only = rows == 1 ? "there is only one line of numbers"
-                                       : "no two lines that follow each other are complete";
-    throw DataError(table_.source, only, "give at least two samples in a row");
-  }
-
-  static constexpr Index kNone = std::numeric_limits<Index>::max();
-  const Table& table_;
-  const ColumnIndices& columns_;
-  std::vector<Index> used_;
-  std::vector<Index> missing_;  ///< column whose value is missing, per row; empty if none is
-  std::vector<RowRange> ranges_;
-  NoteList notes_;
-  std::size_t numbered_ = 0;  ///< records by the trajectory column so far
-  Index number_begin_ = 0;    ///< first row of the present one
 };
+
+/// Rows [begin, end) with one number in the trajectory column.
+struct NumberedRows {
+  Index begin, end;
+};
+
+[[noreturn]] void fail_infinite(const Rows& rows, Index row, Index column) {
+  throw DataError(place(rows.table, row, column),
+                  "the value in column '" + rows.name(column) + "' is infinite",
+                  "leave the field empty when the value is missing, or remove the line");
+}
+
+[[noreturn]] void fail_number(const Rows& rows, Index row) {
+  const Index column = *rows.columns.trajectory;
+  throw DataError(place(rows.table, row, column),
+                  "the number of the record is missing in column '" + rows.name(column) + "'",
+                  "give every line the number of its record");
+}
+
+[[noreturn]] void fail_no_value(const Rows& rows, Index column) {
+  throw DataError(rows.table.source + ", column " + std::to_string(column + 1),
+                  "column '" + rows.name(column) + "' has no values",
+                  "remove it, or name the columns to be used as states and inputs");
+}
+
+[[noreturn]] void fail_time(const Rows& rows, Index before, Index row) {
+  const double now = rows.time(row), earlier = rows.time(before);
+  const bool same = now == earlier;
+  std::string remedy = same ? "remove the repeated line"
+                            : "sort the lines by time; number records that follow each other "
+                              "in a column and name it as the trajectory column";
+  if (rows.columns.time_by_position)
+    remedy = "the first column was taken as the time: name the time column or give the step";
+  throw DataError(place(rows.table, row, *rows.columns.time),
+                  "time in column '" + rows.name(*rows.columns.time) + "' " +
+                      (same ? "stands still at " + format_number(now)
+                            : "goes backwards, from " + format_number(earlier) + " to " +
+                                  format_number(now)),
+                  remedy);
+}
+
+[[noreturn]] void fail_empty(const Table& table) {
+  const std::string only = table.values.rows() == 1
+                               ? "there is only one line of numbers"
+                               : "no two lines that follow each other are complete";
+  throw DataError(table.source, only, "give at least two samples in a row");
+}
+
+/// Marks the rows in which a value is missing.
+Rows with_missing(const Table& table, const ColumnIndices& columns) {
+  Rows rows{table, columns, {}};
+  for (const Index column : columns.used()) {
+    const auto values = table.values.col(column);
+    if (values.allFinite()) continue;
+    if (rows.missing.empty())
+      rows.missing.assign(static_cast<std::size_t>(values.size()), kNone);
+    bool any = false;
+    for (Index row = 0; row < values.size(); ++row) {
+      if (std::isinf(values[row])) fail_infinite(rows, row, column);
+      if (std::isnan(values[row]) && column == columns.trajectory) fail_number(rows, row);
+      Index& missing = rows.missing[static_cast<std::size_t>(row)];
+      if (std::isnan(values[row]) && missing == kNone) missing = column;
+      any = any || !std::isnan(values[row]);
+    }
+    if (!any) fail_no_value(rows, column);
+  }
+  return rows;
+}
+
+std::vector<NumberedRows> numbered_rows(const Rows& rows) {
+  std::vector<NumberedRows> numbered;
+  Index begin = 0;
+  for (Index row = 1; row <= rows.table.values.rows(); ++row) {
+    if (row < rows.table.values.rows() && !rows.new_trajectory(row)) continue;
+    numbered.push_back({begin, row});
+    begin = row;
+  }
+  return numbered;
+}
+
+/// Time must rise from each row to the next that has one.
+void check_time(const Rows& rows, NumberedRows part) {
+  if (!rows.columns.time) return;
+  std::optional<Index> before;
+  for (Index row = part.begin; row < part.end; ++row) {
+    if (!rows.missing.empty() && std::isnan(rows.time(row))) continue;
+    if (before && !(rows.time(row) > rows.time(*before))) fail_time(rows, *before, row);
+    before = row;
+  }
+}
+
+std::vector<double> steps_of(const Rows& rows, NumberedRows part) {
+  std::vector<double> steps;
+  for (Index row = part.begin + 1; row < part.end; ++row)
+    if (!rows.is_missing(row) && !rows.is_missing(row - 1))
+      steps.push_back(rows.time(row) - rows.time(row - 1));
+  return steps;
+}
+
+std::optional<double> threshold_of(const Rows& rows, NumberedRows part) {
+  if (!rows.columns.time || part.end - part.begin < 2) return std::nullopt;
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (Index row = part.begin + 1; row < part.end; ++row) {
+    const double step = rows.time(row) - rows.time(row - 1);
+    if (rows.is_missing(row) || rows.is_missing(row - 1)) continue;
+    smallest = std::min(smallest, step);
+    largest = std::max(largest, step);
+  }
+  // No step can exceed any threshold then; spares the quantiles in the usual case.
+  if (largest <= 1.5 * smallest) return std::nullopt;
+  return gap_threshold(steps_of(rows, part));
+}
+
+std::string missing_note(const Rows& rows, Index row, Index end, bool inside) {
+  const Index column = rows.missing[static_cast<std::size_t>(row)];
+  return place(rows.table, row, column) + ": value of '" + rows.name(column) + "' missing, " +
+         rows_text(end - row) + " left out" + (inside ? ", record split" : "");
+}
+
+std::string jump_note(const Rows& rows, Index row) {
+  return place(rows.table, row, *rows.columns.time) + ": record split, time jumps from " +
+         format_number(rows.time(row - 1)) + " to " + format_number(rows.time(row));
+}
+
+std::string single_row_note(const Rows& rows, Index row) {
+  return place(rows.table, row, rows.columns.used()[0]) +
+         ": a single row between two cuts is left out";
+}
+
+Index missing_end(const Rows& rows, Index row, Index last) {
+  while (row < last && rows.is_missing(row)) ++row;
+  return row;
+}
+
+/// Cuts rows of one number where values are missing and time jumps.
+std::vector<RowRange> cut(const Rows& rows, NumberedRows part, NoteList& notes) {
+  std::vector<RowRange> ranges;
+  const auto add = [&](Index begin, Index end) {
+    if (end - begin >= 2) ranges.push_back({begin, end - begin, begin - part.begin});
+    if (end - begin == 1) notes.add(single_row_note(rows, begin));
+  };
+  const std::optional<double> threshold = threshold_of(rows, part);
+  Index begin = part.begin;
+  for (Index row = part.begin; row < part.end; ++row) {
+    if (rows.is_missing(row)) {
+      const Index end = missing_end(rows, row, part.end);
+      notes.add(missing_note(rows, row, end, row > part.begin && end < part.end));
+      add(begin, row);
+      begin = end;
+      row = end - 1;
+    } else if (row > begin && threshold && rows.time(row) - rows.time(row - 1) > *threshold) {
+      notes.add(jump_note(rows, row));
+      add(begin, row);
+      begin = row;
+    }
+  }
+  add(begin, part.end);
+  return ranges;
+}
 
 }  // namespace
 
@@ -252,7 +249,20 @@ std::optional<double> gap_threshold(std::vector<double> steps) {
 }
 
 Records split_records(const Table& table, const ColumnIndices& columns) {
-  return Splitter(table, columns).split();
+  const Rows rows = with_missing(table, columns);
+  const std::vector<NumberedRows> numbered = numbered_rows(rows);
+  NoteList notes(table.source);
+  std::vector<RowRange> ranges;
+  for (const NumberedRows part : numbered) {
+    check_time(rows, part);
+    const std::vector<RowRange> cuts = cut(rows, part, notes);
+    ranges.insert(ranges.end(), cuts.begin(), cuts.end());
+  }
+  if (numbered.size() > 1)
+    notes.add(table.source + ": " + std::to_string(numbered.size()) + " records by column '" +
+              rows.name(*columns.trajectory) + "'");
+  if (ranges.empty()) fail_empty(table);
+  return {std::move(ranges), notes.take()};
 }
 
 }  // namespace lacuna

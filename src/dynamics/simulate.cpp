@@ -50,9 +50,9 @@ class OrbitHistory {
 /// The model as a right-hand side, with its inputs and delayed variables.
 class Flow {
  public:
-  Flow(const OdeModel& model, InputSignal inputs)
-      : compiled_(model.compile()),
-        signal_(inputs),
+  explicit Flow(const DrivenModel& driven)
+      : compiled_(driven.model.compile()),
+        signal_(driven.inputs),
         inputs_(static_cast<std::size_t>(compiled_.inputs())),
         delayed_(compiled_.delays().size()) {}
 
@@ -163,14 +163,15 @@ Solution simulate(const OdeModel& model, const Integrator& integrator, const Vec
   if (!model.inputs().empty())
     throw ArgumentError("simulate", "the model has inputs (" + model.inputs()[0].name + ")",
                         "give the inputs as a function of time or as a record");
-  return simulate(
-      model, integrator, x0, times, [](double, double*) {}, context);
+  const auto none = [](double, double*) {};
+  return simulate(DrivenModel{model, none}, integrator, x0, times, context);
 }
 
-Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
-                  const Vector& times, InputSignal inputs, const RunContext& context) {
+Solution simulate(const DrivenModel& driven, const Integrator& integrator, const Vector& x0,
+                  const Vector& times, const RunContext& context) {
+  const OdeModel& model = driven.model;
   check_initial_state(model, x0);
-  Flow flow(model, inputs);
+  Flow flow(driven);
   Solution solution =
       flow.has_delays() ? NotingIntegrator(integrator, flow).integrate(flow, x0, times, context)
                         : integrator.integrate(flow, x0, times, context);

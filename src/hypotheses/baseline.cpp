@@ -14,6 +14,10 @@ namespace {
 /// Passes of a fit that starts from the baseline's, beside which little moves.
 constexpr int kPassesFromBaseline = 8;
 
+JointFitTask joint_fit(const Problem& problem, const Baseline& base) {
+  return {base.records->data, problem.nominal, base.fit_options, problem.context};
+}
+
 }  // namespace
 
 Baseline plain_baseline(const Problem& problem) {
@@ -72,15 +76,13 @@ double criterion_of(const Problem& problem, const Baseline& base,
 
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects) {
-  return explain(base.records->data, problem.nominal, start, effects, base.fit_options,
-                 problem.context);
+  return explain(joint_fit(problem, base), start, effects);
 }
 
 Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
                                const Assimilation& start,
                                const std::vector<FittedEffect>& effects) {
-  return explain_roughly(base.records->data, problem.nominal, start, effects, base.fit_options,
-                         problem.context);
+  return explain_roughly(joint_fit(problem, base), start, effects);
 }
 
 }  // namespace lacuna

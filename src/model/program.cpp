@@ -96,7 +96,7 @@ std::vector<std::string> Variables::names() const {
 }
 
 Program::Program(std::span<const Expression> outputs, const Variables& variables) {
-  ProgramBuilder(outputs, variables).move_into(*this);
+  ProgramBuilder::build(*this, outputs, variables);
 }
 
 void Program::evaluate(const double* slots, double* out, Workspace& workspace) const {

@@ -2,176 +2,110 @@
 #include "program_builder.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <string>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
-#include "operations.hpp"
 
 namespace lacuna {
 namespace {
 
-/// Powers up to here are chains of products that lower powers share; higher ones are halved.
-constexpr int kLongestChain = 16;
-
-/// Integer powers beyond it are left to std::pow.
-constexpr int kLargestProduct = 1024;
-
-bool is_commutative(Operation operation) {
-  return operation == Operation::Add || operation == Operation::Multiply;
+Index slot_of(const Expression& variable, const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), variable.name());
+  if (found == names.end())
+    throw ModelError("expression", "unknown name '" + variable.name() + "'",
+                     suggestion(variable.name(), names));
+  return found - names.begin();
 }
 
-bool is_leaf(Operation operation) {
-  return operation == Operation::Number || operation == Operation::Variable;
-}
-
-}  // namespace
-
-ProgramBuilder::ProgramBuilder(std::span<const Expression> outputs, const Variables& variables)
-    : names_(variables.names()) {
-  for (const Expression& output : outputs) collect_delays(output);
-  for (const Expression& output : outputs) outputs_.push_back(value_of(output));
-}
-
-void ProgramBuilder::move_into(Program& program) {
-  program.slot_count_ = static_cast<Index>(names_.size() + delays_.size());
-  const std::vector<bool> needed = needed_values();
-  const std::vector<int> order = scheduled(needed);
-  assign_registers(program, needed);
-  emit(program, order);
-  emit_outputs(program);
-  program.delays_ = std::move(delays_);
-}
-
-void ProgramBuilder::collect_delays(const Expression& expression) {
+/// Adds the distinct delayed variables of an expression to those found before.
+void collect_delays(const Expression& expression, const std::vector<std::string>& names,
+                    std::vector<DelayedVariable>& delays) {
   if (expression.operation() == Operation::Delay) {
     if (!expression.operands().empty())
       throw ModelError(expression.to_string(), "the delay has no number yet",
                        "bind its parameters: substitute() numbers for their names");
-    const DelayedVariable delayed{slot_of(expression), expression.value()};
-    if (std::find(delays_.begin(), delays_.end(), delayed) == delays_.end())
-      delays_.push_back(delayed);
+    const DelayedVariable delayed{slot_of(expression, names), expression.value()};
+    if (std::find(delays.begin(), delays.end(), delayed) == delays.end())
+      delays.push_back(delayed);
   }
-  for (const Expression& operand : expression.operands()) collect_delays(operand);
+  for (const Expression& operand : expression.operands())
+    collect_delays(operand, names, delays);
 }
 
-Index ProgramBuilder::slot_of(const Expression& variable) const {
-  const auto found = std::find(names_.begin(), names_.end(), variable.name());
-  if (found == names_.end())
-    throw ModelError("expression", "unknown name '" + variable.name() + "'",
-                     suggestion(variable.name(), names_));
-  return found - names_.begin();
-}
+/// Translates expressions into numbered values, each distinct one once.
+class Translator {
+ public:
+  Translator(const std::vector<std::string>& names, const std::vector<DelayedVariable>& delays)
+      : names_(names), delays_(delays) {}
 
-int ProgramBuilder::slot_of_delay(const Expression& delayed) const {
-  const DelayedVariable wanted{slot_of(delayed), delayed.value()};
-  const auto found = std::find(delays_.begin(), delays_.end(), wanted);
-  return static_cast<int>(names_.size()) + static_cast<int>(found - delays_.begin());
-}
-
-int ProgramBuilder::value_of(const Expression& expression) {
-  const auto known = translated_.find(expression);
-  if (known != translated_.end()) return known->second;
-  const int value = translate(expression);
-  translated_.emplace(expression, value);
-  return value;
-}
-
-int ProgramBuilder::translate(const Expression& expression) {
-  switch (expression.operation()) {
-    case Operation::Number:
-      return number(expression.value());
-    case Operation::Variable:
-      return slot(static_cast<int>(slot_of(expression)));
-    case Operation::Delay:
-      return slot(slot_of_delay(expression));
-    case Operation::Power:
-      return translate_power(expression);
-    default:
-      break;
+  int value_of(const Expression& expression) {
+    const auto known = translated_.find(expression);
+    if (known != translated_.end()) return known->second;
+    const int value = translate(expression);
+    translated_.emplace(expression, value);
+    return value;
   }
-  std::array<int, 3> operands{-1, -1, -1};
-  std::size_t count = 0;
-  for (const Expression& operand : expression.operands()) operands[count++] = value_of(operand);
-  return operation(expression.operation(), operands);
-}
 
-int ProgramBuilder::translate_power(const Expression& expression) {
-  const int base = value_of(expression.operands()[0]);
-  const int exponent = value_of(expression.operands()[1]);
-  if (!is_number(exponent)) return operation(Operation::Power, {base, exponent, -1});
-  const double power = number_of(exponent);
-  if (power == 0.5) return operation(Operation::Sqrt, {base, -1, -1});
-  if (power != std::floor(power) || std::abs(power) > kLargestProduct)
-    return operation(Operation::Power, {base, exponent, -1});
-  const int product = integer_power(base, static_cast<int>(std::abs(power)));
-  if (power >= 0.0) return product;
-  return operation(Operation::Divide, {number(1.0), product, -1});
-}
+  const std::vector<ProgramValue>& values() const noexcept { return numbering_.values(); }
 
-int ProgramBuilder::slot(int index) { return intern({Operation::Variable, {index, 0, 0}, 0}); }
+ private:
+  struct Hash {
+    std::size_t operator()(const Expression& e) const noexcept { return e.hash(); }
+  };
 
-int ProgramBuilder::number(double value) {
-  return intern({Operation::Number, {0, 0, 0}, std::bit_cast<std::uint64_t>(value)});
-}
-
-int ProgramBuilder::operation(Operation operation, std::array<int, 3> operands) {
-  const auto count = static_cast<std::size_t>(arity(operation));
-  std::array<double, 3> constants{};
-  bool constant = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    constant = constant && is_number(operands[i]);
-    if (constant) constants[i] = number_of(operands[i]);
+  int translate(const Expression& expression) {
+    if (expression.operation() == Operation::Number)
+      return numbering_.number(expression.value());
+    if (expression.operation() == Operation::Variable)
+      return numbering_.slot(static_cast<int>(slot_of(expression, names_)));
+    if (expression.operation() == Operation::Delay)
+      return numbering_.slot(slot_of_delay(expression));
+    std::array<int, 3> operands{-1, -1, -1};
+    std::size_t count = 0;
+    for (const Expression& operand : expression.operands())
+      operands[count++] = value_of(operand);
+    if (expression.operation() == Operation::Power)
+      return numbering_.power(operands[0], operands[1]);
+    return numbering_.operation(expression.operation(), operands);
   }
-  if (constant) return number(apply_operation(operation, constants));
-  if (is_commutative(operation) && operands[0] > operands[1])
-    std::swap(operands[0], operands[1]);
-  for (std::size_t i = count; i < operands.size(); ++i) operands[i] = operands[0];
-  return intern({operation, operands, 0});
-}
 
-int ProgramBuilder::integer_power(int base, int exponent) {
-  if (exponent == 0) return number(1.0);
-  if (exponent == 1) return base;
-  const int lower = exponent <= kLongestChain ? exponent - 1 : exponent / 2;
-  const int first = integer_power(base, lower);
-  return operation(Operation::Multiply, {first, integer_power(base, exponent - lower), -1});
-}
+  int slot_of_delay(const Expression& delayed) const {
+    const DelayedVariable wanted{slot_of(delayed, names_), delayed.value()};
+    const auto found = std::find(delays_.begin(), delays_.end(), wanted);
+    return static_cast<int>(names_.size()) + static_cast<int>(found - delays_.begin());
+  }
 
-int ProgramBuilder::intern(const Value& value) {
-  const auto [place, is_new] =
-      numbers_of_values_.try_emplace(value, static_cast<int>(values_.size()));
-  if (is_new) values_.push_back(value);
-  return place->second;
-}
+  const std::vector<std::string>& names_;
+  const std::vector<DelayedVariable>& delays_;
+  ValueNumbering numbering_;
+  std::unordered_map<Expression, int, Hash> translated_;
+};
 
-bool ProgramBuilder::is_number(int value) const {
-  return values_[static_cast<std::size_t>(value)].operation == Operation::Number;
-}
-
-double ProgramBuilder::number_of(int value) const {
-  return std::bit_cast<double>(values_[static_cast<std::size_t>(value)].bits);
-}
-
-std::vector<bool> ProgramBuilder::needed_values() const {
-  std::vector<bool> needed(values_.size(), false);
-  for (const int output : outputs_) needed[static_cast<std::size_t>(output)] = true;
-  for (std::size_t i = values_.size(); i-- > 0;) {
-    if (!needed[i] || is_leaf(values_[i].operation)) continue;
-    for (const int operand : values_[i].operands)
+/// Which values the outputs show or are computed from.
+std::vector<bool> needed_values(const std::vector<ProgramValue>& values,
+                                const std::vector<int>& outputs) {
+  std::vector<bool> needed(values.size(), false);
+  for (const int output : outputs) needed[static_cast<std::size_t>(output)] = true;
+  for (std::size_t i = values.size(); i-- > 0;) {
+    if (!needed[i] || values[i].is_leaf()) continue;
+    for (const int operand : values[i].operands)
       needed[static_cast<std::size_t>(operand)] = true;
   }
   return needed;
 }
 
-std::vector<int> ProgramBuilder::levels() const {
-  std::vector<int> levels(values_.size(), 0);
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (is_leaf(values_[i].operation)) continue;
-    for (const int operand : values_[i].operands)
+/// Depth of each value: 0 for leaves, else one more than that of its deepest operand.
+std::vector<int> levels(const std::vector<ProgramValue>& values) {
+  std::vector<int> levels(values.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].is_leaf()) continue;
+    for (const int operand : values[i].operands)
       levels[i] = std::max(levels[i], levels[static_cast<std::size_t>(operand)] + 1);
   }
   return levels;
@@ -179,38 +113,62 @@ std::vector<int> ProgramBuilder::levels() const {
 
 /// Operations by level, so that operands come first, and within a level by kind, so that equal
 /// operations run in one loop.
-std::vector<int> ProgramBuilder::scheduled(const std::vector<bool>& needed) const {
-  const std::vector<int> level = levels();
+std::vector<int> scheduled(const std::vector<ProgramValue>& values,
+                           const std::vector<bool>& needed) {
+  const std::vector<int> level = levels(values);
   std::vector<int> order;
-  for (std::size_t i = 0; i < values_.size(); ++i)
-    if (needed[i] && !is_leaf(values_[i].operation)) order.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (needed[i] && !values[i].is_leaf()) order.push_back(static_cast<int>(i));
   std::stable_sort(order.begin(), order.end(), [&](int p, int q) {
     const auto a = static_cast<std::size_t>(p);
     const auto b = static_cast<std::size_t>(q);
-    return std::tie(level[a], values_[a].operation) < std::tie(level[b], values_[b].operation);
+    return std::tie(level[a], values[a].operation) < std::tie(level[b], values[b].operation);
   });
   return order;
 }
 
-void ProgramBuilder::assign_registers(Program& program, const std::vector<bool>& needed) {
-  registers_.assign(values_.size(), 0);
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (values_[i].operation == Operation::Variable) registers_[i] = values_[i].operands[0];
-    if (values_[i].operation != Operation::Number || !needed[i]) continue;
-    registers_[i] =
-        static_cast<int>(program.slot_count_) + static_cast<int>(program.constants_.size());
-    program.constants_.push_back(std::bit_cast<double>(values_[i].bits));
-  }
+}  // namespace
+
+void ProgramBuilder::build(Program& program, std::span<const Expression> outputs,
+                           const Variables& variables) {
+  const std::vector<std::string> names = variables.names();
+  for (const Expression& output : outputs) collect_delays(output, names, program.delays_);
+  program.slot_count_ = static_cast<Index>(names.size() + program.delays_.size());
+  Translator translator(names, program.delays_);
+  std::vector<int> shown;
+  for (const Expression& output : outputs) shown.push_back(translator.value_of(output));
+  const std::vector<ProgramValue>& values = translator.values();
+  const std::vector<bool> needed = needed_values(values, shown);
+  std::vector<int> registers = leaf_registers(program, values, needed);
+  emit(program, values, scheduled(values, needed), registers);
+  emit_outputs(program, shown, registers);
 }
 
-void ProgramBuilder::emit(Program& program, const std::vector<int>& order) {
-  const auto reg = [this](int value) { return registers_[static_cast<std::size_t>(value)]; };
+/// The register of each slot and of each number that is needed, 0 for other values.
+std::vector<int> ProgramBuilder::leaf_registers(Program& program,
+                                                const std::vector<ProgramValue>& values,
+                                                const std::vector<bool>& needed) {
+  std::vector<int> registers(values.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].operation == Operation::Variable) registers[i] = values[i].operands[0];
+    if (values[i].operation != Operation::Number || !needed[i]) continue;
+    registers[i] =
+        static_cast<int>(program.slot_count_) + static_cast<int>(program.constants_.size());
+    program.constants_.push_back(values[i].number());
+  }
+  return registers;
+}
+
+/// Writes the operations in their order and gives each the next register.
+void ProgramBuilder::emit(Program& program, const std::vector<ProgramValue>& values,
+                          const std::vector<int>& order, std::vector<int>& registers) {
+  const auto reg = [&](int value) { return registers[static_cast<std::size_t>(value)]; };
   program.register_count_ =
       static_cast<std::size_t>(program.slot_count_) + program.constants_.size();
   for (const int index : order) {
-    const Value& value = values_[static_cast<std::size_t>(index)];
+    const ProgramValue& value = values[static_cast<std::size_t>(index)];
     const int target = static_cast<int>(program.register_count_++);
-    registers_[static_cast<std::size_t>(index)] = target;
+    registers[static_cast<std::size_t>(index)] = target;
     const std::size_t position = program.instructions_.size();
     if (program.runs_.empty() || program.runs_.back().operation != value.operation)
       program.runs_.push_back({value.operation, position, position});
@@ -220,12 +178,14 @@ void ProgramBuilder::emit(Program& program, const std::vector<int>& order) {
   }
 }
 
-void ProgramBuilder::emit_outputs(Program& program) const {
+/// The first output that shows a result has it computed in place.
+void ProgramBuilder::emit_outputs(Program& program, const std::vector<int>& outputs,
+                                  const std::vector<int>& registers) {
   const int first_result =
       static_cast<int>(program.slot_count_) + static_cast<int>(program.constants_.size());
   std::vector<bool> shown(program.register_count_, false);
-  for (const int output : outputs_) {
-    const int source = registers_[static_cast<std::size_t>(output)];
+  for (const int output : outputs) {
+    const int source = registers[static_cast<std::size_t>(output)];
     const Program::Output entry{static_cast<Index>(program.outputs_.size()), source};
     const bool in_place = source >= first_result && !shown[static_cast<std::size_t>(source)];
     shown[static_cast<std::size_t>(source)] = true;

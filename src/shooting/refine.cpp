@@ -14,18 +14,19 @@ namespace lacuna {
 namespace {
 
 /// What every result has, whether the fit succeeded or not.
-Refinement basic_result(RefinementRun& run) {
-  const ShootingProblem& problem = run.problem();
-  return {.model = problem.model().with_values(run.fit().point.parameters),
-          .iterations = run.iterations(),
+Refinement basic_result(const ShootingProblem& problem, const RefinementRun& run) {
+  return {.model = problem.model().with_values(run.fit.point.parameters),
+          .iterations = run.iterations,
           .measured = problem.record().measured,
           .sigma = problem.sigma(),
-          .windows = run.fit().plan,
-          .states = run.fit().point.orbits.samples};
+          .windows = run.fit.plan,
+          .states = run.fit.point.orbits.samples};
 }
 
-Refinement diverged_result(RefinementRun& run) {
-  Refinement result = basic_result(run);
+/// @param guess states from which the fit started.
+Refinement diverged_result(const ShootingProblem& problem, const RefinementRun& run,
+                           const Matrix& guess) {
+  Refinement result = basic_result(problem, run);
   const Index p = result.model.size();
   const double infinity = std::numeric_limits<double>::infinity();
   result.status = RefineStatus::Diverged;
@@ -34,20 +35,19 @@ Refinement diverged_result(RefinementRun& run) {
   result.covariance = Matrix::Constant(p, p, infinity);
   result.ci95.resize(p, 2);
   result.ci95 << -result.standard_errors, result.standard_errors;
-  result.states = run.guess();
+  result.states = guess;
   return result;
 }
 
 /// Covariance and intervals: from the Fisher information where residuals are noise, else from
 /// blocks of the record, when that gives more.
-void add_errors(RefinementRun& run, Refinement& result, const std::optional<double>& huber) {
-  const ShootingFit& fit = run.fit();
+void add_errors(const ShootingProblem& problem, const ShootingFit& fit,
+                const std::optional<double>& huber, Refinement& result) {
   const Index p = result.model.size();
   const Matrix inverse = covariance_of(fit.linear.reduced.topLeftCorner(p, p));
   result.bound = inverse.diagonal().cwiseSqrt();
   result.covariance =
-      inverse *
-      (huber ? robust_factor(run.problem().residuals(fit.plan, fit.point), *huber) : 1.0);
+      inverse * (huber ? robust_factor(problem.residuals(fit.plan, fit.point), *huber) : 1.0);
   auto freedom = static_cast<double>(result.degrees_of_freedom);
   std::optional<Matrix> blocks;
   if (!result.white && inverse.allFinite())
@@ -60,23 +60,24 @@ void add_errors(RefinementRun& run, Refinement& result, const std::optional<doub
   result.ci95 = intervals95(fit.point.parameters, result.standard_errors, freedom);
 }
 
-Refinement full_result(RefinementRun& run, const RefineOptions& options) {
-  const ShootingFit& fit = run.fit();
-  const ShootingProblem& problem = run.problem();
-  Refinement result = basic_result(run);
+/// @param noise of the record or as given, per measured state.
+Refinement full_result(const ShootingProblem& problem, const RefinementRun& run,
+                       const Vector& noise, const RefineOptions& options) {
+  const ShootingFit& fit = run.fit;
+  Refinement result = basic_result(problem, run);
   result.status = fit.converged ? RefineStatus::Converged : RefineStatus::IterationLimit;
   if (!fit.converged)
     result.message = "the iteration limit was reached; the values are those of the last step";
   result.degrees_of_freedom = degrees_of_freedom(problem, fit.plan);
   result.chi_squared = problem.residuals(fit.plan, fit.point).squaredNorm();
-  result.residuals = residual_statistics(problem, fit, run.influence(), run.noise());
+  result.residuals = residual_statistics(problem, fit, run.influence, noise);
   const auto all = [&](bool ResidualStatistics::*property) {
     return std::all_of(result.residuals.begin(), result.residuals.end(),
                        [&](const ResidualStatistics& s) { return s.*property; });
   };
   result.white = all(&ResidualStatistics::white);
   result.fits_to_noise = all(&ResidualStatistics::is_noise);
-  add_errors(run, result, options.huber);
+  add_errors(problem, fit, options.huber, result);
   return result;
 }
 
@@ -131,8 +132,11 @@ Refinement refine(const ParametrisedModel& model, const Dataset& record,
     return refine(model, with_input_columns(record), options, context);
   check_dataset(record);
   check_options(model, record, options);
-  RefinementRun run(model, record, options, context);
-  return run.run() ? full_result(run, options) : diverged_result(run);
+  ShootingProblem problem(model, record, options.huber);
+  const RefinementStart start = refinement_start(problem, record, options);
+  const RefinementRun run = run_refinement(problem, start, options, context);
+  return run.simulated ? full_result(problem, run, start.noise, options)
+                       : diverged_result(problem, run, start.guess);
 }
 
 }  // namespace lacuna

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/noise.hpp"
@@ -67,188 +70,235 @@ Index longest_window(const WindowPlan& plan) {
   return longest;
 }
 
-}  // namespace
+/// A problem that is refined, and how.
+struct Task {
+  ShootingProblem& problem;
+  const RefinementStart& start;
+  const RefineOptions& options;
+  const RunContext& context;
 
-RefinementRun::RefinementRun(const ParametrisedModel& model, const Dataset& data,
-                             const RefineOptions& options, const RunContext& context)
-    : options_(options),
-      context_(context),
-      problem_(model, data, options.huber),
-      noise_(options.sigma ? *options.sigma : record_noise(problem_, data)) {
-  if (noise_.size() != static_cast<Index>(problem_.record().measured.size()))
-    throw ArgumentError("refine", "there is not one sigma per measured state",
-                        "leave it out or give one for each state that has a column");
+  Vector measured_spread() const { return start.spread(problem.record().measured); }
+};
+
+ErrorGrowth scaled_growth(const Task& task, Matrix transitions) {
+  const Vector& spread = task.start.spread;
+  const Index m = task.problem.rates().dimension();
+  for (Index j = 0; j < m; ++j)
+    for (Index k = 0; k < m; ++k) transitions.col(j * m + k) *= spread[j] / spread[k];
+  return {std::move(transitions), m};
 }
 
-bool RefinementRun::run() {
-  prepare();
-  if (!begin()) return false;
-  if (!options_.window_samples) {
-    if (!has_structure())
-      while (lengthen()) context_.report("refining", 0.5);
-    if (has_structure()) search();
+/// Fits from the states on; the iterations that it took.
+int minimise_from(const Task& task, ShootingFit& fit, const Matrix& states, double tolerance) {
+  fit.point.starts = starts_of(fit.plan, states);
+  fit.iterations = 0;
+  minimise(task.problem, fit, tolerance, task.options.max_iterations, task.context);
+  return fit.iterations;
+}
+
+/// Brings noise and scheme of the problem to those of a fit, and the fit to them.
+/// @param taken degrees of freedom, as of residual_sigma().
+void update_sigma(const Task& task, ShootingFit& fit, const Vector& taken = {}) {
+  ShootingProblem& problem = task.problem;
+  if (!task.options.sigma) {
+    const Vector rounding = kRoundingNoise * task.measured_spread();
+    problem.set_sigma(
+        residual_sigma(problem, fit, task.options.huber.has_value(), taken).cwiseMax(rounding));
   }
-  finish();
-  return true;
-}
-
-void RefinementRun::prepare() {
-  const ShootingRecord& record = problem_.record();
-  guess_ = options_.states ? *options_.states
-                           : guess_states(problem_.model(), record, problem_.rates(),
-                                          problem_.signals(), noise_);
-  spread_ = spread_of(guess_);
-  floor_ = kRoundingNoise * spread_(record.measured);
-  problem_.set_sigma(noise_.cwiseMax(1e-6 * spread_(record.measured)));
-}
-
-/// Windows by the growth of errors along the record as guessed, every sampling interval being
-/// simulated on its own.
-bool RefinementRun::begin() {
-  const std::vector<Index>& begins = problem_.record().begins;
-  const auto rows = static_cast<Index>(problem_.record().measured.size());
-  limits_.shortest = std::max<Index>(4, 2 * dimension() / rows + 2);
-  limits_.longest = std::max<Index>(problem_.record().samples(), 2);
-  ShootingFit steps;
-  fit_.point.parameters = steps.point.parameters = problem_.model().values();
-  choose_scheme(equal_windows(begins, limits_.shortest));
-  steps.plan = equal_windows(begins, 1);
-  steps.point.starts = starts_of(steps.plan, guess_);
-  problem_.evaluate(steps.plan, steps.point);
-  growth_ = scaled_growth(problem_.linearise(steps.plan, steps.point).transitions);
-  fit_.plan = options_.window_samples ? equal_windows(begins, *options_.window_samples)
-                                      : plan_windows(begins, growth_, limits_);
-  if (!make_finite()) return false;
-  minimise_from(fit_, guess_, kTolerance);
-  update_sigma();
-  return true;
+  problem.set_scheme(accurate_scheme(problem, fit.plan, fit.point, problem.sigma()));
+  problem.evaluate(fit.plan, fit.point);
+  fit.linear = problem.linearise(fit.plan, fit.point);
 }
 
 /// Steps accurate enough for the model as it is, over a few samples from the guessed states.
-void RefinementRun::choose_scheme(const WindowPlan& plan) {
-  ShootingPoint point{fit_.point.parameters, starts_of(plan, guess_)};
-  problem_.set_scheme(accurate_scheme(problem_, plan, point, problem_.sigma()));
+void choose_scheme(const Task& task, const WindowPlan& plan) {
+  ShootingProblem& problem = task.problem;
+  ShootingPoint point{problem.model().values(), starts_of(plan, task.start.guess)};
+  problem.set_scheme(accurate_scheme(problem, plan, point, problem.sigma()));
 }
 
-/// Halves windows until none diverges.
-bool RefinementRun::make_finite() {
-  for (Index samples = longest_window(fit_.plan); samples > 1; samples /= 2) {
-    fit_.point.starts = starts_of(fit_.plan, guess_);
-    problem_.evaluate(fit_.plan, fit_.point);
-    if (fit_.point.finite) return true;
-    fit_.plan = equal_windows(problem_.record().begins, std::max<Index>(samples / 2, 1));
+WindowLimits first_limits(const Task& task) {
+  const ShootingRecord& record = task.problem.record();
+  const auto rows = static_cast<Index>(record.measured.size());
+  WindowLimits limits;
+  limits.shortest = std::max<Index>(4, 2 * task.problem.rates().dimension() / rows + 2);
+  limits.longest = std::max<Index>(record.samples(), 2);
+  return limits;
+}
+
+/// Growth of errors along the record as guessed, every sampling interval being simulated on its
+/// own.
+ErrorGrowth guessed_growth(const Task& task) {
+  ShootingProblem& problem = task.problem;
+  ShootingFit steps;
+  steps.point.parameters = problem.model().values();
+  steps.plan = equal_windows(problem.record().begins, 1);
+  steps.point.starts = starts_of(steps.plan, task.start.guess);
+  problem.evaluate(steps.plan, steps.point);
+  return scaled_growth(task, problem.linearise(steps.plan, steps.point).transitions);
+}
+
+/// Halves windows until none diverges; false if one always does.
+bool make_finite(const Task& task, ShootingFit& fit) {
+  ShootingProblem& problem = task.problem;
+  for (Index samples = longest_window(fit.plan); samples > 1; samples /= 2) {
+    fit.point.starts = starts_of(fit.plan, task.start.guess);
+    problem.evaluate(fit.plan, fit.point);
+    if (fit.point.finite) return true;
+    fit.plan = equal_windows(problem.record().begins, std::max<Index>(samples / 2, 1));
   }
   return false;
 }
 
-ErrorGrowth RefinementRun::scaled_growth(Matrix transitions) {
-  const Index m = dimension();
-  for (Index j = 0; j < m; ++j)
-    for (Index k = 0; k < m; ++k) transitions.col(j * m + k) *= spread_[j] / spread_[k];
-  return {std::move(transitions), m};
-}
-
-void RefinementRun::minimise_from(ShootingFit& fit, const Matrix& states, double tolerance) {
-  fit.point.starts = starts_of(fit.plan, states);
-  fit.iterations = 0;
-  minimise(problem_, fit, tolerance, options_.max_iterations, context_);
-  iterations_ += fit.iterations;
-}
-
-void RefinementRun::update_sigma(const Vector& taken) {
-  if (!options_.sigma)
-    problem_.set_sigma(
-        residual_sigma(problem_, fit_, options_.huber.has_value(), taken).cwiseMax(floor_));
-  problem_.set_scheme(accurate_scheme(problem_, fit_.plan, fit_.point, problem_.sigma()));
-  problem_.evaluate(fit_.plan, fit_.point);
-  fit_.linear = problem_.linearise(fit_.plan, fit_.point);
+/// The fit with the first windows.
+RefinementRun first_fit(const Task& task, const WindowLimits& limits) {
+  ShootingProblem& problem = task.problem;
+  const std::vector<Index>& begins = problem.record().begins;
+  problem.set_sigma(task.start.noise.cwiseMax(1e-6 * task.measured_spread()));
+  choose_scheme(task, equal_windows(begins, limits.shortest));
+  const ErrorGrowth growth = guessed_growth(task);
+  RefinementRun run;
+  run.fit.point.parameters = problem.model().values();
+  run.fit.plan = task.options.window_samples
+                     ? equal_windows(begins, *task.options.window_samples)
+                     : plan_windows(begins, growth, limits);
+  run.simulated = make_finite(task, run.fit);
+  if (!run.simulated) return run;
+  run.iterations = minimise_from(task, run.fit, task.start.guess, kTolerance);
+  update_sigma(task, run.fit);
+  return run;
 }
 
 /// Growth at which an error the size of the noise becomes as large as the attractor.
-double RefinementRun::growth_limit() {
-  const Vector ratio = spread_(problem_.record().measured).cwiseQuotient(problem_.sigma());
+double growth_limit(const Task& task) {
+  const Vector ratio = task.measured_spread().cwiseQuotient(task.problem.sigma());
   return std::clamp(ratio.minCoeff(), kNoGrowth, kLargestGrowth);
 }
 
-/// Doubles the windows; whether that is worth going on with.
-bool RefinementRun::lengthen() {
-  growth_ = scaled_growth(fit_.linear.transitions);
-  ShootingFit longer;
-  longer.plan = fit_.plan;
-  const double limit = growth_limit();
-  while (longer.plan.size() >= fit_.plan.size()) {
-    if (limits_.growth >= limit && limits_.turn > 1e9) return false;
-    limits_.turn *= 2.0;
-    limits_.growth = std::min(4.0 * limits_.growth, limit);
-    longer.plan = plan_windows(problem_.record().begins, growth_, limits_);
-  }
-  longer.point.parameters = fit_.point.parameters;
-  minimise_from(longer, fit_.point.orbits.samples, kTolerance);
-  if (!longer.point.finite || !acceptable(longer)) return false;
-  const double gain = gain_of(longer);
-  fit_ = std::move(longer);
-  update_sigma();
-  return gain > kSmallGain;
-}
-
-double RefinementRun::cost_per_freedom(const ShootingFit& fit) const {
-  return fit.point.cost / static_cast<double>(degrees_of_freedom(problem_, fit.plan));
+double cost_per_freedom(const ShootingProblem& problem, const ShootingFit& fit) {
+  return fit.point.cost / static_cast<double>(degrees_of_freedom(problem, fit.plan));
 }
 
 /// Whether longer windows fit as well as the present ones: no worse than four standard
 /// deviations of chi squared.
-bool RefinementRun::acceptable(const ShootingFit& longer) const {
-  const auto freedom = static_cast<double>(degrees_of_freedom(problem_, longer.plan));
-  return cost_per_freedom(longer) <=
-         cost_per_freedom(fit_) * (1.0 + 4.0 * std::sqrt(2.0 / freedom));
+bool is_acceptable(const ShootingProblem& problem, const ShootingFit& longer,
+                   const ShootingFit& present) {
+  const auto freedom = static_cast<double>(degrees_of_freedom(problem, longer.plan));
+  return cost_per_freedom(problem, longer) <=
+         cost_per_freedom(problem, present) * (1.0 + 4.0 * std::sqrt(2.0 / freedom));
 }
 
-/// Mean relative decrease of the standard errors by longer windows.
-double RefinementRun::gain_of(const ShootingFit& longer) const {
-  const Index p = problem_.model().size();
+/// Mean relative decrease of the standard errors of p parameters by longer windows.
+double gain_of(const ShootingFit& longer, const ShootingFit& present, Index p) {
   const auto variances = [p](const ShootingFit& fit) -> Vector {
     return covariance_of(fit.linear.reduced.topLeftCorner(p, p)).diagonal();
   };
-  const Vector before = variances(fit_), after = variances(longer);
+  const Vector before = variances(present), after = variances(longer);
   if (!before.allFinite() || p == 0) return 1.0;
   return 0.5 * (before.array() / after.array()).log().mean();
 }
 
+/// The next longer windows, and the limits raised to them; nothing when there are none.
+std::optional<WindowPlan> longer_plan(const Task& task, const ShootingFit& fit,
+                                      WindowLimits& limits) {
+  const ErrorGrowth growth = scaled_growth(task, fit.linear.transitions);
+  const double limit = growth_limit(task);
+  WindowPlan plan = fit.plan;
+  while (plan.size() >= fit.plan.size()) {
+    if (limits.growth >= limit && limits.turn > 1e9) return std::nullopt;
+    limits.turn *= 2.0;
+    limits.growth = std::min(4.0 * limits.growth, limit);
+    plan = plan_windows(task.problem.record().begins, growth, limits);
+  }
+  return plan;
+}
+
+/// Doubles the windows; whether that is worth going on with.
+bool lengthen(const Task& task, WindowLimits& limits, RefinementRun& run) {
+  std::optional<WindowPlan> plan = longer_plan(task, run.fit, limits);
+  if (!plan) return false;
+  ShootingFit longer;
+  longer.plan = std::move(*plan);
+  longer.point.parameters = run.fit.point.parameters;
+  run.iterations += minimise_from(task, longer, run.fit.point.orbits.samples, kTolerance);
+  if (!longer.point.finite || !is_acceptable(task.problem, longer, run.fit)) return false;
+  const double gain = gain_of(longer, run.fit, task.problem.model().size());
+  run.fit = std::move(longer);
+  update_sigma(task, run.fit);
+  return gain > kSmallGain;
+}
+
 /// Whether the residuals are no white noise.
-bool RefinementRun::has_structure() {
-  const Vector least = kIntegrationNoise * spread_(problem_.record().measured);
-  if ((problem_.sigma().array() < least.array()).all()) return false;
-  influence_ = fit_influence(problem_, fit_, kLags);
-  for (const ResidualStatistics& s : residual_statistics(problem_, fit_, influence_, noise_))
+bool has_structure(const Task& task, const ShootingFit& fit) {
+  ShootingProblem& problem = task.problem;
+  const Vector least = kIntegrationNoise * task.measured_spread();
+  if ((problem.sigma().array() < least.array()).all()) return false;
+  const FitInfluence influence = fit_influence(problem, fit, kLags);
+  for (const ResidualStatistics& s :
+       residual_statistics(problem, fit, influence, task.start.noise))
     if (!s.white) return true;
   return false;
 }
 
-double RefinementRun::residual_count() const {
-  return static_cast<double>(problem_.record().values.size());
+double residual_count(const ShootingProblem& problem) {
+  return static_cast<double>(problem.record().values.size());
 }
 
-void RefinementRun::search() {
-  growth_ = scaled_growth(fit_.linear.transitions);
-  const InexactWindows search{growth_, growth_limit(), limits_.shortest,
-                              kCoarseShare * residual_count(), options_.max_iterations};
-  fit_ = search_windows(problem_, fit_, search, context_);
-  update_sigma();
+/// Takes the windows for a model that is not exact.
+void search(const Task& task, const WindowLimits& limits, RefinementRun& run) {
+  const ErrorGrowth growth = scaled_growth(task, run.fit.linear.transitions);
+  const InexactWindows search{growth, growth_limit(task), limits.shortest,
+                              kCoarseShare * residual_count(task.problem),
+                              task.options.max_iterations};
+  run.fit = search_windows(task.problem, run.fit, search, task.context);
+  update_sigma(task, run.fit);
 }
 
-void RefinementRun::finish() {
+/// Fits and noise in turn until both stand.
+void polish(const Task& task, RefinementRun& run) {
   constexpr int kRounds = 4;
-  const bool structured = has_structure();
+  ShootingProblem& problem = task.problem;
+  const double tolerance =
+      has_structure(task, run.fit) ? kFineShare * residual_count(problem) : kFinalTolerance;
   for (int round = 0; round < kRounds; ++round) {
-    const StepScheme scheme = problem_.scheme();
-    minimise_from(fit_, fit_.point.orbits.samples,
-                  structured ? kFineShare * residual_count() : kFinalTolerance);
-    influence_ = fit_influence(problem_, fit_, kLags);
-    const Vector sigma = problem_.sigma();
-    update_sigma(influence_.taken);
-    const double change = (problem_.sigma() - sigma).cwiseQuotient(sigma).cwiseAbs().maxCoeff();
-    if (scheme == problem_.scheme() && change < 1e-3) break;
+    const StepScheme scheme = problem.scheme();
+    run.iterations += minimise_from(task, run.fit, run.fit.point.orbits.samples, tolerance);
+    run.influence = fit_influence(problem, run.fit, kLags);
+    const Vector sigma = problem.sigma();
+    update_sigma(task, run.fit, run.influence.taken);
+    const double change = (problem.sigma() - sigma).cwiseQuotient(sigma).cwiseAbs().maxCoeff();
+    if (scheme == problem.scheme() && change < 1e-3) break;
   }
+}
+
+}  // namespace
+
+RefinementStart refinement_start(ShootingProblem& problem, const Dataset& data,
+                                 const RefineOptions& options) {
+  Vector noise = options.sigma ? *options.sigma : record_noise(problem, data);
+  if (noise.size() != static_cast<Index>(problem.record().measured.size()))
+    throw ArgumentError("refine", "there is not one sigma per measured state",
+                        "leave it out or give one for each state that has a column");
+  Matrix guess = options.states ? *options.states
+                                : guess_states(problem.model(), problem.record(),
+                                               problem.rates(), problem.signals(), noise);
+  Vector spread = spread_of(guess);
+  return {std::move(guess), std::move(noise), std::move(spread)};
+}
+
+RefinementRun run_refinement(ShootingProblem& problem, const RefinementStart& start,
+                             const RefineOptions& options, const RunContext& context) {
+  const Task task{problem, start, options, context};
+  WindowLimits limits = first_limits(task);
+  RefinementRun run = first_fit(task, limits);
+  if (!run.simulated) return run;
+  if (!options.window_samples) {
+    if (!has_structure(task, run.fit))
+      while (lengthen(task, limits, run)) context.report("refining", 0.5);
+    if (has_structure(task, run.fit)) search(task, limits, run);
+  }
+  polish(task, run);
+  return run;
 }
 
 }  // namespace lacuna

@@ -6,55 +6,31 @@
 
 namespace lacuna {
 
-/// One refinement: windows from short to long, the search for windows where the model is not
-/// exact, the last polish.
-class RefinementRun {
- public:
-  /// @throws DataError, ArgumentError as refine().
-  RefinementRun(const ParametrisedModel& model, const Dataset& data,
-                const RefineOptions& options, const RunContext& context);
-
-  /// Fits. @return whether windows were found in which the model can be simulated.
-  bool run();
-
-  ShootingProblem& problem() noexcept { return problem_; }
-  const ShootingFit& fit() const noexcept { return fit_; }
-  const FitInfluence& influence() const noexcept { return influence_; }
-  const Matrix& guess() const noexcept { return guess_; }  ///< states to start from, N x m
-  const Vector& noise() const noexcept { return noise_; }  ///< of the record or as given
-  int iterations() const noexcept { return iterations_; }
-
- private:
-  Index dimension() { return problem_.rates().dimension(); }
-  void prepare();
-  bool begin();
-  void choose_scheme(const WindowPlan& plan);
-  bool make_finite();
-  ErrorGrowth scaled_growth(Matrix transitions);
-  void minimise_from(ShootingFit& fit, const Matrix& states, double tolerance);
-  void update_sigma(const Vector& taken = {});
-  double growth_limit();
-  bool lengthen();
-  bool acceptable(const ShootingFit& longer) const;
-  double cost_per_freedom(const ShootingFit& fit) const;
-  double gain_of(const ShootingFit& longer) const;
-  bool has_structure();
-  double residual_count() const;
-  void search();
-  void finish();
-
-  const RefineOptions& options_;
-  const RunContext& context_;
-  ShootingProblem problem_;
-  Vector noise_;
-  Matrix guess_;
-  Vector spread_;  // of each state
-  Vector floor_;   // rounding of each measured state
-  ErrorGrowth growth_;
-  WindowLimits limits_;
-  ShootingFit fit_;
-  FitInfluence influence_;
-  int iterations_ = 0;
+/// Where a refinement starts.
+struct RefinementStart {
+  Matrix guess;   ///< states to start from, N x m
+  Vector noise;   ///< of each measured state: of the record or as given
+  Vector spread;  ///< standard deviation of each state in the guess, m
 };
+
+/// What a refinement came to.
+struct RefinementRun {
+  bool simulated = false;  ///< whether there are windows in which the model can be simulated
+  ShootingFit fit;         ///< of the last windows
+  FitInfluence influence;  ///< of that fit; empty where the model cannot be simulated
+  int iterations = 0;      ///< of all fits on the way
+};
+
+/// Noise and states to start from, as given or from the record.
+/// @throws ArgumentError, DataError as refine().
+RefinementStart refinement_start(ShootingProblem& problem, const Dataset& data,
+                                 const RefineOptions& options);
+
+/// One refinement: windows from short to long, the search for windows where the model is not
+/// exact, the last polish. The problem gets the noise of the residuals, where none is given,
+/// and a scheme that is accurate enough beside it.
+/// @throws DataError, ArgumentError as refine().
+RefinementRun run_refinement(ShootingProblem& problem, const RefinementStart& start,
+                             const RefineOptions& options, const RunContext& context);
 
 }  // namespace lacuna

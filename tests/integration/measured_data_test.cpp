@@ -67,7 +67,8 @@ double simulation_error(const OdeModel& model, const Dataset& record) {
       refine(ParametrisedModel(model, {}), part(record, 0, kStart), {.window_samples = kStart});
   const Trajectory& run = record.trajectories.front();
   RecordInput input(run);
-  const Solution orbit = simulate(model, Dopri8{}, start.states.row(0), run.time, input);
+  const Solution orbit =
+      simulate(DrivenModel{model, input}, Dopri8{}, start.states.row(0), run.time);
   EXPECT_EQ(orbit.status, IntegrationStatus::Completed) << orbit.message;
   const Index n = run.samples() - kStart;
   return std::sqrt((orbit.states.col(0) - run.states.col(0)).tail(n).squaredNorm() /

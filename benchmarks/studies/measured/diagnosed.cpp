@@ -191,7 +191,8 @@ std::string simulation_error(const OdeModel& model, const Dataset& record) {
       refine(ParametrisedModel(model, {}), rows(record, 0, kStart), {.window_samples = kStart});
   const Trajectory& run = record.trajectories[0];
   RecordInput input(run);
-  const Solution orbit = simulate(model, Dopri8{}, start.states.row(0), run.time, input);
+  const Solution orbit =
+      simulate(DrivenModel{model, input}, Dopri8{}, start.states.row(0), run.time);
   if (orbit.status != IntegrationStatus::Completed) return "diverged";
   const Vector error = (orbit.states.col(0) - run.states.col(0)).tail(run.samples() - kStart);
   return format_number(1e3 * error.norm() / std::sqrt(static_cast<double>(error.size())), 3);

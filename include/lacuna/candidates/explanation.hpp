@@ -46,19 +46,25 @@ AugmentedProblem augment(const OdeModel& nominal, const Dataset& data,
                          const std::vector<FittedEffect>& effects,
                          const std::vector<Matrix>& paths);
 
+/// What effects are fitted jointly with. Everything outlives it.
+struct JointFitTask {
+  const Dataset& data;
+  const OdeModel& nominal;
+  const AssimilationOptions& options;  ///< nominal coefficients that are free, passes
+  const RunContext& context;
+};
+
 /// Fits a nominal model and effects to records with the shapes as they are, in few passes: good
 /// enough to tell which explanations are worth a full fit.
 /// @param start the nominal model, perhaps with other effects, brought onto the same records;
 ///   where the fit starts.
-Explanation explain_roughly(const Dataset& data, const OdeModel& nominal,
-                            const Assimilation& start, const std::vector<FittedEffect>& effects,
-                            const AssimilationOptions& options, const RunContext& context);
+Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
+                            const std::vector<FittedEffect>& effects);
 
 /// Fits a nominal model and effects to records, all coefficients and shapes jointly: the shapes
 /// by Gauss-Newton steps in which the rate of change of a form with a shape is one more column,
 /// as long as the likelihood rises. Arguments as of explain_roughly().
-Explanation explain(const Dataset& data, const OdeModel& nominal, const Assimilation& start,
-                    const std::vector<FittedEffect>& effects,
-                    const AssimilationOptions& options, const RunContext& context);
+Explanation explain(const JointFitTask& task, const Assimilation& start,
+                    const std::vector<FittedEffect>& effects);
 
 }  // namespace lacuna

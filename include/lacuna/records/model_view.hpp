@@ -15,7 +15,7 @@ namespace lacuna {
 ///   const Dataset view = model_view(model, record);
 ///   const Trajectory& run = view.trajectories[0];
 ///   RecordInput input(run);
-///   simulate(model, Rk4{}, run.states.row(0).transpose(), run.time, input);
+///   simulate(DrivenModel{model, input}, Rk4{}, run.states.row(0).transpose(), run.time);
 /// @endcode
 /// @throws DataError naming a state or an input of the model that the record does not have.
 Dataset model_view(const OdeModel& model, const Dataset& record);

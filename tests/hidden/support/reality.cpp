@@ -19,8 +19,8 @@ std::optional<Matrix> simulated(const OdeModel& model, const Trajectory& clean, 
                                 Index count) {
   RecordInput inputs(clean, clean.samples() < 4 ? 2 : 4);
   const Solution solution =
-      simulate(model, Rk4{{.substeps = 4}}, clean.states.row(first).transpose(),
-               clean.time.segment(first, count), inputs);
+      simulate(DrivenModel{model, inputs}, Rk4{{.substeps = 4}},
+               clean.states.row(first).transpose(), clean.time.segment(first, count));
   if (solution.status != IntegrationStatus::Completed) return std::nullopt;
   return solution.states;
 }

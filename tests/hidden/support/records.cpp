@@ -40,7 +40,7 @@ Solution orbit(const Plant& plant, const std::vector<Signal>& signals, double sh
       {.control = {
            .relative_tolerance = 1e-10, .absolute_tolerance = 1e-12, .max_step = plant.step}}};
   Solution solution =
-      simulate(plant.model, integrator, drawn_start(plant, seed), times, inputs);
+      simulate(DrivenModel{plant.model, inputs}, integrator, drawn_start(plant, seed), times);
   if (solution.status != IntegrationStatus::Completed)
     throw ArgumentError("hidden case", solution.message, "choose a bounded system");
   return solution;

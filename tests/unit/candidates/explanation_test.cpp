@@ -12,9 +12,9 @@ TEST(Explanation, FitsCoefficientAndShapesJointly) {
   const Dataset data = support::hidden_record(
       [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.002);
   const Assimilation base = support::assimilated(data);
-  const Explanation found = explain(
-      data, base.model, base, {{support::stop_candidate(0.0), Vector::Constant(1, -0.1), -2.0}},
-      support::oscillator_fit_options(), RunContext{});
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{support::stop_candidate(0.0), Vector::Constant(1, -0.1), -2.0}});
   EXPECT_LT(found.fit.deviance, base.deviance - 100.0);
   EXPECT_NEAR(found.effects[0].shapes[0], -0.2, 0.02);
   EXPECT_NEAR(found.effects[0].coefficient, -3.0, 0.1);
@@ -47,8 +47,9 @@ TEST(Explanation, SensorsMayHaveSummandsToo) {
   Candidate offset = support::plain_candidate("1");
   offset.place = Place::Channel;
   offset.equation = 0;
-  const Explanation found = explain(data, base.model, base, {{offset, Vector(0), 0.0}},
-                                    support::oscillator_fit_options(), RunContext{});
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{offset, Vector(0), 0.0}});
   EXPECT_NEAR(found.effects[0].coefficient, 0.1, 0.005);
 }
 

@@ -13,8 +13,8 @@ TEST(Gap, FallsToTheNoiseWithTheRightEffect) {
   const Dataset other = support::hidden_record(support::dry_friction, 0.01, 4, -0.7);
   const Assimilation base = support::assimilated(data);
   const Explanation found =
-      explain(data, base.model, base, {{support::plain_candidate("sign(v)"), Vector(0), -0.2}},
-              support::oscillator_fit_options(), RunContext{});
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{support::plain_candidate("sign(v)"), Vector(0), -0.2}});
   const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
   EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
   EXPECT_NEAR(gap.after / gap.noise_floor, 1.0, 0.1);
@@ -46,8 +46,9 @@ TEST(Gap, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
   skew.place = Place::Channel;
   skew.equation = 0;
   const Assimilation base = support::assimilated(data);
-  const Explanation found = explain(data, base.model, base, {{skew, Vector(0), 0.0}},
-                                    support::oscillator_fit_options(), RunContext{});
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{skew, Vector(0), 0.0}});
   const Dataset other = skewed(4, -0.7);
   const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
   EXPECT_GT(gap.before, 2.0 * gap.noise_floor);

@@ -38,7 +38,7 @@ TEST(Simulate, InputsDriveTheModel) {
   const OdeModel model = scalar_model({{"u", 1.0}});
   const auto cosine = [](double t, double* u) { *u = std::cos(t); };
   const Solution solution =
-      simulate(model, Dopri5{}, Vector{{0.0}}, sample_times(0.0, 0.5, 20), cosine);
+      simulate(DrivenModel{model, cosine}, Dopri5{}, Vector{{0.0}}, sample_times(0.0, 0.5, 20));
   for (Index i = 0; i < 20; ++i)
     EXPECT_NEAR(solution.states(i, 0), std::sin(solution.time[i]), 1e-8);
 }
@@ -47,7 +47,7 @@ TEST(Simulate, RecordedInputsDriveTheModel) {
   const OdeModel model = scalar_model({{"u", 1.0}});
   const Vector time = sample_times(0.0, 0.05, 101);
   RecordInput input(time, time.array().cos().matrix());
-  const Solution solution = simulate(model, Rk4{}, Vector{{0.0}}, time, input);
+  const Solution solution = simulate(DrivenModel{model, input}, Rk4{}, Vector{{0.0}}, time);
   EXPECT_NEAR(solution.states(100, 0), std::sin(5.0), 1e-6);
 }
 
@@ -89,7 +89,7 @@ TEST(Simulate, DelayedInputsAreTheEarlierSignal) {
   const OdeModel model = scalar_model({{"delay(u,0.25)", 1.0}});
   const auto cosine = [](double t, double* u) { *u = std::cos(t); };
   const Solution solution =
-      simulate(model, Dopri8{}, Vector{{0.0}}, sample_times(0.0, 0.1, 11), cosine);
+      simulate(DrivenModel{model, cosine}, Dopri8{}, Vector{{0.0}}, sample_times(0.0, 0.1, 11));
   EXPECT_NEAR(solution.states(10, 0), std::sin(0.75) + std::sin(0.25), 1e-9);
 }
 

@@ -183,8 +183,10 @@ struct Driven {
     const auto drive = [&](double t, double* u) {
       u[0] = std::sin(1.3 * t + number) + 0.7 * std::sin(2.9 * t);
     };
-    const Solution orbit = simulate(truth.model(), Dopri8{Dopri8Options{.substeps = 8}},
-                                    (Vector(2) << 0.1 * number, 0.0).finished(), time, drive);
+    const OdeModel model = truth.model();
+    const Solution orbit =
+        simulate(DrivenModel{model, drive}, Dopri8{Dopri8Options{.substeps = 8}},
+                 (Vector(2) << 0.1 * number, 0.0).finished(), time);
     Matrix inputs(n, 1);
     for (Index i = 0; i < n; ++i) drive(time[i], &inputs(i, 0));
     return {"run", time, orbit.states, inputs, Matrix()};
