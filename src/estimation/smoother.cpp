@@ -84,6 +84,7 @@ class Backward {
       keep(i);
       if (i > 0) step(i - 1);
     }
+    renew(true);
     return std::move(result_);
   }
 
@@ -132,19 +133,25 @@ class Backward {
       for (Index j = 1; j < m_; ++j) spread_ += moved_[j] * covariance_.col(j);
       result_.expected[k] += moved_.dot(spread_) / length;
     }
-    for (Index c = 0; c < map_.channels(); ++c) {
-      const Index colour = map_.colour[static_cast<std::size_t>(c)];
-      if (colour >= map_.size) continue;
-      const Index sum = m_ + map_.channels() + c;
-      const double decay = map_.decay[static_cast<std::size_t>(colour - m_)];
-      const double renewed = 1.0 - decay * decay;  // share of its variance
-      result_.found[sum] += renewed * adjoint_[colour] * adjoint_[colour];
-      result_.expected[sum] += renewed * covariance_(colour, colour);
-    }
+    renew(false);
     transition_.read_transposed(record_, i);
     transition_.carry_mean(adjoint_);
     transition_.carry_covariance(covariance_);
     transition_.make_symmetric(i, covariance_);
+  }
+
+  /// What is new of the coloured noises in a step, or at the first sample, where they begin
+  /// stationary: all of their variance.
+  void renew(bool first) {
+    for (Index c = 0; c < map_.channels(); ++c) {
+      const Index colour = map_.colour[static_cast<std::size_t>(c)];
+      if (colour >= map_.size) continue;
+      const Index sum = m_ + map_.channels() + c;
+      const double decay = first ? 0.0 : map_.decay[static_cast<std::size_t>(colour - m_)];
+      const double renewed = 1.0 - decay * decay;  // share of its variance
+      result_.found[sum] += renewed * adjoint_[colour] * adjoint_[colour];
+      result_.expected[sum] += renewed * covariance_(colour, colour);
+    }
   }
 
   const LinearisedRecord& record_;

@@ -19,8 +19,8 @@ namespace lacuna::hidden {
 std::optional<double> real_gap(const OdeModel& model, const Dataset& clean,
                                const Dataset& measured, const Gap& gap);
 
-/// The gap of the true model of a case on a record, as measure_gap() has it; nothing where the record
-/// does not show all of its states.
+/// The gap of the true model of a case on a record, as measure_gap() has it; nothing where the
+/// record does not show all of its states.
 std::optional<double> true_gap(const HiddenCase& hidden, const Dataset& measured);
 
 }  // namespace lacuna::hidden

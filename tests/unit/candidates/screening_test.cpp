@@ -15,7 +15,7 @@ TEST(Screening, TheHiddenTermGainsMost) {
   const auto found =
       screen({support::plain_candidate("q^3"), support::plain_candidate("sign(v)"),
               support::plain_candidate("v^3"), support::plain_candidate("1")},
-             screening, RunContext{});
+             screening, ScreeningOptions{}, RunContext{});
   EXPECT_EQ(found.front().candidate.form, parse_expression("sign(v)"));
   EXPECT_NEAR(found.front().coefficient, -0.3, 0.03);
   EXPECT_GT(found.front().gain, 50.0);

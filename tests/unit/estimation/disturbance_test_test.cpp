@@ -53,7 +53,7 @@ Assimilation assimilation_of(const support::GaussianCase& made) {
 
 TEST(Structure, DropIsTheLikelihoodRatioOfTheJointGaussian) {
   const support::GaussianCase made = support::drawn(support::random_case(2, 25, 4), 3);
-  const auto structure = test_structure(assimilation_of(made), RunContext{});
+  const auto structure = test_disturbances(assimilation_of(made), RunContext{});
   ASSERT_EQ(structure.size(), 2u);
   EXPECT_GE(structure[0].drop, structure[1].drop) << "most significant first";
   const auto all = [](NoiseModel& noise) {
@@ -79,7 +79,7 @@ TEST(Structure, SizeIsThatOfTheExpectedDisturbance) {
   const Assimilation fit = assimilation_of(made);
   EXPECT_LT((disturbance_along(fit, 0) - rates).norm(), 1e-8 * rates.norm());
   const Matrix change = (made.record.path.bottomRows(24) - made.record.path.topRows(24)) / 0.1;
-  for (const EquationStructure& equation : test_structure(fit, RunContext{})) {
+  for (const EquationStructure& equation : test_disturbances(fit, RunContext{})) {
     const double rms = rates.col(equation.equation).norm() / std::sqrt(24.0);
     EXPECT_NEAR(equation.rms, rms, 1e-8 * rms);
     EXPECT_NEAR(equation.relative,
@@ -96,7 +96,7 @@ TEST(Structure, BridgedStepsDoNotCountAsLeftOver) {
   const Matrix along = disturbance_along(fit, 0);
   double squares = 0.0;
   for (Index i = 0; i < 24; ++i) squares += i == 12 ? 0.0 : along(i, 1) * along(i, 1);
-  for (const EquationStructure& equation : test_structure(fit, RunContext{}))
+  for (const EquationStructure& equation : test_disturbances(fit, RunContext{}))
     if (equation.equation == 1) {
       EXPECT_NEAR(equation.rms, std::sqrt(squares / 23.0), 1e-9);
     }

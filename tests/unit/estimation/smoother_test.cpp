@@ -86,6 +86,23 @@ TEST(Smoother, SumsAreTheGradientOfTheLikelihood) {
   }
 }
 
+TEST(Smoother, SumsOfColouredNoiseAreTheGradientToo) {
+  for (const double time : {0.15, 2.0, 20.0}) {  // short, as long as the record, longer
+    GaussianCase made = support::random_case(1, 24, 4);
+    made.noise.coloured[0] = ColouredNoise{0.5, time};
+    made = support::drawn(made, 6);
+    made.omitted = Matrix::Zero(24, 1);
+    made.omitted(0, 0) = 1.0;
+    const SmoothedRecord found = smoothed(made);
+    const double s = made.noise.coloured[0]->deviation;
+    const double expected =
+        slope(made, [](NoiseModel& noise) -> double& { return noise.coloured[0]->deviation; });
+    EXPECT_NEAR(2.0 * s * s * (found.expected[2] - found.found[2]), expected,
+                1e-5 * std::abs(expected))
+        << time;
+  }
+}
+
 TEST(Smoother, ABridgedStepAddsNothingToTheSums) {
   GaussianCase made = mixed_case();
   const SmoothedRecord some = smoothed(made);

@@ -80,7 +80,20 @@ TEST(VarianceFit, GradientIsThatOfTheDeviance) {
   above.coloured[0]->deviation *= std::exp(reach);
   below.coloured[0]->deviation *= std::exp(-reach);
   EXPECT_NEAR((deviance_of(made, above) - deviance_of(made, below)) / (2.0 * reach),
-              here.gradient[2], 0.05 * std::abs(here.gradient[2]));
+              here.gradient[2], 0.001 * std::abs(here.gradient[2]));
+}
+
+TEST(VarianceFit, GradientOfSlowNoiseCountsWhereItBegins) {
+  const Case made = make_case(support::nothing);
+  NoiseModel noise = noise_of(0.015, 0.05);
+  noise.coloured[0] = ColouredNoise{0.01, 20.0};  // of 30 s
+  const SmoothedNoise here = VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise, 0);
+  const double reach = 1e-4;
+  NoiseModel above = noise, below = noise;
+  above.coloured[0]->deviation *= std::exp(reach);
+  below.coloured[0]->deviation *= std::exp(-reach);
+  EXPECT_NEAR((deviance_of(made, above) - deviance_of(made, below)) / (2.0 * reach),
+              here.gradient[2], 0.001 * std::abs(here.gradient[2]));
 }
 
 TEST(VarianceFit, WhatIsKnownOfTheCurvatureDoesNotMoveTheAnswer) {

@@ -11,16 +11,19 @@
 namespace lacuna {
 namespace {
 
-Ranking ranking_of(const support::Hidden& hidden) {
-  const Dataset data = support::hidden_record(hidden, 0.01);
-  const Assimilation base = support::assimilated(data);
-  const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
-  return rank(data, {{}, base}, support::own_effects(), scope,
-              support::oscillator_fit_options(), {}, RunContext{});
+/// The first ranking of a record with something hidden in it.
+Ranking ranking_of(const support::Hidden& hidden, const std::vector<Stage<Effect>>& effects) {
+  const OdeModel nominal = support::oscillator();
+  const BoundRecords records = observed(support::hidden_record(hidden, 0.01));
+  const DiagnosisOptions options;
+  const RunContext context;
+  const Problem problem{nominal, records, options, context};
+  const Baseline base = plain_baseline(problem);
+  return rank({problem, base, effects}, {{}, base.fitted});
 }
 
 TEST(Rank, TheRightEffectLeadsWithItsSize) {
-  const Ranking ranking = ranking_of(support::dry_friction);
+  const Ranking ranking = ranking_of(support::dry_friction, support::own_effects());
   ASSERT_FALSE(ranking.effects.empty());
   const RankedEffect& best = ranking.effects.front();
   ASSERT_FALSE(best.names.empty());
@@ -33,7 +36,7 @@ TEST(Rank, TheRightEffectLeadsWithItsSize) {
 }
 
 TEST(Rank, NothingIsRankedWhereNothingIsMissing) {
-  const Ranking ranking = ranking_of(support::nothing);
+  const Ranking ranking = ranking_of(support::nothing, support::own_effects());
   EXPECT_TRUE(ranking.effects.empty());
   EXPECT_DOUBLE_EQ(ranking.none, 1.0);
 }
@@ -41,12 +44,9 @@ TEST(Rank, NothingIsRankedWhereNothingIsMissing) {
 constexpr StageInfo kRubbing{"rubbing", "Dry friction under another name", ""};
 
 TEST(Rank, NamesOfOneTermShareItsFit) {
-  const Dataset data = support::hidden_record(support::dry_friction, 0.01);
   std::vector<Stage<Effect>> twice = support::own_effects();
   twice.push_back(support::FormEffect<kRubbing>("sign(v)"));
-  const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
-  const Ranking ranking = rank(data, {{}, support::assimilated(data)}, twice, scope,
-                               support::oscillator_fit_options(), {}, RunContext{});
+  const Ranking ranking = ranking_of(support::dry_friction, twice);
   ASSERT_GE(ranking.effects.size(), 1u);
   EXPECT_GT(ranking.effects[0].probability, 0.99);
   ASSERT_EQ(ranking.effects[0].names.size(), 2u);

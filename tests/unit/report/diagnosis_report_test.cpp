@@ -13,7 +13,7 @@ namespace {
 
 Diagnosis made() {
   const OdeModel model = support::oscillator();
-  Diagnosis diagnosis{Verdict::Explained, model, {}, {}, {}, {}, {}, model, {}, {}, {}};
+  Diagnosis diagnosis{Verdict::Explained, model, {}, {}, {}, {}, {}, model, {}, {}, {}, {}};
   diagnosis.disagreement.push_back(
       {1, 0.21, 0.03, 57.0, 1.0, 0.1, {{"v", -0.1, 0.1, {}, 31.0}, {"", 0, 0, 0.291, 12.0}}});
   NamedEffect effect;

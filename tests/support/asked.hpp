@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A diagnosis of the oscillator that is asked for, with all that its Problem refers to.
+#pragma once
+
+#include <memory>
+
+#include "lacuna/hypotheses/account.hpp"
+#include "support/driven_oscillator.hpp"
+
+namespace lacuna::support {
+
+struct Asked {
+  BoundRecords records;
+  DiagnosisOptions options = {};
+  OdeModel nominal = oscillator();
+  RunContext context = {};
+
+  Problem problem() const { return {nominal, records, options, context}; }
+  std::shared_ptr<const Baseline> baseline() const {
+    return std::make_shared<const Baseline>(plain_baseline(problem()));
+  }
+  Account bare() const { return bare_account(problem(), "bare", baseline()); }
+};
+
+inline Asked asked(const Hidden& hidden, double noise = 0.01,
+                   const std::vector<Stage<Effect>>& effects = {}) {
+  return {.records = observed(hidden_record(hidden, noise)), .options = {.effects = effects}};
+}
+
+/// Forces of 1.5 sin(6 q): a function of q that no effect has a name for.
+inline double ripple(double, double q, double) { return 1.5 * std::sin(6.0 * q); }
+
+}  // namespace lacuna::support
