@@ -7,6 +7,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/selection/subset_problem.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
 
@@ -35,7 +36,7 @@ class Outcome {
       : task_(task),
         fit_(fit),
         noise_(noise),
-        search_(fit.triangle / std::sqrt(std::max(1.0, fit.scale)), fit.price) {}
+        problem_(subset_problem(fit.triangle / std::sqrt(std::max(1.0, fit.scale)))) {}
 
   RefinedModel make() const {
     RefinedModel result{.model = model()};
@@ -56,7 +57,7 @@ class Outcome {
     for (std::size_t k = 0; k < equations.size(); ++k)
       if (!task_.data.rate_state(static_cast<Index>(k))) equations[k].clear();
     const double spread = std::sqrt(std::max(fit_.misfit / std::max(1.0, fit_.scale), 1e-300));
-    const Vector variances = search_.variances(fit_.subset);
+    const Vector variances = variances_of(problem_, fit_.subset);
     for (std::size_t i = 0; i < fit_.subset.size(); ++i) {
       const Coefficient column = fit_.columns[static_cast<std::size_t>(fit_.subset[i])];
       WeightedTerm summand{term(column), fit_.coefficients(column.equation, column.term)};
@@ -92,7 +93,8 @@ class Outcome {
 
   std::vector<PathStep> path() const {
     std::vector<PathStep> steps;
-    const Vector losses = search_.losses(fit_.subset), gains = search_.gains(fit_.subset);
+    const Vector losses = losses_of(fit_subset(problem_, fit_.subset));
+    const Vector gains = gains_of(problem_, fit_.subset);
     for (Index k = 0; k < task_.data.state_count(); ++k) {
       add_members(k, losses, steps);
       add_candidates(k, gains, steps);
@@ -139,7 +141,7 @@ class Outcome {
   const RefinerTask& task_;
   const WindowFit& fit_;
   const std::vector<StateNoise>& noise_;
-  SubsetSearch search_;
+  SubsetProblem problem_;
 };
 
 /// Names the terms that only one of two searches has.
@@ -179,51 +181,38 @@ bool fits_to_noise(const RefinedModel& model) {
 }
 
 /// Searches from the start and, when asked to, beside it from nothing, until the two agree.
-class Searches {
- public:
-  Searches(const WindowSearch& prepared, const Matrix& start, bool second_opinion)
-      : first_(prepared) {
-    usable_ = first_.begin(start);
-    if (!usable_ || !second_opinion) return;
-    second_.emplace(prepared);
-    second_->begin(Matrix::Zero(start.rows(), start.cols()));
-  }
-
-  /// What the search from the start found; nullptr when nothing could be fitted.
-  const WindowFit* run() {
-    drop_when_agreed();
-    while (usable_) {
-      const bool first = first_.grow(), second = second_ && second_->grow();
-      drop_when_agreed();
-      if (!first && !second) break;
-    }
-    if (usable_) first_.finish();
-    const WindowFit& fit = first_.fit();
-    usable_ = usable_ && !fit.subset.empty() && fit.coefficients.allFinite();
-    return usable_ ? &fit : nullptr;
-  }
-
-  /// Whether the model breaks down in longer windows; noise of any kind does not do that.
-  bool is_approximation() const { return first_.limited(); }
-
-  void simplify() {
-    constexpr double kSlack = 0.1;  // the residuals of an approximation are not known better
-    first_.simplify(kSlack);
-  }
-
-  /// What the search from nothing found where it is not the same.
-  const WindowFit* other() const { return second_ ? &second_->fit() : nullptr; }
-
- private:
-  /// Searches of the same structure in the same windows will not part any more.
-  void drop_when_agreed() {
-    if (second_ && second_->fit().subset == first_.fit().subset) second_.reset();
-  }
-
-  WindowSearch first_;
-  std::optional<WindowSearch> second_;
-  bool usable_ = false;
+struct Searches {
+  WindowSearch first;
+  std::optional<WindowSearch> second;  ///< as long as the two do not agree
 };
+
+/// Searches of the same structure in the same windows will not part any more.
+void drop_when_agreed(Searches& searches) {
+  if (searches.second && searches.second->fit.subset == searches.first.fit.subset)
+    searches.second.reset();
+}
+
+/// Searches to the end. The first one's fit has no rows when the records are too short.
+Searches search_windows(const SearchTask& task, const Matrix& start, bool second_opinion,
+                        const RunContext& context) {
+  const WindowSearch prepared = prepared_search(task);
+  Searches searches{begun(task, prepared, start, context), std::nullopt};
+  if (searches.first.fit.rows == 0) return searches;
+  if (second_opinion)
+    searches.second = begun(task, prepared, Matrix::Zero(start.rows(), start.cols()), context);
+  for (bool grows = true; grows;) {
+    drop_when_agreed(searches);
+    grows = grow(task, searches.first, context);
+    if (searches.second && grow(task, *searches.second, context)) grows = true;
+  }
+  drop_when_agreed(searches);
+  finish(task, searches.first, context);
+  return searches;
+}
+
+bool is_usable(const WindowFit& fit) {
+  return fit.rows > 0 && !fit.subset.empty() && fit.coefficients.allFinite();
+}
 
 /// Half the usual gap: the first path is interpolated where a model would be carried on. With
 /// ten steps Lorenz' equations (1 % noise, eight of each hundred samples missing) have smaller
@@ -246,23 +235,24 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   }
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
-  const WindowSearch prepared({std::move(data), task.library, noise, options().price}, context);
-  Searches searches(prepared, start, options().second_opinion);
-  const WindowFit* fit = searches.run();
+  const SearchTask search = search_task(std::move(data), task.library, noise, options().price);
+  auto [found, other] = search_windows(search, start, options().second_opinion, context);
   same.message = "no windows of the record could be fitted";
-  if (!fit) return same;
-  RefinedModel result = Outcome(task, *fit, noise).make();
+  if (!is_usable(found.fit)) return same;
+  RefinedModel result = Outcome(task, found.fit, noise).make();
   const bool is_noise = fits_to_noise(result);
-  if (!is_noise && searches.is_approximation()) {
-    searches.simplify();
-    result = Outcome(task, *fit, noise).make();
+  // A model that breaks down in longer windows is an approximation; no noise does that.
+  if (!is_noise && found.limited) {
+    constexpr double kSlack = 0.1;  // the residuals of an approximation are not known better
+    simplify(search, found, kSlack, context);
+    result = Outcome(task, found.fit, noise).make();
   }
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
   if (!is_noise)
     if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
       result.model = std::move(*model);
-  if (searches.other()) note_disputes(task, *fit, *searches.other(), result.notes);
+  if (other) note_disputes(task, found.fit, other->fit, result.notes);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "lacuna/bases/monomials.hpp"
+#include "lacuna/selection/subset_search.hpp"
 #include "lacuna/systems/measurement.hpp"
 #include "shooting/shooting_fit.hpp"
 #include "support/noisy_records.hpp"
@@ -24,24 +25,27 @@ struct SearchCase {
              int degree = 3)
       : data(record),
         library(Monomials{{.max_degree = degree}}.library(model.variables())),
-        search({data, library, analyse_noise(data), price}, kContext) {}
+        task(search_task(data, library, analyse_noise(data), price)),
+        search(begun(task, prepared_search(task),
+                     Matrix::Zero(data.state_count(), library.size()), kContext)) {}
 
-  Matrix nothing() const { return Matrix::Zero(data.state_count(), library.size()); }
+  bool grow() { return lacuna::grow(task, search, kContext); }
 
   /// The model with the terms and coefficients of the search.
   OdeModel found() const {
     std::vector<Equation> equations(data.states.size());
-    for (const Index c : search.fit().subset) {
-      const Coefficient place = search.fit().columns[static_cast<std::size_t>(c)];
+    for (const Index c : search.fit.subset) {
+      const Coefficient place = search.fit.columns[static_cast<std::size_t>(c)];
       equations[static_cast<std::size_t>(place.equation)].push_back(
           {library.terms[static_cast<std::size_t>(place.term)],
-           search.fit().coefficients(place.equation, place.term)});
+           search.fit.coefficients(place.equation, place.term)});
     }
     return {data.states, data.inputs, equations};
   }
 
   Dataset data;
   TermLibrary library;
+  SearchTask task;
   WindowSearch search;
 };
 
@@ -70,12 +74,12 @@ ShootingFit shot(ShootingProblem& problem, const WindowFit& fit) {
 TEST(WindowSearch, EndsAtTheLeastSquaresOfTheSimulatedModel) {
   const OdeModel& model = test_system("van-der-pol").model;
   SearchCase c(model, noisy_record("van-der-pol", 500, 0.02, 1));
-  ASSERT_TRUE(c.search.begin(c.nothing()));
-  while (c.search.grow()) {
+  ASSERT_TRUE(c.search.fit.rows > 0);
+  while (c.grow()) {
   }
-  c.search.finish();
+  finish(c.task, c.search, kContext);
   ASSERT_EQ(structure_of(c.found()), structure_of(model)) << to_text(c.found(), 4);
-  const WindowFit& fit = c.search.fit();
+  const WindowFit& fit = c.search.fit;
   ShootingProblem problem(with_free_coefficients(c.found()), c.data, std::nullopt);
   const ShootingFit best = shot(problem, fit);
   ASSERT_TRUE(best.converged);
@@ -99,14 +103,14 @@ TEST(WindowSearch, EndsAtTheLeastSquaresOfTheSimulatedModel) {
 TEST(WindowSearch, ChoosesTheBestSubsetOfItsTriangle) {
   const OdeModel& model = test_system("van-der-pol").model;
   SearchCase c(model, noisy_record("van-der-pol", 300, 0.05, 2));
-  ASSERT_TRUE(c.search.begin(c.nothing()));
-  const WindowFit& fit = c.search.fit();
+  ASSERT_TRUE(c.search.fit.rows > 0);
+  const WindowFit& fit = c.search.fit;
   EXPECT_NEAR(fit.price,
               std::log(static_cast<double>(fit.rows)) +
                   std::log(static_cast<double>(fit.columns.size())),
               1e-12);
-  const SubsetSearch again(fit.triangle / std::sqrt(fit.scale), fit.price);
-  EXPECT_EQ(again.best({}, true).columns, fit.subset);
+  const SubsetProblem again = subset_problem(fit.triangle / std::sqrt(fit.scale));
+  EXPECT_EQ(best_subset(again, fit.price, {}, Exchange::Pairs).columns, fit.subset);
 }
 
 TEST(WindowSearch, LongerWindowsThatFitWorseAreGivenUp) {
@@ -117,27 +121,27 @@ TEST(WindowSearch, LongerWindowsThatFitWorseAreGivenUp) {
   const Dataset clean =
       record_of(truth, Dopri8{Dopri8Options{.substeps = 4}}, system.start, system.step, 800);
   SearchCase c(truth, add_relative_noise(clean, 0.002, 1), {}, 1);
-  ASSERT_TRUE(c.search.begin(c.nothing()));
-  WindowFit before = c.search.fit();
-  while (c.search.grow()) {
-    EXPECT_EQ(c.search.fit().samples, 2 * before.samples);
-    before = c.search.fit();
+  ASSERT_TRUE(c.search.fit.rows > 0);
+  WindowFit before = c.search.fit;
+  while (c.grow()) {
+    EXPECT_EQ(c.search.fit.samples, 2 * before.samples);
+    before = c.search.fit;
   }
-  EXPECT_EQ(c.search.fit().coefficients, before.coefficients);
-  EXPECT_EQ(c.search.fit().samples, before.samples);
-  EXPECT_TRUE(c.search.limited());
-  EXPECT_FALSE(c.search.grow());
+  EXPECT_EQ(c.search.fit.coefficients, before.coefficients);
+  EXPECT_EQ(c.search.fit.samples, before.samples);
+  EXPECT_TRUE(c.search.limited);
+  EXPECT_FALSE(c.grow());
 }
 
 TEST(WindowSearch, WindowsEndWithTheRecord) {
   const OdeModel& model = test_system("van-der-pol").model;
   SearchCase c(model, noisy_record("van-der-pol", 100, 0.02, 1));
-  ASSERT_TRUE(c.search.begin(c.nothing()));
-  while (c.search.grow()) {
+  ASSERT_TRUE(c.search.fit.rows > 0);
+  while (c.grow()) {
   }
-  EXPECT_LE(c.search.fit().samples, 100);
+  EXPECT_LE(c.search.fit.samples, 100);
   SearchCase tiny(model, noisy_record("van-der-pol", 3, 0.02, 1));
-  EXPECT_FALSE(tiny.search.begin(tiny.nothing()));
+  EXPECT_FALSE(tiny.search.fit.rows > 0);
 }
 
 /// Whether a subset holds another one.
@@ -148,27 +152,28 @@ bool holds(const std::vector<Index>& all, const std::vector<Index>& some) {
 TEST(WindowSearch, SimplifyingTakesTermsAwayAsFarAsTheSlackGoes) {
   const OdeModel& model = test_system("van-der-pol").model;
   SearchCase c(model, noisy_record("van-der-pol", 400, 0.02, 1));
-  ASSERT_TRUE(c.search.begin(c.nothing()));
-  const std::vector<Index> all = c.search.fit().subset;
+  ASSERT_TRUE(c.search.fit.rows > 0);
+  const std::vector<Index> all = c.search.fit.subset;
   WindowSearch none = c.search, some = c.search, most = c.search;
-  none.simplify(0.0);
-  EXPECT_EQ(none.fit().subset, all);
-  most.simplify(1e9);
-  EXPECT_EQ(most.fit().subset.size(), 2u) << "each equation keeps its last term";
-  const SubsetSearch triangle(c.search.fit().triangle, 0.0);
-  some.simplify(1.0);
-  EXPECT_TRUE(holds(all, some.fit().subset));
-  EXPECT_LT(triangle.residual(some.fit().subset), 1.05 * 4.0 * triangle.residual(all));
+  simplify(c.task, none, 0.0, kContext);
+  EXPECT_EQ(none.fit.subset, all);
+  simplify(c.task, most, 1e9, kContext);
+  EXPECT_EQ(most.fit.subset.size(), 2u) << "each equation keeps its last term";
+  const SubsetProblem problem = subset_problem(c.search.fit.triangle);
+  simplify(c.task, some, 1.0, kContext);
+  EXPECT_TRUE(holds(all, some.fit.subset));
+  EXPECT_LT(fit_subset(problem, some.fit.subset).residual,
+            1.05 * 4.0 * fit_subset(problem, all).residual);
 }
 
 TEST(WindowSearch, APriceThatWasGivenStandsWithAllItsTerms) {
   const OdeModel& model = test_system("van-der-pol").model;
   SearchCase c(model, noisy_record("van-der-pol", 400, 0.02, 1), 25.0);
-  ASSERT_TRUE(c.search.begin(c.nothing()));
-  EXPECT_EQ(c.search.fit().price, 25.0);
-  const std::vector<Index> all = c.search.fit().subset;
-  c.search.simplify(1e9);
-  EXPECT_EQ(c.search.fit().subset, all);
+  ASSERT_TRUE(c.search.fit.rows > 0);
+  EXPECT_EQ(c.search.fit.price, 25.0);
+  const std::vector<Index> all = c.search.fit.subset;
+  simplify(c.task, c.search, 1e9, kContext);
+  EXPECT_EQ(c.search.fit.subset, all);
 }
 
 }  // namespace

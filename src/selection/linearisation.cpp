@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "linearisation.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "lacuna/linear/row_fold.hpp"
+
+namespace lacuna {
+namespace {
+
+std::vector<Index> terms_of(const std::vector<Coefficient>& columns) {
+  std::vector<Index> terms;
+  for (const Coefficient& column : columns) terms.push_back(column.term);
+  std::sort(terms.begin(), terms.end());
+  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  return terms;
+}
+
+/// Turns the rows of a window so that only the first m know of the initial state; folds the
+/// others. @return the first m, nothing when the rows determine no more than the initial state.
+Matrix eliminate_start(SensitivityRows& window, RowFold& fold) {
+  const Index m = window.now.cols(), rest = window.used - m;
+  auto rows = window.rows.leftCols(window.used);
+  if (rest <= 0 || !rows.allFinite()) return {};
+  const Eigen::HouseholderQR<Matrix> factor(rows.topRows(m).transpose());
+  rows.applyOnTheRight(factor.householderQ());
+  fold.add(rows.bottomRightCorner(rows.rows() - m, rest));
+  return rows.leftCols(m).transpose();
+}
+
+/// @return false when the folding cannot resolve the rows.
+bool fold_windows(const CandidateEquations& equations, const WindowedPath& path,
+                  Folding folding, Linearisation& result) {
+  const std::vector<Index> terms = terms_of(result.columns);
+  const auto blocks = column_blocks(result.columns, terms, equations.dimension());
+  WindowRates rates(equations, terms, result.h0);
+  RowFold fold(static_cast<Index>(result.columns.size()) + 1, folding);
+  SensitivityRows rows;
+  result.rows = 0;
+  result.heads.clear();
+  for (const SampleWindow& window : path.windows) {
+    const PathRecord& record = path.records[window.record];
+    rates.evaluate(record, window);
+    integrate_rows(rates, blocks, record, window, rows);
+    result.heads.push_back(eliminate_start(rows, fold));
+    if (result.heads.back().size() > 0) result.rows += rows.used - equations.dimension();
+  }
+  std::optional<Matrix> triangle = fold.finish();
+  if (triangle) result.triangle = std::move(*triangle);
+  return triangle.has_value();
+}
+
+}  // namespace
+
+Linearisation linearise(const CandidateEquations& equations, const WindowedPath& path,
+                        const Matrix& h0, const std::vector<Coefficient>& columns,
+                        Folding& folding) {
+  // So few columns are folded orthogonally in no time.
+  constexpr std::size_t kFewColumns = 32;
+  Linearisation result;
+  result.h0 = h0;
+  result.columns = columns;
+  if (folding == Folding::Gram && columns.size() > kFewColumns) {
+    if (fold_windows(equations, path, Folding::Gram, result)) return result;
+    folding = Folding::Orthogonal;
+  }
+  fold_windows(equations, path, Folding::Orthogonal, result);
+  return result;
+}
+
+}  // namespace lacuna

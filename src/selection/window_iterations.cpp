@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "window_iterations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "lacuna/selection/subset_search.hpp"
+#include "move_path.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Linearises in all candidates, chooses, moves the path. @return whether nothing changed.
+bool choose(const SearchTask& task, WindowSearch& search) {
+  WindowFit& fit = search.fit;
+  const Linearisation linearised =
+      linearise(task.equations, search.path, fit.coefficients, task.candidates, search.folding);
+  fit.triangle = linearised.triangle;
+  fit.rows = linearised.rows;
+  if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
+  const auto q = static_cast<double>(task.candidates.size());
+  const auto n = static_cast<double>(fit.rows);
+  const double all =
+      std::pow(fit.triangle(fit.triangle.rows() - 1, fit.triangle.rows() - 1), 2);
+  fit.scale = std::max(1.0, all / std::max(1.0, n - q));
+  fit.price = task.price.value_or(std::log(n) + std::log(q));
+  const SubsetProblem problem = problem_of(fit);
+  const std::vector<Index> before = fit.subset;
+  fit.subset = best_subset(problem, fit.price, {before}, Exchange::Single).columns;
+  if (fit.subset == before)
+    fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs).columns;
+  const std::optional<double> moved =
+      move_path(task.equations, linearised, solve_subset(problem, fit), search.path);
+  return moved && *moved < kSmallMove && fit.subset == before;
+}
+
+}  // namespace
+
+SubsetProblem problem_of(const WindowFit& fit) {
+  return subset_problem(fit.triangle / std::sqrt(fit.scale));
+}
+
+Vector solve_subset(const SubsetProblem& problem, WindowFit& fit) {
+  const Vector h = solution_of(problem, fit.subset);
+  Vector values = Vector::Zero(static_cast<Index>(fit.columns.size()));
+  fit.coefficients.setZero();
+  for (std::size_t i = 0; i < fit.subset.size(); ++i) {
+    const Coefficient& column = fit.columns[static_cast<std::size_t>(fit.subset[i])];
+    values[fit.subset[i]] = h[static_cast<Index>(i)];
+    fit.coefficients(column.equation, column.term) = h[static_cast<Index>(i)];
+  }
+  return values;
+}
+
+double settle(const SearchTask& task, WindowSearch& search, const NewtonLimits& limits,
+              const RunContext& context) {
+  WindowFit& fit = search.fit;
+  std::vector<Coefficient> active;
+  for (const Index c : fit.subset) active.push_back(fit.columns[static_cast<std::size_t>(c)]);
+  std::vector<Index> all(active.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  double last = 0.0;
+  for (int i = 0; i < limits.iterations && !active.empty(); ++i) {
+    context.check_stop();
+    const Linearisation linearised =
+        linearise(task.equations, search.path, fit.coefficients, active, search.folding);
+    const Vector h = solution_of(subset_problem(linearised.triangle), all);
+    if (!h.allFinite()) break;
+    for (std::size_t c = 0; c < active.size(); ++c)
+      fit.coefficients(active[c].equation, active[c].term) = h[static_cast<Index>(c)];
+    const std::optional<double> moved = move_path(task.equations, linearised, h, search.path);
+    if (!moved) break;
+    last = *moved;
+    if (last < limits.move) break;
+  }
+  return last;
+}
+
+void converge(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  constexpr int kRounds = 12;
+  search.fit.settled = false;
+  settle(task, search, {}, context);
+  for (int i = 0; i < kRounds && !search.fit.settled; ++i) {
+    context.report("searching the structure", static_cast<double>(i) / kRounds);
+    search.fit.settled = choose(task, search);
+    if (!search.fit.settled) settle(task, search, {}, context);
+  }
+  summarise(search);
+}
+
+void summarise(WindowSearch& search) {
+  WindowFit& fit = search.fit;
+  const Vector misfits = misfits_of(search.path);
+  fit.counts = counts_of(search.path);
+  const double freedom =
+      std::max(1.0, static_cast<double>(fit.rows) - static_cast<double>(fit.subset.size()));
+  fit.misfit = misfits.sum() / freedom;
+  fit.sigma = search.sigma;
+  // Initial states take their share of the freedom of every state.
+  const double share = freedom / std::max(1.0, fit.counts.sum());
+  fit.rms = search.sigma;
+  for (Index k = 0; k < fit.rms.size(); ++k)
+    fit.rms[k] *= std::sqrt(misfits[k] / std::max(1.0, share * fit.counts[k]));
+}
+
+}  // namespace lacuna
