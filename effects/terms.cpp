@@ -137,14 +137,6 @@ std::vector<Expression> all_variables(const Scope& scope) {
 
 namespace {
 
-const std::string& unit_of(const Scope& scope, const Expression& variable) {
-  static const std::string none;
-  const auto found =
-      std::find_if(scope.variables.begin(), scope.variables.end(),
-                   [&](const VariableRange& range) { return range.name == variable.name(); });
-  return found != scope.variables.end() ? found->unit : none;
-}
-
 bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
   constexpr double kEqual = 0.01;
   const double a = one.coefficient, b = other.coefficient;
@@ -152,18 +144,12 @@ bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
          std::abs(a + b) <= kEqual * std::abs(a - b);
 }
 
-/// Whether two terms of an equation are those of a difference: variables with opposite
-/// coefficients, or with coefficients of opposite sign and like size where they are of one
-/// kind, as those of a body that is held by another one and by the ground.
-bool make_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
-  constexpr double kLike = 3.0;
-  if (are_opposite(one, other)) return true;
-  const Expression &x = one.term.expression(), &y = other.term.expression();
-  if (!is_variable(x) || !is_variable(y)) return false;
-  const double a = one.coefficient, b = other.coefficient;
-  const std::string& unit = unit_of(scope, x);
-  return !unit.empty() && unit == unit_of(scope, y) && a * b < 0.0 &&
-         std::abs(a) <= kLike * std::abs(b) && std::abs(b) <= kLike * std::abs(a);
+/// Whether two terms of an equation have a difference in them: variables with coefficients of
+/// opposite sign. -a*x + b*y is min(a,b)*(y-x) and what is left of the larger one, as of a body
+/// that is held by another one and by the ground.
+bool have_a_difference(const WeightedTerm& one, const WeightedTerm& other) {
+  return is_variable(one.term.expression()) && is_variable(other.term.expression()) &&
+         one.coefficient * other.coefficient < 0.0;
 }
 
 }  // namespace
@@ -179,7 +165,7 @@ std::vector<Expression> differences(const Scope& scope, Index equation) {
     const Expression& term = terms[i].term.expression();
     if (is_difference(term)) add(term.operands()[0], term.operands()[1]);
     for (std::size_t j = i + 1; j < terms.size(); ++j)
-      if (make_a_difference(scope, terms[i], terms[j])) add(term, terms[j].term.expression());
+      if (have_a_difference(terms[i], terms[j])) add(term, terms[j].term.expression());
   }
   return result;
 }
