@@ -128,13 +128,13 @@ bool depends_on_the_present(const FoundInput& input, const Search& search) {
   const DecisionOptions& decision = search.problem.options.decision;
   const FunctionScreening screening(input.explanation.fit);
   const std::vector<FunctionBasis> bases =
-      present_functions(search.base.scope, search.equation);
+      present_functions(search.base.fitted, search.base.scope, search.equation);
   return std::any_of(bases.begin(), bases.end(), [&](const FunctionBasis& basis) {
     search.problem.context.report("looking for what an input depends on", 0.0);
     const FunctionScore score = screening.score(basis);
     const double sigma =
         sigma_of_gain(score.gain, std::max(1.0, static_cast<double>(score.members.size())),
-                      static_cast<double>(bases.size()));
+                      basis.tried * static_cast<double>(bases.size()));
     return sigma >= decision.significance && score.gain > decision.negligible * input.gain;
   });
 }
@@ -161,8 +161,8 @@ bool is_a_factor(const FoundInput& input, const Search& search) {
     const double size = variable.magnitude();
     if (!(size > 0.0)) continue;
     search.problem.context.report("looking for what an input multiplies", 0.0);
-    factor.candidate.form = factor.candidate.form * Expression::variable(variable.name) /
-                            Expression::number(size);
+    factor.candidate.form =
+        factor.candidate.form * Expression::variable(variable.name) / Expression::number(size);
     const Explanation fit =
         explain_on(search.problem, search.base, search.start, {std::move(factor)});
     if (value_of(fit, search) + search.problem.options.decision.undecided < input.value)
@@ -185,8 +185,7 @@ std::string size_of(const FoundInput& input, const Search& search) {
 NamedEffect name_of(const FoundInput& input, const Search& search) {
   const NameTable table{search.problem.options.effects, search.base.scope,
                         search.problem.options.decision.naming};
-  const std::vector<Name> names =
-      table.names_of(input.effect(), input.explanation.fit.model);
+  const std::vector<Name> names = table.names_of(input.effect(), input.explanation.fit.model);
   NamedEffect named;
   named.equation = search.equation;
   if (!names.empty()) take_name(input.effect(), names.front(), named);
