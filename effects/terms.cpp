@@ -144,12 +144,27 @@ bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
          std::abs(a + b) <= kEqual * std::abs(a - b);
 }
 
-/// Whether two terms of an equation have a difference in them: variables with coefficients of
-/// opposite sign. -a*x + b*y is min(a,b)*(y-x) and what is left of the larger one, as of a body
-/// that is held by another one and by the ground.
-bool have_a_difference(const WeightedTerm& one, const WeightedTerm& other) {
-  return is_variable(one.term.expression()) && is_variable(other.term.expression()) &&
-         one.coefficient * other.coefficient < 0.0;
+/// Whether one of two variables is known as a position and the other as a velocity: an identity
+/// of the model says so, dq/dt = v.
+bool are_of_two_kinds(const Scope& scope, const Expression& x, const Expression& y) {
+  bool positions[2] = {}, velocities[2] = {};
+  for (Index k = 0; k < scope.model.dimension(); ++k) {
+    const auto position = scope.integral_of(k);
+    if (!position) continue;
+    const Expression q = own_state(scope, *position), v = own_state(scope, k);
+    positions[0] |= x == q, positions[1] |= y == q;
+    velocities[0] |= x == v, velocities[1] |= y == v;
+  }
+  return (positions[0] && velocities[1]) || (velocities[0] && positions[1]);
+}
+
+/// Whether two terms of an equation have a difference in them: variables of one kind with
+/// coefficients of opposite sign. -a*x + b*y is min(a,b)*(y-x) and what is left of the larger
+/// one, as of a body that is held by another one and by the ground.
+bool have_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
+  const Expression &x = one.term.expression(), &y = other.term.expression();
+  return is_variable(x) && is_variable(y) && one.coefficient * other.coefficient < 0.0 &&
+         !are_of_two_kinds(scope, x, y);
 }
 
 }  // namespace
@@ -165,7 +180,7 @@ std::vector<Expression> differences(const Scope& scope, Index equation) {
     const Expression& term = terms[i].term.expression();
     if (is_difference(term)) add(term.operands()[0], term.operands()[1]);
     for (std::size_t j = i + 1; j < terms.size(); ++j)
-      if (have_a_difference(terms[i], terms[j])) add(term, terms[j].term.expression());
+      if (have_a_difference(scope, terms[i], terms[j])) add(term, terms[j].term.expression());
   }
   return result;
 }
