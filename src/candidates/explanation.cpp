@@ -116,9 +116,6 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
   return true;
 }
 
-/// Drop of the deviance that no test would notice.
-constexpr double kUnnoticed = 0.1;
-
 /// Fits with the shapes as they are.
 class JointFit {
  public:
@@ -154,7 +151,7 @@ class JointFit {
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
       best = std::move(next);
-      if (drop < kUnnoticed) break;
+      if (drop < kUnnoticedDeviance) break;
     }
     return best;
   }
@@ -310,7 +307,7 @@ bool JointFit::move_shapes(Explanation& at, std::vector<FittedEffect>& effects) 
     const double moved = effects[effect].shapes[shape] + found.step[row];
     effects[effect].shapes[shape] = std::clamp(moved, range.low, range.high);
   }
-  return found.promised >= kUnnoticed;
+  return found.promised >= kUnnoticedDeviance;
 }
 
 }  // namespace

@@ -15,9 +15,6 @@
 namespace lacuna {
 namespace {
 
-/// A gain that no test would notice.
-constexpr double kUnnoticed = 0.1;
-
 std::span<const double> as_span(const Vector& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
 }
@@ -166,7 +163,7 @@ void Screening::polish(ScreenedCandidate& screened) const {
   };
   const int budget = kEvaluations * static_cast<int>(screened.shapes.size());
   const Vector best = scale.shapes(nelder_mead(
-      loss, scale.unit(screened.shapes), {.unnoticed = kUnnoticed, .evaluations = budget}));
+      loss, scale.unit(screened.shapes), {.unnoticed = kUnnoticedDeviance, .evaluations = budget}));
   screened.consider(best, score(screened.candidate, as_span(best)));
   screened.tried += evaluations;
 }

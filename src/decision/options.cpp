@@ -59,6 +59,7 @@ void DecisionOptions::describe(OptionVisitor& v) {
            "structure is left.",
            1.0},
           long_window);
+  gaps.describe(v);
   naming.describe(v);
 }
 

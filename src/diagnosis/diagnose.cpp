@@ -19,13 +19,13 @@ struct Records {
   std::vector<std::string> notes = {};
 };
 
-Records prepared(const Dataset& data, const Dataset& held_out) {
-  UsableRecords all = usable_records(data);
+Records prepared(const Dataset& data, const Dataset& held_out, const GapOptions& gaps) {
+  UsableRecords all = usable_records(data, gaps);
   if (held_out.trajectories.empty()) {
     SplitRecords parts = split_in_time(all.data);
     return {observed(std::move(parts.find)), std::move(parts.check), std::move(all.notes)};
   }
-  UsableRecords other = usable_records(held_out);
+  UsableRecords other = usable_records(held_out, gaps);
   for (const std::string& note : other.notes) all.notes.push_back("held-out records: " + note);
   return {observed(std::move(all.data)), std::move(other.data), std::move(all.notes)};
 }
@@ -46,7 +46,7 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  const Records records = prepared(data, held_out);
+  const Records records = prepared(data, held_out, options.decision.gaps);
   const Problem problem{nominal, records.find, options, context};
   const std::vector<Stage<Hypothesis>> hypotheses =
       options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);

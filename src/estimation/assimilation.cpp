@@ -62,22 +62,21 @@ class Turns {
       relinearise();
       update_coefficients();
       if (settling) continue;
-      if (state_.deviance < last - kSettled) {
+      if (state_.deviance < last - kUnnoticedDeviance) {
         last = state_.deviance;
         best_ = state_;
         continue;
       }
-      if (std::abs(state_.deviance - last) <= kSettled || ++rises_ > kRises) break;
+      if (std::abs(state_.deviance - last) <= kUnnoticedDeviance || ++rises_ > kRises) break;
     }
-    if (best_ && !(state_.deviance < best_->deviance + kSettled)) state_ = std::move(*best_);
+    if (best_ && !(state_.deviance < best_->deviance + kUnnoticedDeviance))
+      state_ = std::move(*best_);
     return std::move(state_);
   }
 
  private:
   static constexpr int kIterations = 8;
   static constexpr int kSettlingPasses = 2;
-  /// A change of the deviance that no test would notice.
-  static constexpr double kSettled = 0.1;
   /// Steps that raise the deviance before the turns are given up; the linearisation need not
   /// hold for a long first step.
   static constexpr int kRises = 2;

@@ -63,11 +63,11 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
 
 double criterion_of(const Problem& problem, const Baseline& base,
                     const Explanation& explanation) {
-  return problem.options.criterion->value(
-      {explanation.fit.deviance,
-       static_cast<double>(base.fit_options.free.size()) + base.parameters +
-           static_cast<double>(explanation.parameters()),
-       static_cast<double>(explanation.fit.used), 0.0});
+  return problem.options.criterion->value({explanation.fit.deviance,
+                                           static_cast<double>(base.fit_options.free.size()) +
+                                               base.parameters +
+                                               static_cast<double>(explanation.parameters()),
+                                           static_cast<double>(explanation.fit.used), 0.0});
 }
 
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,

@@ -116,7 +116,9 @@ Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
        static_cast<double>(coloured.used), 0.0});
   const double least = problem.options.criterion->value(evidence_of(best));
   if (!(value < least))
-    return {{}, {{std::string(info().name), says, value, false, "criterion", value, least}}};
+    return {{},
+            {{std::string(info().name), says, value, false,
+              std::string(problem.options.criterion->info().name), value, least}}};
   auto base = std::make_shared<const Baseline>(
       coloured_baseline(problem, *best.base, std::move(coloured)));
   return {{{bare_account(problem, std::string(info().name), std::move(base))}}, {}};

@@ -28,9 +28,10 @@ std::vector<Alternative> alternatives_of(const RankedEffect& ranked, const Ranki
     const Candidate& candidate = other.effect().candidate;
     if (are_one_form(candidate, own) && other.effect().shapes == ranked.effect().shapes)
       continue;
-    for (const Name& name : other.names)
-      if (name.name != ranked.names.front().name || !in_one_place(candidate, own))
-        add(other, name);
+    const bool has_own_name =
+        in_one_place(candidate, own) && other.names.front().name == ranked.names.front().name;
+    if (has_own_name) continue;
+    for (const Name& name : other.names) add(other, name);
   }
   return result;
 }

@@ -305,8 +305,8 @@ RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current
   sort_by_criterion(rough.effects);
   const std::size_t leaders = keep_leaders(
       rough.effects, [&](const RankedEffect& ranked) { return required.plausible(ranked); });
-  rough.exact = std::min(rough.effects.size(),
-                         leaders + static_cast<std::size_t>(decision.exact_fits));
+  rough.exact =
+      std::min(rough.effects.size(), leaders + static_cast<std::size_t>(decision.exact_fits));
   return rough;
 }
 

@@ -218,8 +218,15 @@ bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& f
     if (round.best.empty()) round = {ranking.tried, label, ranked.sigma, false};
     if (round.accepted) {
       const std::string name(search.problem.options.criterion->info().name);
-      found.rivals.push_back({std::string(kNamedEffects.name), says(search, ranked),
-                              ranked.criterion, false, name, ranked.criterion, best});
+      Rival rival{std::string(kNamedEffects.name),
+                  says(search, ranked),
+                  ranked.criterion,
+                  false,
+                  name,
+                  ranked.criterion,
+                  best};
+      if (ranked.criterion < best) rival.rule = "a plainer form does as well";
+      found.rivals.push_back(std::move(rival));
       continue;
     }
     Rival rival = try_candidate(search, size, ranked, ranking, found);

@@ -252,7 +252,9 @@ Proposals UnmeasuredInput::do_propose(const Problem& problem, const Account& bes
   if (!input || !is_evident(*input, search)) return {};
   const double least = problem.options.criterion->value(evidence_of(best));
   if (input->value > least)
-    return {{}, {{name, says, input->value, false, "criterion", input->value, least}}};
+    return {{},
+            {{name, says, input->value, false,
+              std::string(problem.options.criterion->info().name), input->value, least}}};
   std::vector<EquationStructure> left = left_by(*input, search);
   Proposal proposal =
       stands_alone(*input, left, search)

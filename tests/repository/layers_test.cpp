@@ -43,7 +43,8 @@ Allowed allowed_includes() {
   allowed["estimation"] = {"core", "numerics", "data", "model", "records", "flow"};
   allowed["candidates"] = {"core", "numerics", "data", "model", "estimation"};
   allowed["effects"] = {"core", "data", "model", "candidates"};
-  allowed["decision"] = {"core", "numerics", "data", "model", "estimation", "candidates"};
+  allowed["decision"] = {"core",    "numerics",   "data",      "model",
+                         "records", "estimation", "candidates"};
   allowed["hypotheses"] = {"core",    "bases",      "numerics",   "data",     "model",
                            "records", "estimation", "candidates", "shooting", "decision"};
   allowed["diagnosis"] = {"core",       "numerics",   "data",     "model",     "records",

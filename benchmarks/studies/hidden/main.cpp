@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
-//   study_hidden cases|power|alarm|practice|decisions [FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]
+//   study_hidden cases|power|alarm|practice|decisions|export [FOLDER] [PART_OF_A_NAME]
+//   [NOISE_LEVEL]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing; practice: the cases in the folder
 // `practice` of LACUNA_DATA; decisions: the cases at 1 % noise with each threshold at half and
@@ -11,7 +12,11 @@
 #include <iostream>
 
 #include "decisions.hpp"
+#include "hidden/support/cases.hpp"
 #include "lacuna/config/diagnosis_configuration.hpp"
+#include "lacuna/core/atomic_file.hpp"
+#include "lacuna/data/write.hpp"
+#include "lacuna/model/model_file.hpp"
 #include "practice.hpp"
 #include "report.hpp"
 #include "trials.hpp"
@@ -50,8 +55,23 @@ Results results_of(const Arguments& given) {
   return {std::move(trials), std::move(outcomes)};
 }
 
+/// Writes the cases at 1 % noise as files, one folder each.
+int export_cases(const std::filesystem::path& folder, const std::string& part) {
+  for (const hidden::HiddenCase& hidden : hidden::all_cases()) {
+    if (hidden.name.find(part) == std::string::npos) continue;
+    const hidden::Records records = hidden::make_records(hidden, 0.01, 1);
+    const std::filesystem::path place = folder / hidden.name;
+    std::filesystem::create_directories(place);
+    write_file_atomically(place / "model.json", format_model(hidden.nominal));
+    write_csv(place / "find.csv", records.find);
+    write_csv(place / "check.csv", records.check);
+  }
+  return 0;
+}
+
 int run(const Arguments& given) {
   if (given.name == "decisions") return run_decisions(given.folder, given.part);
+  if (given.name == "export") return export_cases(given.folder, given.part);
   const auto start = std::chrono::steady_clock::now();
   const auto [trials, outcomes] = results_of(given);
   if (trials.empty()) {

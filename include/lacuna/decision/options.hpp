@@ -3,6 +3,7 @@
 
 #include "lacuna/candidates/reading.hpp"
 #include "lacuna/core/options.hpp"
+#include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
 
@@ -29,7 +30,8 @@ struct DecisionOptions {
   double noise_inflation = 1.3;
   int long_window = 10;
 
-  NamingOptions naming = {};  ///< listed with the others
+  GapOptions gaps = {};       ///< these two are listed with the others
+  NamingOptions naming = {};
 
   void describe(OptionVisitor& v);
 };

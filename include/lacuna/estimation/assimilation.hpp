@@ -34,6 +34,9 @@ struct ChannelTerm {
   double coefficient = 0.0;
 };
 
+/// A change of the deviance that no test would notice: where iterations end.
+inline constexpr double kUnnoticedDeviance = 0.1;
+
 /// How a model is brought onto records.
 struct AssimilationOptions {
   std::vector<CoefficientPlace> free = {};    ///< coefficients that are fitted

@@ -76,7 +76,7 @@ struct Rival {
   std::string quantity = {};  ///< what was looked at: "extended-bic", "inflation of the noise"
   double value = 0.0;         ///< what it was
   double threshold = 0.0;     ///< what it was held against
-  std::string rule = {};  ///< why it was taken whatever the number; empty: the number decided
+  std::string rule = {};      ///< what decided whatever the number; empty: the number did
 };
 
 /// One explanation of the records as a whole: what is assumed of them, the effects on top, and

@@ -17,9 +17,7 @@ struct EffectSearch {
   const std::vector<Stage<Effect>>& effects;  ///< that are tried
 
   /// What fitted forms are called.
-  NameTable names() const {
-    return {effects, base.scope, problem.options.decision.naming};
-  }
+  NameTable names() const { return {effects, base.scope, problem.options.decision.naming}; }
 };
 
 /// One more effect, fitted together with all that were there before.
@@ -52,9 +50,9 @@ bool are_forms_of_one(const FittedEffect& a, const std::string& name_of_a,
 
 /// Ranks the candidates that may come next: score tests of all, then the best of each family
 /// and equation is fitted exactly, with all coefficients, shapes and variances, and compared by
-/// the criterion. "None of them" is the model with its disturbances as they are. A form that has
-/// no name with its numbers is left out. Where a form with fewer shape parameters is within the
-/// evidence that cannot tell them apart (DecisionOptions::undecided), it leads.
+/// the criterion. "None of them" is the model with its disturbances as they are. A form that
+/// has no name with its numbers is left out. Where a form with fewer shape parameters is within
+/// the evidence that cannot tell them apart (DecisionOptions::undecided), it leads.
 /// @param current the explanation so far, where all fits start.
 Ranking rank(const EffectSearch& search, const Explanation& current);
 
