@@ -26,11 +26,14 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-// A bend so near to standstill that it is as good as a jump, by whatever formula: steep about
-// standstill and against the motion there.
+// A bend so near to standstill that it is as good as a jump: steep about standstill and against
+// the motion there. The form has to be what acts there; one that takes it away outside empties
+// the nominal term and says the same with other coefficients than were given.
 bool bends_at_standstill(const FittedForm& fitted) {
   const std::optional<Bend> bend = bend_of(fitted);
-  if (!bend || std::abs(bend->inside) <= std::abs(bend->outside)) return false;
+  if (!bend || !has_form(fitted.candidate, "clip(x,-a,a)") ||
+      std::abs(bend->inside) <= std::abs(bend->outside))
+    return false;
   const bool own =
       is_own_speed(fitted.scope, fitted.candidate.equation, fitted.candidate.argument);
   return bend->edge < fitted.options.standstill * range_of_argument(fitted).magnitude() &&

@@ -6,11 +6,10 @@
 namespace lacuna {
 namespace {
 
-// An exchange between two states of one kind that the equation has no linear term of. Where it
-// has one of them the other alone says the same.
+// An exchange between two states that the equation has no linear term of. Where it has one of
+// them the other alone says the same.
 bool may_exchange(const Scope& scope, Index equation, Index other) {
-  return other != equation && scope.state(equation).unit == scope.state(other).unit &&
-         !has_term(scope, equation, own_state(scope, equation)) &&
+  return other != equation && !has_term(scope, equation, own_state(scope, equation)) &&
          !has_term(scope, equation, own_state(scope, other));
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/patterns.hpp"
@@ -7,20 +9,20 @@
 namespace lacuna {
 namespace {
 
-// From where a stop is touched now and then, not in the middle of the motion, to where it is
-// touched at all.
-constexpr double kInnermost = 0.6, kOutermost = 0.99;
+// An edge is one, with a slope beyond it, where so many samples lie on either side of it.
+constexpr double kSamples = 10.0;
 
 void add_stops(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
   const auto at = [&](double level) { return range.quantile(level); };
+  const double edge = std::min(0.5, kSamples * scope.step / scope.duration);
+  const double low = at(edge), high = at(1.0 - edge);
   result.push_back(shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
-                                    {"edge", range.unit, at(kInnermost), at(kOutermost), false},
+                                    {"edge", range.unit, low, high, false},
                                     starts_at({at(0.65), at(0.8), at(0.93)})));
-  result.push_back(
-      shaped_candidate(formula(scope, "min(x-edge,0)", {{"x", x}}), x,
-                       {"edge", range.unit, at(1.0 - kOutermost), at(1.0 - kInnermost), false},
-                       starts_at({at(0.35), at(0.2), at(0.07)})));
+  result.push_back(shaped_candidate(formula(scope, "min(x-edge,0)", {{"x", x}}), x,
+                                    {"edge", range.unit, low, high, false},
+                                    starts_at({at(0.35), at(0.2), at(0.07)})));
 }
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {

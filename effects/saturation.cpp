@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <utility>
 
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
@@ -23,11 +24,18 @@ Candidate limited(const Scope& scope, const char* form, const Expression& x, dou
                           starts_at({at(0.4), at(0.7), at(0.93)}));
 }
 
-// A hard limit and a soft one of something that the nominal model has unlimited.
-void add_limits(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+// A hard limit and a soft one of something that the nominal model has unlimited: the form takes
+// away what the term has too much, no more than the whole of it. With any coefficient it would
+// be the action of clip or tanh, which is searched by itself, in another writing.
+void add_limits(const Scope& scope, Index equation, const Expression& x,
+                std::vector<Candidate>& result) {
   if (!scope.range_of(x).changes_sign()) return;
-  result.push_back(limited(scope, "x-clip(x,-limit,limit)", x, kHard));
-  result.push_back(limited(scope, "x-limit*tanh(x/limit)", x, kSoft));
+  for (Candidate candidate : {limited(scope, "x-clip(x,-limit,limit)", x, kHard),
+                              limited(scope, "x-limit*tanh(x/limit)", x, kSoft)}) {
+    bound_to_term(scope, equation, x, candidate);
+    candidate.least = -std::exchange(candidate.most, -candidate.least);
+    result.push_back(std::move(candidate));
+  }
 }
 
 // The same of something that the nominal equation does not have at all.
@@ -39,8 +47,10 @@ void add_new(const Scope& scope, const Expression& x, std::vector<Candidate>& re
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  for (const Expression& x : linear_arguments(scope, equation)) add_limits(scope, x, result);
-  for (const Expression& g : nonlinear_terms(scope, equation)) add_limits(scope, g, result);
+  for (const Expression& x : linear_arguments(scope, equation))
+    add_limits(scope, equation, x, result);
+  for (const Expression& g : nonlinear_terms(scope, equation))
+    add_limits(scope, equation, g, result);
   for (const Expression& x : all_variables(scope))
     if (!has_term(scope, equation, x)) add_new(scope, x, result);
   return result;

@@ -137,14 +137,6 @@ std::vector<Expression> all_variables(const Scope& scope) {
 
 namespace {
 
-const std::string& unit_of(const Scope& scope, const Expression& variable) {
-  static const std::string none;
-  const auto found =
-      std::find_if(scope.variables.begin(), scope.variables.end(),
-                   [&](const VariableRange& range) { return range.name == variable.name(); });
-  return found != scope.variables.end() ? found->unit : none;
-}
-
 bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
   constexpr double kEqual = 0.01;
   const double a = one.coefficient, b = other.coefficient;
@@ -152,18 +144,27 @@ bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
          std::abs(a + b) <= kEqual * std::abs(a - b);
 }
 
-/// Whether two terms of an equation are those of a difference: variables with opposite
-/// coefficients, or with coefficients of opposite sign and like size where they are of one
-/// kind, as those of a body that is held by another one and by the ground.
-bool make_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
-  constexpr double kLike = 3.0;
-  if (are_opposite(one, other)) return true;
+/// Whether one of two variables is known as a position and the other as a velocity: an identity
+/// of the model says so, dq/dt = v.
+bool are_of_two_kinds(const Scope& scope, const Expression& x, const Expression& y) {
+  bool positions[2] = {}, velocities[2] = {};
+  for (Index k = 0; k < scope.model.dimension(); ++k) {
+    const auto position = scope.integral_of(k);
+    if (!position) continue;
+    const Expression q = own_state(scope, *position), v = own_state(scope, k);
+    positions[0] |= x == q, positions[1] |= y == q;
+    velocities[0] |= x == v, velocities[1] |= y == v;
+  }
+  return (positions[0] && velocities[1]) || (velocities[0] && positions[1]);
+}
+
+/// Whether two terms of an equation have a difference in them: variables of one kind with
+/// coefficients of opposite sign. -a*x + b*y is min(a,b)*(y-x) and what is left of the larger
+/// one, as of a body that is held by another one and by the ground.
+bool have_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
   const Expression &x = one.term.expression(), &y = other.term.expression();
-  if (!is_variable(x) || !is_variable(y)) return false;
-  const double a = one.coefficient, b = other.coefficient;
-  const std::string& unit = unit_of(scope, x);
-  return !unit.empty() && unit == unit_of(scope, y) && a * b < 0.0 &&
-         std::abs(a) <= kLike * std::abs(b) && std::abs(b) <= kLike * std::abs(a);
+  return is_variable(x) && is_variable(y) && one.coefficient * other.coefficient < 0.0 &&
+         !are_of_two_kinds(scope, x, y);
 }
 
 }  // namespace
@@ -179,7 +180,7 @@ std::vector<Expression> differences(const Scope& scope, Index equation) {
     const Expression& term = terms[i].term.expression();
     if (is_difference(term)) add(term.operands()[0], term.operands()[1]);
     for (std::size_t j = i + 1; j < terms.size(); ++j)
-      if (make_a_difference(scope, terms[i], terms[j])) add(term, terms[j].term.expression());
+      if (have_a_difference(scope, terms[i], terms[j])) add(term, terms[j].term.expression());
   }
   return result;
 }

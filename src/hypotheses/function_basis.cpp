@@ -7,13 +7,14 @@
 
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/core/text.hpp"
+#include "period_search.hpp"
 
 namespace lacuna {
 namespace {
 
 /// Splines of few and of many pieces; what lies between is found by the one above it.
 constexpr int kFewPieces = 8, kManyPieces = 24, kSurfacePieces = 10;
-constexpr int kLags = 24, kStretches = 16, kHarmonics = 24;
+constexpr int kLags = 24, kStretches = 16, kHarmonics = 8;
 
 Expression variable(const VariableRange& x) { return Expression::variable(x.name); }
 
@@ -51,14 +52,19 @@ FunctionBasis curve(const VariableRange& x, int pieces, Index equation) {
   return basis;
 }
 
-/// What comes again with the angle: teeth, slots, poles.
-FunctionBasis harmonics(const VariableRange& angle, Index equation) {
-  FunctionBasis basis{FunctionBasis::Kind::Curve, {angle.name}, {}};
-  for (int order = 1; order <= kHarmonics; ++order)
-    for (const Operation wave : {Operation::Sin, Operation::Cos})
-      basis.members.push_back(member(equation,
-                                     Expression::make(wave, {number(order) * variable(angle)}),
-                                     variable(angle)));
+/// What comes again with the value of a variable, teeth, slots, poles: the best period and its
+/// harmonics, as far as they are resolved.
+FunctionBasis harmonics(const VariableRange& x, const ValuePeriod& period, Index equation) {
+  static const Expression angle = parse_expression("2*pi*order*x/period");
+  FunctionBasis basis{FunctionBasis::Kind::Curve, {x.name}, {}};
+  basis.tried = static_cast<double>(period.tried);
+  for (int order = 1; order <= kHarmonics && period.longest >= order * period.shortest; ++order)
+    for (const Operation wave : {Operation::Sin, Operation::Cos}) {
+      const Expression phase = substitute(
+          angle,
+          {{"order", number(order)}, {"x", variable(x)}, {"period", number(period.longest)}});
+      basis.members.push_back(member(equation, Expression::make(wave, {phase}), variable(x)));
+    }
   return basis;
 }
 
@@ -117,14 +123,16 @@ Matrix orthonormal(const Matrix& columns) {
 
 }  // namespace
 
-std::vector<FunctionBasis> present_functions(const Scope& scope, Index equation) {
+std::vector<FunctionBasis> present_functions(const Assimilation& fit, const Scope& scope,
+                                             Index equation) {
   std::vector<FunctionBasis> bases;
   for (std::size_t i = 0; i < scope.variables.size(); ++i) {
     const VariableRange& x = scope.variables[i];
     bases.push_back(curve(x, kFewPieces, equation));
     bases.push_back(curve(x, kManyPieces, equation));
     bases.push_back(varying(scope, x, equation));
-    if (x.unit == "rad") bases.push_back(harmonics(x, equation));
+    if (const auto period = best_period(fit, equation, static_cast<Index>(i)))
+      bases.push_back(harmonics(x, *period, equation));
     for (std::size_t j = 0; j < i; ++j) {
       bases.push_back(surface(scope.variables[j], x, kFewPieces, equation));
       bases.push_back(surface(scope.variables[j], x, kSurfacePieces, equation));
@@ -160,8 +168,9 @@ std::optional<ScoredFunction> FunctionScreening::best_of(std::vector<FunctionBas
   for (FunctionBasis& basis : bases) {
     FunctionScore found = score(basis);
     const double net =
-        found.gain - criterion.penalty({0.0, static_cast<double>(found.members.size()),
-                                        static_cast<double>(system_.used()), 0.0});
+        found.gain -
+        criterion.penalty({0.0, static_cast<double>(found.members.size()),
+                           static_cast<double>(system_.used()), std::log(basis.tried)});
     if (!found.members.empty() && (!best || net > best->net))
       best = ScoredFunction{std::move(basis), std::move(found), net};
   }

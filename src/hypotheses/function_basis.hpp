@@ -16,7 +16,7 @@ namespace lacuna {
 /// Terms that together are a free function.
 struct FunctionBasis {
   enum class Kind {
-    Curve,    ///< cubic spline of one variable
+    Curve,    ///< cubic spline of one variable, or what comes again with its value
     Surface,  ///< product of cubic splines of two variables
     Memory,   ///< earlier values of a variable
     Varying,  ///< a variable with a coefficient that changes from one stretch of time to the
@@ -26,11 +26,14 @@ struct FunctionBasis {
   Kind kind = Kind::Curve;
   std::vector<std::string> variables;
   std::vector<Candidate> members;
+  double tried = 1.0;  ///< number of such bases of which this one is the best
 };
 
 /// Curves, surfaces and varying coefficients of all variables in an equation: functions of what
 /// is known at a time.
-std::vector<FunctionBasis> present_functions(const Scope& scope, Index equation);
+/// @param fit of the bare model: what its disturbance repeats with is found in it.
+std::vector<FunctionBasis> present_functions(const Assimilation& fit, const Scope& scope,
+                                             Index equation);
 
 /// Earlier values of all variables, and the lines of the spectrum.
 std::vector<FunctionBasis> other_functions(const Scope& scope, Index equation);

@@ -111,7 +111,8 @@ Account described(const Problem& problem, const Account& best) {
   const auto structure = test_disturbances(base.fitted, problem.context);
   const Index equation = structure.empty() ? 0 : structure.front().equation;
   const FunctionScreening screening(base.fitted);
-  const auto present = screening.best_of(present_functions(base.scope, equation), criterion);
+  const auto present =
+      screening.best_of(present_functions(base.fitted, base.scope, equation), criterion);
   const auto other = screening.best_of(other_functions(base.scope, equation), criterion);
   const double now = present ? std::max(present->net, 0.0) : 0.0;
   const bool is_other = other && other->net > now;

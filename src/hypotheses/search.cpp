@@ -93,31 +93,6 @@ bool take_out_one(const EffectSearch& search, FoundEffects& found) {
   return false;
 }
 
-void add(const EffectSearch& search, const RankedEffect& ranked, const Ranking& ranking,
-         FoundEffects& found) {
-  const Index equation = ranked.effect().candidate.equation;
-  found.named.push_back(name_effect(ranked, ranking));
-  found.named.back().gap_closed =
-      std::clamp(drop_of(search, found.explanation, ranked.explanation, equation), 0.0, 1.0);
-  found.plainer.push_back(plainer_forms(ranked, ranking, decision_of(search)));
-  found.explanation = ranked.explanation;
-  while (take_out_one(search, found)) {
-  }
-}
-
-/// An effect that is there already in another form: dry friction as sign(v) when tanh(v/w)
-/// comes, or a special case of the candidate.
-std::optional<std::size_t> other_form_of(const EffectSearch& search, const FoundEffects& found,
-                                         const RankedEffect& ranked) {
-  const std::vector<FittedEffect>& effects = found.explanation.effects;
-  for (std::size_t e = 0; e < effects.size(); ++e)
-    if (!are_one_form(effects[e].candidate, ranked.effect().candidate) &&
-        are_forms_of_one(effects[e], found.named[e].name, ranked.effect(),
-                         ranked.names.front().name, search.base.scope))
-      return e;
-  return std::nullopt;
-}
-
 /// Puts another form in the place of effect `e`.
 void take_place(const EffectSearch& search, std::size_t e, NamedEffect named, Explanation next,
                 FoundEffects& found) {
@@ -132,6 +107,61 @@ Explanation with_form(const EffectSearch& search, const FoundEffects& found, std
   std::vector<FittedEffect> effects = found.explanation.effects;
   effects[e] = form;
   return explain_from(search, found.explanation, effects);
+}
+
+/// Puts a plainer form of its round in the place of an effect.
+void settle_for(const EffectSearch& search, std::size_t e, const OtherForm& plainer,
+                Explanation next, FoundEffects& found) {
+  found.rounds.push_back(
+      {1, plainer.named.name + ": " + term_of(plainer.effect), plainer.named.sigma, true});
+  take_place(search, e, plainer.named, std::move(next), found);
+}
+
+/// Compares the form of an effect with the plainer ones of its round once more, where the
+/// effects beside which it was chosen are not the same any more: the best of these takes its
+/// place unless it is worse beyond doubt.
+void compare_again(const EffectSearch& search, std::size_t e, FoundEffects& found) {
+  const std::vector<OtherForm> plainer = found.plainer[e];
+  const OtherForm* best = nullptr;
+  Explanation likeliest = found.explanation;
+  double least = criterion_of(search, found.explanation) + decision_of(search).undecided;
+  for (const OtherForm& form : plainer) {
+    Explanation next = with_form(search, found, e, form.effect);
+    const double value = criterion_of(search, next);
+    if (!(value < least) || !all_named(search, next)) continue;
+    best = &form;
+    least = value;
+    likeliest = std::move(next);
+  }
+  if (best) settle_for(search, e, *best, std::move(likeliest), found);
+}
+
+void add(const EffectSearch& search, const RankedEffect& ranked, const Ranking& ranking,
+         FoundEffects& found) {
+  const Index equation = ranked.effect().candidate.equation;
+  found.named.push_back(name_effect(ranked, ranking));
+  found.named.back().gap_closed =
+      std::clamp(drop_of(search, found.explanation, ranked.explanation, equation), 0.0, 1.0);
+  found.plainer.push_back(plainer_forms(ranked, ranking, decision_of(search)));
+  found.explanation = ranked.explanation;
+  const std::size_t count = found.named.size();
+  while (take_out_one(search, found)) {
+  }
+  if (found.named.size() == count) return;
+  for (std::size_t e = found.named.size(); e-- > 0;) compare_again(search, e, found);
+}
+
+/// An effect that is there already in another form: dry friction as sign(v) when tanh(v/w)
+/// comes, or a special case of the candidate.
+std::optional<std::size_t> other_form_of(const EffectSearch& search, const FoundEffects& found,
+                                         const RankedEffect& ranked) {
+  const std::vector<FittedEffect>& effects = found.explanation.effects;
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    if (!are_one_form(effects[e].candidate, ranked.effect().candidate) &&
+        are_forms_of_one(effects[e], found.named[e].name, ranked.effect(),
+                         ranked.names.front().name, search.base.scope))
+      return e;
+  return std::nullopt;
 }
 
 /// Puts another form of an effect in its place, when that is better beyond doubt.
@@ -234,9 +264,7 @@ bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
   if (!std::isfinite(next.fit.deviance) || !all_named(search, next) ||
       !size.is_near(next.fit, found.explanation.fit, candidate))
     return false;
-  found.rounds.push_back(
-      {1, plainer.named.name + ": " + term_of(plainer.effect), plainer.named.sigma, true});
-  take_place(search, e, plainer.named, std::move(next), found);
+  settle_for(search, e, plainer, std::move(next), found);
   found.left = test_disturbances(found.explanation.fit, search.problem.context);
   return true;
 }

@@ -128,13 +128,13 @@ bool depends_on_the_present(const FoundInput& input, const Search& search) {
   const DecisionOptions& decision = search.problem.options.decision;
   const FunctionScreening screening(input.explanation.fit);
   const std::vector<FunctionBasis> bases =
-      present_functions(search.base.scope, search.equation);
+      present_functions(search.base.fitted, search.base.scope, search.equation);
   return std::any_of(bases.begin(), bases.end(), [&](const FunctionBasis& basis) {
     search.problem.context.report("looking for what an input depends on", 0.0);
     const FunctionScore score = screening.score(basis);
     const double sigma =
         sigma_of_gain(score.gain, std::max(1.0, static_cast<double>(score.members.size())),
-                      static_cast<double>(bases.size()));
+                      basis.tried * static_cast<double>(bases.size()));
     return sigma >= decision.significance && score.gain > decision.negligible * input.gain;
   });
 }

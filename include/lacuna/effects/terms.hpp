@@ -42,9 +42,8 @@ bool in_other_part(const Scope& scope, Index equation, const Expression& state);
 /// States, then inputs.
 std::vector<Expression> all_variables(const Scope& scope);
 
-/// Differences a-b of variables that the equation has as a term, or linearly with opposite
-/// coefficients (to 1 %; to a factor of 3 where both have the same unit): a spring, a resistor
-/// between two places. Its own state comes first.
+/// Differences a-b of variables that the equation has as a term, or linearly with coefficients
+/// of opposite sign: a spring, a resistor between two places. Its own state comes first.
 std::vector<Expression> differences(const Scope& scope, Index equation);
 
 /// Speeds whose friction or drag an equation may feel: that of its own state, of the slip v-w
