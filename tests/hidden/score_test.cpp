@@ -20,7 +20,8 @@ NamedEffect named(Index equation, const std::string& name,
 }
 
 Diagnosis answer(const HiddenCase& hidden, Verdict verdict, std::vector<NamedEffect> effects) {
-  Diagnosis diagnosis{verdict, hidden.nominal, {}, {}, {}, {}, {}, hidden.nominal, {}, {}, {}};
+  Diagnosis diagnosis{verdict, hidden.nominal, {}, {}, {}, {},
+                      {},      hidden.nominal, {}, {}, {}, {}};
   diagnosis.effects = std::move(effects);
   if (hidden.augmented) diagnosis.augmented = *hidden.augmented;
   return diagnosis;
