@@ -7,6 +7,7 @@
 #include "contract/contract.hpp"
 #include "lacuna/config/configuration.hpp"
 #include "lacuna/config/description.hpp"
+#include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/report/stage_json.hpp"
 
 namespace lacuna::contract {
@@ -57,6 +58,24 @@ std::string through_configuration(const std::string& kind, const std::string& js
   return format_pipeline(configuration.build(default_registry()));
 }
 
+/// The part of a diagnosis that a configuration makes of its JSON.
+std::string through_diagnosis(const std::string& kind, const RegistryEntry& entry,
+                              const std::string& json) {
+  Configuration configuration;
+  configuration.merge_text(kind == "hypothesis"
+                               ? "{\"hypotheses\": [\"" + std::string(entry.info.name) + "\"]}"
+                               : "{\"" + kind + "\": " + json + "}",
+                           "t");
+  const DiagnosisOptions options = diagnosis_options(configuration, default_registry());
+  if (kind == "criterion") return format_stage(*options.criterion);
+  if (kind == "decision") return format_stage(StandardDecision(options.decision));
+  return format_stage(*options.hypotheses.at(0));
+}
+
+bool is_of_diagnosis(const std::string& kind) {
+  return kind == "criterion" || kind == "decision" || kind == "hypothesis";
+}
+
 class EveryPart : public testing::TestWithParam<RegistryEntry> {};
 
 TEST_P(EveryPart, SaysWhatItIs) {
@@ -92,7 +111,9 @@ TEST_P(EveryConfigurablePart, OptionsSurviveJson) {
   const std::string kind(entry.kind);
   ChangeOptions change;
   const std::string changed = format_stage(*entry.make(change));
-  EXPECT_NE(through_configuration(kind, changed).find(changed), std::string::npos) << changed;
+  const std::string found = is_of_diagnosis(kind) ? through_diagnosis(kind, entry, changed)
+                                                  : through_configuration(kind, changed);
+  EXPECT_NE(found.find(changed), std::string::npos) << changed;
 }
 
 std::string part_name(const testing::TestParamInfo<RegistryEntry>& part) {
@@ -101,7 +122,7 @@ std::string part_name(const testing::TestParamInfo<RegistryEntry>& part) {
   return name;
 }
 
-/// Parts that a pipeline configuration of this build may name.
+/// Parts that a configuration of this build may name, with options.
 std::vector<RegistryEntry> configurable_parts() {
   std::vector<RegistryEntry> parts = default_registry().entries();
   std::erase_if(parts, [](const RegistryEntry& entry) {
