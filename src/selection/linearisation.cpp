@@ -32,11 +32,12 @@ Matrix eliminate_start(SensitivityRows& window, RowFold& fold) {
 }
 
 /// @return false when the folding cannot resolve the rows.
-bool fold_windows(const CandidateEquations& equations, const WindowedPath& path,
-                  Folding folding, Linearisation& result) {
+bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
+                  Linearisation& result) {
+  const Index dimension = rates.equations().dimension();
   const std::vector<Index> terms = terms_of(result.columns);
-  const auto blocks = column_blocks(result.columns, terms, equations.dimension());
-  WindowRates rates(equations, terms, result.h0);
+  rates.choose(terms, result.h0);
+  const auto blocks = column_blocks(result.columns, terms, dimension);
   RowFold fold(static_cast<Index>(result.columns.size()) + 1, folding);
   SensitivityRows rows;
   result.rows = 0;
@@ -46,7 +47,7 @@ bool fold_windows(const CandidateEquations& equations, const WindowedPath& path,
     rates.evaluate(record, window);
     integrate_rows(rates, blocks, record, window, rows);
     result.heads.push_back(eliminate_start(rows, fold));
-    if (result.heads.back().size() > 0) result.rows += rows.used - equations.dimension();
+    if (result.heads.back().size() > 0) result.rows += rows.used - dimension;
   }
   std::optional<Matrix> triangle = fold.finish();
   if (triangle) result.triangle = std::move(*triangle);
@@ -55,19 +56,18 @@ bool fold_windows(const CandidateEquations& equations, const WindowedPath& path,
 
 }  // namespace
 
-Linearisation linearise(const CandidateEquations& equations, const WindowedPath& path,
-                        const Matrix& h0, const std::vector<Coefficient>& columns,
-                        Folding& folding) {
+Linearisation linearise(WindowRates& rates, const WindowedPath& path, const Matrix& h0,
+                        const std::vector<Coefficient>& columns, Folding& folding) {
   // So few columns are folded orthogonally in no time.
   constexpr std::size_t kFewColumns = 32;
   Linearisation result;
   result.h0 = h0;
   result.columns = columns;
   if (folding == Folding::Gram && columns.size() > kFewColumns) {
-    if (fold_windows(equations, path, Folding::Gram, result)) return result;
+    if (fold_windows(rates, path, Folding::Gram, result)) return result;
     folding = Folding::Orthogonal;
   }
-  fold_windows(equations, path, Folding::Orthogonal, result);
+  fold_windows(rates, path, Folding::Orthogonal, result);
   return result;
 }
 

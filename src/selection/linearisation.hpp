@@ -33,10 +33,10 @@ struct Linearisation {
 };
 
 /// Linearises at coefficients h0 (m x L) about the path.
+/// @param rates of the equations.
 /// @param folding Gram: tried first where there are many columns; becomes Orthogonal when it
 ///   could not resolve them.
-Linearisation linearise(const CandidateEquations& equations, const WindowedPath& path,
-                        const Matrix& h0, const std::vector<Coefficient>& columns,
-                        Folding& folding);
+Linearisation linearise(WindowRates& rates, const WindowedPath& path, const Matrix& h0,
+                        const std::vector<Coefficient>& columns, Folding& folding);
 
 }  // namespace lacuna

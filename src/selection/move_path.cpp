@@ -63,16 +63,15 @@ double replace_path(PathRecord& record, const SampleWindow& window, const Matrix
 
 }  // namespace
 
-std::optional<double> move_path(const CandidateEquations& equations,
-                                const Linearisation& linearisation, const Vector& values,
-                                WindowedPath& path) {
-  Matrix coefficients = Matrix::Zero(equations.dimension(), equations.library.size());
+std::optional<double> move_path(WindowRates& rates, const Linearisation& linearisation,
+                                const Vector& values, WindowedPath& path) {
+  Matrix coefficients = Matrix::Zero(linearisation.h0.rows(), linearisation.h0.cols());
   for (std::size_t c = 0; c < linearisation.columns.size(); ++c)
     coefficients(linearisation.columns[c].equation, linearisation.columns[c].term) =
         values[static_cast<Index>(c)];
   const std::vector<Index> terms = present_terms(coefficients);
   const Matrix active = coefficients(Eigen::all, terms);
-  WindowRates rates(equations, terms, linearisation.h0);
+  rates.choose(terms, linearisation.h0);
   double largest = 0.0;
   bool finite = true;
   for (std::size_t w = 0; w < path.windows.size(); ++w) {

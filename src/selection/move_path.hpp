@@ -10,8 +10,7 @@ namespace lacuna {
 /// Solves all windows for these values of the columns and makes their solution the path.
 /// @return the largest move of a path at a sample in units of sigma; nothing when a window had
 ///   no finite solution (its path stays).
-std::optional<double> move_path(const CandidateEquations& equations,
-                                const Linearisation& linearisation, const Vector& values,
-                                WindowedPath& path);
+std::optional<double> move_path(WindowRates& rates, const Linearisation& linearisation,
+                                const Vector& values, WindowedPath& path);
 
 }  // namespace lacuna

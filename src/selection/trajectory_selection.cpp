@@ -206,7 +206,7 @@ Searches search_windows(const SearchTask& task, const Matrix& start, bool second
     if (searches.second && grow(task, *searches.second, context)) grows = true;
   }
   drop_when_agreed(searches);
-  finish(task, searches.first, context);
+  finish(searches.first, context);
   return searches;
 }
 

@@ -15,7 +15,7 @@ namespace {
 bool choose(const SearchTask& task, WindowSearch& search) {
   WindowFit& fit = search.fit;
   const Linearisation linearised =
-      linearise(task.equations, search.path, fit.coefficients, task.candidates, search.folding);
+      linearise(search.rates, search.path, fit.coefficients, task.candidates, search.folding);
   fit.triangle = linearised.triangle;
   fit.rows = linearised.rows;
   if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
@@ -31,7 +31,7 @@ bool choose(const SearchTask& task, WindowSearch& search) {
   if (fit.subset == before)
     fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs).columns;
   const std::optional<double> moved =
-      move_path(task.equations, linearised, solve_subset(problem, fit), search.path);
+      move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
   return moved && *moved < kSmallMove && fit.subset == before;
 }
 
@@ -53,8 +53,7 @@ Vector solve_subset(const SubsetProblem& problem, WindowFit& fit) {
   return values;
 }
 
-double settle(const SearchTask& task, WindowSearch& search, const NewtonLimits& limits,
-              const RunContext& context) {
+double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext& context) {
   WindowFit& fit = search.fit;
   std::vector<Coefficient> active;
   for (const Index c : fit.subset) active.push_back(fit.columns[static_cast<std::size_t>(c)]);
@@ -64,12 +63,12 @@ double settle(const SearchTask& task, WindowSearch& search, const NewtonLimits& 
   for (int i = 0; i < limits.iterations && !active.empty(); ++i) {
     context.check_stop();
     const Linearisation linearised =
-        linearise(task.equations, search.path, fit.coefficients, active, search.folding);
+        linearise(search.rates, search.path, fit.coefficients, active, search.folding);
     const Vector h = solution_of(subset_problem(linearised.triangle), all);
     if (!h.allFinite()) break;
     for (std::size_t c = 0; c < active.size(); ++c)
       fit.coefficients(active[c].equation, active[c].term) = h[static_cast<Index>(c)];
-    const std::optional<double> moved = move_path(task.equations, linearised, h, search.path);
+    const std::optional<double> moved = move_path(search.rates, linearised, h, search.path);
     if (!moved) break;
     last = *moved;
     if (last < limits.move) break;
@@ -80,11 +79,11 @@ double settle(const SearchTask& task, WindowSearch& search, const NewtonLimits& 
 void converge(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   constexpr int kRounds = 12;
   search.fit.settled = false;
-  settle(task, search, {}, context);
+  settle(search, {}, context);
   for (int i = 0; i < kRounds && !search.fit.settled; ++i) {
     context.report("searching the structure", static_cast<double>(i) / kRounds);
     search.fit.settled = choose(task, search);
-    if (!search.fit.settled) settle(task, search, {}, context);
+    if (!search.fit.settled) settle(search, {}, context);
   }
   summarise(search);
 }

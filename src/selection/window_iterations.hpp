@@ -23,8 +23,7 @@ SubsetProblem problem_of(const WindowFit& fit);
 Vector solve_subset(const SubsetProblem& problem, WindowFit& fit);
 
 /// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
-double settle(const SearchTask& task, WindowSearch& search, const NewtonLimits& limits,
-              const RunContext& context);
+double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext& context);
 
 /// Chooses among all candidates and settles, in turn, until nothing changes.
 void converge(const SearchTask& task, WindowSearch& search, const RunContext& context);

@@ -72,12 +72,12 @@ bool refine_steps(const SearchTask& task, WindowSearch& search, const RunContext
   while (search.path.substeps() < kMostSubsteps) {
     const Index coarse = search.path.substeps();
     set_substeps(task, search, 2 * coarse);
-    const double moved = settle(task, search, {.move = 0.0, .iterations = 1}, context);
+    const double moved = settle(search, {.move = 0.0, .iterations = 1}, context);
     const bool gains = moved < kGain * last;
     last = moved;
     if (moved > kTruncation && gains) continue;
     set_substeps(task, search, gains ? coarse : before);
-    settle(task, search, {.iterations = 1}, context);
+    settle(search, {.iterations = 1}, context);
     break;
   }
   // The finest steps leave a fifteenth of what the last halving moved.

@@ -99,8 +99,8 @@ std::vector<Index> simplest(const WindowFit& fit, const SubsetProblem& problem, 
   }
 }
 
-Linearisation linearise_all(const SearchTask& task, WindowSearch& search) {
-  return linearise(task.equations, search.path, search.fit.coefficients, task.candidates,
+Linearisation linearise_all(WindowSearch& search) {
+  return linearise(search.rates, search.path, search.fit.coefficients, search.fit.columns,
                    search.folding);
 }
 
@@ -119,11 +119,12 @@ SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<Sta
 }
 
 WindowSearch prepared_search(const SearchTask& task) {
-  WindowSearch search;
-  search.sigma = noise_or_floor(task);
-  search.floor = rounding_floor(task.data);
-  search.path.records = make_paths(task.data, search.sigma, task.equations.program);
-  return search;
+  const Vector sigma = noise_or_floor(task);
+  WindowedPath path{make_paths(task.data, sigma, task.equations.program), {}};
+  return {.rates = WindowRates(task.equations),
+          .path = std::move(path),
+          .sigma = sigma,
+          .floor = rounding_floor(task.data)};
 }
 
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
@@ -146,16 +147,16 @@ bool grow(const SearchTask& task, WindowSearch& search, const RunContext& contex
 }
 
 /// A path that moves by a thousandth of sigma leaves the coefficients where they are.
-void finish(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+void finish(WindowSearch& search, const RunContext& context) {
   search.path.windows = windows_of(search.path.records, search.fit.samples);
-  settle(task, search, {.move = 1e-3, .iterations = 8}, context);
+  settle(search, {.move = 1e-3, .iterations = 8}, context);
   summarise(search);
 }
 
 void simplify(const SearchTask& task, WindowSearch& search, double slack,
               const RunContext& context) {
   if (search.fit.subset.empty() || task.price) return;
-  const Linearisation linearised = linearise_all(task, search);
+  const Linearisation linearised = linearise_all(search);
   if (!linearised.triangle.allFinite()) return;
   const WindowFit found = search.fit;
   WindowFit& fit = search.fit;
@@ -164,9 +165,9 @@ void simplify(const SearchTask& task, WindowSearch& search, double slack,
   const double limit = std::pow(1.0 + slack, 2) * fit_subset(problem, fit.subset).residual;
   fit.subset = simplest(fit, problem, limit);
   fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
-  move_path(task.equations, linearised, solve_subset(problem, fit), search.path);
-  finish(task, search, context);
-  fit.triangle = linearise_all(task, search).triangle;
+  move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
+  finish(search, context);
+  fit.triangle = linearise_all(search).triangle;
   if (!fit.coefficients.allFinite() || !fit.triangle.allFinite()) fit = found;
 }
 

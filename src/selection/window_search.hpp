@@ -40,13 +40,14 @@ struct WindowFit {
 };
 
 /// The search for structure and coefficients in windows of growing length, as far as it has
-/// come.
+/// come. Its task must outlive it.
 struct WindowSearch {
+  WindowRates rates;  ///< of the task's equations
   WindowedPath path;
   Vector sigma;  ///< of the noise of each state, as far as it is known
   Vector floor;  ///< what sigma is at least where the noise cannot be told from the signal
   Folding folding = Folding::Gram;  ///< as long as no Gram has failed
-  WindowFit fit;
+  WindowFit fit = {};
   bool limited = false;  ///< longer windows were tried and the model fits them worse
 };
 
@@ -63,7 +64,7 @@ WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& 
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context);
 
 /// The last iterations, after which coefficients no longer change.
-void finish(const SearchTask& task, WindowSearch& search, const RunContext& context);
+void finish(WindowSearch& search, const RunContext& context);
 
 /// For a model that is an approximation, which any term improves a little: terms leave as long
 /// as the rms of the residuals stays within 1 + slack of what it is. A price that was given

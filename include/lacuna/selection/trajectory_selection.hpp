@@ -49,16 +49,16 @@ struct TrajectorySelectionOptions {
 /// by quasilinearisation in windows (see the architecture page). Windows begin at the time
 /// scale at which the signals sink into their noise and are doubled as long as the fit stays as
 /// good as it was and coefficients become better known. In each round all candidates of all
-/// equations are columns of one white least-squares problem, in which SubsetSearch chooses; the
-/// path about which it is linearised is then moved to the solution. The noise is estimated from
-/// the record; where it cannot be told from the signal it is what the fit leaves. Outliers are
-/// left out; short gaps are bridged; states that were not measured (`--embed`) follow from the
-/// others. A model that does not fit to the noise and breaks down in longer windows is an
-/// approximation, which any term improves a little: terms leave it, the least valuable first, as
-/// long as the rms of the residuals grows by no more than a tenth, unless a price is given.
+/// equations are columns of one white least-squares problem, in which best_subset() chooses;
+/// the path about which it is linearised is then moved to the solution. The noise is estimated
+/// from the record; where it cannot be told from the signal it is what the fit leaves. Outliers
+/// are left out; short gaps are bridged; states that were not measured (`--embed`) follow from
+/// the others. A model that does not fit to the noise and breaks down in longer windows is an
+/// approximation, which any term improves a little: terms leave it, the least valuable first,
+/// as long as the rms of the residuals grows by no more than a tenth, unless a price is given.
 /// Models that do not fit to the noise are refitted by refine(). Does nothing with records that
-/// bring measured derivatives, nor, starting from a model, with records without noise of which it
-/// explains the derivatives to a thousandth.
+/// bring measured derivatives, nor, starting from a model, with records without noise of which
+/// it explains the derivatives to a thousandth.
 class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {
  public:
   using Configured::Configured;

@@ -77,7 +77,7 @@ TEST(WindowSearch, EndsAtTheLeastSquaresOfTheSimulatedModel) {
   ASSERT_TRUE(c.search.fit.rows > 0);
   while (c.grow()) {
   }
-  finish(c.task, c.search, kContext);
+  finish(c.search, kContext);
   ASSERT_EQ(structure_of(c.found()), structure_of(model)) << to_text(c.found(), 4);
   const WindowFit& fit = c.search.fit;
   ShootingProblem problem(with_free_coefficients(c.found()), c.data, std::nullopt);
