@@ -144,27 +144,51 @@ bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
          std::abs(a + b) <= kEqual * std::abs(a - b);
 }
 
-/// Whether one of two variables is known as a position and the other as a velocity: an identity
-/// of the model says so, dq/dt = v.
-bool are_of_two_kinds(const Scope& scope, const Expression& x, const Expression& y) {
-  bool positions[2] = {}, velocities[2] = {};
-  for (Index k = 0; k < scope.model.dimension(); ++k) {
-    const auto position = scope.integral_of(k);
-    if (!position) continue;
-    const Expression q = own_state(scope, *position), v = own_state(scope, k);
-    positions[0] |= x == q, positions[1] |= y == q;
-    velocities[0] |= x == v, velocities[1] |= y == v;
-  }
-  return (positions[0] && velocities[1]) || (velocities[0] && positions[1]);
+/// Whether an equation is one of kinematics: the rate of its state is a variable, or a sum or
+/// difference of other variables, with no number in front.
+bool is_kinematic(const Scope& scope, Index equation) {
+  const Equation& terms = terms_of(scope.model, equation);
+  return !terms.empty() &&
+         std::all_of(terms.begin(), terms.end(), [&](const WeightedTerm& one) {
+           const Expression& x = one.term.expression();
+           return is_variable(x) && std::abs(one.coefficient) == 1.0 &&
+                  !(x == own_state(scope, equation));
+         });
 }
 
-/// Whether two terms of an equation have a difference in them: variables of one kind with
-/// coefficients of opposite sign. -a*x + b*y is min(a,b)*(y-x) and what is left of the larger
-/// one, as of a body that is held by another one and by the ground.
+/// Whether a variable is a position (its own equation is one of kinematics) or a velocity (it
+/// stands in one).
+struct Kinematics {
+  bool position = false;
+  bool velocity = false;
+};
+
+Kinematics kinematics_of(const Scope& scope, const Expression& x) {
+  Kinematics result;
+  for (Index k = 0; k < scope.model.dimension(); ++k) {
+    if (!is_kinematic(scope, k)) continue;
+    result.position |= x == own_state(scope, k);
+    for (const WeightedTerm& one : terms_of(scope.model, k))
+      result.velocity |= one.term.expression() == x;
+  }
+  return result;
+}
+
+/// Whether one of two variables is known as a position and the other as a velocity.
+bool are_of_two_kinds(const Scope& scope, const Expression& x, const Expression& y) {
+  const Kinematics a = kinematics_of(scope, x), b = kinematics_of(scope, y);
+  return (a.position && b.velocity) || (a.velocity && b.position);
+}
+
+/// Whether two terms of an equation have a difference in them: variables with opposite
+/// coefficients, or states of one kind with coefficients of opposite sign. -a*x + b*y is
+/// min(a,b)*(y-x) and what is left of the larger one, as of a body that is held by another one
+/// and by the ground.
 bool have_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
+  if (are_opposite(one, other)) return true;
   const Expression &x = one.term.expression(), &y = other.term.expression();
-  return is_variable(x) && is_variable(y) && one.coefficient * other.coefficient < 0.0 &&
-         !are_of_two_kinds(scope, x, y);
+  return is_variable(x) && is_variable(y) && !is_input(scope, x) && !is_input(scope, y) &&
+         one.coefficient * other.coefficient < 0.0 && !are_of_two_kinds(scope, x, y);
 }
 
 }  // namespace

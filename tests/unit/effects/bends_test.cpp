@@ -80,9 +80,18 @@ TEST(OneSidedStop, PushesAPositionBack) {
   const Candidate upper = candidate_of<kOneSidedStop>(scope, 1, "max(q-edge,0)");
   EXPECT_TRUE(plausible_with<kOneSidedStop>(scope, upper, -50.0));
   EXPECT_FALSE(plausible_with<kOneSidedStop>(scope, upper, 50.0));
-  EXPECT_GT(upper.shapes[0].low, scope.state(0).quantile(0.5)) << "not in the middle";
   const Candidate lower = candidate_of<kOneSidedStop>(scope, 1, "min(q-edge,0)");
-  EXPECT_LT(lower.shapes[0].high, scope.state(0).quantile(0.5));
+  EXPECT_FALSE(plausible_with<kOneSidedStop>(scope, lower, 50.0));
+}
+
+TEST(OneSidedStop, IsSoughtWhereverSamplesLieOnEitherSide) {
+  const Scope scope = oscillator_scope();
+  const Candidate upper = candidate_of<kOneSidedStop>(scope, 1, "max(q-edge,0)");
+  const auto q = scope.samples.col(0).array();
+  for (const double edge : {upper.shapes[0].low, upper.shapes[0].high}) {
+    EXPECT_GT((q > edge).count(), 5) << edge;
+    EXPECT_GT((q < edge).count(), 5) << edge;
+  }
 }
 
 TEST(OneSidedStop, StandsBetweenTwoPlaces) {

@@ -60,15 +60,28 @@ TEST(EffectTerms, DifferencesMayBeWrittenAsTerms) {
   EXPECT_EQ(slope(gear.model, 1, as("b-a")), -75.0);
 }
 
-TEST(EffectTerms, VariablesOfOneKindMakeADifferenceBesideTheGround) {
+TEST(EffectTerms, WhatIsHeldByAnotherBodyAndByTheGroundHasADifferenceToo) {
   Scope pair = scope_of(model_of_lines(
       {{"a", {{"a", -10.0}, {"b", 6.0}}}, {"b", {{"a", 1.0}, {"b", -7.0}}}}, {}));
-  for (VariableRange& variable : pair.variables) variable.unit = "V";
-  EXPECT_EQ(texts(differences(pair, 0)), std::vector<std::string>{"a-b"});
+  pair.variables[1].unit = "mA";
+  EXPECT_EQ(texts(differences(pair, 0)), std::vector<std::string>{"a-b"}) << "in any unit";
   EXPECT_EQ(slope(pair.model, 0, as("a-b")), -6.0) << "the rest holds a to the ground";
-  EXPECT_TRUE(differences(pair, 1).empty()) << "too unlike";
-  pair.variables[1].unit = "A";
-  EXPECT_TRUE(differences(pair, 0).empty()) << "not of one kind";
+  EXPECT_EQ(texts(differences(pair, 1)), std::vector<std::string>{"b-a"});
+  EXPECT_EQ(slope(pair.model, 1, as("b-a")), -1.0);
+}
+
+TEST(EffectTerms, APositionAndAVelocityHaveNoDifference) {
+  const Scope swing =
+      scope_of(model_of_lines({{"q", {{"v", 1.0}}}, {"v", {{"q", -4.0}, {"v", 3.0}}}}, {}));
+  EXPECT_TRUE(differences(swing, 1).empty());
+}
+
+TEST(EffectTerms, AStateAndAnInputHaveADifferenceWhereTheirCoefficientsAreOpposite) {
+  const auto of = [](double input) {
+    return scope_of(model_of_lines({{"a", {{"a", -5.0}, {"u", input}}}}, {"u"}));
+  };
+  EXPECT_EQ(texts(differences(of(5.0), 0)), std::vector<std::string>{"a-u"});
+  EXPECT_TRUE(differences(of(1.0), 0).empty()) << "a force is no speed";
 }
 
 TEST(EffectTerms, FeltSpeedsAreThoseOfBodiesThatMoveTogether) {
