@@ -13,7 +13,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/formulations/embedding.hpp"
+#include "lacuna/records/embedding.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "lacuna/shooting/refine.hpp"
 #include "support/table.hpp"

@@ -37,9 +37,16 @@ Matrix values_of(const FunctionBasis& basis) {
   return evaluate_on(grid, support::oscillator().variables(), forms);
 }
 
+/// The nominal model on a record in which nothing is hidden.
+const Assimilation& oscillator_fit() {
+  static const Assimilation fit =
+      support::assimilated(support::hidden_record(support::nothing, 0.01));
+  return fit;
+}
+
 TEST(FunctionBasis, SplinesSumToOneAndHoldTheStraightLine) {
   const Scope scope = support::oscillator_scope();
-  const auto bases = present_functions(scope, 1);
+  const auto bases = present_functions(oscillator_fit(), scope, 1);
   for (const std::size_t pieces : {8u, 24u}) {
     const FunctionBasis curve = basis_of(bases, Kind::Curve, {"q"}, pieces);
     ASSERT_EQ(curve.members.size(), pieces);
@@ -61,7 +68,7 @@ TEST(FunctionBasis, SplinesSumToOneAndHoldTheStraightLine) {
 }
 
 TEST(FunctionBasis, SurfacesSumToOneAndStretchesToTheVariable) {
-  const auto bases = present_functions(support::oscillator_scope(), 1);
+  const auto bases = present_functions(oscillator_fit(), support::oscillator_scope(), 1);
   const Matrix surface = values_of(basis_of(bases, Kind::Surface, {"q", "v"}, 100));
   EXPECT_EQ(surface.cols(), 100);
   EXPECT_LT((surface.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-9);
@@ -135,8 +142,8 @@ TEST_F(Scoring, WhatIsFittedOrThereTwiceIsNoMember) {
 
 TEST_F(Scoring, TheBestIsAFunctionOfTheRightVariable) {
   const FunctionScreening screening(base_->fitted);
-  const auto best =
-      screening.best_of(present_functions(base_->scope, 1), *asked_.options.criterion);
+  const auto best = screening.best_of(present_functions(base_->fitted, base_->scope, 1),
+                                      *asked_.options.criterion);
   ASSERT_TRUE(best);
   EXPECT_EQ(best->basis.kind, Kind::Curve);
   EXPECT_EQ(best->basis.variables, std::vector<std::string>{"q"});

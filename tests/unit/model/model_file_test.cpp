@@ -180,11 +180,16 @@ TEST(ModelFile, ReadsTheModelsOfTheMeasuredRecords) {
   const char* root = std::getenv("LACUNA_DATA");
   if (root == nullptr) GTEST_SKIP() << "LACUNA_DATA is not set";
   int models = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
-    if (entry.path().filename() != "nominal.json") continue;
-    const OdeModel model = read_model(entry.path());
-    EXPECT_EQ(format_model(parse_model(format_model(model), "again")), format_model(model));
-    ++models;
+  // Records in which every state is measured or defined by one that is.
+  for (const char* folder : {"emps", "silverbox", "practice"}) {
+    const auto place = std::filesystem::path(root) / folder;
+    if (!std::filesystem::exists(place)) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(place)) {
+      if (entry.path().filename() != "nominal.json") continue;
+      const OdeModel model = read_model(entry.path());
+      EXPECT_EQ(format_model(parse_model(format_model(model), "again")), format_model(model));
+      ++models;
+    }
   }
   if (models == 0) GTEST_SKIP() << "no nominal.json under " << root;
 }
