@@ -183,8 +183,7 @@ std::string says(const EffectSearch& search, const RankedEffect& ranked) {
          "/dt: " + term_of(ranked.effect());
 }
 
-/// One candidate of a round: whether it comes in, and what decided. @param taken whether one
-/// came in before it.
+/// One candidate of a round: whether it comes in, and what decided.
 Rival try_candidate(const EffectSearch& search, const EffectSize& size,
                     const RankedEffect& ranked, const Ranking& ranking, FoundEffects& found) {
   Rival rival{std::string(kNamedEffects.name), says(search, ranked), ranked.criterion};
