@@ -64,6 +64,8 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
   if (rival.taken) {
     if (is_baseline && !proposal.search_first) search();
     so_far.best = std::move(proposal.account);
+  } else if (so_far.best.rounds.empty()) {
+    so_far.best.rounds = std::move(proposal.account.rounds);  // what was tried in vain
   }
   append(so_far.trail, std::move(inner));
 }

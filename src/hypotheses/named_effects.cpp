@@ -27,9 +27,6 @@ Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) 
   Proposal proposal{std::move(found.account)};
   proposal.account.findings = best.findings;
   proposal.account.notes = best.notes;
-  proposal.precedence = proposal.account.named.empty()
-                            ? "no effect is significant and of the size of an effect"
-                            : "every effect is significant and of the size of an effect";
   return {{std::move(proposal)}, std::move(found.rivals)};
 }
 

@@ -27,7 +27,7 @@ TEST(NamedEffects, TheAccountHasTheEffectOnTopOfItsBaseline) {
   EXPECT_FALSE(found.rivals.empty());
 }
 
-TEST(NamedEffects, AProposalKeepsWhatTheAssumptionsFoundAndSaysWhyItGoesBefore) {
+TEST(NamedEffects, AProposalKeepsWhatTheAssumptionsFoundAndIsLeftToTheCriterion) {
   const support::Asked asked = asked_of(support::dry_friction);
   Account best = asked.bare();
   best.findings = {{.name = "an assumption"}};
@@ -37,18 +37,19 @@ TEST(NamedEffects, AProposalKeepsWhatTheAssumptionsFoundAndSaysWhyItGoesBefore) 
   const Proposal& proposal = made.accounts[0];
   EXPECT_EQ(proposal.account.findings[0].name, "an assumption");
   EXPECT_EQ(proposal.account.notes, best.notes);
-  EXPECT_EQ(proposal.precedence, "every effect is significant and of the size of an effect");
+  EXPECT_TRUE(proposal.precedence.empty());
   EXPECT_LT(asked.options.criterion->value(evidence_of(proposal.account)),
             asked.options.criterion->value(evidence_of(best)));
 }
 
-TEST(NamedEffects, OfACompleteModelItSaysThatNothingIsSignificant) {
+TEST(NamedEffects, OfACompleteModelItsAccountIsNoBetterThanTheBareOne) {
   const support::Asked asked = asked_of(support::nothing);
-  const Proposals made = NamedEffects().propose(asked.problem(), asked.bare());
+  const Account bare = asked.bare();
+  const Proposals made = NamedEffects().propose(asked.problem(), bare);
   ASSERT_EQ(made.accounts.size(), 1u);
   EXPECT_TRUE(made.accounts[0].account.named.empty());
-  EXPECT_EQ(made.accounts[0].precedence,
-            "no effect is significant and of the size of an effect");
+  EXPECT_EQ(asked.options.criterion->value(evidence_of(made.accounts[0].account)),
+            asked.options.criterion->value(evidence_of(bare)));
 }
 
 TEST(NamedEffects, OnlyTheEffectsThatAreGivenAreTried) {
