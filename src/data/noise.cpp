@@ -247,13 +247,14 @@ std::string to_string(NoiseKind kind) {
   }
 }
 
-std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma) {
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma,
+                                    double deviations) {
   std::vector<Index> outliers;
   if (record.samples() < static_cast<Index>(kFewest)) return outliers;
   const Vector deviation = without_local_median(bends(record, state)).cwiseAbs();
   std::vector<double> sizes(deviation.begin(), deviation.end());
   const double limit =
-      kOutlyingDeviations * std::max(std::sqrt(1.5) * sigma, median(sizes) / kNormalMedian);
+      deviations * std::max(std::sqrt(1.5) * sigma, median(sizes) / kNormalMedian);
   for (Index i = 1; i + 1 < deviation.size(); ++i)
     if (deviation[i] > limit && deviation[i] >= deviation[i - 1] &&
         deviation[i] >= deviation[i + 1])

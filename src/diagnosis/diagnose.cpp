@@ -19,15 +19,18 @@ struct Records {
   std::vector<std::string> notes = {};
 };
 
-Records prepared(const Dataset& data, const Dataset& held_out, const GapOptions& gaps) {
-  UsableRecords all = usable_records(data, gaps);
+Records prepared(const Dataset& data, const Dataset& held_out,
+                 const DecisionOptions& decision) {
+  UsableRecords all = usable_records(data, decision.gaps);
   if (held_out.trajectories.empty()) {
     SplitRecords parts = split_in_time(all.data);
-    return {observed(std::move(parts.find)), std::move(parts.check), std::move(all.notes)};
+    return {observed(std::move(parts.find), decision.outlying), std::move(parts.check),
+            std::move(all.notes)};
   }
-  UsableRecords other = usable_records(held_out, gaps);
+  UsableRecords other = usable_records(held_out, decision.gaps);
   for (const std::string& note : other.notes) all.notes.push_back("held-out records: " + note);
-  return {observed(std::move(all.data)), std::move(other.data), std::move(all.notes)};
+  return {observed(std::move(all.data), decision.outlying), std::move(other.data),
+          std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the
@@ -46,7 +49,7 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  const Records records = prepared(data, held_out, options.decision.gaps);
+  const Records records = prepared(data, held_out, options.decision);
   const Problem problem{nominal, records.find, options, context};
   const std::vector<Stage<Hypothesis>> hypotheses =
       options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "lacuna/data/noise.hpp"
-
 namespace lacuna {
 namespace {
 
@@ -15,7 +13,8 @@ std::string note_of(Index count, const std::string& name) {
 
 }  // namespace
 
-OutlierCheck check_outliers(const std::vector<Quantity>& names, const Assimilation& fit) {
+OutlierCheck check_outliers(const std::vector<Quantity>& names, const Assimilation& fit,
+                            double outlying) {
   OutlierCheck check{fit.omitted, false, {}};
   for (std::size_t k = 0; k < names.size(); ++k) {
     const auto& white = fit.noise.measurement[k];
@@ -27,7 +26,7 @@ OutlierCheck check_outliers(const std::vector<Quantity>& names, const Assimilati
       for (Index i = 0; i < marks.size(); ++i) {
         if (marks[i] == 0.0) continue;
         const double off = std::abs(fit.measured[r](i, state) - fit.records[r].path(i, state));
-        const bool is_outlier = off > kOutlyingDeviations * *white;
+        const bool is_outlier = off > outlying * *white;
         marks[i] = is_outlier ? 1.0 : 0.0;
         check.any_false = check.any_false || !is_outlier;
         count += is_outlier ? 1 : 0;

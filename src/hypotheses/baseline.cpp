@@ -24,7 +24,7 @@ Baseline plain_baseline(const Problem& problem) {
   const auto& [nominal, records, options, context] = problem;
   context.report("bringing the model onto the records", 0.0);
   Assimilation given = assimilate(nominal, records.data, records.outliers, {}, context);
-  OutlierCheck outliers = check_outliers(nominal.states(), given);
+  OutlierCheck outliers = check_outliers(nominal.states(), given, options.decision.outlying);
   given.omitted = std::move(outliers.outliers);
   if (outliers.any_false) given = assimilate_from(nominal, records.data, given, {}, context);
   if (!std::isfinite(given.deviance))

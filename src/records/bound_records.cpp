@@ -27,14 +27,14 @@ BoundRecords bind(const OdeModel& model, const Dataset& data,
   return observed(model_view(model, data, differentiator));
 }
 
-BoundRecords observed(Dataset data) {
+BoundRecords observed(Dataset data, double outlying) {
   check_dataset(data);
   BoundRecords records{with_input_columns(std::move(data)), {}, {}};
   const std::vector<StateNoise> noise = analyse_noise(records.data);
   for (Index k = 0; k < records.data.state_count(); ++k)
     records.channels.push_back({records.data.is_measured(k), noise[static_cast<std::size_t>(k)],
                                 share_of_repeats(records.data, k)});
-  records.outliers = mark_outliers(records.data, noise);
+  records.outliers = mark_outliers(records.data, noise, outlying);
   return records;
 }
 

@@ -10,8 +10,8 @@ namespace {
 /// Whether the record is smooth but for this sample: a cubic goes through its neighbours to
 /// the noise, and not through the sample. Where a fast stretch is sampled coarsely no cubic
 /// goes through the neighbours either.
-/// @param marked samples that are not to be used as neighbours.
-bool stands_out(const Trajectory& record, Index state, Index i, double sigma,
+/// @param off what is off. @param marked samples that are not to be used as neighbours.
+bool stands_out(const Trajectory& record, Index state, Index i, double off,
                 const std::vector<bool>& marked) {
   constexpr std::size_t kEachSide = 3;
   std::vector<Index> around;
@@ -32,13 +32,13 @@ bool stands_out(const Trajectory& record, Index state, Index i, double sigma,
   }
   const Vector cubic = powers.colPivHouseholderQr().solve(values);
   const double left = (values - powers * cubic).norm();
-  return left < kOutlyingDeviations * sigma &&
-         std::abs(record.states(i, state) - cubic[0]) > kOutlyingDeviations * sigma;
+  return left < off && std::abs(record.states(i, state) - cubic[0]) > off;
 }
 
 }  // namespace
 
-std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNoise>& noise) {
+std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNoise>& noise,
+                                  double deviations) {
   std::vector<Matrix> marks;
   for (const Trajectory& record : data.trajectories)
     marks.push_back(Matrix::Zero(record.samples(), data.state_count()));
@@ -47,11 +47,11 @@ std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNo
     if (!data.is_measured(k) || seen.kind == NoiseKind::None || seen.sigma <= 0.0) continue;
     for (std::size_t r = 0; r < marks.size(); ++r) {
       const Trajectory& record = data.trajectories[r];
-      const std::vector<Index> suspects = outlying_samples(record, k, seen.sigma);
+      const std::vector<Index> suspects = outlying_samples(record, k, seen.sigma, deviations);
       std::vector<bool> marked(static_cast<std::size_t>(record.samples()), false);
       for (const Index i : suspects) marked[static_cast<std::size_t>(i)] = true;
       for (const Index i : suspects)
-        if (stands_out(record, k, i, seen.sigma, marked)) marks[r](i, k) = 1.0;
+        if (stands_out(record, k, i, deviations * seen.sigma, marked)) marks[r](i, k) = 1.0;
     }
   }
   return marks;

@@ -52,9 +52,10 @@ std::vector<StateNoise> analyse_noise(const Dataset& data);
 
 /// Samples of one state that noise of deviation sigma does not explain: e_i = x_i minus the
 /// straight line between its neighbours deviates from the median of the e around it by more
-/// than 6 sigma sqrt(3/2) and by more than 6 robust deviations of all e; of neighbours the
-/// worst.
-std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma);
+/// than `deviations` sigma sqrt(3/2) and by more than `deviations` robust deviations of all e;
+/// of neighbours the worst.
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma,
+                                    double deviations = kOutlyingDeviations);
 
 /// Standard deviation of white measurement noise per state as by analyse_noise().
 /// @return m entries in the units of the states; 0 where no noise can be told from the signal.

@@ -3,6 +3,7 @@
 
 #include "lacuna/candidates/reading.hpp"
 #include "lacuna/core/options.hpp"
+#include "lacuna/data/noise.hpp"
 #include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
@@ -29,6 +30,7 @@ struct DecisionOptions {
 
   double noise_inflation = 1.3;
   int long_window = 10;
+  double outlying = kOutlyingDeviations;
 
   GapOptions gaps = {};       ///< these two are listed with the others
   NamingOptions naming = {};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/data/noise.hpp"
 #include "lacuna/estimation/assimilation.hpp"
 
 namespace lacuna {
@@ -16,9 +17,10 @@ struct OutlierCheck {
 };
 
 /// Compares the marked samples with the path: sharp turns of the signal look like outliers
-/// before there is a model. A sample is an outlier where it is more than kOutlyingDeviations
-/// away from the path; the notes count them per state.
+/// before there is a model. A sample is an outlier where it is more than `outlying`
+/// deviations of the noise away from the path; the notes count them per state.
 /// @param names of the states. @param fit its marks are Assimilation::omitted.
-OutlierCheck check_outliers(const std::vector<Quantity>& names, const Assimilation& fit);
+OutlierCheck check_outliers(const std::vector<Quantity>& names, const Assimilation& fit,
+                            double outlying = kOutlyingDeviations);
 
 }  // namespace lacuna

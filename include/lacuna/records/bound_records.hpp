@@ -30,8 +30,9 @@ BoundRecords bind(const OdeModel& model, const Dataset& data,
 
 /// What the samples say of the measurement, for records that are in a model's variables already
 /// (joined ones, a part of others).
+/// @param outlying deviations of the noise that an outlier is off.
 /// @throws DataError as check_dataset().
-BoundRecords observed(Dataset data);
+BoundRecords observed(Dataset data, double outlying = kOutlyingDeviations);
 
 /// Whether most samples of some measured state are as the one before them: values on a coarse
 /// lattice, whose rounding is not noise that is independent from sample to sample.

@@ -12,7 +12,9 @@ namespace lacuna {
 /// record is smooth but for them. Where a fast stretch is sampled coarsely no cubic goes
 /// through the neighbours of a sample either, which says nothing of the sample.
 /// @param noise as analyse_noise() has it, m entries.
+/// @param deviations of the noise that a sample must be off.
 /// @return per record n x m, 1 where a sample may be one.
-std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNoise>& noise);
+std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNoise>& noise,
+                                  double deviations = kOutlyingDeviations);
 
 }  // namespace lacuna
