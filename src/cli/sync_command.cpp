@@ -39,7 +39,7 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
 }
 
 int sync_command(const Session& session, const Options& options) {
-  const OdeModel model = load_model(options.model);
+  const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const std::optional<Matrix> coupling = parse_coupling(model, options.coupling);

@@ -7,6 +7,7 @@
 
 #include "answer.hpp"
 #include "journey.hpp"
+#include "lacuna/hypotheses/input_holds.hpp"
 #include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
@@ -50,7 +51,8 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
   const Records records = prepared(data, held_out, options.decision);
-  const Problem problem{nominal, records.find, options, context};
+  ChosenHolds inputs = choose_holds({nominal, records.find, options, context});
+  const Problem problem{inputs.model, records.find, options, context};
   const std::vector<Stage<Hypothesis>> hypotheses =
       options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
 
@@ -64,7 +66,9 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
     gap = gap_of(problem, judged.best, records.check);
   }
   Diagnosis diagnosis = make_answer(problem, std::move(judged), std::move(gap), hearing);
+  diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
+  diagnosis.rivals.insert(diagnosis.rivals.begin(), inputs.trail.begin(), inputs.trail.end());
   return diagnosis;
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// have forgotten where they began. The first one of all when no window is left.
 Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effects,
                   const Trajectory& record, Index length) {
-  const LinearisedRecord grid = grid_of(record, record.states);
+  const LinearisedRecord grid = grid_of(nominal.inputs(), record, record.states);
   double time = record.time[0];
   for (const FittedEffect& effect : effects) {
     const auto known =
