@@ -57,6 +57,13 @@ void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity
 
 }  // namespace
 
+void declare_hold_option(CLI::App& app, DataOptions& options) {
+  app.add_option("--hold", options.holds,
+                 "How an input goes on after a sample: u=zero|linear|smooth|switching|auto "
+                 "[default: as in the model, else auto: the records decide]")
+      ->type_name("NAME=HOLD");
+}
+
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
   app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
       ->type_name("NAME");
@@ -66,10 +73,7 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
   app.add_option("--trajectory", options.trajectory,
                  "Column that numbers the records in one file")
       ->type_name("NAME");
-  app.add_option("--hold", options.holds,
-                 "How an input goes on after a sample: u=zero|linear|smooth|switching|auto "
-                 "[default: as in the model, else auto: the records decide]")
-      ->type_name("NAME=HOLD");
+  declare_hold_option(app, options);
   if (!choose_columns) return;
   app.add_option("--states", options.states,
                  "State columns [default: all without another role]")

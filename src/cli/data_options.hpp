@@ -26,6 +26,9 @@ struct DataOptions {
 /// be chosen, which a command that has a model leaves to the model.
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns);
 
+/// The option `--hold`, which the column options have among them.
+void declare_hold_option(CLI::App& app, DataOptions& options);
+
 /// The roles that the options give to columns in every command: time, step, number of the
 /// record.
 ColumnRoles common_roles(const DataOptions& options);

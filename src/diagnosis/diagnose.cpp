@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "answer.hpp"
+#include "held_inputs.hpp"
 #include "journey.hpp"
-#include "lacuna/hypotheses/input_holds.hpp"
 #include "lacuna/records/gaps.hpp"
 
 namespace lacuna {
@@ -51,13 +51,12 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
   const Records records = prepared(data, held_out, options.decision);
-  ChosenHolds inputs = choose_holds({nominal, records.find, options, context});
-  const Problem problem{inputs.model, records.find, options, context};
   const std::vector<Stage<Hypothesis>> hypotheses =
       options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
 
-  Judged judged = choose_account(problem, hypotheses, plain_baseline(problem));
-  judged = settle_account(problem, hypotheses, std::move(judged));
+  JudgedModel inputs = judge_holds({nominal, records.find, options, context}, hypotheses);
+  const Problem problem{*inputs.model, records.find, options, context};
+  Judged judged = settle_account(problem, hypotheses, std::move(inputs.judged));
   std::optional<Gap> gap = gap_of(problem, judged.best, records.check);
   const Hearing hearing = hear_other_records(problem, judged.best, gap);
   if (hearing.withdraw) {
@@ -68,7 +67,6 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
   Diagnosis diagnosis = make_answer(problem, std::move(judged), std::move(gap), hearing);
   diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
-  diagnosis.rivals.insert(diagnosis.rivals.begin(), inputs.trail.begin(), inputs.trail.end());
   return diagnosis;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lacuna/core/parallel.hpp"
-#include "lacuna/core/text.hpp"
+#include "lacuna/records/shown_holds.hpp"
 
 namespace lacuna {
 namespace {
@@ -15,23 +15,6 @@ namespace {
 constexpr std::array kHolds{Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
 
 using Holds = std::vector<std::optional<Hold>>;
-
-bool moves(const Dataset& data, Index input) {
-  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
-                     [&](const Trajectory& record) {
-                       const auto values = record.inputs.col(input);
-                       return values.minCoeff() < values.maxCoeff();
-                     });
-}
-
-Hold shown_hold(const Dataset& data, Index input) {
-  const bool held = std::all_of(
-      data.trajectories.begin(), data.trajectories.end(), [&](const Trajectory& record) {
-        const auto values = record.inputs.col(input);
-        return shows_hold(values) || values.minCoeff() == values.maxCoeff();
-      });
-  return held ? Hold::Zero : Hold::Smooth;
-}
 
 /// Deviance of the nominal model under each of kHolds of one input.
 std::array<double, kHolds.size()> deviances(const Problem& problem, const Holds& holds,
@@ -84,21 +67,18 @@ Hold judged(const std::array<double, kHolds.size()>& deviance, Hold shown, doubl
 
 ChosenHolds choose_holds(const Problem& problem) {
   const auto& [nominal, records, options, context] = problem;
-  ChosenHolds chosen{nominal, {}, {}};
+  ChosenHolds chosen{nominal};
   Holds holds;
-  std::vector<Index> open;
   for (const Quantity& input : nominal.inputs()) {
     const auto j = static_cast<Index>(holds.size());
-    holds.push_back(input.hold);
-    if (input.hold || !moves(records.data, j)) continue;
-    holds.back() = shown_hold(records.data, j);
-    open.push_back(j);
+    holds.push_back(input.hold ? input.hold : shown_hold(records.data, j));
+    if (!input.hold && holds.back()) chosen.open.push_back(j);
   }
-  if (open.empty()) return chosen;
+  if (chosen.open.empty()) return chosen;
   context.report("how inputs go on between samples", 0.0);
   const Assimilation start =
       assimilate(nominal.with_holds(holds), records.data, records.outliers, {}, context);
-  for (const Index j : open) {
+  for (const Index j : chosen.open) {
     auto& hold = holds[static_cast<std::size_t>(j)];
     const std::string& name = nominal.inputs()[static_cast<std::size_t>(j)].name;
     if (std::isfinite(start.deviance)) {
@@ -113,10 +93,79 @@ ChosenHolds choose_holds(const Problem& problem) {
                                 deviance[h],
                                 *std::min_element(deviance.begin(), deviance.end())});
     }
-    if (*hold != Hold::Smooth) chosen.notes.push_back(name + " " + meaning(*hold));
   }
   chosen.model = nominal.with_holds(holds);
   return chosen;
+}
+
+namespace {
+
+OdeModel with_hold(const OdeModel& model, Index input, Hold hold) {
+  Holds holds;
+  for (const Quantity& quantity : model.inputs()) holds.push_back(quantity.hold);
+  holds[static_cast<std::size_t>(input)] = hold;
+  return model.with_holds(holds);
+}
+
+bool is_of(const FittedEffect& effect, const std::string& input) {
+  const auto& memory = effect.candidate.memory;
+  return effect.candidate.form.variables().contains(input) ||
+         std::any_of(memory.begin(), memory.end(), [&](const MemoryState& state) {
+           return state.rate.variables().contains(input);
+         });
+}
+
+/// Deviance of the effects that were found, fitted in few passes under another model.
+double deviance_under(const Problem& problem, const Account& best, const OdeModel& model) {
+  const JointFitTask task{problem.records.data, model, best.base->fit_options, problem.context};
+  return explain_roughly(task, best.base->fitted, best.explanation.effects).fit.deviance;
+}
+
+/// The other holds of an input that is in no effect, if one is decidedly better.
+std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, Index input) {
+  double least =
+      deviance_under(problem, best, problem.nominal) - problem.options.decision.undecided;
+  std::vector<OdeModel> better;
+  for (const Hold hold : kHolds) {
+    OdeModel model = with_hold(problem.nominal, input, hold);
+    const double deviance = deviance_under(problem, best, model);
+    if (!(deviance < least)) continue;
+    least = deviance;
+    better = {std::move(model)};
+  }
+  return better;
+}
+
+}  // namespace
+
+std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Index>& open,
+                                  const Account& best) {
+  std::vector<OdeModel> rivals;
+  const std::vector<FittedEffect>& effects = best.explanation.effects;
+  if (effects.empty()) return rivals;
+  for (const Index j : open) {
+    const Quantity& input = problem.nominal.inputs()[static_cast<std::size_t>(j)];
+    const bool concerned =
+        std::any_of(effects.begin(), effects.end(),
+                    [&](const FittedEffect& effect) { return is_of(effect, input.name); });
+    if (!concerned) {
+      for (OdeModel& model : better_holds(problem, best, j)) rivals.push_back(std::move(model));
+      continue;
+    }
+    for (const Hold hold : {Hold::Zero, Hold::Linear, Hold::Smooth})
+      if (hold != input.hold) rivals.push_back(with_hold(problem.nominal, j, hold));
+  }
+  return rivals;
+}
+
+std::vector<std::string> notes_on_holds(const OdeModel& model, const std::vector<Index>& open) {
+  std::vector<std::string> notes;
+  for (const Index j : open) {
+    const Quantity& input = model.inputs()[static_cast<std::size_t>(j)];
+    if (input.hold && *input.hold != Hold::Smooth)
+      notes.push_back(input.name + " " + meaning(*input.hold));
+  }
+  return notes;
 }
 
 }  // namespace lacuna
