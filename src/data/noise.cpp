@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "lacuna/data/marks.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -207,6 +209,22 @@ StateNoise analyse_state(const Dataset& data, Index state) {
   return noise;
 }
 
+bool has_marks(const Dataset& data) {
+  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& record) { return record.marks.size() > 0; });
+}
+
+/// One state by those of its samples that are values; records of fewer than two are left out.
+Dataset values_only(const Dataset& data, Index state) {
+  Dataset result;
+  result.states = {data.states[static_cast<std::size_t>(state)]};
+  for (const Trajectory& record : data.trajectories) {
+    Trajectory values = values_of(record, state);
+    if (values.samples() >= 2) result.trajectories.push_back(std::move(values));
+  }
+  return result;
+}
+
 /// x_i minus the straight line between its neighbours; 0 at the ends.
 Vector bends(const Trajectory& record, Index state) {
   const Vector& t = record.time;
@@ -265,14 +283,17 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, doubl
 std::vector<StateNoise> analyse_noise(const Dataset& data) {
   std::vector<StateNoise> noise;
   for (Index state = 0; state < data.state_count(); ++state)
-    noise.push_back(analyse_state(data, state));
+    noise.push_back(has_marks(data) ? analyse_state(values_only(data, state), 0)
+                                    : analyse_state(data, state));
   return noise;
 }
 
 Vector estimate_noise(const Dataset& data) {
   Vector noise(data.state_count());
   for (Index state = 0; state < data.state_count(); ++state)
-    noise[state] = plateau(noise_by_order(data, state)).value_or(0.0);
+    noise[state] = plateau(has_marks(data) ? noise_by_order(values_only(data, state), 0)
+                                           : noise_by_order(data, state))
+                       .value_or(0.0);
   return noise;
 }
 
