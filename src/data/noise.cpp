@@ -162,18 +162,23 @@ std::vector<double> distinct_values(const Dataset& data, Index state) {
   return values;
 }
 
-/// The spacing q of which all differences of values are whole multiples.
+/// The spacing q of which all differences of values are whole multiples. It is found from the
+/// small gaps and made more exact by the large ones, over which rounded digits matter least.
 std::optional<double> lattice_of(const Dataset& data, Index state) {
   constexpr double kRounding = 1e-3;        // of a multiple, as a share of q
   constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
   const std::vector<double> values = distinct_values(data, state);
   if (values.size() < kFewest) return std::nullopt;
-  double spacing = values.back() - values.front();
-  const double smallest = spacing / kMostLevels;
-  for (std::size_t i = 1; i < values.size() && spacing > smallest; ++i) {
+  std::vector<double> gaps(values.size() - 1);
+  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
+  std::sort(gaps.begin(), gaps.end());
+  const double smallest = (values.back() - values.front()) / kMostLevels;
+  double spacing = gaps.front();
+  for (std::size_t i = 1; i < gaps.size() && spacing > smallest; ++i) {
     // Euclid's algorithm on the gaps.
-    double rest = values[i] - values[i - 1];
-    const double limit = kRounding * std::min(spacing, rest);
+    double rest = std::abs(std::remainder(gaps[i], spacing));
+    const double limit = kRounding * spacing;
+    if (rest <= limit) spacing = gaps[i] / std::round(gaps[i] / spacing);
     while (rest > limit) {
       const double next = std::abs(std::remainder(spacing, rest));
       spacing = rest;
