@@ -61,6 +61,10 @@ void add_memory(const OdeModel& nominal, const FittedEffect& effect,
     Matrix states(record.samples(), record.states.cols() + memory.cols());
     states << record.states, memory;
     record.states = std::move(states);
+    if (record.marks.size() > 0) {
+      record.marks.conservativeResize(Eigen::NoChange, record.states.cols());
+      record.marks.rightCols(memory.cols()).setZero();
+    }
   }
 }
 

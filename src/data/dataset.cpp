@@ -102,6 +102,8 @@ void check_trajectory(const Dataset& data, const Trajectory& trajectory, std::si
   if (data.input_count() > 0 || trajectory.inputs.size() > 0)
     check_shape(where, "the inputs", trajectory.inputs, rows, data.input_count());
   check_values(where, "input", trajectory.inputs, data.inputs);
+  if (trajectory.marks.size() > 0)
+    check_shape(where, "the marks", trajectory.marks, rows, data.state_count());
   if (!trajectory.has_derivatives()) return;
   check_shape(where, "the derivatives", trajectory.derivatives, rows, data.state_count());
   check_values(where, "derivative of", trajectory.derivatives, data.states);

@@ -59,11 +59,17 @@ void DecisionOptions::describe(OptionVisitor& v) {
            "structure is left.",
            1.0},
           long_window);
-  v.field({"outlying", "standard deviations",
-           "Samples are outliers of the measurement where they are farther off; 6 leaves out one "
-           "of 5e8 samples of normal noise.",
+  v.field(
+      {"outlying", "standard deviations",
+       "Samples are outliers of the measurement where they are farther off; 6 leaves out one "
+       "of 5e8 samples of normal noise.",
+       1.0},
+      outlying);
+  v.field({"pile_up", "",
+           "A channel is clipped where its largest (or least) value has so many times as many "
+           "samples as any value next to it.",
            1.0},
-          outlying);
+          pile_up);
   gaps.describe(v);
   naming.describe(v);
 }

@@ -22,16 +22,20 @@ struct Records {
 
 Records prepared(const Dataset& data, const Dataset& held_out,
                  const DecisionOptions& decision) {
+  const ChannelOptions channels{decision.outlying, decision.pile_up};
   UsableRecords all = usable_records(data, decision.gaps);
-  if (held_out.trajectories.empty()) {
-    SplitRecords parts = split_in_time(all.data);
-    return {observed(std::move(parts.find), decision.outlying), std::move(parts.check),
-            std::move(all.notes)};
+  const bool split = held_out.trajectories.empty();
+  SplitRecords parts = split ? split_in_time(all.data) : SplitRecords{std::move(all.data), {}};
+  if (!split) {
+    UsableRecords other = usable_records(held_out, decision.gaps);
+    for (const std::string& note : other.notes)
+      all.notes.push_back("held-out records: " + note);
+    parts.check = std::move(other.data);
   }
-  UsableRecords other = usable_records(held_out, decision.gaps);
-  for (const std::string& note : other.notes) all.notes.push_back("held-out records: " + note);
-  return {observed(std::move(all.data), decision.outlying), std::move(other.data),
-          std::move(all.notes)};
+  BoundRecords find = observed(std::move(parts.find), channels);
+  all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
+  Dataset check = observed_alike(std::move(parts.check), find, channels);
+  return {std::move(find), std::move(check), std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the

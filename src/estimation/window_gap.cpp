@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/innovation_filter.hpp"
 
 namespace lacuna {
@@ -36,19 +37,38 @@ Index window_length(const std::vector<LinearisedRecord>& records, const NoiseMod
   return std::max(kShortest, static_cast<Index>(shortest));
 }
 
+/// Square of what a sample is off, and whether it counts.
+struct Off {
+  double square = 0.0;
+  bool counts = false;
+};
+
+Off off_by(double left, Mark mark) {
+  if (!says_something(mark)) return {};
+  const bool beyond =
+      (mark == Mark::AtTop && left < 0.0) || (mark == Mark::AtBottom && left > 0.0);
+  return {beyond ? 0.0 : left * left, true};
+}
+
 /// One window, its initial state being fitted.
-WindowSquares one_window(const LinearisedRecord& window,
-                         const Eigen::Ref<const Matrix>& measured, const NoiseModel& exact,
-                         const Vector& scale) {
+WindowSquares one_window(const LinearisedRecord& window, const MarkedSamples& measured,
+                         const NoiseModel& exact, const Vector& scale) {
   WindowSquares squares;
-  const SmoothedRecord smoothed = smooth(window, measured, Matrix(), exact);
+  const SmoothedRecord smoothed = smooth(window, measured.values, measured.marks, exact);
   for (Index k = 0; k < window.states(); ++k) {
     if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
-    const Vector left = measured.col(k) - window.path.col(k) - smoothed.deviation.col(k);
-    squares.sum += left.squaredNorm() / (scale[k] * scale[k]);
-    squares.count += static_cast<double>(left.size());
+    const Vector left = measured.values.col(k) - window.path.col(k) - smoothed.deviation.col(k);
+    for (Index i = 0; i < left.size(); ++i) {
+      const Off off = off_by(left[i], mark_of(measured.marks, i, k));
+      squares.sum += off.square / (scale[k] * scale[k]);
+      squares.count += off.counts ? 1.0 : 0.0;
+    }
   }
   return squares;
+}
+
+Matrix rows_of(const Matrix& marks, Index first, Index count) {
+  return marks.size() > 0 ? Matrix(marks.middleRows(first, count)) : Matrix();
 }
 
 }  // namespace
@@ -65,15 +85,18 @@ void WindowSquares::add(const WindowSquares& other) {
 
 double WindowSquares::rms() const { return std::sqrt(sum / count); }
 
-WindowSquares window_squares(const LinearisedRecord& record, const Matrix& measured,
+WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples& measured,
                              const NoiseModel& noise, const Vector& scale,
                              const WindowGrid& grid) {
   WindowSquares squares;
   NoiseModel exact = noise;
   exact.disturbance.setZero();
-  for (Index first = grid.begin; first + grid.length <= record.samples(); first += grid.length)
-    squares.add(one_window(part_of(record, first, grid.length),
-                           measured.middleRows(first, grid.length), exact, scale));
+  for (Index first = grid.begin; first + grid.length <= record.samples();
+       first += grid.length) {
+    const Matrix values = measured.values.middleRows(first, grid.length);
+    const Matrix marks = rows_of(measured.marks, first, grid.length);
+    squares.add(one_window(part_of(record, first, grid.length), {values, marks}, exact, scale));
+  }
   return squares;
 }
 
@@ -95,9 +118,12 @@ double window_gap(const Assimilation& fit) {
   const Vector scale = column_deviations(paths);
   const Index length = window_samples(fit);
   WindowSquares all;
-  for (std::size_t r = 0; r < fit.records.size(); ++r)
-    all.add(window_squares(fit.records[r], fit.measured[r], fit.noise, scale,
+  const Matrix none;
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Matrix& marks = fit.omitted.empty() ? none : fit.omitted[r];
+    all.add(window_squares(fit.records[r], {fit.measured[r], marks}, fit.noise, scale,
                            {0, std::min(length, fit.records[r].samples())}));
+  }
   return all.rms();
 }
 

@@ -31,8 +31,9 @@ struct DecisionOptions {
   double noise_inflation = 1.3;
   int long_window = 10;
   double outlying = kOutlyingDeviations;
+  double pile_up = 5.0;
 
-  GapOptions gaps = {};       ///< these two are listed with the others
+  GapOptions gaps = {};  ///< these two are listed with the others
   NamingOptions naming = {};
 
   void describe(OptionVisitor& v);
