@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
+#include "lacuna/records/bound_records.hpp"
 
 namespace lacuna {
 namespace {
@@ -47,19 +49,36 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
   return std::sqrt(sum / count);
 }
 
+/// Samples that may be outliers, with columns for the memory states behind the measured ones.
+std::vector<Matrix> possible_outliers(const HeldOutRecords& held_out, Index states) {
+  std::vector<Matrix> outliers = observed(held_out.corrected, held_out.outlying).outliers;
+  for (Matrix& marks : outliers) {
+    const Index own = marks.cols();
+    if (marks.size() == 0) continue;
+    marks.conservativeResize(Eigen::NoChange, states);
+    marks.rightCols(states - own).setZero();
+  }
+  return outliers;
+}
+
 /// The model on records, with noise of the kind that was found and without the summands that
-/// the measurement has: these are taken on a first path.
+/// the measurement has: these are taken on a first path. Marked samples that are outliers are
+/// left out.
 Assimilation without_faults(const Assimilation& found, Dataset& data,
+                            const std::vector<Matrix>& marked, double outlying,
                             const RunContext& context) {
   AssimilationOptions options;
   options.coloured = found.noise.coloured;
-  Assimilation fit = assimilate(found.model, data, {}, options, context);
-  if (found.channel_terms.empty()) return fit;
+  Assimilation fit = assimilate(found.model, data, marked, options, context);
+  const OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
+  fit.omitted = outliers.outliers;
+  if (found.channel_terms.empty())
+    return outliers.any_false ? assimilate_from(found.model, data, fit, options, context) : fit;
   for (std::size_t r = 0; r < fit.records.size(); ++r)
     data.trajectories[r].states =
         without_channel_terms(data.trajectories[r].states, fit.records[r],
                               found.model.variables(), found.channel_terms);
-  return assimilate(found.model, data, {}, options, context);
+  return assimilate(found.model, data, outliers.outliers, options, context);
 }
 
 /// The noise of a model with fewer states.
@@ -79,12 +98,14 @@ struct Comparison {
 Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
                       const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
   const Index m = nominal.dimension();
+  const Matrix omitted = fit.omitted.empty() ? Matrix() : fit.omitted[record];
+  const Matrix own = omitted.size() > 0 ? Matrix(omitted.leftCols(m)) : Matrix();
   const LinearisedRecord& full = fit.records[record];
   constexpr double kExact = 1e-4;  // of a deviation: no error of the integration shows
   const LinearisedRecord bare =
       linearise(nominal, given, Matrix(full.path.leftCols(m)), kExact * scale.head(m));
-  return {window_squares(bare, given.states, narrowed(fit.noise, m), scale, grid),
-          window_squares(full, fit.measured[record], fit.noise, scale, grid)};
+  return {window_squares(bare, {given.states, own}, narrowed(fit.noise, m), scale, grid),
+          window_squares(full, {fit.measured[record], omitted}, fit.noise, scale, grid)};
 }
 
 std::vector<std::string> sources_of(const Dataset& data) {
@@ -104,7 +125,9 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
     paths.push_back(record.states);
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
-  const Assimilation fit = without_faults(explanation.fit, problem.data, context);
+  const Assimilation fit = without_faults(
+      explanation.fit, problem.data, possible_outliers(held_out, problem.model.dimension()),
+      held_out.outlying, context);
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;
@@ -118,12 +141,14 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
     all.after.add(one.after);
   }
   const Vector& time = fit.records.front().time;
+  const double floor = noise_floor(fit.noise, scale);
   return {
       "rms of (measured - model) / standard deviation in windows of one mean period, "
       "initial state fitted",
       all.before.rms(),
       all.after.rms(),
-      noise_floor(fit.noise, scale),
+      floor,
+      all.after.above(floor),
       static_cast<double>(length) * (time[1] - time[0]),
       sources_of(held_out.given),
       all.before.diverged + all.after.diverged};

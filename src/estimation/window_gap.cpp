@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lacuna/estimation/innovation_filter.hpp"
+#include "lacuna/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {
@@ -24,10 +25,12 @@ double mean_period(const Eigen::Ref<const Vector>& values) {
   return static_cast<double>(last - first) / static_cast<double>(crossings - 1);
 }
 
+// A window has no fewer samples, so that the fitted initial state takes up little.
+constexpr Index kShortest = 20;
+
 /// Samples of a window: the shortest mean period of the smoothed states, no fewer than 20
 /// samples.
 Index window_length(const std::vector<LinearisedRecord>& records, const NoiseModel& noise) {
-  constexpr Index kShortest = 20;  // so that the fitted initial state takes up little
   double shortest = static_cast<double>(records.front().samples());
   for (const LinearisedRecord& record : records)
     for (Index k = 0; k < record.states(); ++k)
@@ -36,19 +39,39 @@ Index window_length(const std::vector<LinearisedRecord>& records, const NoiseMod
   return std::max(kShortest, static_cast<Index>(shortest));
 }
 
-/// One window, its initial state being fitted.
-WindowSquares one_window(const LinearisedRecord& window,
-                         const Eigen::Ref<const Matrix>& measured, const NoiseModel& exact,
-                         const Vector& scale) {
+/// 1 where a sample counts, 0 where its state was not measured or it is left out.
+Matrix counting(const Matrix& omitted, const NoiseModel& noise, Index rows) {
+  Matrix counts = Matrix::Ones(rows, noise.states());
+  for (Index k = 0; k < counts.cols(); ++k)
+    if (!noise.measurement[static_cast<std::size_t>(k)]) counts.col(k).setZero();
+  if (omitted.size() > 0) counts = (omitted.array() != 0.0).select(0.0, counts);
+  return counts;
+}
+
+/// Sums over blocks of rows of no fewer than `shortest`. @param left where `counts` is 1.
+WindowSquares in_blocks(const Matrix& left, const Matrix& counts, Index shortest) {
   WindowSquares squares;
-  const SmoothedRecord smoothed = smooth(window, measured, Matrix(), exact);
-  for (Index k = 0; k < window.states(); ++k) {
-    if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
-    const Vector left = measured.col(k) - window.path.col(k) - smoothed.deviation.col(k);
-    squares.sum += left.squaredNorm() / (scale[k] * scale[k]);
-    squares.count += static_cast<double>(left.size());
+  const Index rows = left.rows(), blocks = std::max<Index>(1, rows / shortest);
+  for (Index b = 0; b < blocks; ++b) {
+    const Index first = b * rows / blocks, count = (b + 1) * rows / blocks - first;
+    const double sum = left.middleRows(first, count).squaredNorm();
+    const double samples = counts.middleRows(first, count).sum();
+    if (!(samples > 0.0)) continue;
+    squares.sum += sum;
+    squares.count += samples;
+    squares.blocks.push_back(sum / samples);
   }
   return squares;
+}
+
+/// One window, its initial state being fitted.
+WindowSquares one_window(const LinearisedRecord& window, const Matrix& measured,
+                         const Matrix& omitted, const NoiseModel& exact, const Vector& scale) {
+  const SmoothedRecord smoothed = smooth(window, measured, omitted, exact);
+  const Matrix counts = counting(omitted, exact, measured.rows());
+  const Matrix left =
+      (measured - window.path - smoothed.deviation) * scale.cwiseInverse().asDiagonal();
+  return in_blocks((counts.array() > 0.0).select(left, 0.0), counts, kShortest);
 }
 
 }  // namespace
@@ -61,19 +84,35 @@ void WindowSquares::add(const WindowSquares& other) {
   sum += other.sum;
   count += other.count;
   diverged += other.diverged;
+  blocks.insert(blocks.end(), other.blocks.begin(), other.blocks.end());
 }
 
 double WindowSquares::rms() const { return std::sqrt(sum / count); }
 
-WindowSquares window_squares(const LinearisedRecord& record, const Matrix& measured,
+double WindowSquares::above(double floor) const {
+  if (blocks.size() < 2) return 0.0;
+  const Eigen::Map<const Vector> all(blocks.data(), static_cast<Index>(blocks.size()));
+  const auto freedom = static_cast<double>(blocks.size() - 1);
+  const double mean = all.mean();
+  const double variance = (all.array() - mean).square().sum() / freedom;
+  const double error = std::sqrt(variance / (freedom + 1.0));
+  if (!(error > 0.0)) return mean > floor * floor ? INFINITY : 0.0;
+  constexpr double kNormal = 1.959963984540054;
+  return (mean - floor * floor) / error * kNormal / student_quantile_975(freedom);
+}
+
+WindowSquares window_squares(const LinearisedRecord& record, const WindowSamples& samples,
                              const NoiseModel& noise, const Vector& scale,
                              const WindowGrid& grid) {
   WindowSquares squares;
   NoiseModel exact = noise;
   exact.disturbance.setZero();
+  const auto& [measured, omitted] = samples;
   for (Index first = grid.begin; first + grid.length <= record.samples(); first += grid.length)
-    squares.add(one_window(part_of(record, first, grid.length),
-                           measured.middleRows(first, grid.length), exact, scale));
+    squares.add(one_window(
+        part_of(record, first, grid.length), measured.middleRows(first, grid.length),
+        omitted.size() > 0 ? Matrix(omitted.middleRows(first, grid.length)) : Matrix(), exact,
+        scale));
   return squares;
 }
 
@@ -94,9 +133,10 @@ double window_gap(const Assimilation& fit) {
   for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
   const Vector scale = column_deviations(paths);
   const Index length = window_samples(fit);
+  const Matrix none;
   WindowSquares all;
   for (std::size_t r = 0; r < fit.records.size(); ++r)
-    all.add(window_squares(fit.records[r], fit.measured[r], fit.noise, scale,
+    all.add(window_squares(fit.records[r], {fit.measured[r], none}, fit.noise, scale,
                            {0, std::min(length, fit.records[r].samples())}));
   return all.rms();
 }

@@ -32,7 +32,12 @@ struct DecisionOptions {
   int long_window = 10;
   double outlying = kOutlyingDeviations;
 
-  GapOptions gaps = {};       ///< these two are listed with the others
+  double explained_gap = 1.5;
+  double cancelling = 0.1;
+  double out_of_scale = 10.0;
+  double acting = 0.01;
+
+  GapOptions gaps = {};  ///< these two are listed with the others
   NamingOptions naming = {};
 
   void describe(OptionVisitor& v);
