@@ -44,8 +44,8 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
                           const Dataset& check) {
   const auto& correct = account.base->correct;
   const Dataset corrected = correct ? correct(check) : check;
-  Gap gap =
-      measure_gap(problem.nominal, account.explanation, {check, corrected}, problem.context);
+  Gap gap = measure_gap(problem.nominal, account.explanation,
+                        {check, corrected, problem.options.decision.outlying}, problem.context);
   if (!std::isfinite(gap.before) || !std::isfinite(gap.after)) return std::nullopt;
   return gap;
 }
