@@ -85,8 +85,8 @@ int diagnose_command(const Session& session, const Options& options) {
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data =
-      read_records(model, options.data.paths, common_roles(options.data), *differentiator);
+  const Dataset data = read_records(model, options.data.paths, common_roles(options.data),
+                                    *differentiator, Columns::All);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =
       diagnose(model, data, held_out, make_options(session, model, options), context);

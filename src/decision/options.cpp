@@ -59,13 +59,15 @@ void DecisionOptions::describe(OptionVisitor& v) {
            "structure is left.",
            1.0},
           long_window);
-  v.field({"outlying", "standard deviations",
-           "Samples are outliers of the measurement where they are farther off; 6 leaves out one "
-           "of 5e8 samples of normal noise.",
-           1.0},
-          outlying);
+  v.field(
+      {"outlying", "standard deviations",
+       "Samples are outliers of the measurement where they are farther off; 6 leaves out one "
+       "of 5e8 samples of normal noise.",
+       1.0},
+      outlying);
   gaps.describe(v);
   naming.describe(v);
+  hints.describe(v);
 }
 
 }  // namespace lacuna

@@ -8,6 +8,7 @@
 #include "answer.hpp"
 #include "journey.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/records/unused_part.hpp"
 
 namespace lacuna {
 namespace {
@@ -15,22 +16,28 @@ namespace {
 /// Records to explain and records that choose nothing.
 struct Records {
   BoundRecords find;
+  Dataset unused;  ///< as `find`, with columns that the model does not know as inputs
   Dataset check;
   std::vector<std::string> notes = {};
 };
 
-Records prepared(const Dataset& data, const Dataset& held_out,
+Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                  const DecisionOptions& decision) {
   UsableRecords all = usable_records(data, decision.gaps);
+  Dataset check;
   if (held_out.trajectories.empty()) {
     SplitRecords parts = split_in_time(all.data);
-    return {observed(std::move(parts.find), decision.outlying), std::move(parts.check),
-            std::move(all.notes)};
+    all.data = std::move(parts.find);
+    check = std::move(parts.check);
+  } else {
+    UsableRecords other = usable_records(held_out, decision.gaps);
+    for (const std::string& note : other.notes)
+      all.notes.push_back("held-out records: " + note);
+    check = std::move(other.data);
   }
-  UsableRecords other = usable_records(held_out, decision.gaps);
-  for (const std::string& note : other.notes) all.notes.push_back("held-out records: " + note);
-  return {observed(std::move(all.data), decision.outlying), std::move(other.data),
-          std::move(all.notes)};
+  Dataset unused = unused_part(nominal, all.data);
+  return {observed(used_part(nominal, std::move(all.data)), decision.outlying),
+          std::move(unused), used_part(nominal, std::move(check)), std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the
@@ -45,14 +52,40 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
   return gap;
 }
 
+/// The answer where records and model do not fit together: nothing but why.
+Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
+  return {.verdict = Verdict::UnnamedStructure,
+          .nominal = nominal,
+          .disagreement = {},
+          .effects = {},
+          .coefficient_changes = {},
+          .gap = {},
+          .remaining = {.structure = true, .sigma = 0.0, .equations = {}, .details = {}},
+          .augmented = nominal,
+          .noise = {},
+          .rounds = {},
+          .rivals = {},
+          .notes = {},
+          .hints = std::move(hints)};
+}
+
+/// Hypotheses in the order in which they are judged; none where no effect may be named.
+std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
+                                             const std::vector<Hint>& hints) {
+  if (withheld_by(hints) != Withheld::Nothing) return {};
+  return options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
+}
+
 }  // namespace
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  const Records records = prepared(data, held_out, options.decision);
+  const Records records = prepared(nominal, data, held_out, options.decision);
+  std::vector<Hint> hints =
+      look_at(nominal, records.find, records.unused, options.decision.hints);
+  if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
   const Problem problem{nominal, records.find, options, context};
-  const std::vector<Stage<Hypothesis>> hypotheses =
-      options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
+  const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
 
   Judged judged = choose_account(problem, hypotheses, plain_baseline(problem));
   judged = settle_account(problem, hypotheses, std::move(judged));
@@ -65,6 +98,7 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
   }
   Diagnosis diagnosis = make_answer(problem, std::move(judged), std::move(gap), hearing);
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
+  diagnosis.hints = std::move(hints);
   return diagnosis;
 }
 

@@ -5,6 +5,7 @@
 #include "lacuna/core/options.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/records/hints.hpp"
 
 namespace lacuna {
 
@@ -32,8 +33,9 @@ struct DecisionOptions {
   int long_window = 10;
   double outlying = kOutlyingDeviations;
 
-  GapOptions gaps = {};       ///< these two are listed with the others
+  GapOptions gaps = {};  ///< these three are listed with the others
   NamingOptions naming = {};
+  HintOptions hints = {};
 
   void describe(OptionVisitor& v);
 };
