@@ -67,6 +67,10 @@ void declare_hold_option(CLI::App& app, DataOptions& options) {
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
   app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
       ->type_name("NAME");
+  app.add_option("--time-unit", options.time_unit,
+                 "Unit of the time, where the header has none or a wrong one: ns, us, ms, s, "
+                 "min, h, d")
+      ->type_name("UNIT");
   app.add_option("--dt", options.step,
                  "Sampling step, in the time unit of the record; then no column is the time")
       ->type_name("H");
@@ -91,6 +95,7 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
 ColumnRoles common_roles(const DataOptions& options) {
   ColumnRoles roles;
   roles.time = options.time;
+  roles.time_unit = options.time_unit;
   roles.step = options.step;
   roles.trajectory = options.trajectory;
   return roles;

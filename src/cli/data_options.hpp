@@ -15,7 +15,7 @@ namespace lacuna::cli {
 /// Where the data are and what their columns mean; the same options in every command.
 struct DataOptions {
   std::vector<std::string> paths;
-  std::optional<std::string> time, trajectory;
+  std::optional<std::string> time, time_unit, trajectory;
   std::optional<double> step;
   std::string states, inputs, derivatives;
   std::vector<std::string> embed;

@@ -93,7 +93,7 @@ int diagnose_command(const Session& session, const Options& options) {
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
   const Dataset data =
-      read_records(model, options.data.paths, roles_of(options), *differentiator);
+      read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =
       diagnose(model, data, held_out, make_options(session, model, options), context);

@@ -93,6 +93,7 @@ void DecisionOptions::describe(OptionVisitor& v) {
           acting);
   gaps.describe(v);
   naming.describe(v);
+  hints.describe(v);
 }
 
 }  // namespace lacuna

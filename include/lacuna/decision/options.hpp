@@ -5,6 +5,7 @@
 #include "lacuna/core/options.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/records/hints.hpp"
 
 namespace lacuna {
 
@@ -38,8 +39,9 @@ struct DecisionOptions {
   double out_of_scale = 10.0;
   double acting = 0.01;
 
-  GapOptions gaps = {};  ///< these two are listed with the others
+  GapOptions gaps = {};  ///< these three are listed with the others
   NamingOptions naming = {};
+  HintOptions hints = {};
 
   void describe(OptionVisitor& v);
 };
