@@ -2,7 +2,6 @@
 #include "lacuna/hypotheses/input_holds.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,25 +11,29 @@
 namespace lacuna {
 namespace {
 
-constexpr std::array kHolds{Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
+/// Passes of the fits that are compared: holds that differ differ by much.
+constexpr int kPasses = 3;
 
 using Holds = std::vector<std::optional<Hold>>;
 
-/// Deviance of the nominal model under each of kHolds of one input.
-std::array<double, kHolds.size()> deviances(const Problem& problem, const Holds& holds,
-                                            Index input, const Assimilation& start) {
-  AssimilationOptions options;
-  options.free = free_coefficients(problem.nominal);
-  options.priors = problem.options.tolerances;
-  std::array<double, kHolds.size()> result{};
-  parallel_for(kHolds.size(), problem.context.threads, [&](std::size_t h) {
-    Holds tried = holds;
-    tried[static_cast<std::size_t>(input)] = kHolds[h];
-    result[h] = assimilate_from(problem.nominal.with_holds(tried), problem.records.data, start,
-                                options, problem.context)
-                    .deviance;
-  });
-  return result;
+/// Whether samples are dense against what the input does: the slope changes by less than half
+/// from one step to the next. Lines and curves through them are the same then, and no jump
+/// hides between two of them.
+bool looks_smooth(const Dataset& data, Index input) {
+  double slopes = 0.0, bends = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    const auto values = record.inputs.col(input);
+    const Index n = values.size() - 1;
+    const Vector slope = values.tail(n) - values.head(n);
+    slopes += slope.squaredNorm();
+    bends += (slope.tail(n - 1) - slope.head(n - 1)).squaredNorm();
+  }
+  return bends < 0.25 * slopes;
+}
+
+std::vector<Hold> possible_holds(const Dataset& data, Index input) {
+  if (looks_smooth(data, input)) return {Hold::Zero, Hold::Smooth};
+  return {Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
 }
 
 std::string meaning(Hold hold) {
@@ -47,20 +50,59 @@ std::string meaning(Hold hold) {
   return "";
 }
 
+/// A hold and the deviance of the nominal model under it.
+struct TriedHold {
+  Hold hold = Hold::Smooth;
+  double deviance = 0.0;
+};
+
+/// The nominal model under the possible holds of one input.
+std::vector<TriedHold> tried_holds(const Problem& problem, const Holds& holds, Index input,
+                                   const Assimilation& start) {
+  AssimilationOptions options;
+  options.passes = kPasses;
+  options.free = free_coefficients(problem.nominal);
+  options.priors = problem.options.tolerances;
+  std::vector<TriedHold> tried;
+  for (const Hold hold : possible_holds(problem.records.data, input))
+    tried.push_back({hold, INFINITY});
+  parallel_for(tried.size(), problem.context.threads, [&](std::size_t h) {
+    Holds assumed = holds;
+    assumed[static_cast<std::size_t>(input)] = tried[h].hold;
+    tried[h].deviance = assimilate_from(problem.nominal.with_holds(assumed),
+                                        problem.records.data, start, options, problem.context)
+                            .deviance;
+  });
+  return tried;
+}
+
 /// The most likely hold, or the shown one where no other is decidedly more likely.
-Hold judged(const std::array<double, kHolds.size()>& deviance, Hold shown, double undecided) {
-  const auto value = [&](std::size_t h) {
-    return std::isfinite(deviance[h]) ? deviance[h] : INFINITY;
-  };
-  std::size_t best =
-      static_cast<std::size_t>(std::find(kHolds.begin(), kHolds.end(), shown) - kHolds.begin());
-  double least = value(best) - undecided;
-  for (std::size_t h = 0; h < kHolds.size(); ++h)
-    if (value(h) < least) {
-      best = h;
-      least = value(h);
+Hold judged(const std::vector<TriedHold>& tried, Hold shown, double undecided) {
+  double least = INFINITY;
+  for (const auto& [hold, deviance] : tried)
+    if (hold == shown && std::isfinite(deviance)) least = deviance - undecided;
+  Hold best = shown;
+  for (const auto& [hold, deviance] : tried)
+    if (deviance < least) {
+      best = hold;
+      least = deviance;
     }
-  return kHolds[best];
+  return best;
+}
+
+/// Adds what was tried of one input to the trail.
+void note_trial(const std::vector<TriedHold>& tried, Hold taken, const std::string& input,
+                std::vector<Rival>& trail) {
+  double least = INFINITY;
+  for (const TriedHold& one : tried) least = std::min(least, one.deviance);
+  for (const auto& [hold, deviance] : tried)
+    trail.push_back({"input-hold",
+                     input + " " + meaning(hold),
+                     {},
+                     hold == taken,
+                     "deviance",
+                     deviance,
+                     least});
 }
 
 }  // namespace
@@ -76,23 +118,16 @@ ChosenHolds choose_holds(const Problem& problem) {
   }
   if (chosen.open.empty()) return chosen;
   context.report("how inputs go on between samples", 0.0);
+  AssimilationOptions few;
+  few.passes = kPasses;
   const Assimilation start =
-      assimilate(nominal.with_holds(holds), records.data, records.outliers, {}, context);
+      assimilate(nominal.with_holds(holds), records.data, records.outliers, few, context);
   for (const Index j : chosen.open) {
+    if (!std::isfinite(start.deviance)) break;
     auto& hold = holds[static_cast<std::size_t>(j)];
-    const std::string& name = nominal.inputs()[static_cast<std::size_t>(j)].name;
-    if (std::isfinite(start.deviance)) {
-      const auto deviance = deviances(problem, holds, j, start);
-      hold = judged(deviance, *hold, options.decision.undecided);
-      for (std::size_t h = 0; h < kHolds.size(); ++h)
-        chosen.trail.push_back({"input-hold",
-                                name + " " + meaning(kHolds[h]),
-                                {},
-                                kHolds[h] == *hold,
-                                "deviance",
-                                deviance[h],
-                                *std::min_element(deviance.begin(), deviance.end())});
-    }
+    const std::vector<TriedHold> tried = tried_holds(problem, holds, j, start);
+    hold = judged(tried, *hold, options.decision.undecided);
+    note_trial(tried, *hold, nominal.inputs()[static_cast<std::size_t>(j)].name, chosen.trail);
   }
   chosen.model = nominal.with_holds(holds);
   return chosen;
@@ -126,7 +161,7 @@ std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, 
   double least =
       deviance_under(problem, best, problem.nominal) - problem.options.decision.undecided;
   std::vector<OdeModel> better;
-  for (const Hold hold : kHolds) {
+  for (const Hold hold : possible_holds(problem.records.data, input)) {
     OdeModel model = with_hold(problem.nominal, input, hold);
     const double deviance = deviance_under(problem, best, model);
     if (!(deviance < least)) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace lacuna::hidden {
 
@@ -25,6 +26,12 @@ Signal::Signal(const SignalSpec& spec, double begin, double end, std::uint64_t s
       draw_switches(spec, begin, end, random);
       break;
   }
+}
+
+double Signal::sum_of(const std::vector<Sine>& sines, double t) {
+  double sum = 0.0;
+  for (const Sine& sine : sines) sum += sine.amplitude * std::sin(sine.omega * t + sine.phase);
+  return sum;
 }
 
 void Signal::draw_sines(const SignalSpec& spec, Random& random) {
@@ -58,18 +65,20 @@ void Signal::go_to(double time, double level) {
 
 /// Edges stand at whole numbers of steps, as the samples do, to the last bit.
 void Signal::draw_samples(const SignalSpec& spec, double begin, double end, Random& random) {
-  const double reach = spec.size * std::sqrt(3.0);
-  const auto drawn = [&] {
-    if (spec.shape == SignalSpec::Shape::Held) return spec.mean + random.uniform(-reach, reach);
+  const bool held = spec.shape == SignalSpec::Shape::Held;
+  if (held) draw_sines(spec, random);
+  const std::vector<Sine> sines = std::exchange(sines_, {});
+  const auto level_at = [&](double t) {
+    if (held) return spec.mean + sum_of(sines, t);
     return spec.mean + (random.uniform() < 0.5 ? -spec.size : spec.size);
   };
   rise_ = 0.0;
-  base_ = drawn();
+  base_ = level_at(begin);
   const double length = spec.step * static_cast<double>(spec.held);
   for (auto k = static_cast<Index>(std::ceil(begin / length));; ++k) {
     const double time = static_cast<double>(k * spec.held) * spec.step;
     if (!(time < end)) break;
-    go_to(time, drawn());
+    go_to(time, level_at(time));
   }
 }
 
@@ -91,9 +100,7 @@ std::vector<double> Signal::breaks() const {
 }
 
 double Signal::operator()(double t) const {
-  double value = base_;
-  for (const Sine& sine : sines_)
-    value += sine.amplitude * std::sin(sine.omega * t + sine.phase);
+  const double value = base_ + sum_of(sines_, t);
   const auto after = std::upper_bound(edges_.begin(), edges_.end(), t,
                                       [](double s, const Edge& edge) { return s < edge.time; });
   if (after == edges_.begin()) return value;

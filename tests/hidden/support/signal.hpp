@@ -14,7 +14,7 @@ struct SignalSpec {
   enum class Shape {
     Multisine,  ///< equal sines of random phase, one in each of `lines` bands of [low, high]
     Steps,      ///< levels held for 1/high .. 1/low, with smooth edges
-    Held,       ///< a converter: a new level every `held` samples, sharp
+    Held,       ///< the multisine through a converter with a new value every `held` samples
     TwoLevel,   ///< mean +- size, drawn anew every `held` samples, sharp
     Switched,   ///< mean +- size in turns, each for 1/high .. 1/low, sharp, at any instant
   };
@@ -49,6 +49,7 @@ class Signal {
     double time, level, height;
   };
 
+  static double sum_of(const std::vector<Sine>& sines, double t);
   void draw_sines(const SignalSpec& spec, Random& random);
   void draw_edges(const SignalSpec& spec, double begin, double end, Random& random);
   void draw_samples(const SignalSpec& spec, double begin, double end, Random& random);
