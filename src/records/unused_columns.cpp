@@ -13,6 +13,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kSameAsRate = 0.05;  // misfit (rms) up to which a column is the rate itself
+constexpr double kOwn = 0.1;          // part of a column's deviation that nothing else makes up
 
 Matrix input_means(const Dataset& data, const RateWindows& windows) {
   return window_means(data, windows, data.input_count(),
@@ -84,7 +85,12 @@ Finding best_column(const Vector& lacking, const Matrix& columns, double noise, 
   return best;
 }
 
-/// The column's own rates are what an acceleration that was recorded beside the speed is.
+/// Norm of the deviations from the mean.
+double deviation(const Vector& values) {
+  return (values.array() - values.mean()).matrix().norm();
+}
+
+/// Whether a column is the measured rate, as an acceleration recorded beside the speed is.
 bool is_rate_itself(const Vector& column, const Vector& rate) {
   const double size = column.squaredNorm() + rate.squaredNorm();
   return (column - rate).squaredNorm() < kSameAsRate * kSameAsRate * size;
@@ -110,8 +116,8 @@ std::vector<Hint> unused_column_hints(const OdeModel& model, const BoundRecords&
     known << terms, plain;
     Matrix left = without(known, columns);
     for (Index j = 0; j < left.cols(); ++j)
-      // What others make up to rounding, or the rate itself, is no input.
-      if (left.col(j).norm() < 1e-6 * columns.col(j).norm() ||
+      // A reference that the states follow, or the rate itself, is no input of its own.
+      if (left.col(j).norm() <= kOwn * deviation(columns.col(j)) ||
           is_rate_itself(columns.col(j), measured.col(k)))
         left.col(j).setZero();
     const Finding best = best_column(without(known, lacking.col(k)), left, noise[k],
@@ -124,7 +130,7 @@ std::vector<Hint> unused_column_hints(const OdeModel& model, const BoundRecords&
                          format_number(100.0 * best.share, 3) + " % of the disagreement in d" +
                          state + "/dt",
                      "add " + name + " to the model as an input, with a term " + name + " of " +
-                         "about " + format_number(best.coefficient, 3) + " in d" + state +
+                         "about " + format_number(best.coefficient, 2) + " in d" + state +
                          "/dt",
                      Withheld::Names});
   }
