@@ -52,7 +52,7 @@ Vector autocorrelation(const Vector& values) {
   return result;
 }
 
-/// Number of independent values in two series, for their correlation.
+/// Number of independent values in two series, for their correlation (Bartlett).
 double independent_values(const Vector& a, const Vector& b) {
   const double sum = autocorrelation(a).dot(autocorrelation(b));
   return static_cast<double>(a.size()) / std::max(1.0, 2.0 * sum - 1.0);
@@ -78,9 +78,10 @@ Finding best_column(const Vector& lacking, const Matrix& columns, double noise, 
     const double signal = std::max(total - noise * static_cast<double>(lacking.size()), gain);
     if (gain / signal <= best.share) continue;
     const double rest = std::max(1.0 - gain / total, 1e-12);
-    const double deviance = -independent_values(lacking, column) * std::log(rest);
-    best = {j, gain / signal, sigma_of_gain(deviance, 1.0, tried),
-            along / column.squaredNorm()};
+    const double coefficient = along / column.squaredNorm();
+    const Vector unexplained = lacking - coefficient * column;
+    const double deviance = -independent_values(unexplained, column) * std::log(rest);
+    best = {j, gain / signal, sigma_of_gain(deviance, 1.0, tried), coefficient};
   }
   return best;
 }
