@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "data_options.hpp"
 
+#include <algorithm>
+
 #include "lacuna/core/options.hpp"
 #include "lacuna/core/text.hpp"
 
@@ -32,7 +34,35 @@ std::vector<std::string> list_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : split_list(text);
 }
 
+void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity>& inputs) {
+  for (const std::string& text : assignments)
+    for (const std::string& part : split_list(text)) {
+      const std::size_t equals = part.find('=');
+      const std::string name(trim(part.substr(0, equals)));
+      const std::string value(equals == std::string::npos
+                                  ? std::string_view{}
+                                  : trim(std::string_view(part).substr(equals + 1)));
+      const auto input =
+          std::find_if(inputs.begin(), inputs.end(),
+                       [&](const Quantity& quantity) { return quantity.name == name; });
+      if (input == inputs.end())
+        throw ConfigError("--hold " + part, "there is no input '" + name + "'",
+                          "name an input, e.g. --hold u=zero");
+      input->hold = hold_named(value);
+      if (!input->hold && value != "auto")
+        throw ConfigError("--hold " + part, "'" + value + "' is not a hold",
+                          "write zero, linear, smooth, switching or auto");
+    }
+}
+
 }  // namespace
+
+void declare_hold_option(CLI::App& app, DataOptions& options) {
+  app.add_option("--hold", options.holds,
+                 "How an input goes on after a sample: u=zero|linear|smooth|switching|auto "
+                 "[default: as in the model, else auto: the records decide]")
+      ->type_name("NAME=HOLD");
+}
 
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
   app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
@@ -47,6 +77,7 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
   app.add_option("--trajectory", options.trajectory,
                  "Column that numbers the records in one file")
       ->type_name("NAME");
+  declare_hold_option(app, options);
   if (!choose_columns) return;
   app.add_option("--states", options.states,
                  "State columns [default: all without another role]")
@@ -70,12 +101,22 @@ ColumnRoles common_roles(const DataOptions& options) {
   return roles;
 }
 
+OdeModel with_holds(const OdeModel& model, const DataOptions& options) {
+  std::vector<Quantity> inputs = model.inputs();
+  set_holds(options.holds, inputs);
+  std::vector<std::optional<Hold>> holds;
+  for (const Quantity& input : inputs) holds.push_back(input.hold);
+  return model.with_holds(holds);
+}
+
 Dataset read_data(const DataOptions& options) {
   ColumnRoles roles = common_roles(options);
   roles.states = list_of(options.states);
   roles.inputs = list_of(options.inputs);
   roles.derivatives = list_of(options.derivatives);
-  return read_dataset(options.paths, roles);
+  Dataset data = read_dataset(options.paths, roles);
+  set_holds(options.holds, data.inputs);
+  return data;
 }
 
 std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options) {

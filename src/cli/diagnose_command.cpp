@@ -74,19 +74,26 @@ DiagnosisOptions make_options(const Session& session, const OdeModel& model,
   return result;
 }
 
+/// A sample that one channel lacks says something of the others.
+ColumnRoles roles_of(const Options& options) {
+  ColumnRoles roles = common_roles(options.data);
+  roles.blanks = Blanks::Mark;
+  return roles;
+}
+
 Dataset read_held_out(const OdeModel& model, const Options& options,
                       const Differentiator& differentiator) {
   if (options.held_out.empty()) return {};
-  return read_records(model, options.held_out, common_roles(options.data), differentiator);
+  return read_records(model, options.held_out, roles_of(options), differentiator);
 }
 
 int diagnose_command(const Session& session, const Options& options) {
-  const OdeModel model = load_model(options.model);
+  const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data = read_records(model, options.data.paths, common_roles(options.data),
-                                    *differentiator, Columns::All);
+  const Dataset data =
+      read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =
       diagnose(model, data, held_out, make_options(session, model, options), context);

@@ -65,6 +65,32 @@ void DecisionOptions::describe(OptionVisitor& v) {
        "of 5e8 samples of normal noise.",
        1.0},
       outlying);
+  v.field({"pile_up", "",
+           "A channel is clipped where its largest (or least) value has so many times as many "
+           "samples as any value next to it.",
+           1.0},
+          pile_up);
+  v.field(
+      {"explained_gap", "noise floors",
+       "What leaves a larger gap on records that were not used, by more than chance, is not "
+       "called explained.",
+       1.0},
+      explained_gap);
+  v.field({"cancelling", "",
+           "Terms whose sum is a smaller share of the largest of them nearly cancel: their "
+           "numbers say nothing each, and they do not pass as an explanation.",
+           0.0, 1.0},
+          cancelling);
+  v.field({"out_of_scale", "",
+           "A nominal coefficient that grows by more than this factor, or changes its sign, is "
+           "not the one that was given; what needs it does not pass as an explanation.",
+           1.0},
+          out_of_scale);
+  v.field({"acting", "",
+           "An effect that acts in a smaller share of the samples is known from too few of "
+           "them to pass as an explanation.",
+           0.0, 1.0},
+          acting);
   gaps.describe(v);
   naming.describe(v);
   hints.describe(v);

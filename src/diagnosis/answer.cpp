@@ -10,6 +10,7 @@
 #include "lacuna/decision/holdout.hpp"
 #include "lacuna/hypotheses/coloured_noise.hpp"
 #include "lacuna/numerics/significance.hpp"
+#include "reservations.hpp"
 
 namespace lacuna {
 namespace {
@@ -112,8 +113,10 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const Baseline& base = *best.base;
   const Assimilation& fit = best.explanation.fit;
   const Verdict verdict = verdict_of(problem, best);
+  const std::vector<std::string> doubts = reservations(problem, best, gap);
+  const bool lower = hearing.lower || (verdict == Verdict::Explained && !doubts.empty());
   Diagnosis result{
-      .verdict = hearing.lower ? Verdict::PartlyExplained : verdict,
+      .verdict = lower ? Verdict::PartlyExplained : verdict,
       .nominal = problem.nominal,
       .disagreement = locate(base.given, problem.context),
       .effects = std::move(best.named),
@@ -131,6 +134,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
   result.remaining.structure = result.remaining.structure || hearing.lower;
   if (!hearing.note.empty()) result.notes.push_back(hearing.note);
+  result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
   add_notes(problem, result);
   return result;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "answer.hpp"
+#include "held_inputs.hpp"
 #include "journey.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/records/unused_part.hpp"
@@ -23,21 +24,21 @@ struct Records {
 
 Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                  const DecisionOptions& decision) {
+  const ChannelOptions channels{decision.outlying, decision.pile_up};
   UsableRecords all = usable_records(data, decision.gaps);
-  Dataset check;
-  if (held_out.trajectories.empty()) {
-    SplitRecords parts = split_in_time(all.data);
-    all.data = std::move(parts.find);
-    check = std::move(parts.check);
-  } else {
+  const bool split = held_out.trajectories.empty();
+  SplitRecords parts = split ? split_in_time(all.data) : SplitRecords{std::move(all.data), {}};
+  if (!split) {
     UsableRecords other = usable_records(held_out, decision.gaps);
     for (const std::string& note : other.notes)
       all.notes.push_back("held-out records: " + note);
-    check = std::move(other.data);
+    parts.check = std::move(other.data);
   }
-  Dataset unused = unused_part(nominal, all.data);
-  return {observed(used_part(nominal, std::move(all.data)), decision.outlying),
-          std::move(unused), used_part(nominal, std::move(check)), std::move(all.notes)};
+  Dataset unused = unused_part(nominal, parts.find);
+  BoundRecords find = observed(used_part(nominal, std::move(parts.find)), channels);
+  all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
+  Dataset check = observed_alike(used_part(nominal, std::move(parts.check)), find, channels);
+  return {std::move(find), std::move(unused), std::move(check), std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the
@@ -46,8 +47,8 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
                           const Dataset& check) {
   const auto& correct = account.base->correct;
   const Dataset corrected = correct ? correct(check) : check;
-  Gap gap =
-      measure_gap(problem.nominal, account.explanation, {check, corrected}, problem.context);
+  Gap gap = measure_gap(problem.nominal, account.explanation,
+                        {check, corrected, problem.options.decision.outlying}, problem.context);
   if (!std::isfinite(gap.before) || !std::isfinite(gap.after)) return std::nullopt;
   return gap;
 }
@@ -84,11 +85,11 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
   std::vector<Hint> hints =
       look_at(nominal, records.find, records.unused, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
-  const Problem problem{nominal, records.find, options, context};
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
 
-  Judged judged = choose_account(problem, hypotheses, plain_baseline(problem));
-  judged = settle_account(problem, hypotheses, std::move(judged));
+  JudgedModel inputs = judge_holds({nominal, records.find, options, context}, hypotheses);
+  const Problem problem{*inputs.model, records.find, options, context};
+  Judged judged = settle_account(problem, hypotheses, std::move(inputs.judged));
   std::optional<Gap> gap = gap_of(problem, judged.best, records.check);
   const Hearing hearing = hear_other_records(problem, judged.best, gap);
   if (hearing.withdraw) {
@@ -97,6 +98,7 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
     gap = gap_of(problem, judged.best, records.check);
   }
   Diagnosis diagnosis = make_answer(problem, std::move(judged), std::move(gap), hearing);
+  diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
   diagnosis.hints = std::move(hints);
   return diagnosis;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lacuna/numerics/lagrange.hpp"
+#include "lacuna/numerics/sampled_signal.hpp"
 #include "lacuna/records/model_view.hpp"
 
 namespace lacuna {
@@ -57,6 +58,13 @@ class Slave {
         present_(static_cast<std::size_t>(variables_.cols())),
         earlier_(present_.size()),
         delayed_(compiled_.delays().size()) {
+    const Index m = model.dimension();
+    for (std::size_t j = 0; j < model.inputs().size(); ++j) {
+      const Interpolation between = interpolation_of(model.inputs()[j].hold);
+      const auto input = static_cast<Index>(j);
+      if (between != Interpolation::Cubic)
+        rough_.push_back({m + input, {trajectory.time, trajectory.inputs.col(input), between}});
+    }
     for (Index j = 0; j < coupling.cols(); ++j)
       for (Index i = 0; i < coupling.rows(); ++i)
         if (coupling(i, j) != 0.0) links_.push_back({i, j, coupling(i, j)});
@@ -64,6 +72,7 @@ class Slave {
 
   void start_interval(Index n) {
     drive_.select(n);
+    interval_ = n;
     fresh_ = false;
   }
 
@@ -80,12 +89,20 @@ class Slave {
     double strength;
   };
 
+  /// An input that is not smooth.
+  struct RoughInput {
+    Index column;
+    SampledSignal signal;
+  };
+
   static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
 
   // Stages at the same time see the same record.
   void look_up(double t) {
     if (fresh_ && t == time_) return;
     drive_.evaluate(t, present_.data());
+    for (const RoughInput& input : rough_)
+      present_[slot(input.column)] = input.signal.in_interval(interval_, t);
     for (std::size_t i = 0; i < delayed_.size(); ++i)
       delayed_[i] = past(compiled_.delays()[i], t);
     time_ = t;
@@ -96,6 +113,7 @@ class Slave {
     const double s = std::max(t - variable.delay, first_time_);
     past_.select(past_.interval_of(s));
     past_.evaluate(s, earlier_.data());
+    for (RoughInput& input : rough_) earlier_[slot(input.column)] = input.signal(s);
     return earlier_[slot(variable.slot)];
   }
 
@@ -105,6 +123,8 @@ class Slave {
   double first_time_;
   std::vector<double> present_, earlier_, delayed_;
   std::vector<Link> links_;
+  std::vector<RoughInput> rough_;
+  Index interval_ = 0;
   double time_ = 0.0;
   bool fresh_ = false;
 };

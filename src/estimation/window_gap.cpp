@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/innovation_filter.hpp"
+#include "lacuna/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {
@@ -24,10 +26,12 @@ double mean_period(const Eigen::Ref<const Vector>& values) {
   return static_cast<double>(last - first) / static_cast<double>(crossings - 1);
 }
 
+// A window has no fewer samples, so that the fitted initial state takes up little.
+constexpr Index kShortest = 20;
+
 /// Samples of a window: the shortest mean period of the smoothed states, no fewer than 20
 /// samples.
 Index window_length(const std::vector<LinearisedRecord>& records, const NoiseModel& noise) {
-  constexpr Index kShortest = 20;  // so that the fitted initial state takes up little
   double shortest = static_cast<double>(records.front().samples());
   for (const LinearisedRecord& record : records)
     for (Index k = 0; k < record.states(); ++k)
@@ -36,19 +40,60 @@ Index window_length(const std::vector<LinearisedRecord>& records, const NoiseMod
   return std::max(kShortest, static_cast<Index>(shortest));
 }
 
-/// One window, its initial state being fitted.
-WindowSquares one_window(const LinearisedRecord& window,
-                         const Eigen::Ref<const Matrix>& measured, const NoiseModel& exact,
-                         const Vector& scale) {
+/// Square of what a sample is off, and whether it counts.
+struct Off {
+  double square = 0.0;
+  bool counts = false;
+};
+
+Off off_by(double left, Mark mark) {
+  if (!says_something(mark)) return {};
+  const bool beyond =
+      (mark == Mark::AtTop && left < 0.0) || (mark == Mark::AtBottom && left > 0.0);
+  return {beyond ? 0.0 : left * left, true};
+}
+
+/// Squares of what samples are off, and 1 for each that counts.
+struct OffSquares {
+  Matrix squares, counts;  ///< n x m
+};
+
+/// Sums over blocks of rows of no fewer than `shortest`.
+WindowSquares in_blocks(const OffSquares& off, Index shortest) {
   WindowSquares squares;
-  const SmoothedRecord smoothed = smooth(window, measured, Matrix(), exact);
-  for (Index k = 0; k < window.states(); ++k) {
-    if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
-    const Vector left = measured.col(k) - window.path.col(k) - smoothed.deviation.col(k);
-    squares.sum += left.squaredNorm() / (scale[k] * scale[k]);
-    squares.count += static_cast<double>(left.size());
+  const Index rows = off.counts.rows(), blocks = std::max<Index>(1, rows / shortest);
+  for (Index b = 0; b < blocks; ++b) {
+    const Index first = b * rows / blocks, count = (b + 1) * rows / blocks - first;
+    const double sum = off.squares.middleRows(first, count).sum();
+    const double samples = off.counts.middleRows(first, count).sum();
+    if (!(samples > 0.0)) continue;
+    squares.sum += sum;
+    squares.count += samples;
+    squares.blocks.push_back(sum / samples);
   }
   return squares;
+}
+
+/// One window, its initial state being fitted.
+WindowSquares one_window(const LinearisedRecord& window, const MarkedSamples& measured,
+                         const NoiseModel& exact, const Vector& scale) {
+  const SmoothedRecord smoothed = smooth(window, measured.values, measured.marks, exact);
+  OffSquares all{Matrix::Zero(measured.values.rows(), window.states()), {}};
+  all.counts = all.squares;
+  for (Index k = 0; k < window.states(); ++k) {
+    if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
+    const Vector left = measured.values.col(k) - window.path.col(k) - smoothed.deviation.col(k);
+    for (Index i = 0; i < left.size(); ++i) {
+      const Off off = off_by(left[i], mark_of(measured.marks, i, k));
+      all.squares(i, k) = off.square / (scale[k] * scale[k]);
+      all.counts(i, k) = off.counts ? 1.0 : 0.0;
+    }
+  }
+  return in_blocks(all, kShortest);
+}
+
+Matrix rows_of(const Matrix& marks, Index first, Index count) {
+  return marks.size() > 0 ? Matrix(marks.middleRows(first, count)) : Matrix();
 }
 
 }  // namespace
@@ -61,19 +106,35 @@ void WindowSquares::add(const WindowSquares& other) {
   sum += other.sum;
   count += other.count;
   diverged += other.diverged;
+  blocks.insert(blocks.end(), other.blocks.begin(), other.blocks.end());
 }
 
 double WindowSquares::rms() const { return std::sqrt(sum / count); }
 
-WindowSquares window_squares(const LinearisedRecord& record, const Matrix& measured,
+double WindowSquares::above(double floor) const {
+  if (blocks.size() < 2) return 0.0;
+  const Eigen::Map<const Vector> all(blocks.data(), static_cast<Index>(blocks.size()));
+  const auto freedom = static_cast<double>(blocks.size() - 1);
+  const double mean = all.mean();
+  const double variance = (all.array() - mean).square().sum() / freedom;
+  const double error = std::sqrt(variance / (freedom + 1.0));
+  if (!(error > 0.0)) return mean > floor * floor ? INFINITY : 0.0;
+  constexpr double kNormal = 1.959963984540054;
+  return (mean - floor * floor) / error * kNormal / student_quantile_975(freedom);
+}
+
+WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples& measured,
                              const NoiseModel& noise, const Vector& scale,
                              const WindowGrid& grid) {
   WindowSquares squares;
   NoiseModel exact = noise;
   exact.disturbance.setZero();
-  for (Index first = grid.begin; first + grid.length <= record.samples(); first += grid.length)
-    squares.add(one_window(part_of(record, first, grid.length),
-                           measured.middleRows(first, grid.length), exact, scale));
+  for (Index first = grid.begin; first + grid.length <= record.samples();
+       first += grid.length) {
+    const Matrix values = measured.values.middleRows(first, grid.length);
+    const Matrix marks = rows_of(measured.marks, first, grid.length);
+    squares.add(one_window(part_of(record, first, grid.length), {values, marks}, exact, scale));
+  }
   return squares;
 }
 
@@ -94,10 +155,13 @@ double window_gap(const Assimilation& fit) {
   for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
   const Vector scale = column_deviations(paths);
   const Index length = window_samples(fit);
+  const Matrix none;
   WindowSquares all;
-  for (std::size_t r = 0; r < fit.records.size(); ++r)
-    all.add(window_squares(fit.records[r], fit.measured[r], fit.noise, scale,
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Matrix& marks = fit.omitted.empty() ? none : fit.omitted[r];
+    all.add(window_squares(fit.records[r], {fit.measured[r], marks}, fit.noise, scale,
                            {0, std::min(length, fit.records[r].samples())}));
+  }
   return all.rms();
 }
 

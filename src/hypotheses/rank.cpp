@@ -12,6 +12,7 @@
 #include "lacuna/candidates/nesting.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
+#include "lacuna/hypotheses/effect_parts.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
@@ -103,18 +104,16 @@ std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& 
 
 /// rms of coefficient x form over that of the rate of the state it acts on.
 double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
-  const Candidate candidate = without_clash(effect.candidate, fit.model.variables().names());
+  const Candidate& candidate = effect.candidate;
   double sum = 0.0;
   Index count = 0;
   for (const LinearisedRecord& record : fit.records) {
-    const Vector values = form_along(
-        candidate, {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
-        fit.model.variables(), record);
+    const Vector values = effect_along(effect, fit, record);
     const double mean = candidate.form.variables().empty() ? 0.0 : values.mean();
     sum += (values.array() - mean).square().sum();
     count += values.size();
   }
-  const double rms = std::abs(effect.coefficient) * std::sqrt(sum / static_cast<double>(count));
+  const double rms = std::sqrt(sum / static_cast<double>(count));
   if (candidate.place == Place::Channel) {
     const auto& path = fit.records.front().path.col(candidate.equation);
     return rms / std::sqrt((path.array() - path.mean()).square().mean());

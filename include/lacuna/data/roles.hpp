@@ -10,6 +10,12 @@
 
 namespace lacuna {
 
+/// What becomes of a row in which a state has no value and time and inputs have theirs.
+enum class Blanks {
+  Cut,   ///< it is left out and a new record begins
+  Mark,  ///< the state is filled in between its neighbours and marked as missing
+};
+
 /// Which column plays which role; what is not said is found by the rules of the data format:
 /// time is the column `t`, `time` or the first one, every other column is a state.
 /// A column is named as in the dataset ("Ch_1") or as in the file's header ("Ch 1").
@@ -22,6 +28,7 @@ struct ColumnRoles {
   /// Columns that hold dx/dt, in the order of the states.
   std::vector<std::string> derivatives = {};
   std::optional<std::string> trajectory = {};  ///< column that numbers the records in one file
+  Blanks blanks = Blanks::Cut;
 };
 
 /// Numbers of the columns that play the roles.

@@ -2,6 +2,8 @@
 // What a model leaves when it runs freely in windows of records.
 #pragma once
 
+#include <vector>
+
 #include "lacuna/estimation/assimilation.hpp"
 
 namespace lacuna {
@@ -12,9 +14,17 @@ struct WindowSquares {
   double sum = 0.0;
   double count = 0.0;
   Index diverged = 0;  ///< windows without a finite solution
+  /// Mean squares of blocks of about twenty samples: their scatter says how well the whole mean
+  /// is known, whatever the noise is like.
+  std::vector<double> blocks = {};
 
   void add(const WindowSquares& other);
   double rms() const;  ///< not finite where no window is left
+
+  /// By how many standard errors, found from the scatter over blocks, the mean square is above
+  /// floor^2. With few blocks the errors count as much more as Student's t has them; 0 where
+  /// there are fewer than two.
+  double above(double floor) const;
 };
 
 /// Windows of a record one after another: their length, and the first sample of the first.
@@ -23,12 +33,19 @@ struct WindowGrid {
   Index length = 0;
 };
 
+/// What was measured of a record.
+struct MarkedSamples {
+  const Matrix& values;  ///< n x m
+  const Matrix& marks;   ///< n x m or 0 x 0 (Mark)
+};
+
 /// Windows of one record, in each of which the model runs freely from the initial state that
 /// fits best. The record is linearised as a whole, so that delayed terms know what was before a
-/// window.
-/// @param measured n x m; @param noise its disturbances are not looked at.
+/// window. Samples that say nothing are left out; one at an end of its channel counts as far as
+/// the model does not reach that end.
+/// @param noise its disturbances are not looked at.
 /// @param scale m entries, by which deviations are divided.
-WindowSquares window_squares(const LinearisedRecord& record, const Matrix& measured,
+WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples& measured,
                              const NoiseModel& noise, const Vector& scale,
                              const WindowGrid& grid);
 

@@ -202,5 +202,31 @@ TEST(Synchroniser, MissingColumnsAndWrongShapesAreErrors) {
   EXPECT_THROW(synchronise(model, record, Rk4{}), DataError);
 }
 
+/// dx/dt = -2 x + u, u held: the record is exact, so that the slave stays on it.
+TEST(Synchroniser, AHeldInputJumpsAtItsSamples) {
+  const Variables variables{{"x"}, {"u"}};
+  const OdeModel model({{"x", ""}}, {{"u", "", Hold::Zero}},
+                       {{{Term::parse("x", variables), -2.0, {}, {}},
+                         {Term::parse("u", variables), 1.0, {}, {}}}});
+  constexpr Index kSamples = 60;
+  Dataset record{
+      .states = model.states(), .inputs = model.inputs(), .trajectories = {}, .rate_of = {}};
+  Trajectory run{"made", Vector::LinSpaced(kSamples, 0.0, 5.9), Matrix(kSamples, 1),
+                 Matrix(kSamples, 1), Matrix()};
+  double x = 0.4;
+  for (Index i = 0; i < kSamples; ++i) {
+    const double u = (i / 7) % 2 == 0 ? 1.0 : -0.5;
+    run.states(i, 0) = x;
+    run.inputs(i, 0) = u;
+    x = 0.5 * u + (x - 0.5 * u) * std::exp(-0.2);
+  }
+  record.trajectories.push_back(run);
+  // The coupling to the interpolated record would add its own error.
+  const SyncOptions alone{.coupling = Matrix::Zero(1, 1)};
+  const Dopri8 exact({.substeps = 4});
+  EXPECT_LT(synchronise(model, record, exact, alone).mean, 1e-10);
+  EXPECT_GT(synchronise(model.with_holds({Hold::Smooth}), record, exact, alone).mean, 1e-3);
+}
+
 }  // namespace
 }  // namespace lacuna
