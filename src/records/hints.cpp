@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "coefficient_pattern.hpp"
 #include "motion_hints.hpp"
 #include "slip_hints.hpp"
 #include "unused_columns.hpp"
@@ -22,8 +23,9 @@ void append(std::vector<Hint>& hints, std::vector<Hint> more) {
 std::vector<Hint> other_causes(const OdeModel& model, const BoundRecords& records,
                                const Dataset& unused, const RateWindows& windows,
                                const HintOptions& options) {
-  if (const auto slip = find_slip(model, records.data, windows, options))
-    return {hint_of(model, *slip)};
+  auto slip = find_slip(model, records.data, windows, options);
+  if (!slip) slip = slip_of_coefficients(model, records.data, windows, options);
+  if (slip) return {hint_of(model, *slip)};
   std::vector<Hint> hints = identity_hints(model, records.data, windows, options);
   if (hints.empty() && unused.input_count() > 0)
     append(hints, unused_column_hints(model, records, unused, windows, options));

@@ -16,8 +16,8 @@ bool is_near(double a, double b) { return std::abs(a / b - 1.0) < 1e-6; }
 
 /// "1000 times too large" of what has to be multiplied by 0.001.
 std::string size_of(double correction) {
-  return correction < 1.0 ? format_number(1.0 / correction, 4) + " times too large"
-                          : format_number(correction, 4) + " times too small";
+  return correction < 1.0 ? format_number(1.0 / correction, 5) + " times too large"
+                          : format_number(correction, 5) + " times too small";
 }
 
 /// What a factor between units of angle usually means.

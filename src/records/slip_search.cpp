@@ -55,8 +55,9 @@ bool fits_no_worse(const Trial& trial, const Vector& after) {
   return (after.array() <= trial.before.array() + kNoWorse * kNoWorse).all();
 }
 
-/// Whether the factor that the records say, from the parabola through three misfits, is the one
-/// on the list, and whether they say one at all.
+/// Whether the factor that the records say, from the parabola through the logarithms of three
+/// misfits, is the one on the list, and whether they say one at all. Of the logarithms the
+/// equation that says most decides, and not one that lacks something.
 bool is_said(const Trial& trial, const Slip& slip, const Vector& after, double round_factor) {
   if (slip.kind != HintKind::TimeUnit && slip.kind != HintKind::ChannelUnit) return true;
   const auto at = [&](double step) {
@@ -65,7 +66,7 @@ bool is_said(const Trial& trial, const Slip& slip, const Vector& after, double r
     const Vector misfit = misfit_of(trial, near);
     double sum = 0.0;
     for (Index k = 0; k < misfit.size(); ++k)
-      if (is_touched(trial, after, k)) sum += misfit[k];
+      if (is_touched(trial, after, k)) sum += std::log(misfit[k]);
     return sum;
   };
   const double low = at(-kProbe), middle = at(0.0), high = at(kProbe);

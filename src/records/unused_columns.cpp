@@ -13,6 +13,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kSameAsRate = 0.05;  // misfit (rms) up to which a column is the rate itself
+constexpr double kOwn = 0.1;          // part of a column's deviation that nothing else makes up
 
 Matrix input_means(const Dataset& data, const RateWindows& windows) {
   return window_means(data, windows, data.input_count(),
@@ -51,7 +52,7 @@ Vector autocorrelation(const Vector& values) {
   return result;
 }
 
-/// Number of independent values in two series, for their correlation.
+/// Number of independent values in two series, for their correlation (Bartlett).
 double independent_values(const Vector& a, const Vector& b) {
   const double sum = autocorrelation(a).dot(autocorrelation(b));
   return static_cast<double>(a.size()) / std::max(1.0, 2.0 * sum - 1.0);
@@ -77,14 +78,20 @@ Finding best_column(const Vector& lacking, const Matrix& columns, double noise, 
     const double signal = std::max(total - noise * static_cast<double>(lacking.size()), gain);
     if (gain / signal <= best.share) continue;
     const double rest = std::max(1.0 - gain / total, 1e-12);
-    const double deviance = -independent_values(lacking, column) * std::log(rest);
-    best = {j, gain / signal, sigma_of_gain(deviance, 1.0, tried),
-            along / column.squaredNorm()};
+    const double coefficient = along / column.squaredNorm();
+    const Vector unexplained = lacking - coefficient * column;
+    const double deviance = -independent_values(unexplained, column) * std::log(rest);
+    best = {j, gain / signal, sigma_of_gain(deviance, 1.0, tried), coefficient};
   }
   return best;
 }
 
-/// The column's own rates are what an acceleration that was recorded beside the speed is.
+/// Norm of the deviations from the mean.
+double deviation(const Vector& values) {
+  return (values.array() - values.mean()).matrix().norm();
+}
+
+/// Whether a column is the measured rate, as an acceleration recorded beside the speed is.
 bool is_rate_itself(const Vector& column, const Vector& rate) {
   const double size = column.squaredNorm() + rate.squaredNorm();
   return (column - rate).squaredNorm() < kSameAsRate * kSameAsRate * size;
@@ -110,8 +117,8 @@ std::vector<Hint> unused_column_hints(const OdeModel& model, const BoundRecords&
     known << terms, plain;
     Matrix left = without(known, columns);
     for (Index j = 0; j < left.cols(); ++j)
-      // What others make up to rounding, or the rate itself, is no input.
-      if (left.col(j).norm() < 1e-6 * columns.col(j).norm() ||
+      // A reference that the states follow, or the rate itself, is no input of its own.
+      if (left.col(j).norm() <= kOwn * deviation(columns.col(j)) ||
           is_rate_itself(columns.col(j), measured.col(k)))
         left.col(j).setZero();
     const Finding best = best_column(without(known, lacking.col(k)), left, noise[k],
@@ -124,7 +131,7 @@ std::vector<Hint> unused_column_hints(const OdeModel& model, const BoundRecords&
                          format_number(100.0 * best.share, 3) + " % of the disagreement in d" +
                          state + "/dt",
                      "add " + name + " to the model as an input, with a term " + name + " of " +
-                         "about " + format_number(best.coefficient, 3) + " in d" + state +
+                         "about " + format_number(best.coefficient, 2) + " in d" + state +
                          "/dt",
                      Withheld::Names});
   }
