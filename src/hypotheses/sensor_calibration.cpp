@@ -97,10 +97,15 @@ std::optional<std::size_t> sound_one(const Problem& problem, std::vector<Fitted>
   return std::nullopt;
 }
 
-/// The criterion of the best rival that leaves the other coefficients as given: one of them
-/// changed, or the effects of an account.
-double best_rival(const Problem& problem, const Baseline& given, const Account& best) {
-  double least = std::numeric_limits<double>::infinity();
+/// A rival that leaves the other coefficients as given.
+struct Peer {
+  double criterion = std::numeric_limits<double>::infinity();
+  Index parameters = 0;
+};
+
+/// One coefficient changed: the best of all.
+Peer best_coefficient(const Problem& problem, const Baseline& given) {
+  Peer best{.parameters = 1};
   for (const CoefficientPlace& place : free_coefficients(problem.nominal)) {
     Baseline one = given;
     one.fit_options.free = {place};
@@ -108,13 +113,18 @@ double best_rival(const Problem& problem, const Baseline& given, const Account& 
                               assimilate_from(problem.nominal, given.records->data,
                                               given.fitted, one.fit_options, problem.context)};
     if (std::isfinite(changed.fit.deviance))
-      least = std::min(least, criterion_of(problem, one, changed));
+      best.criterion = std::min(best.criterion, criterion_of(problem, one, changed));
   }
-  if (best.explanation.effects.empty()) return least;
-  const Explanation same = explain_on(problem, given, given.fitted, best.explanation.effects);
-  if (std::isfinite(same.fit.deviance))
-    least = std::min(least, criterion_of(problem, given, same));
-  return least;
+  return best;
+}
+
+/// The effects of an account.
+Peer same_effects(const Problem& problem, const Baseline& given, const Account& account) {
+  if (account.explanation.effects.empty()) return {};
+  const Explanation same =
+      explain_on(problem, given, given.fitted, account.explanation.effects);
+  if (!std::isfinite(same.fit.deviance)) return {};
+  return {criterion_of(problem, given, same), same.parameters()};
 }
 
 /// The channel's fault with its numbers and the others that might be it.
@@ -158,6 +168,75 @@ NamedEffect named(const Problem& problem, const Baseline& given,
   return result;
 }
 
+Account account_of(const Account& best, const Baseline& given, Fitted own, NamedEffect fault) {
+  Account account{.hypothesis = std::string(kSensorCalibration.name),
+                  .base = std::make_shared<const Baseline>(given),
+                  .explanation = std::move(own.explanation),
+                  .named = {std::move(fault)},
+                  .rounds = best.rounds,
+                  .left = std::move(own.left)};
+  update_numbers(account.explanation, account.named);
+  account.notes = best.notes;
+  return account;
+}
+
+std::string as_well(const std::string& what) {
+  return "the records do not tell this from another explanation: " + what;
+}
+
+/// Whether an account has something in another place than the channel.
+bool acts_elsewhere(const Account& account, const NamedEffect& fault) {
+  const std::vector<FittedEffect>& effects = account.explanation.effects;
+  return std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+    return effect.candidate.place != Place::Channel ||
+           effect.candidate.equation != fault.equation;
+  });
+}
+
+/// The best account with the channel beside it as an alternative.
+Proposal beside(const Account& best, const NamedEffect& fault, const std::string& term) {
+  Account account = best;
+  account.notes.push_back(as_well(fault.description + " (" + fault.name + ")"));
+  account.ambiguous = acts_elsewhere(best, fault);
+  for (NamedEffect& effect : account.named)
+    effect.alternatives.insert(effect.alternatives.begin(),
+                               {fault.name, term, 0.5 * effect.probability});
+  return {.account = std::move(account),
+          .precedence = "a channel explains the records as well"};
+}
+
+/// The channel against its peers: alone where they do worse beyond doubt, first where it is the
+/// plainer one, else an alternative.
+Proposals against_peers(const Problem& problem, const Account& best, const Baseline& given,
+                        Fitted own, NamedEffect fault) {
+  const double undecided = problem.options.decision.undecided;
+  const Peer coefficient = best_coefficient(problem, given);
+  const Peer effects = same_effects(problem, given, best);
+  const std::string term = term_of(own.explanation.effects.front());
+  if (coefficient.criterion < own.criterion + undecided &&
+      coefficient.criterion < effects.criterion + undecided)
+    return {{beside(best, fault, term)}, {}};
+  const bool is_sure = own.criterion + undecided < effects.criterion;
+  const bool is_plainer =
+      own.criterion < effects.criterion && own.explanation.parameters() < effects.parameters;
+  if (!is_sure && !is_plainer) {
+    if (own.criterion > effects.criterion + undecided) return {};
+    return {{beside(best, fault, term)}, {}};
+  }
+  const bool elsewhere = acts_elsewhere(best, fault);
+  Account account = account_of(best, given, std::move(own), std::move(fault));
+  if (is_sure) return {{{.account = std::move(account), .lead = undecided}}, {}};
+  account.ambiguous = elsewhere;
+  for (const NamedEffect& other : best.named) {
+    account.notes.push_back(as_well(other.description + " (" + other.name + ")"));
+    account.named[0].alternatives.insert(account.named[0].alternatives.begin(),
+                                         {other.name, other.term, 0.0});
+  }
+  return {{{.account = std::move(account),
+            .precedence = "the plainer one of two that explain the records as well"}},
+          {}};
+}
+
 }  // namespace
 
 Proposals SensorCalibration::do_propose(const Problem& problem, const Account& best) const {
@@ -173,25 +252,9 @@ Proposals SensorCalibration::do_propose(const Problem& problem, const Account& b
   std::vector<Fitted> fitted = fitted_channels(problem, given, screened);
   const auto chosen = sound_one(problem, fitted);
   if (!chosen) return {};
-  const auto tried = static_cast<double>(screened.size());
-  NamedEffect fault = named(problem, given, fitted, *chosen, tried);
-  Fitted own = std::move(fitted[*chosen]);
-  const double rival = best_rival(problem, given, best);
-  const std::string criterion(problem.options.criterion->info().name);
-  if (!(own.criterion + decision.undecided < rival))
-    return {{},
-            {{std::string(info().name), fault.description, own.criterion, false, criterion,
-              own.criterion + decision.undecided, rival,
-              "one coefficient, or the effects so far, do as well with the others as given"}}};
-  Account account{.hypothesis = std::string(info().name),
-                  .base = std::make_shared<const Baseline>(given),
-                  .explanation = std::move(own.explanation),
-                  .named = {std::move(fault)},
-                  .rounds = best.rounds,
-                  .left = std::move(own.left)};
-  update_numbers(account.explanation, account.named);
-  account.notes = best.notes;
-  return {{{.account = std::move(account), .lead = decision.undecided}}, {}};
+  NamedEffect fault =
+      named(problem, given, fitted, *chosen, static_cast<double>(screened.size()));
+  return against_peers(problem, best, given, std::move(fitted[*chosen]), std::move(fault));
 }
 
 }  // namespace lacuna
