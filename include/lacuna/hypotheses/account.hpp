@@ -92,6 +92,7 @@ struct Account {
   std::vector<NamedEffect> findings = {};    ///< what the assumptions themselves are called
   std::optional<Unnamed> unnamed = {};       ///< what can be said of what has no name
   std::vector<std::string> notes = {};       ///< for people
+  std::vector<std::string> doubts = {};      ///< what explains the records as well elsewhere
 };
 
 /// The account of a baseline that nothing is missing.
