@@ -45,7 +45,7 @@ bool coefficients_off(const Problem& problem, const Baseline& base) {
 Verdict verdict_of(const Problem& problem, const Account& account) {
   const bool left = leaves_structure(account, problem.options.decision);
   if (!account.named.empty() || !account.findings.empty())
-    return left || account.ambiguous ? Verdict::PartlyExplained : Verdict::Explained;
+    return left ? Verdict::PartlyExplained : Verdict::Explained;
   if (left) return Verdict::UnnamedStructure;
   return coefficients_off(problem, *account.base) ? Verdict::CoefficientsOnly
                                                   : Verdict::NoDiscrepancy;

@@ -15,11 +15,12 @@ using Sentences = std::vector<std::string>;
 
 /// Whether a shape ended where its range does, up to what a search resolves.
 bool is_on_bound(const ShapeParameter& shape, double value) {
-  constexpr double kResolved = 1e-3;
-  const auto scale = [&](double x) { return shape.logarithmic ? std::log(x) : x; };
-  const double low = scale(shape.low), high = scale(shape.high), at = scale(value);
-  const double reach = kResolved * (high - low);
-  return at <= low + reach || at >= high - reach;
+  constexpr double kOfRange = 1e-3, kOfBound = 1e-2;
+  const auto is_at = [&](double bound) {
+    const double size = bound != 0.0 ? kOfBound * std::abs(bound) : shape.high - shape.low;
+    return std::abs(value - bound) <= std::min(size, kOfRange * (shape.high - shape.low));
+  };
+  return is_at(shape.low) || is_at(shape.high);
 }
 
 std::string where(const Problem& problem, Index equation) {
@@ -100,6 +101,7 @@ Sentences reservations(const Problem& problem, const Account& account,
   if (gap && stays_open(*gap, problem.options.decision))
     said.push_back("the gap on the records that were not used stays at " +
                    format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
+  said.insert(said.end(), account.doubts.begin(), account.doubts.end());
   add_bounds(account, said);
   add_cancelling(problem, account, said);
   add_coefficients(problem, account, said);

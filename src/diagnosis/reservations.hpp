@@ -15,7 +15,7 @@ namespace lacuna {
 /// where names and numbers are as they should be. Said are: a gap on other records that stays
 /// above its noise floor (DecisionOptions::explained_gap) by more than chance, a shape on the
 /// bound of its range, parts that nearly cancel, nominal coefficients of another sign or size,
-/// effects that act in few samples only.
+/// effects that act in few samples only, and Account::doubts.
 std::vector<std::string> reservations(const Problem& problem, const Account& account,
                                       const std::optional<Gap>& gap);
 
