@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lacuna/data/noise.hpp"
 #include "lacuna/numerics/lagrange.hpp"
 #include "lacuna/numerics/sampled_signal.hpp"
 #include "lacuna/records/model_view.hpp"
@@ -220,6 +221,29 @@ double spread(const Dataset& record) {
   return std::sqrt(squares / static_cast<double>(record.samples()));
 }
 
+/// Root mean square of slave - record of each state over the last three quarters.
+Vector late_errors(const Dataset& record, const SyncResult& result) {
+  Vector squares = Vector::Zero(record.state_count());
+  double count = 0.0;
+  for (std::size_t r = 0; r < result.states.size(); ++r) {
+    const Index n = result.states[r].rows(), late = n - n / 4;
+    const Matrix left =
+        (result.states[r] - record.trajectories[r].states.topRows(n)).bottomRows(late);
+    squares += left.colwise().squaredNorm().transpose();
+    count += static_cast<double>(late);
+  }
+  return (squares / count).cwiseSqrt();
+}
+
+std::optional<double> error_over_noise(const Dataset& record, const SyncResult& result) {
+  const Vector errors = late_errors(record, result);
+  std::optional<double> worst;
+  for (Index k = 0; k < errors.size(); ++k)
+    if (record.is_measured(k) && result.noise[k] > 0.0)
+      worst = std::max(worst.value_or(0.0), errors[k] / result.noise[k]);
+  return worst;
+}
+
 bool has_settled(const Dataset& record, const SyncResult& result) {
   if (result.status != IntegrationStatus::Completed) return false;
   const double own = spread(record);
@@ -261,6 +285,8 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   }
   add_statistics(view, result);
   result.settled = has_settled(view, result);
+  result.noise = estimate_noise(view);
+  result.error_over_noise = error_over_noise(view, result);
   return result;
 }
 
