@@ -156,18 +156,20 @@ double deviance_under(const Problem& problem, const Account& best, const OdeMode
   return explain_roughly(task, best.base->fitted, best.explanation.effects).fit.deviance;
 }
 
-/// The other holds of an input that is in no effect, if one is decidedly better.
-std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, Index input) {
-  double least =
-      deviance_under(problem, best, problem.nominal) - problem.options.decision.undecided;
+/// Other holds of an input under which the effects that were found fit better by `lead`.
+std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, Index input,
+                                   double lead) {
+  const std::vector<Hold> possible = possible_holds(problem.records.data, input);
+  const Hold own = *problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
+  std::vector<double> deviance(possible.size());
+  parallel_for(possible.size(), problem.context.threads, [&](std::size_t h) {
+    deviance[h] = deviance_under(problem, best, with_hold(problem.nominal, input, possible[h]));
+  });
+  const double present = deviance_under(problem, best, problem.nominal);
   std::vector<OdeModel> better;
-  for (const Hold hold : possible_holds(problem.records.data, input)) {
-    OdeModel model = with_hold(problem.nominal, input, hold);
-    const double deviance = deviance_under(problem, best, model);
-    if (!(deviance < least)) continue;
-    least = deviance;
-    better = {std::move(model)};
-  }
+  for (std::size_t h = 0; h < possible.size(); ++h)
+    if (possible[h] != own && deviance[h] < present - lead)
+      better.push_back(with_hold(problem.nominal, input, possible[h]));
   return better;
 }
 
@@ -183,12 +185,10 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Inde
     const bool concerned =
         std::any_of(effects.begin(), effects.end(),
                     [&](const FittedEffect& effect) { return is_of(effect, input.name); });
-    if (!concerned) {
-      for (OdeModel& model : better_holds(problem, best, j)) rivals.push_back(std::move(model));
-      continue;
-    }
-    for (const Hold hold : {Hold::Zero, Hold::Linear, Hold::Smooth})
-      if (hold != input.hold) rivals.push_back(with_hold(problem.nominal, j, hold));
+    // What a wrong hold made necessary does no good under the right one, and no harm.
+    const double undecided = problem.options.decision.undecided;
+    for (OdeModel& model : better_holds(problem, best, j, concerned ? -undecided : undecided))
+      rivals.push_back(std::move(model));
   }
   return rivals;
 }

@@ -24,10 +24,10 @@ struct ChosenHolds {
 /// smooth input looks like an effect of the dynamics.
 ChosenHolds choose_holds(const Problem& problem);
 
-/// Models with another hold of an open input under which effects should be sought anew: all
-/// holds where an effect is one of that input (half a step of delay may be all there is to it),
-/// the best one where the effects that were found fit decidedly better under it. None without
-/// effects.
+/// Models with another hold of an open input under which effects should be sought anew: those
+/// under which the effects that were found fit decidedly better; where an effect is one of that
+/// input (half a step of delay may be all there is to it), those under which they do not fit
+/// decidedly worse. None without effects.
 /// @param problem its model has the chosen holds.
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Index>& open,
                                   const Account& best);
