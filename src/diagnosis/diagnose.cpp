@@ -8,6 +8,7 @@
 #include "answer.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
+#include "lacuna/records/coefficient_hints.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/records/unused_part.hpp"
 
@@ -22,9 +23,12 @@ struct Records {
   std::vector<std::string> notes = {};
 };
 
+ChannelOptions channel_options(const DecisionOptions& decision) {
+  return {decision.outlying, decision.pile_up};
+}
+
 Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                  const DecisionOptions& decision) {
-  const ChannelOptions channels{decision.outlying, decision.pile_up};
   UsableRecords all = usable_records(data, decision.gaps);
   const bool split = held_out.trajectories.empty();
   SplitRecords parts = split ? split_in_time(all.data) : SplitRecords{std::move(all.data), {}};
@@ -35,10 +39,11 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
     parts.check = std::move(other.data);
   }
   Dataset unused = unused_part(nominal, parts.find);
-  BoundRecords find = observed(used_part(nominal, std::move(parts.find)), channels);
+  BoundRecords find =
+      observed(used_part(nominal, std::move(parts.find)), channel_options(decision));
   all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
-  Dataset check = observed_alike(used_part(nominal, std::move(parts.check)), find, channels);
-  return {std::move(find), std::move(unused), std::move(check), std::move(all.notes)};
+  return {std::move(find), std::move(unused), used_part(nominal, std::move(parts.check)),
+          std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the
@@ -70,6 +75,20 @@ Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
           .hints = std::move(hints)};
 }
 
+/// Slips that single coefficients give away, where none was seen before.
+void add_coefficient_hints(const Problem& problem, Diagnosis& diagnosis) {
+  if (withheld_by(diagnosis.hints) != Withheld::Nothing) return;
+  const DecisionOptions& decision = problem.options.decision;
+  for (const CoefficientChange& change : diagnosis.coefficient_changes) {
+    if (change.nominal == 0.0 || change.sigma < decision.significance) continue;
+    const SaidCoefficient said{change.equation, change.term, change.estimated / change.nominal,
+                               change.deviation / std::abs(change.nominal)};
+    if (auto hint =
+            coefficient_hint(problem.nominal, problem.records.data, said, decision.hints))
+      diagnosis.hints.push_back(std::move(*hint));
+  }
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -81,10 +100,12 @@ std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  const Records records = prepared(nominal, data, held_out, options.decision);
+  Records records = prepared(nominal, data, held_out, options.decision);
   std::vector<Hint> hints =
       look_at(nominal, records.find, records.unused, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
+  records.check =
+      observed_alike(std::move(records.check), records.find, channel_options(options.decision));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
 
   JudgedModel inputs = judge_holds({nominal, records.find, options, context}, hypotheses);
@@ -101,6 +122,7 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
   diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
   diagnosis.hints = std::move(hints);
+  add_coefficient_hints(problem, diagnosis);
   return diagnosis;
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kTold = 5.0;      // standard errors from which on a coefficient is told
 constexpr double kLarge = 30.0;    // factor that no effect makes of two coefficients
+constexpr double kAlike = 1.5;     // ratio up to which slips are not told apart
 constexpr double kSharedBy = 2.0;  // by which overlapping windows make errors look smaller
 
 /// What a slip makes of the coefficients; nothing for terms that are no powers of a channel
@@ -93,6 +94,11 @@ std::optional<FoundSlip> slip_of_coefficients(const OdeModel& model, const Datas
     if (left <= options.slip_remainder) candidates.emplace_back(left, slip);
   }
   if (candidates.empty()) return std::nullopt;
+  const double least =
+      std::min_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return a.first < b.first;
+      })->first;
+  std::erase_if(candidates, [&](const auto& one) { return one.first > kAlike * least; });
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::pair(a.second.channels.size(), a.first) <
            std::pair(b.second.channels.size(), b.first);

@@ -13,8 +13,6 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kFewestWindows = 20;  // what less of them show may be chance
-
 void append(std::vector<Hint>& hints, std::vector<Hint> more) {
   std::move(more.begin(), more.end(), std::back_inserter(hints));
 }

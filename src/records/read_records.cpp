@@ -71,8 +71,11 @@ std::vector<std::string> common_unused(const OdeModel& model, const std::vector<
   return common;
 }
 
-/// The model with further inputs, so that they go where inputs go.
-OdeModel with_inputs(const OdeModel& model, std::vector<Quantity> inputs) {
+/// The model with the further inputs of a record, so that they go where inputs go.
+OdeModel with_further_inputs(const OdeModel& model, const Dataset& data) {
+  std::vector<Quantity> inputs = model.inputs();
+  inputs.insert(inputs.end(), data.inputs.begin() + static_cast<Index>(inputs.size()),
+                data.inputs.end());
   return {model.states(), std::move(inputs), model.equations(), model.time_unit()};
 }
 
@@ -82,7 +85,7 @@ Dataset read_one(const OdeModel& model, const Table& table, const ColumnRoles& r
   all.inputs.insert(all.inputs.end(), unused.begin(), unused.end());
   const Dataset data = assign_roles_for(model, table, all);
   if (unused.empty()) return model_view(model, data, differentiator);
-  return model_view(with_inputs(model, data.inputs), data, differentiator);
+  return model_view(with_further_inputs(model, data), data, differentiator);
 }
 
 void append(Dataset& data, Dataset more) {

@@ -24,8 +24,10 @@ struct Trial {
 
 Vector misfit_of(const Trial& trial, const Slip& slip) {
   const Dataset data = corrected(trial.model, trial.data, slip);
-  return misfit(window_rates(data, trial.windows),
-                model_rates(trial.model, data, trial.windows));
+  // A column in another place has its outliers and gaps there.
+  const bool moved = slip.kind == HintKind::SwappedColumns;
+  const RateWindows windows = moved ? rate_windows(observed(data)) : trial.windows;
+  return misfit(window_rates(data, windows), model_rates(trial.model, data, windows));
 }
 
 bool is_touched(const Trial& trial, const Vector& after, Index k) {
@@ -52,7 +54,7 @@ bool is_plain(const Trial& trial, const Vector& after, double slip_misfit) {
 }
 
 bool fits_no_worse(const Trial& trial, const Vector& after) {
-  return (after.array() <= trial.before.array() + kNoWorse * kNoWorse).all();
+  return (after.array().sqrt() <= trial.before.array().sqrt() + kNoWorse).all();
 }
 
 /// Whether the factor that the records say, from the parabola through the logarithms of three
@@ -73,6 +75,22 @@ bool is_said(const Trial& trial, const Slip& slip, const Vector& after, double r
   const double curvature = (low - 2.0 * middle + high) / (kProbe * kProbe);
   const double slope = (high - low) / (2.0 * kProbe);
   return std::abs(slope) < round_factor * std::abs(std::log(slip.correction)) * curvature;
+}
+
+double column_misfit(const Vector& measured, const Vector& modelled) {
+  double apart = 0.0, size = 0.0;
+  Index finite = 0;
+  for (Index i = 0; i < measured.size(); ++i) {
+    const double y = measured[i], f = modelled[i];
+    if (!std::isfinite(f)) continue;
+    ++finite;
+    apart += (y - f) * (y - f);
+    size += y * y + f * f;
+  }
+  if (finite == 0 || 10 * finite < 9 * measured.size() || !std::isfinite(size)) return 2.0;
+  // What is less than rounding is no better.
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  return size > 0.0 ? std::max(apart / size, kRounding) : kRounding;
 }
 
 struct Candidate {
@@ -99,21 +117,8 @@ std::vector<Candidate> candidates(const Trial& trial, const std::vector<Slip>& s
 
 Vector misfit(const Matrix& measured, const Matrix& modelled) {
   Vector result(measured.cols());
-  for (Index k = 0; k < measured.cols(); ++k) {
-    double apart = 0.0, size = 0.0;
-    Index finite = 0;
-    for (Index i = 0; i < measured.rows(); ++i) {
-      const double y = measured(i, k), f = modelled(i, k);
-      if (!std::isfinite(f)) continue;
-      ++finite;
-      apart += (y - f) * (y - f);
-      size += y * y + f * f;
-    }
-    const bool is_known = 10 * finite >= 9 * measured.rows() && std::isfinite(size);
-    // What is less than rounding is no better.
-    result[k] = is_known ? std::max(apart / size, std::numeric_limits<double>::epsilon()) : 2.0;
-    if (is_known && size == 0.0) result[k] = std::numeric_limits<double>::epsilon();
-  }
+  for (Index k = 0; k < measured.cols(); ++k)
+    result[k] = column_misfit(measured.col(k), modelled.col(k));
   return result;
 }
 

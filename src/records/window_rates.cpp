@@ -38,31 +38,36 @@ Weights weights_at(const Eigen::Ref<const Vector>& time) {
   return weights;
 }
 
-/// 1 where a sample of a record can be used.
-std::vector<bool> usable_samples(const BoundRecords& records, std::size_t record) {
+/// Whether each sample of a record can be used.
+/// @param with_marked those that are marked (missing, clipped, outliers) too.
+std::vector<bool> usable_samples(const BoundRecords& records, std::size_t record,
+                                 bool with_marked) {
   const Trajectory& run = records.data.trajectories[record];
   const Matrix& outliers = records.outliers[record];
   const double longest = kGap * median_step(records.data);
   std::vector<bool> usable;
   for (Index i = 0; i < run.samples(); ++i)
     usable.push_back(run.states.row(i).allFinite() && run.inputs.row(i).allFinite() &&
-                     (outliers.size() == 0 || outliers.row(i).isZero(0.0)) &&
+                     (with_marked || outliers.size() == 0 || outliers.row(i).isZero(0.0)) &&
                      (i == 0 || run.time[i] - run.time[i - 1] <= longest));
   return usable;
 }
 
-RateWindows placed(const BoundRecords& records, Index half_width) {
+RateWindows placed(const BoundRecords& records, Index half_width, bool with_marked = false) {
   RateWindows result{half_width, {}};
   const Index stride =
       std::max({Index{1}, half_width / 2, records.data.samples() / kMostWindows});
   for (std::size_t r = 0; r < records.data.trajectories.size(); ++r) {
-    const std::vector<bool> usable = usable_samples(records, r);
+    const std::vector<bool> usable = usable_samples(records, r, with_marked);
     const auto n = static_cast<Index>(usable.size());
     for (Index first = 0; first + result.samples() <= n; first += stride)
       if (std::all_of(usable.begin() + first, usable.begin() + first + result.samples(),
                       [](bool ok) { return ok; }))
         result.windows.push_back({r, first});
   }
+  // A channel that is sampled rarely, or an input that is held in its place, is marked nearly
+  // everywhere; what stands between its values is better than nothing.
+  if (result.count() < kFewestWindows && !with_marked) return placed(records, half_width, true);
   return result;
 }
 

@@ -27,9 +27,13 @@ struct RateWindows {
   Index samples() const noexcept { return 2 * half_width + 1; }
 };
 
+/// What fewer windows show may be chance.
+inline constexpr Index kFewestWindows = 20;
+
 /// The shortest windows, of 9 samples or more, in which the rates of all measured states stand
 /// out from their noise (by a factor of 20 in rms); where there are none those in which they do
-/// most. Windows with an outlier, a missing value or a gap in time are left out.
+/// most. Windows with a marked sample (outlier, missing, clipped) or a gap in time are
+/// left out; those with marked samples only where others remain.
 RateWindows rate_windows(const BoundRecords& records);
 
 /// -integral(phi' x dt) / integral(phi dt) in each window, windows x m: with phi = (1-s^2)^3, s
