@@ -4,26 +4,33 @@
 
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
 
-// Delays from a sampling step, below which a delay is a lag, up to a quarter of the record;
+// Delays from a sampling step, below which a delay of a state is its rate (one of an input is
+// known from a tenth of a step on), up to a quarter of the record;
 // starts so dense that none lies further from the truth
 // than half the time in which the variable forgets, up to a hundred.
 constexpr double kMostStarts = 100.0;
 
+constexpr double kShortestOfInput = 0.1;
+
 Candidate delayed(const Scope& scope, const Expression& form, const Expression& argument,
                   double timescale) {
+  const double shortest =
+      is_input(scope, argument) ? kShortestOfInput * scope.step : scope.step;
   const double longest = 0.25 * scope.duration;
   const double spacing = std::max(0.5 * timescale, scope.step);
   std::vector<double> starts;
+  if (shortest < scope.step && spacing < longest) starts.push_back(0.5 * scope.step);
   for (double delay = spacing; delay < longest && delay <= kMostStarts * spacing;
        delay += spacing)
     starts.push_back(delay);
   return shaped_candidate(form, argument,
-                          {"T", scope.model.time_unit(), scope.step, longest, false},
+                          {"T", scope.model.time_unit(), shortest, longest, false},
                           starts_at(starts));
 }
 
@@ -63,7 +70,7 @@ void add_term(const Scope& scope, Index equation, const Expression& term,
   result.push_back(delayed(scope, formula(scope, "delay(x,T)-x", {{"x", term}}), term,
                            timescale_of(scope, term)));
   bound_to(scope, equation, term, 0.0, result.back());
-  for (const Factor& part : factors_of(term)) {
+  for (const TermFactor& part : factors_of(term)) {
     const Expression form =
         formula(scope, "rest*(delay(x,T)-x)", {{"rest", part.rest}, {"x", part.factor}});
     result.push_back(delayed(scope, form, part.factor, timescale_of(scope, part.factor)));
@@ -81,9 +88,16 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
+// Shorter than a step the delay of a part of a term, or of what is new, is told from a lag by
+// nothing.
+bool is_too_short(const FittedForm& fitted) {
+  return fitted.shapes[0] < fitted.scope.step && !is_whole_term(fitted);
+}
+
 std::optional<Reading> reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (candidate.shapes.size() != 1 || !contains(candidate.form, Operation::Delay) ||
+      is_too_short(fitted) ||
       !(candidate.least <= fitted.coefficient && fitted.coefficient <= candidate.most))
     return std::nullopt;
   const std::string within =

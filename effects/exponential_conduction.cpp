@@ -7,8 +7,9 @@
 namespace lacuna {
 namespace {
 
-// From e^25 between zero and the largest value to where it is a quadratic term.
-constexpr double kSharpest = 25.0;
+// From e^40 between zero and the largest value in the direction that conducts (a silicon
+// junction at 1 V) to where it is a quadratic term.
+constexpr double kSharpest = 40.0;
 
 constexpr const char* kForward = "exp(x/a)-1";
 constexpr const char* kReverse = "1-exp(-x/a)";
@@ -17,17 +18,17 @@ constexpr const char* kBoth = "exp(x/a)-exp(-x/a)";
 // One junction or, where the argument takes both signs, two in opposite directions.
 void add_junctions(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
-  const double widest = range.magnitude();
   const Expression scale = formula(scope, "scale");
-  const auto add = [&](const char* pattern) {
-    result.push_back(shaped_candidate(formula(scope, pattern, {{"x", x}, {"a", scale}}), x,
-                                      {"scale", range.unit, widest / kSharpest, widest, true},
-                                      starts_at({widest / 15.0, widest / 6.0, widest / 2.5})));
+  const auto add = [&](const char* pattern, double widest) {
+    result.push_back(shaped_candidate(
+        formula(scope, pattern, {{"x", x}, {"a", scale}}), x,
+        {"scale", range.unit, widest / kSharpest, widest, true},
+        starts_at({widest / 30.0, widest / 15.0, widest / 6.0, widest / 2.5})));
   };
   const bool both = range.changes_sign();
-  if (both || range.mean > 0.0) add(kForward);
-  if (both || range.mean < 0.0) add(kReverse);
-  if (both) add(kBoth);
+  if (both || range.mean > 0.0) add(kForward, range.high);
+  if (both || range.mean < 0.0) add(kReverse, -range.low);
+  if (both) add(kBoth, range.magnitude());
 }
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {

@@ -19,7 +19,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
                          {"tau", scope.model.time_unit(), shortest, longest, true}, {});
     candidate.memory = {{"lagged", formula(scope, "(x-lagged)/tau", {{"x", term}}), term}};
     bound_to_term(scope, equation, term, candidate);
-    for (double tau = scope.step; tau < longest; tau *= 4.0)
+    for (double tau = scope.step / 3.0; tau < longest; tau *= 4.0)
       candidate.starts.emplace_back(Vector::Constant(1, tau));
     result.push_back(candidate);
   }

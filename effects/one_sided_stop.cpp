@@ -19,10 +19,10 @@ void add_stops(const Scope& scope, const Expression& x, std::vector<Candidate>& 
   const double low = at(edge), high = at(1.0 - edge);
   result.push_back(shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
                                     {"edge", range.unit, low, high, false},
-                                    starts_at({at(0.65), at(0.8), at(0.93)})));
+                                    starts_at({at(0.65), at(0.8), at(0.93), at(0.985)})));
   result.push_back(shaped_candidate(formula(scope, "min(x-edge,0)", {{"x", x}}), x,
                                     {"edge", range.unit, low, high, false},
-                                    starts_at({at(0.35), at(0.2), at(0.07)})));
+                                    starts_at({at(0.35), at(0.2), at(0.07), at(0.015)})));
 }
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {

@@ -19,9 +19,10 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
     if (!level.is_amount()) continue;
     const Expression x = own_state(scope, j);
     const auto at = [&](double share) { return level.quantile(share); };
-    result.push_back(shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
-                                      {"edge", level.unit, at(0.1), at(0.99), false},
-                                      starts_at({at(0.35), at(0.6), at(0.8), at(0.93)})));
+    result.push_back(
+        shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
+                         {"edge", level.unit, at(0.1), at(0.995), false},
+                         starts_at({at(0.35), at(0.6), at(0.8), at(0.93), at(0.98)})));
   }
   return result;
 }

@@ -7,11 +7,14 @@
 namespace lacuna {
 namespace {
 
+// Of the largest value: two bends that are closer are a jump.
+constexpr double kNarrowest = 2e-3;
+
 void add_bend(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
   const auto at = [&](double level) { return range.quantile(level); };
   result.push_back(shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
-                                    {"edge", range.unit, at(0.05), at(0.95), false},
+                                    {"edge", range.unit, at(0.005), at(0.995), false},
                                     starts_at({at(0.2), at(0.5), at(0.8)})));
 }
 
@@ -20,8 +23,8 @@ void add_two_bends(const Scope& scope, const Expression& x, std::vector<Candidat
   if (!range.changes_sign()) return;
   const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
   result.push_back(shaped_candidate(formula(scope, "clip(x,-edge,edge)", {{"x", x}}), x,
-                                    {"edge", range.unit, at(0.02), at(0.98), false},
-                                    starts_at({at(0.15), at(0.4), at(0.7)})));
+                                    {"edge", range.unit, kNarrowest * at(1.0), at(0.995), true},
+                                    starts_at({at(0.04), at(0.15), at(0.4), at(0.7)})));
 }
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {

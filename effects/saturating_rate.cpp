@@ -18,7 +18,7 @@ void add_rate(const Scope& scope, const Expression& rate, const Expression& x,
   result.push_back(
       shaped_candidate(formula(scope, "rate/(half+abs(x))", {{"rate", rate}, {"x", x}}), x,
                        {"half", range.unit, kSmallest * middle, kLargest * range.high, true},
-                       starts_at({0.2 * middle, middle, 5.0 * middle})));
+                       starts_at({0.2 * middle, middle, 5.0 * middle, 0.3 * range.high})));
 }
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lacuna/effects/families.hpp"
@@ -21,7 +22,7 @@ Candidate limited(const Scope& scope, const char* form, const Expression& x, dou
   const double least = std::max(at(0.05), kLeast * at(1.0));
   return shaped_candidate(formula(scope, form, {{"x", x}}), x,
                           {"limit", scope.range_of(x).unit, least, widest * at(1.0), true},
-                          starts_at({at(0.4), at(0.7), at(0.93)}));
+                          starts_at({at(0.4), at(0.7), at(0.93), at(0.985)}));
 }
 
 // A hard limit and a soft one of something that the nominal model has unlimited: the form takes
@@ -38,6 +39,19 @@ void add_limits(const Scope& scope, Index equation, const Expression& x,
   }
 }
 
+// Of the largest value: a steep action beside a term has reached its limit in most samples.
+constexpr double kSteep = 0.3;
+
+// An action of its own, which is at its limit soon, beside a term of the same argument.
+void add_steep(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+  if (!scope.range_of(x).changes_sign()) return;
+  const double widest = magnitude_quantile(scope, x, 1.0);
+  result.push_back(shaped_candidate(
+      formula(scope, "tanh(x/limit)", {{"x", x}}), x,
+      {"limit", scope.range_of(x).unit, kLeast * widest, kSteep * widest, true},
+      starts_at({0.01 * widest, 0.05 * widest, 0.15 * widest})));
+}
+
 // The same of something that the nominal equation does not have at all.
 void add_new(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   if (!scope.range_of(x).changes_sign()) return;
@@ -49,11 +63,20 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : linear_arguments(scope, equation))
     add_limits(scope, equation, x, result);
+  for (const Expression& x : linear_arguments(scope, equation)) add_steep(scope, x, result);
   for (const Expression& g : nonlinear_terms(scope, equation))
     add_limits(scope, equation, g, result);
   for (const Expression& x : all_variables(scope))
     if (!has_term(scope, equation, x)) add_new(scope, x, result);
   return result;
+}
+
+// Whether the nominal term is what it was given as, so that the form acts beside it.
+bool leaves_the_term(const FittedForm& fitted) {
+  const double given =
+      slope(fitted.scope.model, fitted.candidate.equation, fitted.candidate.argument);
+  return std::abs(nominal_slope(fitted) - given) <=
+         fitted.options.equal_slopes * std::abs(given);
 }
 
 // Nothing of the slope is left beyond the limit. Where the nominal model has it, its term stays
@@ -67,8 +90,9 @@ std::optional<Reading> reading(const FittedForm& fitted) {
   const bool known = slope(fitted.scope.model, candidate.equation, candidate.argument) != 0.0;
   const bool acts_inside =
       has_form(candidate, "clip(x,-a,a)") || has_form(candidate, "tanh(x/a)");
-  if (known && acts_inside) return std::nullopt;
-  return Reading{known ? "saturation of " + x : "action of " + x + " that saturates",
+  const bool beside = has_form(candidate, "tanh(x/a)") && leaves_the_term(fitted);
+  if (known && acts_inside && !beside) return std::nullopt;
+  return Reading{known && !beside ? "saturation of " + x : "action of " + x + " that saturates",
                  Precedence::Plain,
                  {"limit"}};
 }

@@ -41,10 +41,10 @@ OdeModel augmented_model(const OdeModel& nominal, const std::vector<FittedEffect
 /// Memory states of one effect on one record's samples.
 Matrix memory_samples(const OdeModel& nominal, const FittedEffect& effect,
                       const Trajectory& record, const Matrix& path) {
-  const LinearisedRecord grid = grid_of(record, path);
+  const LinearisedRecord grid = grid_of(nominal.inputs(), record, path);
   const Matrix fine =
       memory_along(effect.candidate, as_span(effect.shapes), nominal.variables(), grid);
-  return fine(Eigen::seq(0, Eigen::last, 2), Eigen::all);
+  return fine(grid.sample_rows(), Eigen::all);
 }
 
 void add_memory(const OdeModel& nominal, const FittedEffect& effect,

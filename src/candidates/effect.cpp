@@ -2,6 +2,7 @@
 #include "lacuna/candidates/effect.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "lacuna/core/error.hpp"
@@ -45,9 +46,17 @@ void check_start(const Candidate& candidate, const Vector& start) {
     const double value = start[static_cast<Index>(i)];
     if (!(shape.low <= value && value <= shape.high))
       fail(candidate, "the starting point leaves the range of '" + shape.name + "'");
-    if (shape.logarithmic && shape.low <= 0.0)
-      fail(candidate, "'" + shape.name + "' is logarithmic and reaches 0");
   }
+}
+
+/// Whether every shape has a range at all. Records that hardly move along an argument (two
+/// levels, one value) leave none: there is nothing to find of the form.
+bool has_ranges(const Candidate& candidate) {
+  return std::all_of(
+      candidate.shapes.begin(), candidate.shapes.end(), [](const ShapeParameter& shape) {
+        return std::isfinite(shape.low) && std::isfinite(shape.high) &&
+               shape.low <= shape.high && (!shape.logarithmic || shape.low > 0.0);
+      });
 }
 
 void check_candidate(const Candidate& candidate, const Scope& scope) {
@@ -75,6 +84,7 @@ std::vector<Candidate> Effect::candidates(const Scope& scope, Index equation) co
                         "there is no equation " + std::to_string(equation),
                         "give a number below " + std::to_string(scope.model.dimension()));
   std::vector<Candidate> result = do_candidates(scope, equation);
+  std::erase_if(result, [](const Candidate& candidate) { return !has_ranges(candidate); });
   for (Candidate& candidate : result) {
     candidate.families = {std::string(info().name)};
     candidate.equation = equation;

@@ -2,6 +2,7 @@
 #include "nelder_mead.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,18 @@ class Simplex {
     sort();
   }
 
+  /// Whether all vertices lie on one face of the cube, which no step of theirs leaves.
+  bool is_on_a_face() const {
+    for (Index i = 0; i < best().size(); ++i)
+      for (const double face : {0.0, 1.0})
+        if (std::all_of(vertices_.begin(), vertices_.end(),
+                        [&](const Vertex& vertex) { return vertex.second[i] == face; }))
+          return true;
+    return false;
+  }
+
   const Vector& best() const { return vertices_.front().second; }
+  double least() const { return vertices_.front().first; }
   int evaluations() const { return evaluations_; }
 
  private:
@@ -79,10 +91,18 @@ class Simplex {
 
 Vector nelder_mead(FunctionRef<double(const Vector&)> function, const Vector& start,
                    const SimplexSettings& settings) {
-  Simplex simplex(function, start, settings.reach);
-  while (simplex.evaluations() < settings.evaluations && !simplex.settled(settings.unnoticed))
-    simplex.improve();
-  return simplex.best();
+  Vector best = start;
+  int left = settings.evaluations;
+  for (double least = std::numeric_limits<double>::infinity();;) {
+    Simplex simplex(function, best, settings.reach);
+    while (simplex.evaluations() < left && !simplex.settled(settings.unnoticed))
+      simplex.improve();
+    best = simplex.best();
+    left -= simplex.evaluations();
+    const bool improved = simplex.least() < least - settings.unnoticed;
+    if (!simplex.is_on_a_face() || !improved || left <= 0) return best;
+    least = simplex.least();
+  }
 }
 
 }  // namespace lacuna

@@ -16,7 +16,8 @@ struct SimplexSettings {
 
 /// Where the function is least, starting from a point in [0,1]^d.
 /// Source: Nelder and Mead, Computer J. 7:308-313 (1965); points that leave the cube are put on
-/// its faces.
+/// its faces. A simplex that has collapsed onto a face is set up again from its best vertex as
+/// long as that helps.
 Vector nelder_mead(FunctionRef<double(const Vector&)> function, const Vector& start,
                    const SimplexSettings& settings);
 

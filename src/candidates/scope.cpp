@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kQuantiles = 21;
+constexpr int kQuantiles = 201;
 constexpr Index kSamples = 2000;  // enough for quantiles of formulas
 
 void check_names(const std::vector<Quantity>& model, const std::vector<Quantity>& data,

@@ -91,12 +91,12 @@ Dataset read_held_out(const OdeModel& model, const Options& options,
 }
 
 int diagnose_command(const Session& session, const Options& options) {
-  const OdeModel model = load_model(options.model);
+  const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
   const Dataset data = with_given_limits(
-      read_records(model, options.data.paths, roles_of(options), *differentiator),
+      read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All),
       options.limits);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =

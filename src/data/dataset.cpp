@@ -31,7 +31,8 @@ void check_names(const Dataset& data) {
   std::set<std::string> seen;
   std::vector<Quantity> all = data.states;
   all.insert(all.end(), data.inputs.begin(), data.inputs.end());
-  for (const auto& [name, unit] : all) {
+  for (const Quantity& quantity : all) {
+    const std::string& name = quantity.name;
     if (!is_identifier(name))
       fail("dataset", "'" + name + "' is not a name",
            "use letters, digits and underscores, a letter first");

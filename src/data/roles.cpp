@@ -188,6 +188,7 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
     const std::string& unit = table.columns[static_cast<std::size_t>(*columns.time)].unit;
     if (!unit.empty()) data.time_unit = unit;
   }
+  if (roles.time_unit) data.time_unit = *roles.time_unit;
   const Records records = split_records(table, columns);
   append(data.notes, records.notes);
   for (std::size_t i = 0; i < records.ranges.size(); ++i) {

@@ -11,6 +11,7 @@
 #include "lacuna/estimation/timing_jitter.hpp"
 #include "lacuna/hypotheses/coloured_noise.hpp"
 #include "lacuna/numerics/significance.hpp"
+#include "reservations.hpp"
 
 namespace lacuna {
 namespace {
@@ -44,7 +45,7 @@ bool coefficients_off(const Problem& problem, const Baseline& base) {
 Verdict verdict_of(const Problem& problem, const Account& account) {
   const bool left = leaves_structure(account, problem.options.decision);
   if (!account.named.empty() || !account.findings.empty())
-    return left || account.ambiguous ? Verdict::PartlyExplained : Verdict::Explained;
+    return left ? Verdict::PartlyExplained : Verdict::Explained;
   if (left) return Verdict::UnnamedStructure;
   return coefficients_off(problem, *account.base) ? Verdict::CoefficientsOnly
                                                   : Verdict::NoDiscrepancy;
@@ -125,8 +126,10 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const Baseline& base = *best.base;
   const Assimilation& fit = best.explanation.fit;
   const Verdict verdict = verdict_of(problem, best);
+  const std::vector<std::string> doubts = reservations(problem, best, gap);
+  const bool lower = hearing.lower || (verdict == Verdict::Explained && !doubts.empty());
   Diagnosis result{
-      .verdict = hearing.lower ? Verdict::PartlyExplained : verdict,
+      .verdict = lower ? Verdict::PartlyExplained : verdict,
       .nominal = problem.nominal,
       .disagreement = locate(base.given, problem.context),
       .effects = std::move(best.named),
@@ -144,6 +147,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
   result.remaining.structure = result.remaining.structure || hearing.lower;
   if (!hearing.note.empty()) result.notes.push_back(hearing.note);
+  result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
   add_notes(problem, result);
   if (!result.remaining.structure) add_jitter_note(problem, fit, result);
   return result;

@@ -6,6 +6,7 @@
 
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/data/marks.hpp"
+#include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
 
 namespace lacuna {
@@ -15,7 +16,7 @@ namespace {
 /// have forgotten where they began. The first one of all when no window is left.
 Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effects,
                   const Trajectory& record, Index length) {
-  const LinearisedRecord grid = grid_of(record, record.states);
+  const LinearisedRecord grid = grid_of(nominal.inputs(), record, record.states);
   double time = record.time[0];
   for (const FittedEffect& effect : effects) {
     const auto known =
@@ -49,16 +50,21 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
 }
 
 /// The model on records, with noise of the kind that was found and without the summands that
-/// the measurement has: these are taken on the path, which moves with them.
-Assimilation without_faults(const Assimilation& found, Dataset& data,
+/// the measurement has: these are taken on the path, which moves with them. Marked samples that
+/// are outliers are left out.
+Assimilation without_faults(const Assimilation& found, Dataset& data, double outlying,
                             const RunContext& context) {
   AssimilationOptions options;
   options.coloured = found.noise.coloured;
   std::vector<Matrix> marks;
   for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
   Assimilation fit = assimilate(found.model, data, marks, options, context);
+  OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
+  fit.omitted = std::move(outliers.outliers);
+  if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
   if (found.channel_terms.empty()) return fit;
   constexpr int kPasses = 4;  // what a filter of a third of the time scale takes away: 1 %
+  marks = fit.omitted;
   std::vector<Matrix> given;
   for (const Trajectory& record : data.trajectories) given.push_back(record.states);
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -87,14 +93,14 @@ struct Comparison {
 Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
                       const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
   const Index m = nominal.dimension();
+  const Matrix omitted = fit.omitted.empty() ? Matrix() : fit.omitted[record];
+  const Matrix own = omitted.size() > 0 ? Matrix(omitted.leftCols(m)) : Matrix();
   const LinearisedRecord& full = fit.records[record];
   constexpr double kExact = 1e-4;  // of a deviation: no error of the integration shows
   const LinearisedRecord bare =
       linearise(nominal, given, Matrix(full.path.leftCols(m)), kExact * scale.head(m));
-  return {
-      window_squares(bare, {given.states, given.marks}, narrowed(fit.noise, m), scale, grid),
-      window_squares(full, {fit.measured[record], fit.omitted[record]}, fit.noise, scale,
-                     grid)};
+  return {window_squares(bare, {given.states, own}, narrowed(fit.noise, m), scale, grid),
+          window_squares(full, {fit.measured[record], omitted}, fit.noise, scale, grid)};
 }
 
 std::vector<std::string> sources_of(const Dataset& data) {
@@ -114,7 +120,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
     paths.push_back(record.states);
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
-  const Assimilation fit = without_faults(explanation.fit, problem.data, context);
+  const Assimilation fit =
+      without_faults(explanation.fit, problem.data, held_out.outlying, context);
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;
@@ -128,12 +135,14 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
     all.after.add(one.after);
   }
   const Vector& time = fit.records.front().time;
+  const double floor = noise_floor(fit.noise, scale);
   return {
       "rms of (measured - model) / standard deviation in windows of one mean period, "
       "initial state fitted",
       all.before.rms(),
       all.after.rms(),
-      noise_floor(fit.noise, scale),
+      floor,
+      all.after.above(floor),
       static_cast<double>(length) * (time[1] - time[0]),
       sources_of(held_out.given),
       all.before.diverged + all.after.diverged};

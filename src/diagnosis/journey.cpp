@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "journey.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "lacuna/core/text.hpp"
@@ -46,6 +47,16 @@ void append(std::vector<Rival>& trail, std::vector<Rival> more) {
                std::make_move_iterator(more.end()));
 }
 
+/// What the records do not tell from the account that was taken: another assumption of them.
+void add_doubt(const Problem& problem, const Rival& rival, const Account& loser,
+               Account& winner) {
+  if (!rival.rule.empty() || says(loser, problem.nominal) == says(winner, problem.nominal) ||
+      std::abs(rival.value - rival.threshold) > problem.options.decision.undecided)
+    return;
+  winner.doubts.push_back("the records allow as well (" + loser.hypothesis +
+                          "): " + says(loser, problem.nominal));
+}
+
 /// One proposal; effects are sought on a new baseline before it is judged or after it has won.
 void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Proposal proposal,
            Judged& so_far) {
@@ -63,10 +74,13 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
   so_far.trail.push_back(rival);
   if (rival.taken) {
     if (is_baseline && !proposal.search_first) search();
+    if (is_baseline) add_doubt(problem, rival, so_far.best, proposal.account);
     so_far.best = std::move(proposal.account);
-  } else if (so_far.best.rounds.empty()) {
-    so_far.best.rounds = std::move(proposal.account.rounds);  // what was tried in vain
+  } else if (is_baseline) {
+    add_doubt(problem, rival, proposal.account, so_far.best);
   }
+  if (!rival.taken && so_far.best.rounds.empty())
+    so_far.best.rounds = std::move(proposal.account.rounds);  // what was tried in vain
   append(so_far.trail, std::move(inner));
 }
 

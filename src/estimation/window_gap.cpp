@@ -6,6 +6,7 @@
 
 #include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/innovation_filter.hpp"
+#include "lacuna/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {
@@ -25,10 +26,12 @@ double mean_period(const Eigen::Ref<const Vector>& values) {
   return static_cast<double>(last - first) / static_cast<double>(crossings - 1);
 }
 
+// A window has no fewer samples, so that the fitted initial state takes up little.
+constexpr Index kShortest = 20;
+
 /// Samples of a window: the shortest mean period of the smoothed states, no fewer than 20
 /// samples.
 Index window_length(const std::vector<LinearisedRecord>& records, const NoiseModel& noise) {
-  constexpr Index kShortest = 20;  // so that the fitted initial state takes up little
   double shortest = static_cast<double>(records.front().samples());
   for (const LinearisedRecord& record : records)
     for (Index k = 0; k < record.states(); ++k)
@@ -50,21 +53,43 @@ Off off_by(double left, Mark mark) {
   return {beyond ? 0.0 : left * left, true};
 }
 
+/// Squares of what samples are off, and 1 for each that counts.
+struct OffSquares {
+  Matrix squares, counts;  ///< n x m
+};
+
+/// Sums over blocks of rows of no fewer than `shortest`.
+WindowSquares in_blocks(const OffSquares& off, Index shortest) {
+  WindowSquares squares;
+  const Index rows = off.counts.rows(), blocks = std::max<Index>(1, rows / shortest);
+  for (Index b = 0; b < blocks; ++b) {
+    const Index first = b * rows / blocks, count = (b + 1) * rows / blocks - first;
+    const double sum = off.squares.middleRows(first, count).sum();
+    const double samples = off.counts.middleRows(first, count).sum();
+    if (!(samples > 0.0)) continue;
+    squares.sum += sum;
+    squares.count += samples;
+    squares.blocks.push_back(sum / samples);
+  }
+  return squares;
+}
+
 /// One window, its initial state being fitted.
 WindowSquares one_window(const LinearisedRecord& window, const MarkedSamples& measured,
                          const NoiseModel& exact, const Vector& scale) {
-  WindowSquares squares;
   const SmoothedRecord smoothed = smooth(window, measured.values, measured.marks, exact);
+  OffSquares all{Matrix::Zero(measured.values.rows(), window.states()), {}};
+  all.counts = all.squares;
   for (Index k = 0; k < window.states(); ++k) {
     if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
     const Vector left = measured.values.col(k) - window.path.col(k) - smoothed.deviation.col(k);
     for (Index i = 0; i < left.size(); ++i) {
       const Off off = off_by(left[i], mark_of(measured.marks, i, k));
-      squares.sum += off.square / (scale[k] * scale[k]);
-      squares.count += off.counts ? 1.0 : 0.0;
+      all.squares(i, k) = off.square / (scale[k] * scale[k]);
+      all.counts(i, k) = off.counts ? 1.0 : 0.0;
     }
   }
-  return squares;
+  return in_blocks(all, kShortest);
 }
 
 Matrix rows_of(const Matrix& marks, Index first, Index count) {
@@ -81,9 +106,22 @@ void WindowSquares::add(const WindowSquares& other) {
   sum += other.sum;
   count += other.count;
   diverged += other.diverged;
+  blocks.insert(blocks.end(), other.blocks.begin(), other.blocks.end());
 }
 
 double WindowSquares::rms() const { return std::sqrt(sum / count); }
+
+double WindowSquares::above(double floor) const {
+  if (blocks.size() < 2) return 0.0;
+  const Eigen::Map<const Vector> all(blocks.data(), static_cast<Index>(blocks.size()));
+  const auto freedom = static_cast<double>(blocks.size() - 1);
+  const double mean = all.mean();
+  const double variance = (all.array() - mean).square().sum() / freedom;
+  const double error = std::sqrt(variance / (freedom + 1.0));
+  if (!(error > 0.0)) return mean > floor * floor ? INFINITY : 0.0;
+  constexpr double kNormal = 1.959963984540054;
+  return (mean - floor * floor) / error * kNormal / student_quantile_975(freedom);
+}
 
 WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples& measured,
                              const NoiseModel& noise, const Vector& scale,
@@ -117,8 +155,8 @@ double window_gap(const Assimilation& fit) {
   for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
   const Vector scale = column_deviations(paths);
   const Index length = window_samples(fit);
-  WindowSquares all;
   const Matrix none;
+  WindowSquares all;
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
     const Matrix& marks = fit.omitted.empty() ? none : fit.omitted[r];
     all.add(window_squares(fit.records[r], {fit.measured[r], marks}, fit.noise, scale,

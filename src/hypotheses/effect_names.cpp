@@ -87,6 +87,21 @@ std::vector<OtherForm> plainer_forms(const RankedEffect& ranked, const Ranking& 
   return result;
 }
 
+std::vector<OtherForm> forms_elsewhere(const RankedEffect& ranked, const Ranking& ranking,
+                                       const DecisionOptions& decision) {
+  std::vector<OtherForm> result;
+  const Candidate& candidate = ranked.effect().candidate;
+  for (const RankedEffect& other : ranking.effects) {
+    const Candidate& rival = other.effect().candidate;
+    const bool same_place =
+        rival.equation == candidate.equation && rival.place == candidate.place;
+    if (!same_place && other.criterion < ranked.criterion + decision.undecided &&
+        other.sigma >= decision.significance && other.contribution >= decision.effect_size)
+      result.push_back({name_effect(other, ranking), other.effect()});
+  }
+  return result;
+}
+
 void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
   for (std::size_t e = 0; e < named.size(); ++e) {
     const FittedEffect& fitted = explanation.effects[e];

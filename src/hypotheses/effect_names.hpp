@@ -31,4 +31,9 @@ struct OtherForm {
 std::vector<OtherForm> plainer_forms(const RankedEffect& ranked, const Ranking& ranking,
                                      const DecisionOptions& decision);
 
+/// The forms in a ranking that stand in another equation, or on a channel, and that the records
+/// do not tell from one of them (DecisionOptions::undecided).
+std::vector<OtherForm> forms_elsewhere(const RankedEffect& ranked, const Ranking& ranking,
+                                       const DecisionOptions& decision);
+
 }  // namespace lacuna

@@ -8,7 +8,9 @@ namespace lacuna {
 
 SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
                          const std::vector<Stage<Effect>>& effects) {
-  FoundEffects found = search_effects({problem, *base, effects});
+  const EffectSearch search{problem, *base, effects};
+  FoundEffects found = search_effects(search);
+  std::vector<std::string> doubts = rivals_elsewhere(search, found);
   SearchedAccount result{{.hypothesis = std::string(kNamedEffects.name),
                           .base = std::move(base),
                           .explanation = std::move(found.explanation),
@@ -17,6 +19,7 @@ SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline>
                           .left = std::move(found.left)},
                          std::move(found.rivals)};
   Account& account = result.account;
+  account.doubts = std::move(doubts);
   if (!account.named.empty() && leaves_structure(account, problem.options.decision))
     account.refitted = refit_over_windows(problem, *account.base, account.explanation);
   return result;

@@ -12,22 +12,25 @@
 #include "lacuna/candidates/nesting.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
+#include "lacuna/hypotheses/effect_parts.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
 namespace {
 
+/// Whether one effect proposes both.
+bool share_a_family(const Candidate& a, const Candidate& b) {
+  return std::any_of(a.families.begin(), a.families.end(), [&](const std::string& family) {
+    return std::find(b.families.begin(), b.families.end(), family) != b.families.end();
+  });
+}
+
 /// Whether an effect that is there covers a candidate: the same form with other numbers,
 /// another memory of the same variable, or what it has as a special case.
 bool covers(const Candidate& adopted, const Candidate& candidate, const Scope& scope) {
   if (!in_one_place(adopted, candidate) || candidate.repeats) return false;
-  const auto proposes_both = [&](const std::string& family) {
-    return std::find(candidate.families.begin(), candidate.families.end(), family) !=
-           candidate.families.end();
-  };
-  const bool both_remember =
-      !adopted.memory.empty() && !candidate.memory.empty() &&
-      std::any_of(adopted.families.begin(), adopted.families.end(), proposes_both);
+  const bool both_remember = !adopted.memory.empty() && !candidate.memory.empty() &&
+                             share_a_family(adopted, candidate);
   return both_remember || are_one_form(adopted, candidate) ||
          nests(adopted, candidate, candidate.starts.front(), scope);
 }
@@ -51,8 +54,15 @@ std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanat
         proposed.push_back(std::move(candidate));
   std::vector<Candidate> result;
   const std::vector<std::string> taken = current.fit.model.variables().names();
+  const auto is_shut_out = [&](const Candidate& candidate) {
+    return std::any_of(
+        search.without.begin(), search.without.end(), [&](const Candidate& other) {
+          return in_one_place(other, candidate) && candidate.intricacy() >= other.intricacy() &&
+                 share_a_family(other, candidate);
+        });
+  };
   for (Candidate& candidate : merged(proposed))
-    if (is_searched(candidate, current, scope))
+    if (is_searched(candidate, current, scope) && !is_shut_out(candidate))
       result.push_back(without_clash(std::move(candidate), taken));
   return result;
 }
@@ -103,18 +113,16 @@ std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& 
 
 /// rms of coefficient x form over that of the rate of the state it acts on.
 double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
-  const Candidate candidate = without_clash(effect.candidate, fit.model.variables().names());
+  const Candidate& candidate = effect.candidate;
   double sum = 0.0;
   Index count = 0;
   for (const LinearisedRecord& record : fit.records) {
-    const Vector values = form_along(
-        candidate, {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
-        fit.model.variables(), record);
+    const Vector values = effect_along(effect, fit, record);
     const double mean = candidate.form.variables().empty() ? 0.0 : values.mean();
     sum += (values.array() - mean).square().sum();
     count += values.size();
   }
-  const double rms = std::abs(effect.coefficient) * std::sqrt(sum / static_cast<double>(count));
+  const double rms = std::sqrt(sum / static_cast<double>(count));
   if (candidate.place == Place::Channel) {
     const auto& path = fit.records.front().path.col(candidate.equation);
     return rms / std::sqrt((path.array() - path.mean()).square().mean());
@@ -226,18 +234,29 @@ void set_probabilities(Ranking& ranking, double none_criterion) {
   }
 }
 
+/// What makes an effect less plain: terms that nearly cancel, then shapes and memory.
+std::pair<bool, Index> intricacy_of(const RankedEffect& ranked, const EffectSearch& search) {
+  const Candidate& candidate = ranked.effect().candidate;
+  const AddedParts parts =
+      added_parts(ranked.explanation, search.problem.nominal, candidate.equation);
+  return {largest_cancellation(parts).left < search.problem.options.decision.cancelling,
+          candidate.intricacy()};
+}
+
 /// Of those in the same equation that the data cannot tell from the best, the least intricate
 /// goes first.
-void put_least_intricate_first(std::vector<RankedEffect>& effects, double undecided) {
+void put_least_intricate_first(std::vector<RankedEffect>& effects, const EffectSearch& search) {
   if (effects.empty()) return;
-  const double limit = effects.front().criterion + undecided;
+  const double limit = effects.front().criterion + search.problem.options.decision.undecided;
   const Index equation = effects.front().effect().candidate.equation;
   auto place = effects.begin();
-  for (auto other = effects.begin(); other != effects.end(); ++other) {
-    const Candidate& candidate = other->effect().candidate;
-    if (other->criterion <= limit && candidate.equation == equation &&
-        candidate.intricacy() < place->effect().candidate.intricacy())
-      place = other;
+  auto least = intricacy_of(effects.front(), search);
+  for (auto other = effects.begin() + 1; other != effects.end(); ++other) {
+    if (other->criterion > limit || other->effect().candidate.equation != equation) continue;
+    const auto intricacy = intricacy_of(*other, search);
+    if (!(intricacy < least)) continue;
+    place = other;
+    least = intricacy;
   }
   std::rotate(effects.begin(), place, place + 1);
 }
@@ -356,7 +375,7 @@ Ranking rank(const EffectSearch& search, const Explanation& current) {
       rank_exactly(search, current, required, rank_roughly(search, current, required, screened),
                    static_cast<double>(screened.size()));
   set_probabilities(ranking, criterion_of(search.problem, search.base, current));
-  put_least_intricate_first(ranking.effects, decision.undecided);
+  put_least_intricate_first(ranking.effects, search);
   return ranking;
 }
 

@@ -88,6 +88,7 @@ bool take_out_one(const EffectSearch& search, FoundEffects& found) {
     found.explanation = std::move(smaller);
     found.named.erase(found.named.begin() + place);
     found.plainer.erase(found.plainer.begin() + place);
+    found.elsewhere.erase(found.elsewhere.begin() + place);
     return true;
   }
   return false;
@@ -143,6 +144,7 @@ void add(const EffectSearch& search, const RankedEffect& ranked, const Ranking& 
   found.named.back().gap_closed =
       std::clamp(drop_of(search, found.explanation, ranked.explanation, equation), 0.0, 1.0);
   found.plainer.push_back(plainer_forms(ranked, ranking, decision_of(search)));
+  found.elsewhere.push_back(forms_elsewhere(ranked, ranking, decision_of(search)));
   found.explanation = ranked.explanation;
   const std::size_t count = found.named.size();
   while (take_out_one(search, found)) {
@@ -174,6 +176,7 @@ bool replace(const EffectSearch& search, std::size_t old, const RankedEffect& ra
     return false;
   take_place(search, old, name_effect(ranked, ranking), std::move(next), found);
   found.plainer[old] = plainer_forms(ranked, ranking, decision_of(search));
+  found.elsewhere[old] = forms_elsewhere(ranked, ranking, decision_of(search));
   return true;
 }
 
@@ -294,9 +297,8 @@ void settle_names(const EffectSearch& search, FoundEffects& found) {
   }
 }
 
-}  // namespace
-
-FoundEffects search_effects(const EffectSearch& search) {
+/// One search from nothing.
+FoundEffects search_once(const EffectSearch& search) {
   const EffectSize size(search.problem, search.base);
   FoundEffects found{{{}, search.base.fitted}};
   do {
@@ -306,6 +308,66 @@ FoundEffects search_effects(const EffectSearch& search) {
   settle_names(search, found);
   update_numbers(found.explanation, found.named);
   return found;
+}
+
+/// Whether one search came to more than another: its effects explain the records better beyond
+/// doubt, or as well with fewer parameters.
+bool came_to_more(const EffectSearch& search, const FoundEffects& one,
+                  const FoundEffects& other) {
+  if (one.named.empty()) return false;
+  const double undecided = decision_of(search).undecided;
+  const bool plainer = one.explanation.parameters() < other.explanation.parameters();
+  return criterion_of(search, one.explanation) <
+         criterion_of(search, other.explanation) + (plainer ? undecided : -undecided);
+}
+
+bool is_anything_left(const FoundEffects& found, const DecisionOptions& decision) {
+  return std::any_of(found.left.begin(), found.left.end(), [&](const auto& structure) {
+    return structure.sigma >= decision.significance;
+  });
+}
+
+}  // namespace
+
+FoundEffects search_effects(const EffectSearch& search) {
+  FoundEffects best = search_once(search);
+  if (!is_anything_left(best, decision_of(search))) return best;
+  const std::vector<FittedEffect> doubted = best.explanation.effects;
+  for (const FittedEffect& effect : doubted) {
+    if (effect.candidate.intricacy() == 0) continue;
+    EffectSearch other = search;
+    other.without.push_back(effect.candidate);
+    FoundEffects next = search_once(other);
+    std::vector<Rival> rivals = std::move(best.rivals);
+    rivals.insert(rivals.end(), next.rivals.begin(), next.rivals.end());
+    if (came_to_more(search, next, best)) best = std::move(next);
+    best.rivals = std::move(rivals);
+  }
+  return best;
+}
+
+std::vector<std::string> rivals_elsewhere(const EffectSearch& search,
+                                          const FoundEffects& found) {
+  const double limit = criterion_of(search, found.explanation) + decision_of(search).undecided;
+  const auto is_there = [&](const FittedEffect& form) {
+    return std::any_of(found.explanation.effects.begin(), found.explanation.effects.end(),
+                       [&](const FittedEffect& effect) {
+                         return are_one_form(effect.candidate, form.candidate);
+                       });
+  };
+  std::vector<std::string> result;
+  for (std::size_t e = 0; e < found.named.size(); ++e)
+    for (const OtherForm& form : found.elsewhere[e]) {
+      if (is_there(form.effect)) continue;
+      const Explanation other = with_form(search, found, e, form.effect);
+      if (criterion_of(search, other) > limit || !all_named(search, other)) continue;
+      const auto k = static_cast<std::size_t>(form.named.equation);
+      result.push_back("in the place of " + found.named[e].name +
+                       " the records allow as well " + form.named.name + " (" +
+                       term_of(form.effect) + ") in d" +
+                       search.problem.nominal.states()[k].name + "/dt");
+    }
+  return result;
 }
 
 }  // namespace lacuna

@@ -18,12 +18,22 @@ struct FoundEffects {
   std::vector<Round> rounds = {};
   std::vector<EquationStructure> left = {};  ///< what they leave over
   std::vector<Rival> rivals = {};            ///< candidates of all rounds, taken or not
+  /// Per effect, what explained the records as well in its round in another place.
+  std::vector<std::vector<OtherForm>> elsewhere = {};
 };
 
 /// Adds effects until none is significant and of the size of an effect, or there are enough;
 /// effects that later ones make superfluous are taken out again. Where structure is left in the
 /// end special forms give way to plain ones that leave hardly more. Names are those of the
 /// numbers that the effects have in the end.
+/// Where anything significant is left, however small, the first choices may have been wrong:
+/// the search is repeated without each of the forms with shapes or memory in turn, and the best
+/// is what counts.
 FoundEffects search_effects(const EffectSearch& search);
+
+/// What explains the records as well in another place, a sentence each; DecisionOptions::
+/// undecided says what is as well.
+std::vector<std::string> rivals_elsewhere(const EffectSearch& search,
+                                          const FoundEffects& found);
 
 }  // namespace lacuna

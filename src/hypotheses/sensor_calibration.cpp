@@ -200,8 +200,8 @@ bool acts_elsewhere(const Account& account, const NamedEffect& fault) {
 /// The best account with the channel beside it as an alternative.
 Proposal beside(const Account& best, const NamedEffect& fault, const std::string& term) {
   Account account = best;
-  account.notes.push_back(as_well(fault.description + " (" + fault.name + ")"));
-  account.ambiguous = acts_elsewhere(best, fault);
+  std::vector<std::string>& said = acts_elsewhere(best, fault) ? account.doubts : account.notes;
+  said.push_back(as_well(fault.description + " (" + fault.name + ")"));
   for (NamedEffect& effect : account.named)
     effect.alternatives.insert(effect.alternatives.begin(),
                                {fault.name, term, 0.5 * effect.probability});
@@ -230,9 +230,9 @@ Proposals against_peers(const Problem& problem, const Account& best, const Basel
   const bool elsewhere = acts_elsewhere(best, fault);
   Account account = account_of(best, given, std::move(own), std::move(fault));
   if (is_sure) return {{{.account = std::move(account), .lead = undecided}}, {}};
-  account.ambiguous = elsewhere;
+  std::vector<std::string>& said = elsewhere ? account.doubts : account.notes;
   for (const NamedEffect& other : best.named) {
-    account.notes.push_back(as_well(other.description + " (" + other.name + ")"));
+    said.push_back(as_well(other.description + " (" + other.name + ")"));
     account.named[0].alternatives.insert(account.named[0].alternatives.begin(),
                                          {other.name, other.term, 0.0});
   }

@@ -83,6 +83,8 @@ TEST(Score, VerdictsFollowTheKind) {
   EXPECT_FALSE(right("lorenz-null", Verdict::CoefficientsOnly));
   EXPECT_TRUE(right("rossler-off", Verdict::CoefficientsOnly));
   EXPECT_TRUE(right("stage-cogging", Verdict::UnnamedStructure));
+  EXPECT_TRUE(right("stage-gusts", Verdict::PartlyExplained)) << "nobody knows what comes next";
+  EXPECT_FALSE(right("stage-dry-friction", Verdict::PartlyExplained));
   EXPECT_FALSE(right("stage-cogging", Verdict::Explained));
 }
 

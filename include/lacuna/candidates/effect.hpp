@@ -28,8 +28,10 @@ class Effect : public StageInterface {
 
   /// The candidates for one equation, each with this effect among its families, the equation,
   /// starting points inside the ranges of its shape parameters (one empty point when it has
-  /// none), distinct in their forms. The list may be empty. Shape parameters and memory states
-  /// get names that no variable of the model has (Scope::free_name()).
+  /// none), distinct in their forms. The list may be empty; forms of whose shapes the records
+  /// leave no range (an input of two levels has no limit to be found) are not in it. Shape
+  /// parameters and memory states get names that no variable of the model has
+  /// (Scope::free_name()).
   /// @throws ArgumentError when there is no such equation; ModelError when a form uses a name
   ///   that is neither a variable nor one of its parameters.
   std::vector<Candidate> candidates(const Scope& scope, Index equation) const;

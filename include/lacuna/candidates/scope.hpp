@@ -22,7 +22,7 @@ struct VariableRange {
   double low = 0.0, high = 0.0;  ///< smallest and largest value
   double mean = 0.0;
   double deviation = 0.0;  ///< standard deviation
-  Vector quantiles = {};   ///< 0 %, 5 %, ..., 100 %: 21 values
+  Vector quantiles = {};   ///< 0 %, 0.5 %, ..., 100 %: 201 values
   double noise = 0.0;      ///< standard deviation of the measurement noise
   /// How long it remembers: the first lag at which its autocorrelation is below 1/2, in the
   /// longest record; at least one step. 0 where it is not known (range_of()).
@@ -34,8 +34,9 @@ struct VariableRange {
   /// Whether it takes both signs beyond its noise: a velocity, a voltage.
   bool changes_sign() const { return low < -4.0 * noise && high > 4.0 * noise; }
 
-  /// Whether it is an amount that is never negative but for noise: a level, a concentration.
-  bool is_amount() const { return quantile(0.05) >= 0.0 && low >= -5.0 * noise && high > 0.0; }
+  /// Whether it is an amount that is never negative but for noise, which may take it below 0
+  /// often where it is used up: a level, a concentration.
+  bool is_amount() const { return low >= -5.0 * noise && high > 0.0 && high > -5.0 * low; }
 
   /// The value below which the share `level` (0..1) of the samples lies, interpolated.
   double quantile(double level) const;

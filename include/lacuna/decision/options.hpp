@@ -5,6 +5,7 @@
 #include "lacuna/core/options.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/records/hints.hpp"
 
 namespace lacuna {
 
@@ -33,8 +34,14 @@ struct DecisionOptions {
   double outlying = kOutlyingDeviations;
   double pile_up = 5.0;
 
-  GapOptions gaps = {};  ///< these two are listed with the others
+  double explained_gap = 1.5;
+  double cancelling = 0.1;
+  double out_of_scale = 10.0;
+  double acting = 0.01;
+
+  GapOptions gaps = {};  ///< these three are listed with the others
   NamingOptions naming = {};
+  HintOptions hints = {};
 
   void describe(OptionVisitor& v);
 };

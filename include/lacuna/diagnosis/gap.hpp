@@ -6,6 +6,7 @@
 
 #include "lacuna/candidates/explanation.hpp"
 #include "lacuna/core/run_context.hpp"
+#include "lacuna/data/noise.hpp"
 
 namespace lacuna {
 
@@ -15,7 +16,9 @@ struct Gap {
   double before = 0.0;       ///< nominal model as it was given
   double after = 0.0;        ///< augmented model
   double noise_floor = 0.0;  ///< measurement noise alone
-  double window = 0.0;       ///< length of the windows, time units
+  /// Significance of `after` being above the floor, from its scatter over the windows.
+  double above_floor = 0.0;
+  double window = 0.0;  ///< length of the windows, time units
   std::vector<std::string> records;
   Index diverged = 0;  ///< windows in which a model has no finite solution; they do not count
 
@@ -27,6 +30,7 @@ struct Gap {
 struct HeldOutRecords {
   const Dataset& given;
   const Dataset& corrected;
+  double outlying = kOutlyingDeviations;  ///< deviations of the noise that an outlier is off
 };
 
 /// Measures the gap on records that were not used to find the effects.
@@ -36,8 +40,8 @@ struct HeldOutRecords {
 /// of (measured - model) / (standard deviation of the state) over all samples of all measured
 /// states. What the measurement adds itself (a skew between channels) counts as part of the
 /// augmented model. The noise floor is the same for the measurement noise alone, as the records
-/// show it. Windows in which a model has no finite solution are left out and counted; where
-/// none is left the numbers are not finite.
+/// show it. Outliers of the measurement are left out. Windows in which a model has no finite
+/// solution are left out and counted; where none is left the numbers are not finite.
 Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
                 const HeldOutRecords& held_out, const RunContext& context);
 

@@ -2,6 +2,8 @@
 // What a model leaves when it runs freely in windows of records.
 #pragma once
 
+#include <vector>
+
 #include "lacuna/estimation/assimilation.hpp"
 
 namespace lacuna {
@@ -12,9 +14,17 @@ struct WindowSquares {
   double sum = 0.0;
   double count = 0.0;
   Index diverged = 0;  ///< windows without a finite solution
+  /// Mean squares of blocks of about twenty samples: their scatter says how well the whole mean
+  /// is known, whatever the noise is like.
+  std::vector<double> blocks = {};
 
   void add(const WindowSquares& other);
   double rms() const;  ///< not finite where no window is left
+
+  /// By how many standard errors, found from the scatter over blocks, the mean square is above
+  /// floor^2. With few blocks the errors count as much more as Student's t has them; 0 where
+  /// there are fewer than two.
+  double above(double floor) const;
 };
 
 /// Windows of a record one after another: their length, and the first sample of the first.

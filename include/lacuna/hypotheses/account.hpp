@@ -92,8 +92,7 @@ struct Account {
   std::vector<NamedEffect> findings = {};    ///< what the assumptions themselves are called
   std::optional<Unnamed> unnamed = {};       ///< what can be said of what has no name
   std::vector<std::string> notes = {};       ///< for people
-  /// What acts in another place (a channel, the dynamics) explains the records as well.
-  bool ambiguous = false;
+  std::vector<std::string> doubts = {};      ///< what explains the records as well elsewhere
 };
 
 /// The account of a baseline that nothing is missing.

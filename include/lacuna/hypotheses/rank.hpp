@@ -15,6 +15,8 @@ struct EffectSearch {
   const Problem& problem;
   const Baseline& base;
   const std::vector<Stage<Effect>>& effects;  ///< that are tried
+  /// Forms that are not, nor what the same effects propose in their places that is no plainer.
+  std::vector<Candidate> without = {};
 
   /// What fitted forms are called.
   NameTable names() const { return {effects, base.scope, problem.options.decision.naming}; }
@@ -51,8 +53,9 @@ bool are_forms_of_one(const FittedEffect& a, const std::string& name_of_a,
 /// Ranks the candidates that may come next: score tests of all, then the best of each family
 /// and equation is fitted exactly, with all coefficients, shapes and variances, and compared by
 /// the criterion. "None of them" is the model with its disturbances as they are. A form that
-/// has no name with its numbers is left out. Where a form with fewer shape parameters is within
-/// the evidence that cannot tell them apart (DecisionOptions::undecided), it leads.
+/// has no name with its numbers is left out. Of those within the evidence that cannot tell them
+/// apart (DecisionOptions::undecided) one whose terms do not nearly cancel leads, and then one
+/// with fewer shape parameters.
 /// @param current the explanation so far, where all fits start.
 Ranking rank(const EffectSearch& search, const Explanation& current);
 

@@ -64,14 +64,23 @@ void judge_effects(const HiddenCase& hidden, const Diagnosis& diagnosis, Score& 
   result.spurious = static_cast<int>(std::count(used.begin(), used.end(), false));
 }
 
-bool right_verdict(Kind kind, Verdict verdict) {
-  switch (kind) {
+/// Whether what acts is a force that nobody measured: named at best, as the gap on other
+/// records stays.
+bool is_unforeseeable(const HiddenCase& hidden) {
+  return std::any_of(hidden.effects.begin(), hidden.effects.end(), [](const auto& effect) {
+    return contains(effect.names, "unmeasured-input");
+  });
+}
+
+bool right_verdict(const HiddenCase& hidden, Verdict verdict) {
+  switch (hidden.kind) {
     case Kind::Nothing:
       return verdict == Verdict::NoDiscrepancy;
     case Kind::Coefficients:
       return verdict == Verdict::CoefficientsOnly;
     case Kind::Effects:
-      return verdict == Verdict::Explained;
+      return verdict == Verdict::Explained ||
+             (verdict == Verdict::PartlyExplained && is_unforeseeable(hidden));
     case Kind::Inexpressible:
       break;
   }
@@ -118,7 +127,7 @@ std::string in_one_line(const Diagnosis& diagnosis) {
 Score score(const HiddenCase& hidden, const Diagnosis& diagnosis, const Dataset& clean) {
   Score result;
   result.answer = in_one_line(diagnosis);
-  result.verdict = right_verdict(hidden.kind, diagnosis.verdict);
+  result.verdict = right_verdict(hidden, diagnosis.verdict);
   if (hidden.kind == Kind::Effects) {
     judge_effects(hidden, diagnosis, result);
     if (result.equation) result.size = size_found(hidden, diagnosis, clean);

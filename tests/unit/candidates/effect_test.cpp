@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/core/error.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "support/diagnosis_scope.hpp"
@@ -48,6 +50,17 @@ TEST(Effect, RefusesStartsOutsideTheRange) {
   const Scope scope = support::oscillator_scope();
   EXPECT_EQ(Made(edge(0.5)).candidates(scope, 1).size(), 1u);
   EXPECT_THROW(Made(edge(1.5)).candidates(scope, 1), ModelError);
+}
+
+TEST(Effect, WithoutARangeThereIsNothingToFind) {
+  const Scope scope = support::oscillator_scope();
+  Candidate candidate = edge(0.5);
+  candidate.shapes[0].low = 1.1;  // above the largest value
+  EXPECT_TRUE(Made(candidate).candidates(scope, 1).empty());
+  candidate.shapes[0] = {"edge", "m", 0.0, 1.0, true};
+  EXPECT_TRUE(Made(candidate).candidates(scope, 1).empty()) << "no logarithm of 0";
+  candidate.shapes[0] = {"edge", "m", -NAN, 1.0, false};
+  EXPECT_TRUE(Made(candidate).candidates(scope, 1).empty());
 }
 
 TEST(Effect, RefusesUnknownNames) {

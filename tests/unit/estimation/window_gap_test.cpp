@@ -40,6 +40,32 @@ TEST(WindowGap, WindowsWithoutASolutionCountForNothingElse) {
   EXPECT_DOUBLE_EQ(all.rms(), std::sqrt(2.0));
 }
 
+TEST(WindowGap, IsAboveAFloorByItsScatterOverBlocks) {
+  WindowSquares all{30.0, 3.0, 0, {8.0, 10.0, 12.0}};
+  // Mean 10, standard error 2 / sqrt(3); two degrees of freedom count 4.303 as 1.96.
+  EXPECT_NEAR(all.above(2.0), 6.0 * std::sqrt(3.0) / 2.0 * 1.959964 / 4.302653, 1e-6);
+  EXPECT_LT(all.above(4.0), 0.0);
+  all.blocks = {10.0};
+  EXPECT_EQ(all.above(1.0), 0.0) << "one block has no scatter";
+}
+
+TEST(WindowGap, LeavesOutOmittedSamples) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Assimilation fit = support::assimilated(data);
+  const Vector scale = Vector::Ones(2);
+  Matrix measured = fit.measured[0], omitted = Matrix::Zero(measured.rows(), 2);
+  const auto gap = [&] {
+    return window_squares(fit.records[0], {measured, omitted}, fit.noise, scale, {0, 100});
+  };
+  const WindowSquares clean = gap();
+  measured(30, 0) += 100.0;
+  EXPECT_GT(gap().rms(), 10.0 * clean.rms());
+  omitted(30, 0) = 1.0;
+  EXPECT_NEAR(gap().rms(), clean.rms(), 0.05 * clean.rms());
+  EXPECT_EQ(gap().count, clean.count - 1.0);
+  EXPECT_EQ(clean.blocks.size(), static_cast<std::size_t>(measured.rows() / 100 * 5));
+}
+
 TEST(WindowGap, CountsWhatLastsAndNotWhatGoesToAndFro) {
   const auto gap_of = [](const support::Hidden& hidden) {
     return window_gap(support::assimilated(support::hidden_record(hidden, 1e-4, 3)));

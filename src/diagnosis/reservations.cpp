@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "reservations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coefficient_changes.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/hypotheses/effect_parts.hpp"
+
+namespace lacuna {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+/// Whether a shape ended where its range does, up to what a search resolves.
+bool is_on_bound(const ShapeParameter& shape, double value) {
+  constexpr double kOfRange = 1e-3, kOfBound = 1e-2;
+  const auto is_at = [&](double bound) {
+    const double size = bound != 0.0 ? kOfBound * std::abs(bound) : shape.high - shape.low;
+    return std::abs(value - bound) <= std::min(size, kOfRange * (shape.high - shape.low));
+  };
+  return is_at(shape.low) || is_at(shape.high);
+}
+
+std::string where(const Problem& problem, Index equation) {
+  return "d" + problem.nominal.states()[static_cast<std::size_t>(equation)].name + "/dt";
+}
+
+void add_bounds(const Account& account, Sentences& said) {
+  for (std::size_t e = 0; e < account.named.size(); ++e) {
+    const FittedEffect& effect = account.explanation.effects[e];
+    for (std::size_t s = 0; s < effect.candidate.shapes.size(); ++s) {
+      const ShapeParameter& shape = effect.candidate.shapes[s];
+      const double value = effect.shapes[static_cast<Index>(s)];
+      if (is_on_bound(shape, value))
+        said.push_back("a parameter sits on its bound: " + shape.name + " = " +
+                       format_number(value, 4) + " of " + account.named[e].name);
+    }
+  }
+}
+
+void add_cancelling(const Problem& problem, const Account& account, Sentences& said) {
+  const double least = problem.options.decision.cancelling;
+  std::vector<Index> seen;
+  for (const FittedEffect& effect : account.explanation.effects) {
+    const Index k = effect.candidate.equation;
+    if (effect.candidate.place != Place::Rate ||
+        std::find(seen.begin(), seen.end(), k) != seen.end())
+      continue;
+    seen.push_back(k);
+    const Cancellation found =
+        largest_cancellation(added_parts(account.explanation, problem.nominal, k));
+    if (found.left < least)
+      said.push_back("terms in " + where(problem, k) +
+                     " nearly cancel: " + join(found.terms, ", "));
+  }
+}
+
+void add_coefficients(const Problem& problem, const Account& account, Sentences& said) {
+  const DecisionOptions& decision = problem.options.decision;
+  const Assimilation& fit = account.explanation.fit;
+  for (const CoefficientChange& change :
+       coefficient_changes(problem.nominal, fit, account.base->fit_options.free.size())) {
+    const bool told = std::abs(change.estimated) >= decision.significance * change.deviation;
+    // What is a minor part of it, whatever the sign, is a term that an effect stands for.
+    const bool turned = change.estimated * change.nominal < 0.0 &&
+                        std::abs(change.estimated) > decision.minor * std::abs(change.nominal);
+    const bool grown =
+        std::abs(change.estimated) > decision.out_of_scale * std::abs(change.nominal);
+    if (change.nominal == 0.0 || !told || !(turned || grown)) continue;
+    said.push_back(
+        "the nominal coefficient of " + change.term + " in " + where(problem, change.equation) +
+        (turned ? " changes its sign: " : " changes out of scale: ") +
+        format_number(change.nominal, 4) + " to " + format_number(change.estimated, 4));
+  }
+}
+
+void add_idle(const Problem& problem, const Account& account, Sentences& said) {
+  for (std::size_t e = 0; e < account.named.size(); ++e) {
+    const FittedEffect& effect = account.explanation.effects[e];
+    if (effect.candidate.place != Place::Rate || effect.candidate.is_driven()) continue;
+    const double share = acting_share(effect, account.explanation.fit);
+    if (share < problem.options.decision.acting)
+      said.push_back(account.named[e].name + " acts in " + format_number(100.0 * share, 2) +
+                     " % of the samples only");
+  }
+}
+
+}  // namespace
+
+bool stays_open(const Gap& gap, const DecisionOptions& decision) {
+  return gap.after > decision.explained_gap * gap.noise_floor &&
+         gap.above_floor >= decision.significance;
+}
+
+Sentences reservations(const Problem& problem, const Account& account,
+                       const std::optional<Gap>& gap) {
+  Sentences said;
+  if (account.named.empty() && account.findings.empty()) return said;
+  if (gap && stays_open(*gap, problem.options.decision))
+    said.push_back("the gap on the records that were not used stays at " +
+                   format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
+  said.insert(said.end(), account.doubts.begin(), account.doubts.end());
+  add_bounds(account, said);
+  add_cancelling(problem, account, said);
+  add_coefficients(problem, account, said);
+  add_idle(problem, account, said);
+  return said;
+}
+
+}  // namespace lacuna

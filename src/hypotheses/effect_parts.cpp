@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/effect_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "effect_names.hpp"
+#include "lacuna/candidates/candidate_column.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Parts along one record, as columns.
+Matrix parts_along(const Explanation& explanation, const OdeModel& nominal, Index equation,
+                   const LinearisedRecord& record) {
+  const Assimilation& fit = explanation.fit;
+  const auto k = static_cast<std::size_t>(equation);
+  std::vector<Vector> columns;
+  for (const FittedEffect& effect : explanation.effects)
+    if (effect.candidate.equation == equation && effect.candidate.place == Place::Rate)
+      columns.push_back(effect_along(effect, fit, record));
+  for (std::size_t j = 0; j < nominal.equations()[k].size(); ++j) {
+    const WeightedTerm& given = nominal.equations()[k][j];
+    const double more = fit.model.equations()[k][j].coefficient - given.coefficient;
+    columns.push_back(more *
+                      evaluate_on(record, fit.model.variables(), given.term.expression()));
+  }
+  Matrix parts(record.slots.rows(), static_cast<Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    parts.col(static_cast<Index>(j)) = columns[j];
+  return parts;
+}
+
+std::vector<std::string> terms_in(const Explanation& explanation, const OdeModel& nominal,
+                                  Index equation) {
+  std::vector<std::string> terms;
+  for (const FittedEffect& effect : explanation.effects)
+    if (effect.candidate.equation == equation && effect.candidate.place == Place::Rate)
+      terms.push_back(term_of(effect));
+  for (const WeightedTerm& given : nominal.equations()[static_cast<std::size_t>(equation)])
+    terms.push_back("the change of " + given.term.name());
+  return terms;
+}
+
+}  // namespace
+
+Vector effect_along(const FittedEffect& effect, const Assimilation& fit,
+                    const LinearisedRecord& record) {
+  const Candidate candidate = without_clash(effect.candidate, fit.model.variables().names());
+  return effect.coefficient *
+         form_along(candidate,
+                    {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
+                    fit.model.variables(), record);
+}
+
+AddedParts added_parts(const Explanation& explanation, const OdeModel& nominal,
+                       Index equation) {
+  AddedParts added{terms_in(explanation, nominal, equation)};
+  added.effects = static_cast<Index>(
+      added.terms.size() - nominal.equations()[static_cast<std::size_t>(equation)].size());
+  const auto count = static_cast<Index>(added.terms.size());
+  added.gram = Matrix::Zero(count, count);
+  double samples = 0.0;
+  for (const LinearisedRecord& record : explanation.fit.records) {
+    const Matrix parts = parts_along(explanation, nominal, equation, record);
+    added.gram += parts.transpose() * parts;
+    samples += static_cast<double>(parts.rows());
+  }
+  added.gram /= samples;
+  return added;
+}
+
+Cancellation largest_cancellation(const AddedParts& parts) {
+  // A model of more terms than this is looked at as far as its first ones.
+  constexpr Index kMost = 12;
+  const Index count = std::min(kMost, parts.gram.rows());
+  Cancellation found;
+  for (unsigned subset = 1; subset < (1u << count); ++subset) {
+    Vector chosen = Vector::Zero(parts.gram.rows());
+    for (Index j = 0; j < count; ++j) chosen[j] = (subset >> j) & 1u;
+    const double largest = chosen.cwiseProduct(parts.gram.diagonal()).maxCoeff();
+    const bool has_effect = chosen.head(std::min(count, parts.effects)).sum() > 0.0;
+    if (chosen.sum() < 2.0 || !has_effect || !(largest > 0.0)) continue;
+    const double sum = std::max(0.0, chosen.dot(parts.gram * chosen));
+    const double left = std::sqrt(sum / largest);
+    if (!(left < found.left)) continue;
+    found = {left};
+    for (Index j = 0; j < count; ++j)
+      if (chosen[j] > 0.0) found.terms.push_back(parts.terms[static_cast<std::size_t>(j)]);
+  }
+  return found;
+}
+
+double acting_share(const FittedEffect& effect, const Assimilation& fit) {
+  constexpr double kNothing = 0.01;
+  std::vector<Vector> all;
+  double largest = 0.0, acting = 0.0, samples = 0.0;
+  for (const LinearisedRecord& record : fit.records) {
+    all.push_back(effect_along(effect, fit, record).cwiseAbs());
+    largest = std::max(largest, all.back().maxCoeff());
+  }
+  for (const Vector& values : all) {
+    acting += static_cast<double>((values.array() > kNothing * largest).count());
+    samples += static_cast<double>(values.size());
+  }
+  return acting / samples;
+}
+
+}  // namespace lacuna
