@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/npy.hpp"
+#include "npy.hpp"
 
 #include <algorithm>
 #include <bit>

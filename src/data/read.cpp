@@ -13,9 +13,9 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/file_bytes.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/data/npy.hpp"
 #include "lacuna/data/read_text.hpp"
 #include "lacuna/data/text_field.hpp"
+#include "npy.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/text_field.hpp"
-#include "lacuna/data/text_layout.hpp"
+#include "text_layout.hpp"
 
 namespace lacuna {
 namespace {

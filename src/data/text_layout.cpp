@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/text_layout.hpp"
+#include "text_layout.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,76 @@
 
 namespace lacuna {
 
+namespace {
+
+/// How candidates are sought and fitted.
+void describe_search(DecisionOptions& o, OptionVisitor& v) {
+  v.field(
+      {"worth_shaping", "",
+       "Candidates whose gain is a smaller share of the best one's get no search of shapes.",
+       0.0, 1.0},
+      o.worth_shaping);
+  v.field(
+      {"worth_fitting", "",
+       "Candidates whose gain is a smaller share of the best one's are not fitted.", 0.0, 1.0},
+      o.worth_fitting);
+  v.field({"possible", "standard deviations",
+           "Candidates whose gain is less significant are not fitted.", 0.0},
+          o.possible);
+  v.field({"rough_fits", "", "Candidates of a round that are fitted in few passes.", 1.0},
+          o.rough_fits);
+  v.field({"exact_fits", "", "Of these the best, which are fitted exactly.", 1.0},
+          o.exact_fits);
+  v.field({"noise_inflation", "",
+           "Identities are doubted where the noise of a channel comes out larger than its "
+           "samples show against their neighbours, by this factor.",
+           1.0},
+          o.noise_inflation);
+  v.field({"long_window", "mean periods",
+           "Length, and least number, of windows over which coefficients have to hold where "
+           "structure is left.",
+           1.0},
+          o.long_window);
+}
+
+/// How channels and explanations are judged.
+void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
+  v.field(
+      {"outlying", "standard deviations",
+       "Samples are outliers of the measurement where they are farther off; 6 leaves out one "
+       "of 5e8 samples of normal noise.",
+       1.0},
+      o.outlying);
+  v.field({"pile_up", "",
+           "A channel is clipped where its largest (or least) value has so many times as many "
+           "samples as any value next to it.",
+           1.0},
+          o.pile_up);
+  v.field(
+      {"explained_gap", "noise floors",
+       "What leaves a larger gap on records that were not used, by more than chance, is not "
+       "called explained.",
+       1.0},
+      o.explained_gap);
+  v.field({"cancelling", "",
+           "Terms whose sum is a smaller share of the largest of them nearly cancel: their "
+           "numbers say nothing each, and they do not pass as an explanation.",
+           0.0, 1.0},
+          o.cancelling);
+  v.field({"out_of_scale", "",
+           "A nominal coefficient that grows by more than this factor, or changes its sign, is "
+           "not the one that was given; what needs it does not pass as an explanation.",
+           1.0},
+          o.out_of_scale);
+  v.field({"acting", "",
+           "An effect that acts in a smaller share of the samples is known from too few of "
+           "them to pass as an explanation.",
+           0.0, 1.0},
+          o.acting);
+}
+
+}  // namespace
+
 void DecisionOptions::describe(OptionVisitor& v) {
   v.field({"significance", "standard deviations",
            "What is less significant, after allowing for all that was tried, is chance.", 0.0},
@@ -34,63 +104,8 @@ void DecisionOptions::describe(OptionVisitor& v) {
            "repeat.",
            0.0, 1.0},
           major);
-  v.field(
-      {"worth_shaping", "",
-       "Candidates whose gain is a smaller share of the best one's get no search of shapes.",
-       0.0, 1.0},
-      worth_shaping);
-  v.field(
-      {"worth_fitting", "",
-       "Candidates whose gain is a smaller share of the best one's are not fitted.", 0.0, 1.0},
-      worth_fitting);
-  v.field({"possible", "standard deviations",
-           "Candidates whose gain is less significant are not fitted.", 0.0},
-          possible);
-  v.field({"rough_fits", "", "Candidates of a round that are fitted in few passes.", 1.0},
-          rough_fits);
-  v.field({"exact_fits", "", "Of these the best, which are fitted exactly.", 1.0}, exact_fits);
-  v.field({"noise_inflation", "",
-           "Identities are doubted where the noise of a channel comes out larger than its "
-           "samples show against their neighbours, by this factor.",
-           1.0},
-          noise_inflation);
-  v.field({"long_window", "mean periods",
-           "Length, and least number, of windows over which coefficients have to hold where "
-           "structure is left.",
-           1.0},
-          long_window);
-  v.field(
-      {"outlying", "standard deviations",
-       "Samples are outliers of the measurement where they are farther off; 6 leaves out one "
-       "of 5e8 samples of normal noise.",
-       1.0},
-      outlying);
-  v.field({"pile_up", "",
-           "A channel is clipped where its largest (or least) value has so many times as many "
-           "samples as any value next to it.",
-           1.0},
-          pile_up);
-  v.field(
-      {"explained_gap", "noise floors",
-       "What leaves a larger gap on records that were not used, by more than chance, is not "
-       "called explained.",
-       1.0},
-      explained_gap);
-  v.field({"cancelling", "",
-           "Terms whose sum is a smaller share of the largest of them nearly cancel: their "
-           "numbers say nothing each, and they do not pass as an explanation.",
-           0.0, 1.0},
-          cancelling);
-  v.field({"out_of_scale", "",
-           "A nominal coefficient that grows by more than this factor, or changes its sign, is "
-           "not the one that was given; what needs it does not pass as an explanation.",
-           1.0},
-          out_of_scale);
-  v.field({"acting", "",
-           "An effect that acts in a smaller share of the samples is known from too few of "
-           "them to pass as an explanation.",
-           0.0, 1.0},
-          acting);
+  describe_search(*this, v);
+  describe_judgement(*this, v);
   gaps.describe(v);
   naming.describe(v);
   hints.describe(v);

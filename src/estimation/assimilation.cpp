@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/estimation/innovation_system.hpp"
 #include "lacuna/estimation/variance_fit.hpp"
@@ -299,10 +300,11 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
   start.omitted = omitted;
   start.seen_noise = visible_noise(data);
   start.noise = first_noise(model, data, start.seen_noise, options);
-  for (const Trajectory& record : data.trajectories) {
+  for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
+    const Matrix& states = data.trajectories[r].states;
     start.records.emplace_back();
-    start.records.back().path = record.states;
-    start.measured.push_back(record.states);
+    start.records.back().path = omitted.empty() ? states : filled(states, omitted[r]);
+    start.measured.push_back(states);
   }
   start.free = options.free;
   return settled(Turns(data, options, std::move(start), context).run(true), data, options,

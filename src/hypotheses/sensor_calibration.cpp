@@ -68,9 +68,13 @@ std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& give
   const DecisionOptions& decision = problem.options.decision;
   const auto tried = static_cast<double>(screened.size());
   std::vector<Fitted> fitted;
+  int fits = 0;
   for (const ScreenedCandidate& one : screened) {
     const double freedom = 1.0 + static_cast<double>(one.shapes.size());
-    if (sigma_of_gain(one.gain, freedom, tried) < decision.significance) continue;
+    if (sigma_of_gain(one.gain, freedom, tried) < decision.significance ||
+        one.gain < decision.worth_fitting * screened.front().gain)
+      continue;
+    if (++fits > decision.rough_fits) break;
     Explanation found = explain_on(problem, given, given.fitted,
                                    {{one.candidate, one.shapes, one.coefficient, 0.0}});
     const FittedEffect& effect = found.effects.front();

@@ -20,6 +20,12 @@ bool is_plain(const Explanation& explanation) {
              [](const FittedEffect& effect) { return effect.candidate.memory.empty(); });
 }
 
+/// Whether some samples are no values, which a fit of trajectories would take for such.
+bool has_marks(const Dataset& data) {
+  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& record) { return record.marks.size() > 0; });
+}
+
 ParametrisedModel parametrised(const Assimilation& fit, const AssimilationOptions& options) {
   std::vector<FreeCoefficient> free;
   for (const CoefficientPlace& place : fit.free) {
@@ -69,7 +75,7 @@ std::optional<Explanation> refit_over_windows(const Problem& problem, const Base
                                               const Explanation& explanation) {
   const DecisionOptions& decision = problem.options.decision;
   const std::optional<Index> length = long_window(explanation.fit, decision.long_window);
-  if (!length || !is_plain(explanation)) return std::nullopt;
+  if (!length || !is_plain(explanation) || has_marks(base.records->data)) return std::nullopt;
   problem.context.report("refitting over windows", 0.0);
   RefineOptions windows;
   windows.window_samples = length;

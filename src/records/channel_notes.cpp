@@ -24,7 +24,7 @@ std::string clipped_note(const Quantity& state, const Channel& channel) {
   if (channel.limits.low)
     ends.push_back("at " + with_unit(*channel.limits.low, state) + ": " +
                    per_cent(channel.at_bottom) + " of the samples");
-  return "the channel " + state.name + " is clipped " + join(ends, ", ") +
+  return "clipped-channel: " + state.name + " is clipped " + join(ends, ", ") +
          "; they count as 'at least' or 'at most' so much";
 }
 
@@ -44,17 +44,19 @@ double span_of(const Dataset& data, Index state) {
   return high - low;
 }
 
-/// Rounding is worth a word where it is the noise, and coarser than 12 bits of the span: what
-/// is finer are the digits of the file.
+/// Rounding is worth a word where it is a part of the noise, and coarser than 12 bits of the
+/// span: what is finer are the digits of the file.
 std::string quantised_note(const Quantity& state, const Channel& channel, double span) {
   constexpr double kLevels = 4096.0;
-  if (channel.noise.kind != NoiseKind::Quantised) return "";
+  constexpr double kPart = 0.3;  // of the deviation: a tenth of the variance
   const double step = channel.noise.lattice.value_or(0.0);
-  if (!(step * kLevels > span)) return "";
+  const bool is_part = step / std::sqrt(12.0) > kPart * channel.noise.sigma;
+  if (!is_part || !(step * kLevels > span)) return "";
   return "the channel " + state.name + " is quantised: its values lie on a lattice of " +
          with_unit(step, state) + " (resolution of " +
          format_number(std::ceil(std::log2(span / step + 1.0)), 2) +
-         " bits), and rounding to it is its noise";
+         " bits), and rounding is " +
+         (channel.noise.kind == NoiseKind::Quantised ? "its noise" : "a part of its noise");
 }
 
 }  // namespace

@@ -38,6 +38,12 @@ Matrix marks_of(const Trajectory& record);
 /// Sets the mark of a sample; the record gets marks where it has none.
 void set_mark(Trajectory& record, Index sample, Index state, Mark mark);
 
+/// States of a record with those of its samples that say nothing put on the straight line
+/// between the ones before and behind them, at the ends on the nearest. A column in which no
+/// sample says anything stays as it is.
+/// @param marks n x m or 0 x 0.
+Matrix filled(Matrix states, const Matrix& marks);
+
 /// One state of a record by those of its samples that are values, with their times.
 Trajectory values_of(const Trajectory& record, Index state);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "blanks.hpp"
+#include "data/blanks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -35,6 +35,18 @@ TEST(Marks, OnlyAnEndAndAValueSaySomething) {
   EXPECT_FALSE(says_something(Mark::Outlier) || says_something(Mark::Missing));
 }
 
+TEST(Filled, GoesStraightFromWhatSaysSomething) {
+  const double no = number_of(Mark::Outlier), end = number_of(Mark::AtTop);
+  const Matrix states{{9.0, 1.0}, {2.0, 9.0}, {9.0, 9.0}, {9.0, 4.0}, {8.0, 9.0}};
+  const Matrix marks{{no, 0.0}, {end, no}, {no, no}, {no, 0.0}, {0.0, no}};
+  EXPECT_TRUE(
+      filled(states, marks)
+          .isApprox(Matrix{{2.0, 1.0}, {2.0, 2.0}, {4.0, 3.0}, {6.0, 4.0}, {8.0, 4.0}}));
+  EXPECT_EQ(filled(states, Matrix()), states);
+  const Matrix none = Matrix::Constant(5, 2, no);
+  EXPECT_EQ(filled(states, none), states) << "nothing to go by";
+}
+
 TEST(Marks, GoWithTheRows) {
   Trajectory record = four_samples();
   set_mark(record, 2, 0, Mark::AtBottom);

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "data/npy.hpp"
 #include "lacuna/core/error.hpp"
-#include "lacuna/data/npy.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

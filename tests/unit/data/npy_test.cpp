@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/npy.hpp"
+#include "data/npy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "data/npy.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/file_bytes.hpp"
-#include "lacuna/data/npy.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 

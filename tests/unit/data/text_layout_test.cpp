@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/text_layout.hpp"
+#include "data/text_layout.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

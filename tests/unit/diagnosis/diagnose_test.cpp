@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
@@ -130,21 +131,48 @@ Diagnosis with_sensor(double offset, double gain) {
                   RunContext{});
 }
 
-TEST(Diagnose, AnOffsetOfASensorBreaksAnIdentity) {
-  const Diagnosis diagnosis = with_sensor(0.1, 1.0);
+void expect_sensor(const Diagnosis& diagnosis, const std::string& name, double coefficient) {
   EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
-  ASSERT_FALSE(diagnosis.effects.empty());
-  EXPECT_EQ(diagnosis.effects[0].equation, 0);
-  EXPECT_NEAR(diagnosis.effects[0].coefficient, -0.1, 0.005);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_EQ(diagnosis.effects[0].name, name);
+  EXPECT_EQ(diagnosis.effects[0].equation, 1);
+  EXPECT_NEAR(diagnosis.effects[0].coefficient, coefficient, 0.005);
   ASSERT_TRUE(diagnosis.gap.has_value());
   EXPECT_LT(diagnosis.gap->after, 1.1 * diagnosis.gap->noise_floor);
 }
 
-TEST(Diagnose, AGainOfASensorBreaksAnIdentity) {
-  const Diagnosis diagnosis = with_sensor(0.0, 1.05);
-  EXPECT_EQ(diagnosis.verdict, Verdict::CoefficientsOnly);
-  EXPECT_NEAR(diagnosis.augmented.coefficient(0, "v"), 1.0 / 1.05, 0.005);
-  EXPECT_NEAR(diagnosis.augmented.coefficient(1, "q"), -4.0 * 1.05, 0.02);
+TEST(Diagnose, AnOffsetOfASensorIsNoConstantForce) {
+  expect_sensor(with_sensor(0.1, 1.0), "sensor-offset", 0.1);
+}
+
+TEST(Diagnose, AGainOfASensorIsNoOtherModel) {
+  expect_sensor(with_sensor(0.0, 1.05), "sensor-gain", 0.05);
+}
+
+/// A complete model, v clipped at both ends and every fifth sample of q blank.
+Dataset as_a_bench_records_it(std::uint64_t seed, double start) {
+  Dataset data = support::hidden_record(support::nothing, 0.005, seed, start);
+  Trajectory& record = data.trajectories.front();
+  auto v = record.states.col(1).array();
+  v = v.max(-0.7).min(0.5);
+  for (Index i = 0; i < record.samples(); i += 5) {
+    record.states(i, 0) = 100.0;
+    set_mark(record, i, 0, Mark::Missing);
+  }
+  return data;
+}
+
+TEST(Diagnose, HowAChannelWasMeasuredIsNoFaultOfTheModel) {
+  DiagnosisOptions options;
+  options.effects = {FamilyEffect<kConstantOffset>{}, FamilyEffect<kSaturation>{}};
+  const Diagnosis diagnosis = diagnose(support::oscillator(), as_a_bench_records_it(3, 0.5),
+                                       as_a_bench_records_it(4, -0.7), options, RunContext{});
+  EXPECT_EQ(diagnosis.verdict, Verdict::NoDiscrepancy);
+  ASSERT_EQ(diagnosis.notes.size(), 2u);
+  EXPECT_NE(diagnosis.notes[0].find("dropouts: 20 % of the samples of q"), std::string::npos);
+  EXPECT_NE(diagnosis.notes[1].find("v is clipped at 0.5"), std::string::npos);
+  ASSERT_TRUE(diagnosis.gap.has_value());
+  EXPECT_LT(diagnosis.gap->before, 1.2 * diagnosis.gap->noise_floor);
 }
 
 TEST(Diagnose, WithoutOtherRecordsTheLastQuarterIsKeptBack) {

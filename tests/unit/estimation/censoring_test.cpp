@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "censoring.hpp"
+#include "estimation/censoring.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lacuna/data/marks.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/joint_gaussian.hpp"
 
@@ -94,6 +95,22 @@ TEST(VarianceFit, GradientOfSlowNoiseCountsWhereItBegins) {
   below.coloured[0]->deviation *= std::exp(-reach);
   EXPECT_NEAR((deviance_of(made, above) - deviance_of(made, below)) / (2.0 * reach),
               here.gradient[2], 0.001 * std::abs(here.gradient[2]));
+}
+
+TEST(VarianceFit, SamplesAtAnEndBiasNoNoise) {
+  // A third of the samples of v are at an end; taken for values they would be noise of 0.2.
+  Case made = make_case(support::nothing);
+  Matrix marks = Matrix::Zero(made.measured[0].rows(), 2);
+  auto v = made.measured[0].col(1).array();
+  for (Index i = 0; i < marks.rows(); ++i)
+    marks(i, 1) = v[i] >= 0.4 ? number_of(Mark::AtTop) : number_of(Mark::Value);
+  v = v.min(0.4);
+  made.omitted = {marks};
+  ASSERT_GT((marks.col(1).array() > 0.0).count(), marks.rows() / 4);
+  const SmoothedNoise found =
+      VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise_of(0.05, 0.1), 40);
+  EXPECT_NEAR(*found.noise.measurement[0], 0.01, 0.001);
+  EXPECT_NEAR(*found.noise.measurement[1], 0.02, 0.002);
 }
 
 TEST(VarianceFit, WhatIsKnownOfTheCurvatureDoesNotMoveTheAnswer) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lacuna/data/marks.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
@@ -75,6 +76,27 @@ TEST(WindowGap, CountsWhatLastsAndNotWhatGoesToAndFro) {
       gap_of([](double t, double, double) { return 0.1 * std::sin(40.0 * t); });
   EXPECT_LT(gap_of(support::nothing), 1e-3);
   EXPECT_GT(steady, 5.0 * quick);
+}
+
+TEST(WindowGap, SamplesThatSayNothingAreLeftOutAndEndsCountAsFarAsTheModelStaysShort) {
+  Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const LinearisedRecord& record = fit.records[0];
+  const WindowGrid grid{0, 100};
+  const Vector scale = Vector::Ones(2);
+  Matrix measured = record.path;
+  Matrix marks = Matrix::Zero(measured.rows(), 2);
+  const auto squares = [&] {
+    return window_squares(record, {measured, marks}, fit.noise, scale, grid);
+  };
+  const WindowSquares whole = squares();
+  measured(250, 0) += 5.0;
+  marks(250, 0) = number_of(Mark::Outlier);
+  EXPECT_NEAR(squares().sum, whole.sum, 1e-3);
+  EXPECT_EQ(squares().count, whole.count - 1.0);
+  measured(250, 0) -= 7.0;  // the model is far above the upper end
+  marks(250, 0) = number_of(Mark::AtTop);
+  EXPECT_NEAR(squares().sum, whole.sum, 1e-3);
+  EXPECT_EQ(squares().count, whole.count);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ std::vector<std::string> names_of(const std::vector<Stage<Hypothesis>>& hypothes
 }
 
 TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
-  EXPECT_EQ(
-      names_of(standard_hypotheses()),
-      (std::vector<std::string>{"named-effects", "sensor-fault", "unmeasured-input",
-                                "coloured-noise", "broken-identity", "residual-function"}));
+  EXPECT_EQ(names_of(standard_hypotheses()),
+            (std::vector<std::string>{"named-effects", "sensor-fault", "sensor-calibration",
+                                      "unmeasured-input", "coloured-noise", "broken-identity",
+                                      "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {

@@ -88,10 +88,17 @@ TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
                   .equation = 1};
   best.explanation =
       explain_on(asked.problem(), *best.base, best.base->fitted, {{force, Vector(), 0.4, 0.0}});
+  best.named = {{.equation = 1, .name = "constant-offset", .probability = 0.9}};
   const Proposals made = SensorCalibration().propose(asked.problem(), best);
-  EXPECT_TRUE(made.accounts.empty());
-  ASSERT_EQ(made.trail.size(), 1u);
-  EXPECT_FALSE(made.trail[0].rule.empty());
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Account& account = made.accounts[0].account;
+  EXPECT_FALSE(made.accounts[0].precedence.empty());
+  EXPECT_TRUE(account.ambiguous) << "neither is told from the other";
+  ASSERT_EQ(account.named.size(), 1u);
+  EXPECT_EQ(account.named[0].name, "constant-offset") << "the dynamics lead";
+  ASSERT_FALSE(account.named[0].alternatives.empty());
+  EXPECT_EQ(account.named[0].alternatives[0].name, "sensor-offset");
+  ASSERT_FALSE(account.notes.empty());
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ namespace lacuna {
 /// @throws DataError naming source and what is not supported.
 Table parse_npy(std::string_view bytes, const std::string& source);
 
-/// Writes a matrix as .npy version 1, little-endian doubles in Fortran order, whole or not at all.
+/// Writes a matrix as .npy version 1, little-endian doubles in Fortran order, whole or not at
+/// all.
 /// @throws FileError when it cannot be written.
 void write_npy(const std::filesystem::path& path, const Matrix& values);
 
