@@ -87,10 +87,10 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision) {
 Sentences reservations(const Problem& problem, const Account& account,
                        const std::optional<Gap>& gap) {
   Sentences said;
-  if (account.named.empty() && account.findings.empty()) return said;
   if (gap && stays_open(*gap, problem.options.decision))
     said.push_back("the gap on the records that were not used stays at " +
                    format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
+  if (account.named.empty() && account.findings.empty()) return said;
   said.insert(said.end(), account.doubts.begin(), account.doubts.end());
   add_bounds(account, said);
   add_cancelling(problem, account, said);

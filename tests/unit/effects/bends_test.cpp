@@ -46,6 +46,11 @@ TEST(Saturation, OfAnActionOfItsOwnBesideATerm) {
       reading_of<kSaturation>(scope, steep, 0.5, Vector::Constant(1, 0.25)).has_value())
       << "most of the slope is left outside";
   EXPECT_LT(steep.shapes[0].high, scope.state(0).magnitude());
+  EXPECT_TRUE(
+      plausible_with<kSaturation>(scope, candidate_of<kSaturation>(scope, 1, "sign(q)"), -2.0));
+  EXPECT_FALSE(
+      plausible_with<kSaturation>(scope, candidate_of<kSaturation>(scope, 1, "sign(v)"), 2.0))
+      << "a speed that pushes";
 }
 
 TEST(OneSidedStop, AndOthersAreSoughtWhereHardlyAnythingActs) {
