@@ -70,7 +70,7 @@ void add_term(const Scope& scope, Index equation, const Expression& term,
   result.push_back(delayed(scope, formula(scope, "delay(x,T)-x", {{"x", term}}), term,
                            timescale_of(scope, term)));
   bound_to(scope, equation, term, 0.0, result.back());
-  for (const Factor& part : factors_of(term)) {
+  for (const TermFactor& part : factors_of(term)) {
     const Expression form =
         formula(scope, "rest*(delay(x,T)-x)", {{"rest", part.rest}, {"x", part.factor}});
     result.push_back(delayed(scope, form, part.factor, timescale_of(scope, part.factor)));

@@ -36,7 +36,7 @@ Expression lowered(const Expression& power) {
 
 /// The factors of a product one by one, those of a power with what is left of it.
 void collect_factors(const Expression& product, const std::vector<Expression>& beside,
-                     std::vector<Factor>& result) {
+                     std::vector<TermFactor>& result) {
   const auto with = [&](const Expression& more) {
     std::vector<Expression> all = beside;
     all.push_back(more);
@@ -258,10 +258,10 @@ std::vector<Expression> nonlinear_terms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::vector<Factor> factors_of(const Expression& term) {
-  std::vector<Factor> result;
+std::vector<TermFactor> factors_of(const Expression& term) {
+  std::vector<TermFactor> result;
   collect_factors(term, {}, result);
-  std::erase_if(result, [](const Factor& factor) { return !varies(factor.rest); });
+  std::erase_if(result, [](const TermFactor& factor) { return !varies(factor.rest); });
   return result;
 }
 

@@ -32,14 +32,16 @@ class Forecast {
  public:
   Forecast(const OdeModel& model, const Integrator& integrator, const Trajectory& run)
       : model_(model), integrator_(integrator), run_(run) {
-    if (run.inputs.cols() > 0) input_.emplace(run);
+    if (run.inputs.cols() > 0) input_.emplace(run, model.inputs());
   }
 
   /// `count` samples from `first` on; fewer when the orbit diverges.
   Matrix states(Index first, Index count) {
     const Vector start = run_.states.row(first).transpose();
     const Vector times = run_.time.segment(first, count);
-    if (input_) return simulate(DrivenModel{model_, *input_}, integrator_, start, times).states;
+    if (input_)
+      return simulate(DrivenModel{model_, *input_, input_->breaks()}, integrator_, start, times)
+          .states;
     return simulate(model_, integrator_, start, times).states;
   }
 

@@ -41,10 +41,10 @@ OdeModel augmented_model(const OdeModel& nominal, const std::vector<FittedEffect
 /// Memory states of one effect on one record's samples.
 Matrix memory_samples(const OdeModel& nominal, const FittedEffect& effect,
                       const Trajectory& record, const Matrix& path) {
-  const LinearisedRecord grid = grid_of(record, path);
+  const LinearisedRecord grid = grid_of(nominal.inputs(), record, path);
   const Matrix fine =
       memory_along(effect.candidate, as_span(effect.shapes), nominal.variables(), grid);
-  return fine(Eigen::seq(0, Eigen::last, 2), Eigen::all);
+  return fine(grid.sample_rows(), Eigen::all);
 }
 
 void add_memory(const OdeModel& nominal, const FittedEffect& effect,
@@ -61,6 +61,10 @@ void add_memory(const OdeModel& nominal, const FittedEffect& effect,
     Matrix states(record.samples(), record.states.cols() + memory.cols());
     states << record.states, memory;
     record.states = std::move(states);
+    if (record.marks.size() > 0) {
+      record.marks.conservativeResize(Eigen::NoChange, record.states.cols());
+      record.marks.rightCols(memory.cols()).setZero();
+    }
   }
 }
 

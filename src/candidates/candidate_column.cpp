@@ -178,7 +178,7 @@ ProbeColumns probe_columns(std::span<const Probe> probes, const Assimilation& as
       else if (in_rate)
         column = all;
       else
-        column = all(Eigen::seq(0, Eigen::last, 2));
+        column = all(assimilation.records[r].sample_rows());
     }
   }
   const Index equation = probes.front().candidate->equation;

@@ -96,7 +96,8 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
   problem.bridges.assign(problem.data.trajectories.size(), Matrix());
   for (std::size_t r = 0; r < problem.bridges.size(); ++r) {
     const Trajectory& record = problem.data.trajectories[r];
-    const LinearisedRecord grid = grid_of(record, record.states.leftCols(nominal.dimension()));
+    const LinearisedRecord grid =
+        grid_of(nominal.inputs(), record, record.states.leftCols(nominal.dimension()));
     const double middle = 0.5 * (record.time[0] + record.time[record.samples() - 1]);
     for (const FittedEffect& effect : effects) {
       const Candidate& candidate = effect.candidate;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "data_options.hpp"
 
+#include <algorithm>
+
 #include "lacuna/core/options.hpp"
 #include "lacuna/core/text.hpp"
 
@@ -32,17 +34,50 @@ std::vector<std::string> list_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : split_list(text);
 }
 
+void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity>& inputs) {
+  for (const std::string& text : assignments)
+    for (const std::string& part : split_list(text)) {
+      const std::size_t equals = part.find('=');
+      const std::string name(trim(part.substr(0, equals)));
+      const std::string value(equals == std::string::npos
+                                  ? std::string_view{}
+                                  : trim(std::string_view(part).substr(equals + 1)));
+      const auto input =
+          std::find_if(inputs.begin(), inputs.end(),
+                       [&](const Quantity& quantity) { return quantity.name == name; });
+      if (input == inputs.end())
+        throw ConfigError("--hold " + part, "there is no input '" + name + "'",
+                          "name an input, e.g. --hold u=zero");
+      input->hold = hold_named(value);
+      if (!input->hold && value != "auto")
+        throw ConfigError("--hold " + part, "'" + value + "' is not a hold",
+                          "write zero, linear, smooth, switching or auto");
+    }
+}
+
 }  // namespace
+
+void declare_hold_option(CLI::App& app, DataOptions& options) {
+  app.add_option("--hold", options.holds,
+                 "How an input goes on after a sample: u=zero|linear|smooth|switching|auto "
+                 "[default: as in the model, else auto: the records decide]")
+      ->type_name("NAME=HOLD");
+}
 
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
   app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
       ->type_name("NAME");
+  app.add_option("--time-unit", options.time_unit,
+                 "Unit of the time, where the header has none or a wrong one: ns, us, ms, s, "
+                 "min, h, d")
+      ->type_name("UNIT");
   app.add_option("--dt", options.step,
                  "Sampling step, in the time unit of the record; then no column is the time")
       ->type_name("H");
   app.add_option("--trajectory", options.trajectory,
                  "Column that numbers the records in one file")
       ->type_name("NAME");
+  declare_hold_option(app, options);
   if (!choose_columns) return;
   app.add_option("--states", options.states,
                  "State columns [default: all without another role]")
@@ -60,9 +95,18 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
 ColumnRoles common_roles(const DataOptions& options) {
   ColumnRoles roles;
   roles.time = options.time;
+  roles.time_unit = options.time_unit;
   roles.step = options.step;
   roles.trajectory = options.trajectory;
   return roles;
+}
+
+OdeModel with_holds(const OdeModel& model, const DataOptions& options) {
+  std::vector<Quantity> inputs = model.inputs();
+  set_holds(options.holds, inputs);
+  std::vector<std::optional<Hold>> holds;
+  for (const Quantity& input : inputs) holds.push_back(input.hold);
+  return model.with_holds(holds);
 }
 
 Dataset read_data(const DataOptions& options) {
@@ -70,7 +114,9 @@ Dataset read_data(const DataOptions& options) {
   roles.states = list_of(options.states);
   roles.inputs = list_of(options.inputs);
   roles.derivatives = list_of(options.derivatives);
-  return read_dataset(options.paths, roles);
+  Dataset data = read_dataset(options.paths, roles);
+  set_holds(options.holds, data.inputs);
+  return data;
 }
 
 std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lacuna/data/read.hpp"
+#include "lacuna/model/ode_model.hpp"
 #include "lacuna/records/embedding.hpp"
 
 namespace lacuna::cli {
@@ -14,19 +15,27 @@ namespace lacuna::cli {
 /// Where the data are and what their columns mean; the same options in every command.
 struct DataOptions {
   std::vector<std::string> paths;
-  std::optional<std::string> time, trajectory;
+  std::optional<std::string> time, time_unit, trajectory;
   std::optional<double> step;
   std::string states, inputs, derivatives;
   std::vector<std::string> embed;
+  std::vector<std::string> holds;
 };
 
 /// Options that name columns. @param choose_columns whether states, inputs and derivatives can
 /// be chosen, which a command that has a model leaves to the model.
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns);
 
+/// The option `--hold`, which the column options have among them.
+void declare_hold_option(CLI::App& app, DataOptions& options);
+
 /// The roles that the options give to columns in every command: time, step, number of the
 /// record.
 ColumnRoles common_roles(const DataOptions& options);
+
+/// The model with the holds of inputs that the options give. @throws ConfigError when one is
+/// not NAME=HOLD with an input of the model.
+OdeModel with_holds(const OdeModel& model, const DataOptions& options);
 
 /// The record that the options describe, as measured.
 Dataset read_data(const DataOptions& options);

@@ -11,6 +11,7 @@
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/report/diagnosis_report.hpp"
+#include "limit_options.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -19,6 +20,7 @@ struct Options {
   std::string model;
   DataOptions data;
   std::vector<std::string> held_out;
+  std::vector<std::string> limits;
   RunOptions run;
   std::string differentiator = "finite-differences";
   std::vector<std::string> effects;
@@ -74,19 +76,28 @@ DiagnosisOptions make_options(const Session& session, const OdeModel& model,
   return result;
 }
 
+/// A sample that one channel lacks says something of the others.
+ColumnRoles roles_of(const Options& options) {
+  ColumnRoles roles = common_roles(options.data);
+  roles.blanks = Blanks::Mark;
+  return roles;
+}
+
 Dataset read_held_out(const OdeModel& model, const Options& options,
                       const Differentiator& differentiator) {
   if (options.held_out.empty()) return {};
-  return read_records(model, options.held_out, common_roles(options.data), differentiator);
+  return with_given_limits(
+      read_records(model, options.held_out, roles_of(options), differentiator), options.limits);
 }
 
 int diagnose_command(const Session& session, const Options& options) {
-  const OdeModel model = load_model(options.model);
+  const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data =
-      read_records(model, options.data.paths, common_roles(options.data), *differentiator);
+  const Dataset data = with_given_limits(
+      read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All),
+      options.limits);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =
       diagnose(model, data, held_out, make_options(session, model, options), context);
@@ -134,6 +145,10 @@ Command declare_diagnose(CLI::App& root) {
                   "Records to gauge the gap on [default: the last quarter of the data]")
       ->type_name("DATA");
   declare_column_options(*app, options->data, false);
+  app->add_option("--limits", options->limits,
+                  "Ends of the range of a channel, beyond which it shows the end; found by "
+                  "themselves where many samples are there")
+      ->type_name("q=LOW:HIGH");
   declare_search_options(*app, *options);
   app->add_option("--differentiator", options->differentiator,
                   "How states without a column are made from those that have one")

@@ -9,6 +9,7 @@
 #include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/records/read_records.hpp"
+#include "lacuna/records/shown_holds.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -18,6 +19,7 @@ struct Options {
   std::string x0;
   double t_start = 0.0, t_end = 0.0, step = 0.0;
   std::optional<std::string> output, input_data, input_time;
+  DataOptions data;
   std::string integrator = "dopri5";
   RunOptions run;
 };
@@ -51,14 +53,14 @@ Vector parse_times(const Options& options) {
   return sample_times(options.t_start, options.step, steps + 1);
 }
 
-/// The first record of the input file in the inputs of the model.
-Trajectory input_record(const OdeModel& model, const Options& options) {
+/// The input file in the inputs of the model; its first record is the one.
+Dataset input_records(const OdeModel& model, const Options& options) {
   if (!options.input_data)
     throw ConfigError("--input-data", "the model has inputs but no record of them is given",
                       "give a file with a column for each input");
   ColumnRoles roles;
   roles.time = options.input_time;
-  return read_inputs(model, *options.input_data, roles).trajectories.front();
+  return read_inputs(model, *options.input_data, roles);
 }
 
 Solution run(const OdeModel& model, const Integrator& integrator, const Options& options,
@@ -66,8 +68,11 @@ Solution run(const OdeModel& model, const Integrator& integrator, const Options&
   const Vector start = parse_start(model, options.x0);
   const Vector times = parse_times(options);
   if (model.inputs().empty()) return simulate(model, integrator, start, times, context);
-  RecordInput inputs(input_record(model, options));
-  return simulate(DrivenModel{model, inputs}, integrator, start, times, context);
+  const Dataset record = input_records(model, options);
+  const OdeModel driven = with_shown_holds(model, record);
+  RecordInput inputs(record.trajectories.front(), driven.inputs());
+  return simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times,
+                  context);
 }
 
 Dataset as_dataset(const OdeModel& model, Solution orbit) {
@@ -84,7 +89,7 @@ Dataset as_dataset(const OdeModel& model, Solution orbit) {
 }
 
 int simulate_command(const Session& session, const Options& options) {
-  const OdeModel model = load_model(options.model);
+  const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
   Solution orbit = run(model, *integrator, options, context);
@@ -121,6 +126,7 @@ void declare_options(CLI::App& app, Options& options) {
   app.add_option("--input-data", options.input_data,
                  "Record with a column for each input of the model")
       ->type_name("FILE");
+  declare_hold_option(app, options.data);
   app.add_option("--time", options.input_time, "Time column of the input record")
       ->type_name("NAME");
   declare_run_options(app, options.run);

@@ -5,6 +5,7 @@
 #include "data_options.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/records/read_records.hpp"
+#include "lacuna/records/shown_holds.hpp"
 #include "lacuna/report/sync_report.hpp"
 
 namespace lacuna::cli {
@@ -39,7 +40,7 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
 }
 
 int sync_command(const Session& session, const Options& options) {
-  const OdeModel model = load_model(options.model);
+  const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const std::optional<Matrix> coupling = parse_coupling(model, options.coupling);
@@ -48,7 +49,8 @@ int sync_command(const Session& session, const Options& options) {
   const Dataset data =
       read_records(model, options.data.paths, common_roles(options.data), *differentiator);
 
-  SyncReport report{synchronise(model, data, *integrator, {.coupling = coupling}, context),
+  const OdeModel driven = with_shown_holds(model, data);
+  SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), options.integrator};
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(report));

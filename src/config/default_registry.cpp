@@ -17,6 +17,7 @@
 #include "lacuna/hypotheses/coloured_noise.hpp"
 #include "lacuna/hypotheses/named_effects.hpp"
 #include "lacuna/hypotheses/residual_function.hpp"
+#include "lacuna/hypotheses/sensor_calibration.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/hypotheses/unmeasured_input.hpp"
 #include "lacuna/pruners/cross_validation.hpp"
@@ -101,6 +102,7 @@ void add_diagnosis(Registry& registry) {
   registry.add<UnmeasuredInput>();
   registry.add<ColouredNoiseHypothesis>();
   registry.add<BrokenIdentity>();
+  registry.add<SensorCalibration>();
   registry.add<ResidualFunction>();
 }
 

@@ -31,7 +31,8 @@ void check_names(const Dataset& data) {
   std::set<std::string> seen;
   std::vector<Quantity> all = data.states;
   all.insert(all.end(), data.inputs.begin(), data.inputs.end());
-  for (const auto& [name, unit] : all) {
+  for (const Quantity& quantity : all) {
+    const std::string& name = quantity.name;
     if (!is_identifier(name))
       fail("dataset", "'" + name + "' is not a name",
            "use letters, digits and underscores, a letter first");
@@ -101,6 +102,8 @@ void check_trajectory(const Dataset& data, const Trajectory& trajectory, std::si
   if (data.input_count() > 0 || trajectory.inputs.size() > 0)
     check_shape(where, "the inputs", trajectory.inputs, rows, data.input_count());
   check_values(where, "input", trajectory.inputs, data.inputs);
+  if (trajectory.marks.size() > 0)
+    check_shape(where, "the marks", trajectory.marks, rows, data.state_count());
   if (!trajectory.has_derivatives()) return;
   check_shape(where, "the derivatives", trajectory.derivatives, rows, data.state_count());
   check_values(where, "derivative of", trajectory.derivatives, data.states);

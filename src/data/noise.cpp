@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "lacuna/data/marks.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -160,18 +162,23 @@ std::vector<double> distinct_values(const Dataset& data, Index state) {
   return values;
 }
 
-/// The spacing q of which all differences of values are whole multiples.
+/// The spacing q of which all differences of values are whole multiples. It is found from the
+/// small gaps and made more exact by the large ones, over which rounded digits matter least.
 std::optional<double> lattice_of(const Dataset& data, Index state) {
   constexpr double kRounding = 1e-3;        // of a multiple, as a share of q
   constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
   const std::vector<double> values = distinct_values(data, state);
   if (values.size() < kFewest) return std::nullopt;
-  double spacing = values.back() - values.front();
-  const double smallest = spacing / kMostLevels;
-  for (std::size_t i = 1; i < values.size() && spacing > smallest; ++i) {
+  std::vector<double> gaps(values.size() - 1);
+  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
+  std::sort(gaps.begin(), gaps.end());
+  const double smallest = (values.back() - values.front()) / kMostLevels;
+  double spacing = gaps.front();
+  for (std::size_t i = 1; i < gaps.size() && spacing > smallest; ++i) {
     // Euclid's algorithm on the gaps.
-    double rest = values[i] - values[i - 1];
-    const double limit = kRounding * std::min(spacing, rest);
+    double rest = std::abs(std::remainder(gaps[i], spacing));
+    const double limit = kRounding * spacing;
+    if (rest <= limit) spacing = gaps[i] / std::round(gaps[i] / spacing);
     while (rest > limit) {
       const double next = std::abs(std::remainder(spacing, rest));
       spacing = rest;
@@ -205,6 +212,22 @@ StateNoise analyse_state(const Dataset& data, Index state) {
   noise.outliers =
       static_cast<double>(outliers) / static_cast<double>(std::max<Index>(data.samples(), 1));
   return noise;
+}
+
+bool has_marks(const Dataset& data) {
+  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& record) { return record.marks.size() > 0; });
+}
+
+/// One state by those of its samples that are values; records of fewer than two are left out.
+Dataset values_only(const Dataset& data, Index state) {
+  Dataset result;
+  result.states = {data.states[static_cast<std::size_t>(state)]};
+  for (const Trajectory& record : data.trajectories) {
+    Trajectory values = values_of(record, state);
+    if (values.samples() >= 2) result.trajectories.push_back(std::move(values));
+  }
+  return result;
 }
 
 /// x_i minus the straight line between its neighbours; 0 at the ends.
@@ -265,14 +288,17 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, doubl
 std::vector<StateNoise> analyse_noise(const Dataset& data) {
   std::vector<StateNoise> noise;
   for (Index state = 0; state < data.state_count(); ++state)
-    noise.push_back(analyse_state(data, state));
+    noise.push_back(has_marks(data) ? analyse_state(values_only(data, state), 0)
+                                    : analyse_state(data, state));
   return noise;
 }
 
 Vector estimate_noise(const Dataset& data) {
   Vector noise(data.state_count());
   for (Index state = 0; state < data.state_count(); ++state)
-    noise[state] = plateau(noise_by_order(data, state)).value_or(0.0);
+    noise[state] = plateau(has_marks(data) ? noise_by_order(values_only(data, state), 0)
+                                           : noise_by_order(data, state))
+                       .value_or(0.0);
   return noise;
 }
 

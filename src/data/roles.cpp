@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "blanks.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
@@ -173,8 +174,11 @@ ColumnIndices find_columns(const Table& table, const ColumnRoles& roles) {
   return columns;
 }
 
-Dataset assign_roles(const Table& table, const ColumnRoles& roles) {
-  const ColumnIndices columns = find_columns(table, roles);
+Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
+  const ColumnIndices columns = find_columns(given, roles);
+  std::optional<FilledTable> filled;
+  if (roles.blanks == Blanks::Mark) filled = fill_blanks(given, columns.states);
+  const Table& table = filled ? filled->table : given;
   Dataset data;
   data.notes = table.notes;
   append(data.notes, columns.notes);
@@ -184,6 +188,7 @@ Dataset assign_roles(const Table& table, const ColumnRoles& roles) {
     const std::string& unit = table.columns[static_cast<std::size_t>(*columns.time)].unit;
     if (!unit.empty()) data.time_unit = unit;
   }
+  if (roles.time_unit) data.time_unit = *roles.time_unit;
   const Records records = split_records(table, columns);
   append(data.notes, records.notes);
   for (std::size_t i = 0; i < records.ranges.size(); ++i) {
@@ -196,6 +201,8 @@ Dataset assign_roles(const Table& table, const ColumnRoles& roles) {
     trajectory.inputs = gather(table, rows, columns.inputs);
     if (!columns.derivatives.empty())
       trajectory.derivatives = gather(table, rows, columns.derivatives);
+    if (filled && filled->marks.size() > 0)
+      trajectory.marks = filled->marks.middleRows(rows.first, rows.count);
     data.trajectories.push_back(std::move(trajectory));
   }
   return data;

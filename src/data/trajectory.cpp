@@ -24,8 +24,9 @@ Trajectory rows_of(const Trajectory& trajectory, Index first, Index count) {
     if (values.rows() == 0) return Matrix(0, 0);
     return values.middleRows(first, count);
   };
-  return {trajectory.source, trajectory.time.segment(first, count), part(trajectory.states),
-          part(trajectory.inputs), part(trajectory.derivatives)};
+  return {
+      trajectory.source,       trajectory.time.segment(first, count), part(trajectory.states),
+      part(trajectory.inputs), part(trajectory.derivatives),          part(trajectory.marks)};
 }
 
 std::string file_of(const Trajectory& trajectory) {

@@ -65,6 +65,11 @@ void DecisionOptions::describe(OptionVisitor& v) {
        "of 5e8 samples of normal noise.",
        1.0},
       outlying);
+  v.field({"pile_up", "",
+           "A channel is clipped where its largest (or least) value has so many times as many "
+           "samples as any value next to it.",
+           1.0},
+          pile_up);
   v.field(
       {"explained_gap", "noise floors",
        "What leaves a larger gap on records that were not used, by more than chance, is not "
@@ -88,6 +93,7 @@ void DecisionOptions::describe(OptionVisitor& v) {
           acting);
   gaps.describe(v);
   naming.describe(v);
+  hints.describe(v);
 }
 
 }  // namespace lacuna

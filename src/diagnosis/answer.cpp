@@ -8,6 +8,7 @@
 #include "coefficient_changes.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/decision/holdout.hpp"
+#include "lacuna/estimation/timing_jitter.hpp"
 #include "lacuna/hypotheses/coloured_noise.hpp"
 #include "lacuna/numerics/significance.hpp"
 #include "reservations.hpp"
@@ -79,6 +80,18 @@ void add_notes(const Problem& problem, Diagnosis& result) {
       ", which explains the records better than any effect with white noise");
 }
 
+void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis& result) {
+  const DecisionOptions& decision = problem.options.decision;
+  const TimingJitter jitter = timing_jitter(fit);
+  if (jitter.sigma < decision.significance || jitter.share < decision.minor) return;
+  const double steps = jitter.deviation / median_step(problem.records.data);
+  result.notes.push_back(
+      "timing jitter: the noise grows with the rate of the states as if the "
+      "times of the samples scattered by " +
+      format_number(jitter.deviation, 2) + " " + problem.nominal.time_unit() + " (" +
+      format_number(steps, 2) + " sampling steps)");
+}
+
 }  // namespace
 
 Hearing hear_other_records(const Problem& problem, const Account& account,
@@ -136,6 +149,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
   if (!hearing.note.empty()) result.notes.push_back(hearing.note);
   add_notes(problem, result);
+  if (!result.remaining.structure) add_jitter_note(problem, fit, result);
   return result;
 }
 

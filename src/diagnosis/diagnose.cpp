@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "answer.hpp"
+#include "held_inputs.hpp"
 #include "journey.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/records/unused_part.hpp"
 
 namespace lacuna {
 namespace {
@@ -15,22 +17,28 @@ namespace {
 /// Records to explain and records that choose nothing.
 struct Records {
   BoundRecords find;
+  Dataset unused;  ///< as `find`, with columns that the model does not know as inputs
   Dataset check;
   std::vector<std::string> notes = {};
 };
 
-Records prepared(const Dataset& data, const Dataset& held_out,
+Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                  const DecisionOptions& decision) {
+  const ChannelOptions channels{decision.outlying, decision.pile_up};
   UsableRecords all = usable_records(data, decision.gaps);
-  if (held_out.trajectories.empty()) {
-    SplitRecords parts = split_in_time(all.data);
-    return {observed(std::move(parts.find), decision.outlying), std::move(parts.check),
-            std::move(all.notes)};
+  const bool split = held_out.trajectories.empty();
+  SplitRecords parts = split ? split_in_time(all.data) : SplitRecords{std::move(all.data), {}};
+  if (!split) {
+    UsableRecords other = usable_records(held_out, decision.gaps);
+    for (const std::string& note : other.notes)
+      all.notes.push_back("held-out records: " + note);
+    parts.check = std::move(other.data);
   }
-  UsableRecords other = usable_records(held_out, decision.gaps);
-  for (const std::string& note : other.notes) all.notes.push_back("held-out records: " + note);
-  return {observed(std::move(all.data), decision.outlying), std::move(other.data),
-          std::move(all.notes)};
+  Dataset unused = unused_part(nominal, parts.find);
+  BoundRecords find = observed(used_part(nominal, std::move(parts.find)), channels);
+  all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
+  Dataset check = observed_alike(used_part(nominal, std::move(parts.check)), find, channels);
+  return {std::move(find), std::move(unused), std::move(check), std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the
@@ -45,17 +53,43 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
   return gap;
 }
 
+/// The answer where records and model do not fit together: nothing but why.
+Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
+  return {.verdict = Verdict::UnnamedStructure,
+          .nominal = nominal,
+          .disagreement = {},
+          .effects = {},
+          .coefficient_changes = {},
+          .gap = {},
+          .remaining = {.structure = true, .sigma = 0.0, .equations = {}, .details = {}},
+          .augmented = nominal,
+          .noise = {},
+          .rounds = {},
+          .rivals = {},
+          .notes = {},
+          .hints = std::move(hints)};
+}
+
+/// Hypotheses in the order in which they are judged; none where no effect may be named.
+std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
+                                             const std::vector<Hint>& hints) {
+  if (withheld_by(hints) != Withheld::Nothing) return {};
+  return options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
+}
+
 }  // namespace
 
 Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
-  const Records records = prepared(data, held_out, options.decision);
-  const Problem problem{nominal, records.find, options, context};
-  const std::vector<Stage<Hypothesis>> hypotheses =
-      options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
+  const Records records = prepared(nominal, data, held_out, options.decision);
+  std::vector<Hint> hints =
+      look_at(nominal, records.find, records.unused, options.decision.hints);
+  if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
+  const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
 
-  Judged judged = choose_account(problem, hypotheses, plain_baseline(problem));
-  judged = settle_account(problem, hypotheses, std::move(judged));
+  JudgedModel inputs = judge_holds({nominal, records.find, options, context}, hypotheses);
+  const Problem problem{*inputs.model, records.find, options, context};
+  Judged judged = settle_account(problem, hypotheses, std::move(inputs.judged));
   std::optional<Gap> gap = gap_of(problem, judged.best, records.check);
   const Hearing hearing = hear_other_records(problem, judged.best, gap);
   if (hearing.withdraw) {
@@ -64,7 +98,9 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
     gap = gap_of(problem, judged.best, records.check);
   }
   Diagnosis diagnosis = make_answer(problem, std::move(judged), std::move(gap), hearing);
+  diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
+  diagnosis.hints = std::move(hints);
   return diagnosis;
 }
 

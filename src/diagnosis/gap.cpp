@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
-#include "lacuna/records/bound_records.hpp"
 
 namespace lacuna {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 /// have forgotten where they began. The first one of all when no window is left.
 Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effects,
                   const Trajectory& record, Index length) {
-  const LinearisedRecord grid = grid_of(record, record.states);
+  const LinearisedRecord grid = grid_of(nominal.inputs(), record, record.states);
   double time = record.time[0];
   for (const FittedEffect& effect : effects) {
     const auto known =
@@ -49,36 +49,31 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
   return std::sqrt(sum / count);
 }
 
-/// Samples that may be outliers, with columns for the memory states behind the measured ones.
-std::vector<Matrix> possible_outliers(const HeldOutRecords& held_out, Index states) {
-  std::vector<Matrix> outliers = observed(held_out.corrected, held_out.outlying).outliers;
-  for (Matrix& marks : outliers) {
-    const Index own = marks.cols();
-    if (marks.size() == 0) continue;
-    marks.conservativeResize(Eigen::NoChange, states);
-    marks.rightCols(states - own).setZero();
-  }
-  return outliers;
-}
-
 /// The model on records, with noise of the kind that was found and without the summands that
-/// the measurement has: these are taken on a first path. Marked samples that are outliers are
-/// left out.
-Assimilation without_faults(const Assimilation& found, Dataset& data,
-                            const std::vector<Matrix>& marked, double outlying,
+/// the measurement has: these are taken on the path, which moves with them. Marked samples that
+/// are outliers are left out.
+Assimilation without_faults(const Assimilation& found, Dataset& data, double outlying,
                             const RunContext& context) {
   AssimilationOptions options;
   options.coloured = found.noise.coloured;
-  Assimilation fit = assimilate(found.model, data, marked, options, context);
-  const OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
-  fit.omitted = outliers.outliers;
-  if (found.channel_terms.empty())
-    return outliers.any_false ? assimilate_from(found.model, data, fit, options, context) : fit;
-  for (std::size_t r = 0; r < fit.records.size(); ++r)
-    data.trajectories[r].states =
-        without_channel_terms(data.trajectories[r].states, fit.records[r],
-                              found.model.variables(), found.channel_terms);
-  return assimilate(found.model, data, outliers.outliers, options, context);
+  std::vector<Matrix> marks;
+  for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
+  Assimilation fit = assimilate(found.model, data, marks, options, context);
+  OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
+  fit.omitted = std::move(outliers.outliers);
+  if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
+  if (found.channel_terms.empty()) return fit;
+  constexpr int kPasses = 4;  // what a filter of a third of the time scale takes away: 1 %
+  marks = fit.omitted;
+  std::vector<Matrix> given;
+  for (const Trajectory& record : data.trajectories) given.push_back(record.states);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (std::size_t r = 0; r < fit.records.size(); ++r)
+      data.trajectories[r].states = without_channel_terms(
+          given[r], fit.records[r], found.model.variables(), found.channel_terms);
+    fit = assimilate(found.model, data, marks, options, context);
+  }
+  return fit;
 }
 
 /// The noise of a model with fewer states.
@@ -125,9 +120,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
     paths.push_back(record.states);
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
-  const Assimilation fit = without_faults(
-      explanation.fit, problem.data, possible_outliers(held_out, problem.model.dimension()),
-      held_out.outlying, context);
+  const Assimilation fit =
+      without_faults(explanation.fit, problem.data, held_out.outlying, context);
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;

@@ -17,7 +17,8 @@ constexpr Index kBins = 10;
 Vector decile_edges(const Assimilation& fit, Index slot) {
   std::vector<double> all;
   for (const LinearisedRecord& record : fit.records)
-    for (Index i = 0; i < record.slots.rows(); i += 2) all.push_back(record.slots(i, slot));
+    for (Index i = 0; i < record.slots.rows(); i += record.grid.stride)
+      all.push_back(record.slots(i, slot));
   std::sort(all.begin(), all.end());
   Vector edges(kBins + 1);
   for (Index i = 0; i <= kBins; ++i)

@@ -47,6 +47,16 @@ class OrbitHistory {
   std::vector<Vector> states_, slopes_;
 };
 
+/// A span of time in which no signal jumps. At its end signals have the value before the jump.
+struct Piece {
+  double begin = -std::numeric_limits<double>::infinity();
+  double end = std::numeric_limits<double>::infinity();
+
+  double inside(double t) const {
+    return std::isinf(end) ? t : std::clamp(t, begin, std::nextafter(end, begin));
+  }
+};
+
 /// The model as a right-hand side, with its inputs and delayed variables.
 class Flow {
  public:
@@ -59,12 +69,16 @@ class Flow {
   void operator()(double t, const double* x, double* dxdt) {
     for (std::size_t i = 0; i < delayed_.size(); ++i)
       delayed_[i] = delayed(compiled_.delays()[i], t, x);
-    if (!inputs_.empty()) signal_(t, inputs_.data());
+    if (!inputs_.empty()) signal_(piece_.inside(t), inputs_.data());
     compiled_.evaluate(t, x, inputs_.data(), delayed_.data(), dxdt);
   }
 
+  /// Goes on in a piece.
+  void enter(const Piece& piece) { piece_ = piece; }
+
   /// Notes that the orbit has reached x at t.
   void reached(double t, const double* x) {
+    if (delayed_.empty()) return;
     Vector state = Eigen::Map<const Vector>(x, compiled_.dimension()), slope = state;
     (*this)(t, x, slope.data());
     history_.add(t, state, slope);
@@ -72,43 +86,77 @@ class Flow {
 
   bool at_start() const noexcept { return history_.empty(); }
 
-  bool has_delays() const noexcept { return !delayed_.empty(); }
+  const std::vector<DelayedVariable>& delays() const noexcept { return compiled_.delays(); }
 
-  double shortest_delay() const {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const DelayedVariable& variable : compiled_.delays())
-      if (variable.delay > 0.0) shortest = std::min(shortest, variable.delay);
-    return shortest;
+  bool delays_input(const DelayedVariable& variable) const {
+    return variable.slot >= compiled_.dimension() &&
+           variable.slot < compiled_.dimension() + compiled_.inputs();
   }
 
  private:
   double delayed(const DelayedVariable& variable, double t, const double* x) {
     const double s = t - variable.delay;
     if (variable.slot < compiled_.dimension()) return history_.value(s, variable.slot, t, x);
-    const Index input = variable.slot - compiled_.dimension();
-    if (input == compiled_.inputs()) return s;
-    signal_(s, inputs_.data());
-    return inputs_[static_cast<std::size_t>(input)];
+    if (!delays_input(variable)) return s;
+    signal_(piece_.inside(t) - variable.delay, inputs_.data());
+    return inputs_[static_cast<std::size_t>(variable.slot - compiled_.dimension())];
   }
 
   CompiledModel compiled_;
   InputSignal signal_;
   std::vector<double> inputs_, delayed_;
   OrbitHistory history_;
+  Piece piece_;
 };
 
-/// Advances in pieces that are short against the delays and notes the orbit after each.
-class NotingStepper final : public Stepper {
+double shortest_delay(const Flow& flow) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const DelayedVariable& variable : flow.delays())
+    if (variable.delay > 0.0) shortest = std::min(shortest, variable.delay);
+  return shortest;
+}
+
+/// Times at which inputs jump, or what is delayed of them does.
+std::vector<double> all_breaks(const Flow& flow, const Vector& breaks) {
+  std::vector<double> all(breaks.begin(), breaks.end());
+  for (const DelayedVariable& variable : flow.delays())
+    if (flow.delays_input(variable))
+      for (const double time : breaks) all.push_back(time + variable.delay);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Advances in pieces that end where an input jumps and are short against the delays, and notes
+/// the orbit after each.
+class PiecewiseStepper final : public Stepper {
  public:
-  NotingStepper(std::unique_ptr<Stepper> stepper, Flow& flow)
-      : stepper_(std::move(stepper)), flow_(flow), piece_(0.25 * flow.shortest_delay()) {}
+  PiecewiseStepper(std::unique_ptr<Stepper> stepper, Flow& flow, const Vector& breaks)
+      : stepper_(std::move(stepper)),
+        flow_(flow),
+        breaks_(all_breaks(flow, breaks)),
+        longest_(0.25 * shortest_delay(flow)) {}
 
   IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) override {
     if (flow_.at_start()) flow_.reached(t0, x);
+    auto next = std::upper_bound(breaks_.begin(), breaks_.end(), t0);
+    while (t0 < t1) {
+      const bool jumps = next != breaks_.end() && *next < t1;
+      const double end = jumps ? *next++ : t1;
+      if (!breaks_.empty()) flow_.enter({t0, end});
+      const IntegrationStatus status = go(rhs, t0, end, x);
+      if (status != IntegrationStatus::Completed) return status;
+    }
+    return IntegrationStatus::Completed;
+  }
+
+ private:
+  static constexpr double kMostParts = 1000.0;
+
+  IntegrationStatus go(RightHandSide rhs, double& t0, double t1, double* x) {
     const double begin = t0;
-    const double pieces = std::clamp(std::ceil((t1 - begin) / piece_), 1.0, kMostPieces);
-    for (double i = 1.0; i <= pieces; ++i) {
-      const double end = i == pieces ? t1 : begin + (t1 - begin) * (i / pieces);
+    const double parts = std::clamp(std::ceil((t1 - begin) / longest_), 1.0, kMostParts);
+    for (double i = 1.0; i <= parts; ++i) {
+      const double end = i == parts ? t1 : begin + (t1 - begin) * (i / parts);
       const IntegrationStatus status = stepper_->advance(rhs, t0, end, x);
       if (status != IntegrationStatus::Completed) return status;
       flow_.reached(t0, x);
@@ -116,29 +164,30 @@ class NotingStepper final : public Stepper {
     return IntegrationStatus::Completed;
   }
 
- private:
-  static constexpr double kMostPieces = 1000.0;
   std::unique_ptr<Stepper> stepper_;
   Flow& flow_;
-  double piece_;
+  std::vector<double> breaks_;
+  double longest_;
 };
 
-/// An integrator whose steppers note the orbit for the delays of one flow.
-class NotingIntegrator final : public Integrator {
+/// An integrator whose steppers go in the pieces of one flow.
+class PiecewiseIntegrator final : public Integrator {
  public:
-  NotingIntegrator(const Integrator& integrator, Flow& flow)
-      : integrator_(integrator), flow_(flow) {}
+  PiecewiseIntegrator(const Integrator& integrator, Flow& flow, const Vector& breaks)
+      : integrator_(integrator), flow_(flow), breaks_(breaks) {}
 
   const StageInfo& info() const override { return integrator_.info(); }
   void visit_options(OptionVisitor& v) const override { integrator_.visit_options(v); }
   int order() const override { return integrator_.order(); }
   std::unique_ptr<Stepper> make_stepper(Index dimension) const override {
-    return std::make_unique<NotingStepper>(integrator_.make_stepper(dimension), flow_);
+    return std::make_unique<PiecewiseStepper>(integrator_.make_stepper(dimension), flow_,
+                                              breaks_);
   }
 
  private:
   const Integrator& integrator_;
   Flow& flow_;
+  const Vector& breaks_;
 };
 
 std::vector<std::string> state_names(const OdeModel& model) {
@@ -172,9 +221,10 @@ Solution simulate(const DrivenModel& driven, const Integrator& integrator, const
   const OdeModel& model = driven.model;
   check_initial_state(model, x0);
   Flow flow(driven);
-  Solution solution =
-      flow.has_delays() ? NotingIntegrator(integrator, flow).integrate(flow, x0, times, context)
-                        : integrator.integrate(flow, x0, times, context);
+  const bool whole = flow.delays().empty() && driven.breaks.size() == 0;
+  Solution solution = whole ? integrator.integrate(flow, x0, times, context)
+                            : PiecewiseIntegrator(integrator, flow, driven.breaks)
+                                  .integrate(flow, x0, times, context);
   solution.message = end_message(solution.status, solution.end_time, solution.end_state,
                                  state_names(model), model.time_unit());
   return solution;

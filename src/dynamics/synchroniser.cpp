@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "lacuna/data/noise.hpp"
 #include "lacuna/numerics/lagrange.hpp"
+#include "lacuna/numerics/sampled_signal.hpp"
 #include "lacuna/records/model_view.hpp"
 
 namespace lacuna {
@@ -57,6 +59,13 @@ class Slave {
         present_(static_cast<std::size_t>(variables_.cols())),
         earlier_(present_.size()),
         delayed_(compiled_.delays().size()) {
+    const Index m = model.dimension();
+    for (std::size_t j = 0; j < model.inputs().size(); ++j) {
+      const Interpolation between = interpolation_of(model.inputs()[j].hold);
+      const auto input = static_cast<Index>(j);
+      if (between != Interpolation::Cubic)
+        rough_.push_back({m + input, {trajectory.time, trajectory.inputs.col(input), between}});
+    }
     for (Index j = 0; j < coupling.cols(); ++j)
       for (Index i = 0; i < coupling.rows(); ++i)
         if (coupling(i, j) != 0.0) links_.push_back({i, j, coupling(i, j)});
@@ -64,6 +73,7 @@ class Slave {
 
   void start_interval(Index n) {
     drive_.select(n);
+    interval_ = n;
     fresh_ = false;
   }
 
@@ -80,12 +90,20 @@ class Slave {
     double strength;
   };
 
+  /// An input that is not smooth.
+  struct RoughInput {
+    Index column;
+    SampledSignal signal;
+  };
+
   static std::size_t slot(Index i) { return static_cast<std::size_t>(i); }
 
   // Stages at the same time see the same record.
   void look_up(double t) {
     if (fresh_ && t == time_) return;
     drive_.evaluate(t, present_.data());
+    for (const RoughInput& input : rough_)
+      present_[slot(input.column)] = input.signal.in_interval(interval_, t);
     for (std::size_t i = 0; i < delayed_.size(); ++i)
       delayed_[i] = past(compiled_.delays()[i], t);
     time_ = t;
@@ -96,6 +114,7 @@ class Slave {
     const double s = std::max(t - variable.delay, first_time_);
     past_.select(past_.interval_of(s));
     past_.evaluate(s, earlier_.data());
+    for (RoughInput& input : rough_) earlier_[slot(input.column)] = input.signal(s);
     return earlier_[slot(variable.slot)];
   }
 
@@ -105,6 +124,8 @@ class Slave {
   double first_time_;
   std::vector<double> present_, earlier_, delayed_;
   std::vector<Link> links_;
+  std::vector<RoughInput> rough_;
+  Index interval_ = 0;
   double time_ = 0.0;
   bool fresh_ = false;
 };
@@ -200,6 +221,29 @@ double spread(const Dataset& record) {
   return std::sqrt(squares / static_cast<double>(record.samples()));
 }
 
+/// Root mean square of slave - record of each state over the last three quarters.
+Vector late_errors(const Dataset& record, const SyncResult& result) {
+  Vector squares = Vector::Zero(record.state_count());
+  double count = 0.0;
+  for (std::size_t r = 0; r < result.states.size(); ++r) {
+    const Index n = result.states[r].rows(), late = n - n / 4;
+    const Matrix left =
+        (result.states[r] - record.trajectories[r].states.topRows(n)).bottomRows(late);
+    squares += left.colwise().squaredNorm().transpose();
+    count += static_cast<double>(late);
+  }
+  return (squares / count).cwiseSqrt();
+}
+
+std::optional<double> error_over_noise(const Dataset& record, const SyncResult& result) {
+  const Vector errors = late_errors(record, result);
+  std::optional<double> worst;
+  for (Index k = 0; k < errors.size(); ++k)
+    if (record.is_measured(k) && result.noise[k] > 0.0)
+      worst = std::max(worst.value_or(0.0), errors[k] / result.noise[k]);
+  return worst;
+}
+
 bool has_settled(const Dataset& record, const SyncResult& result) {
   if (result.status != IntegrationStatus::Completed) return false;
   const double own = spread(record);
@@ -241,6 +285,8 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   }
   add_statistics(view, result);
   result.settled = has_settled(view, result);
+  result.noise = estimate_noise(view);
+  result.error_over_noise = error_over_noise(view, result);
   return result;
 }
 

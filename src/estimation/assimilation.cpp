@@ -103,9 +103,12 @@ class Turns {
   void relinearise() {
     for (std::size_t r = 0; r < data_.trajectories.size(); ++r) {
       LinearisedRecord& record = state_.records[r];
-      Matrix bridge = std::move(record.bridge);
+      const Matrix bridge = std::move(record.bridge);
       record = linearise(state_.model, data_.trajectories[r], record.path, accuracy());
-      record.bridge = std::move(bridge);
+      if (record.bridge.size() == 0)
+        record.bridge = bridge;
+      else if (bridge.size() > 0)
+        record.bridge = record.bridge.cwiseMax(bridge);
     }
     correct_channels();
   }
@@ -176,7 +179,7 @@ class Turns {
         Eigen::Map<const Vector>(changes.data(), static_cast<Index>(changes.size()));
     for (Index i = 0; i < record.steps(); ++i) {
       const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * equation, m, 3);
-      record.defect.col(i) += w.lazyProduct(rate.segment<3>(2 * i));
+      record.defect.col(i) += w.lazyProduct(rate.segment<3>(record.grid.begin(i)));
     }
   }
 
@@ -262,8 +265,8 @@ Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
                              const Variables& variables,
                              const std::vector<ChannelTerm>& terms) {
   for (const ChannelTerm& term : terms)
-    measured.col(term.state) -= term.coefficient * evaluate_on(record, variables, term.form)(
-                                                       Eigen::seq(0, Eigen::last, 2));
+    measured.col(term.state) -=
+        term.coefficient * evaluate_on(record, variables, term.form)(record.sample_rows());
   return measured;
 }
 

@@ -119,9 +119,9 @@ void rate_lanes(const LinearisedRecord& record, const InnovationFilter& filter, 
     });
     if (i + 1 == record.samples()) break;
     error.carry(i);
-    const Lanes<Together> end = columns.row(2 * i + 2);
-    error.push(i, equation, begin, columns.row(2 * i + 1), end);
-    begin = end;
+    const Lanes<Together> end = columns.row(record.grid.end(i));
+    error.push(i, equation, begin, columns.row(record.grid.middle(i)), end);
+    begin = record.grid.stride == 2 ? end : columns.row(record.grid.begin(i + 1));
   }
 }
 
@@ -154,7 +154,7 @@ void for_lanes(Index size, const Eigen::Ref<const Matrix>& values, Work work) {
 void column_response(const LinearisedRecord& record, const InnovationFilter& filter,
                      Index equation, const Eigen::Ref<const Matrix>& values,
                      Eigen::Ref<Matrix> out) {
-  check(filter, record, values, 2 * record.samples() - 1, out);
+  check(filter, record, values, record.grid.rows(record.samples()), out);
   for_lanes(filter.size, values, [&](auto size, const auto& columns) {
     rate_lanes<size()>(record, filter, equation, columns, out);
   });

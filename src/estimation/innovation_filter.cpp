@@ -9,10 +9,6 @@
 namespace lacuna {
 namespace {
 
-bool is_omitted(const Matrix& omitted, Index i, Index state) {
-  return omitted.size() > 0 && omitted(i, state) != 0.0;
-}
-
 void check(const LinearisedRecord& record, const Matrix& measured, const Matrix& omitted,
            const NoiseModel& noise) {
   if (measured.rows() != record.samples() || measured.cols() != record.states() ||
@@ -33,8 +29,10 @@ void run(const LinearisedRecord& record, const Matrix& measured, const Matrix& o
     for (Index i = 0; i < record.samples(); ++i) {
       for (Index c = 0; c < map.channels(); ++c) {
         const Index state = map.state[static_cast<std::size_t>(c)];
-        if (is_omitted(omitted, i, state)) continue;
-        visit(i, c, step.update(c, measured(i, state) - record.path(i, state)), step.gain());
+        const Mark mark = mark_of(omitted, i, state);
+        if (!says_something(mark)) continue;
+        visit(i, c, step.update(c, measured(i, state) - record.path(i, state), mark),
+              step.gain());
       }
       if (i + 1 < record.samples()) step.predict(i);
     }
@@ -62,7 +60,7 @@ InnovationFilter run_filter(const LinearisedRecord& record, const Matrix& measur
         filter.gain.col(i).segment(c * map.size, map.size) = gain;
         filter.inverse_deviation(c, i) = 1.0 / std::sqrt(innovation.variance);
         filter.innovations(c, i) = innovation.value * filter.inverse_deviation(c, i);
-        filter.deviance += deviance_of(innovation);
+        filter.deviance += innovation.deviance;
         ++filter.used;
       });
   return filter;
@@ -74,7 +72,7 @@ double filter_deviance(const LinearisedRecord& record, const Matrix& measured,
   double deviance = 0.0;
   run(record, measured, omitted, noise, ChannelMap(record, noise),
       [&](Index, Index, const Innovation& innovation, const auto&) {
-        deviance += deviance_of(innovation);
+        deviance += innovation.deviance;
       });
   return deviance;
 }

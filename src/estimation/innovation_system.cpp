@@ -56,8 +56,8 @@ Matrix InnovationSystem::term_columns(Index equation) const {
 Vector InnovationSystem::channel_term_column(const ChannelTerm& term) const {
   std::vector<Matrix> values;
   for (const LinearisedRecord& record : assimilation_->records)
-    values.push_back(evaluate_on(record, assimilation_->model.variables(),
-                                 term.form)(Eigen::seq(0, Eigen::last, 2)));
+    values.push_back(
+        evaluate_on(record, assimilation_->model.variables(), term.form)(record.sample_rows()));
   return channel_columns(term.state, values);
 }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "censoring.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/noise_model.hpp"
 #include "lacuna/flow/fixed_size.hpp"
 #include "lacuna/flow/linearised_record.hpp"
@@ -36,14 +39,11 @@ struct Variances {
 /// One scalar measurement as the filter saw it.
 struct Innovation {
   double value = 0.0;     ///< nu
-  double variance = 0.0;  ///< S
+  double variance = 0.0;  ///< S; infinite where it says nothing
+  double deviance = 0.0;  ///< what it adds to -2 log likelihood
+  /// d deviance / d variance of the white noise where the sample is at an end of its channel.
+  double slope = 0.0;
 };
-
-/// What it adds to -2 log likelihood.
-inline double deviance_of(const Innovation& innovation) {
-  return std::log(innovation.variance) +
-         innovation.value * innovation.value / innovation.variance;
-}
 
 /// Response at the end of step i to a constant rate in an equation: w0 + w1 + w2.
 inline void constant_response(const LinearisedRecord& record, Index i, Index equation,
@@ -143,23 +143,15 @@ class KalmanStep {
         covariance_(variances_.start.asDiagonal()),
         transition_(map, record.states()) {}
 
-  /// Takes in what was measured (minus the path) on one channel. The gain is left in gain().
-  Innovation update(Index channel, double measured) {
-    const Index state = map_.state[static_cast<std::size_t>(channel)];
-    const Index colour = map_.colour[static_cast<std::size_t>(channel)];
-    row_ = covariance_.col(state);
-    double expected = mean_[state];
-    if (colour < map_.size) {
-      row_ += covariance_.col(colour);
-      expected += mean_[colour];
-    }
-    const double variance =
-        row_[state] + (colour < map_.size ? row_[colour] : 0.0) + variances_.white[channel];
-    const double value = measured - expected;
-    gain_ = row_ / variance;
-    mean_ += gain_ * value;
+  /// Takes in what was measured (minus the path) on one channel as the mark of the sample says,
+  /// which is no outlier and not missing. The gain is left in gain().
+  Innovation update(Index channel, double measured, Mark mark = Mark::Value) {
+    const Innovation whole = expect(channel, measured);
+    const Innovation seen = is_clipped(mark) ? censored(whole, mark) : whole;
+    gain_ = row_ / seen.variance;
+    mean_ += gain_ * seen.value;
     covariance_.noalias() -= gain_.lazyProduct(row_.transpose());
-    return {value, variance};
+    return seen;
   }
 
   /// Goes over step i of the record.
@@ -178,6 +170,38 @@ class KalmanStep {
   const Column<Size>& gain() const { return gain_; }
 
  private:
+  /// What is new in a value; the covariance of state and measurement is left in row_.
+  Innovation expect(Index channel, double measured) {
+    const Index state = map_.state[static_cast<std::size_t>(channel)];
+    const Index colour = map_.colour[static_cast<std::size_t>(channel)];
+    row_ = covariance_.col(state);
+    double expected = mean_[state];
+    if (colour < map_.size) {
+      row_ += covariance_.col(colour);
+      expected += mean_[colour];
+    }
+    const double variance =
+        row_[state] + (colour < map_.size ? row_[colour] : 0.0) + variances_.white[channel];
+    const double value = measured - expected;
+    return {value, variance, std::log(variance) + value * value / variance};
+  }
+
+  /// The measurement that moves mean and variance as the knowledge does that the value lies
+  /// beyond the end of the channel: with z in deviations, a value of lambda/delta deviations
+  /// and a variance of 1/delta of the whole.
+  static Innovation censored(const Innovation& at_end, Mark mark) {
+    constexpr double kNothing = 1e-12;  // share of the variance: the model is far beyond
+    const double side = mark == Mark::AtTop ? 1.0 : -1.0;
+    const double deviation = std::sqrt(at_end.variance);
+    const double z = -side * at_end.value / deviation;
+    const Truncation known(z);
+    const double slope = known.shift * z / at_end.variance;
+    if (known.share < kNothing)
+      return {0.0, std::numeric_limits<double>::infinity(), known.deviance, slope};
+    return {side * known.shift / known.share * deviation, at_end.variance / known.share,
+            known.deviance, slope};
+  }
+
   void add_disturbance(Index i) {
     const double step = record_.time[i + 1] - record_.time[i];
     row_.setZero();

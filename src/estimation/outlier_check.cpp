@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "lacuna/data/marks.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -24,10 +26,10 @@ OutlierCheck check_outliers(const std::vector<Quantity>& names, const Assimilati
     for (std::size_t r = 0; r < check.outliers.size(); ++r) {
       auto marks = check.outliers[r].col(state);
       for (Index i = 0; i < marks.size(); ++i) {
-        if (marks[i] == 0.0) continue;
+        if (marks[i] != number_of(Mark::Outlier)) continue;
         const double off = std::abs(fit.measured[r](i, state) - fit.records[r].path(i, state));
         const bool is_outlier = off > outlying * *white;
-        marks[i] = is_outlier ? 1.0 : 0.0;
+        marks[i] = number_of(is_outlier ? Mark::Outlier : Mark::Value);
         check.any_false = check.any_false || !is_outlier;
         count += is_outlier ? 1 : 0;
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The backward pass of the smoother.
+#include <algorithm>
 #include <vector>
 
 #include "kalman_step.hpp"
@@ -15,6 +16,7 @@ struct Forward {
   Matrix gain;        ///< N channels x n
   Matrix value;       ///< channels x n
   Matrix variance;    ///< channels x n; 0 where a sample is left out
+  Matrix slope;       ///< channels x n; Innovation::slope
   double deviance = 0.0;
 };
 
@@ -28,6 +30,7 @@ Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
                   Matrix(size * map.channels(), n),
                   Matrix::Zero(map.channels(), n),
                   Matrix::Zero(map.channels(), n),
+                  Matrix::Zero(map.channels(), n),
                   0.0};
   KalmanStep<Size> step(record, noise, map);
   for (Index i = 0; i < n; ++i) {
@@ -35,12 +38,14 @@ Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
     forward.covariance.col(i) = step.covariance().reshaped();
     for (Index c = 0; c < map.channels(); ++c) {
       const Index state = map.state[static_cast<std::size_t>(c)];
-      if (omitted.size() > 0 && omitted(i, state) != 0.0) continue;
-      const Innovation seen = step.update(c, measured(i, state) - record.path(i, state));
+      const Mark mark = mark_of(omitted, i, state);
+      if (!says_something(mark)) continue;
+      const Innovation seen = step.update(c, measured(i, state) - record.path(i, state), mark);
       forward.gain.col(i).segment(c * size, size) = step.gain();
       forward.value(c, i) = seen.value;
       forward.variance(c, i) = seen.variance;
-      forward.deviance += deviance_of(seen);
+      forward.slope(c, i) = seen.slope;
+      forward.deviance += seen.deviance;
     }
     if (i + 1 < n) step.predict(i);
   }
@@ -96,13 +101,21 @@ class Backward {
     const double pull = forward_.value(c, i) / variance - gain.dot(adjoint_);
     moved_ = covariance_.lazyProduct(gain);
     const double weight = 1.0 / variance + gain.dot(moved_);
-    result_.found[m_ + c] += pull * pull;
-    result_.expected[m_ + c] += weight;
+    add_white(i, c, pull * pull, weight);
     // covariance += weight h h' - h moved' - moved h'
     const Column<Size>& h = reads_[static_cast<std::size_t>(c)];
     adjoint_ += pull * h;
     for (Index j = 0; j < map_.size; ++j)
       covariance_.col(j) += (weight * h[j] - moved_[j]) * h - h[j] * moved_;
+  }
+
+  /// Of a sample at an end of its channel what it says at once of the noise; what it says by
+  /// what it does to the path is little.
+  void add_white(Index i, Index c, double found, double expected) {
+    const double slope = forward_.slope(c, i);
+    const bool clipped = slope != 0.0;
+    result_.found[m_ + c] += clipped ? std::max(0.0, -slope) : found;
+    result_.expected[m_ + c] += clipped ? std::max(0.0, slope) : expected;
   }
 
   void keep(Index i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/innovation_filter.hpp"
 #include "lacuna/numerics/interval.hpp"
 
@@ -39,23 +40,32 @@ Index window_length(const std::vector<LinearisedRecord>& records, const NoiseMod
   return std::max(kShortest, static_cast<Index>(shortest));
 }
 
-/// 1 where a sample counts, 0 where its state was not measured or it is left out.
-Matrix counting(const Matrix& omitted, const NoiseModel& noise, Index rows) {
-  Matrix counts = Matrix::Ones(rows, noise.states());
-  for (Index k = 0; k < counts.cols(); ++k)
-    if (!noise.measurement[static_cast<std::size_t>(k)]) counts.col(k).setZero();
-  if (omitted.size() > 0) counts = (omitted.array() != 0.0).select(0.0, counts);
-  return counts;
+/// Square of what a sample is off, and whether it counts.
+struct Off {
+  double square = 0.0;
+  bool counts = false;
+};
+
+Off off_by(double left, Mark mark) {
+  if (!says_something(mark)) return {};
+  const bool beyond =
+      (mark == Mark::AtTop && left < 0.0) || (mark == Mark::AtBottom && left > 0.0);
+  return {beyond ? 0.0 : left * left, true};
 }
 
-/// Sums over blocks of rows of no fewer than `shortest`. @param left where `counts` is 1.
-WindowSquares in_blocks(const Matrix& left, const Matrix& counts, Index shortest) {
+/// Squares of what samples are off, and 1 for each that counts.
+struct OffSquares {
+  Matrix squares, counts;  ///< n x m
+};
+
+/// Sums over blocks of rows of no fewer than `shortest`.
+WindowSquares in_blocks(const OffSquares& off, Index shortest) {
   WindowSquares squares;
-  const Index rows = left.rows(), blocks = std::max<Index>(1, rows / shortest);
+  const Index rows = off.counts.rows(), blocks = std::max<Index>(1, rows / shortest);
   for (Index b = 0; b < blocks; ++b) {
     const Index first = b * rows / blocks, count = (b + 1) * rows / blocks - first;
-    const double sum = left.middleRows(first, count).squaredNorm();
-    const double samples = counts.middleRows(first, count).sum();
+    const double sum = off.squares.middleRows(first, count).sum();
+    const double samples = off.counts.middleRows(first, count).sum();
     if (!(samples > 0.0)) continue;
     squares.sum += sum;
     squares.count += samples;
@@ -65,13 +75,25 @@ WindowSquares in_blocks(const Matrix& left, const Matrix& counts, Index shortest
 }
 
 /// One window, its initial state being fitted.
-WindowSquares one_window(const LinearisedRecord& window, const Matrix& measured,
-                         const Matrix& omitted, const NoiseModel& exact, const Vector& scale) {
-  const SmoothedRecord smoothed = smooth(window, measured, omitted, exact);
-  const Matrix counts = counting(omitted, exact, measured.rows());
-  const Matrix left =
-      (measured - window.path - smoothed.deviation) * scale.cwiseInverse().asDiagonal();
-  return in_blocks((counts.array() > 0.0).select(left, 0.0), counts, kShortest);
+WindowSquares one_window(const LinearisedRecord& window, const MarkedSamples& measured,
+                         const NoiseModel& exact, const Vector& scale) {
+  const SmoothedRecord smoothed = smooth(window, measured.values, measured.marks, exact);
+  OffSquares all{Matrix::Zero(measured.values.rows(), window.states()), {}};
+  all.counts = all.squares;
+  for (Index k = 0; k < window.states(); ++k) {
+    if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
+    const Vector left = measured.values.col(k) - window.path.col(k) - smoothed.deviation.col(k);
+    for (Index i = 0; i < left.size(); ++i) {
+      const Off off = off_by(left[i], mark_of(measured.marks, i, k));
+      all.squares(i, k) = off.square / (scale[k] * scale[k]);
+      all.counts(i, k) = off.counts ? 1.0 : 0.0;
+    }
+  }
+  return in_blocks(all, kShortest);
+}
+
+Matrix rows_of(const Matrix& marks, Index first, Index count) {
+  return marks.size() > 0 ? Matrix(marks.middleRows(first, count)) : Matrix();
 }
 
 }  // namespace
@@ -101,18 +123,18 @@ double WindowSquares::above(double floor) const {
   return (mean - floor * floor) / error * kNormal / student_quantile_975(freedom);
 }
 
-WindowSquares window_squares(const LinearisedRecord& record, const WindowSamples& samples,
+WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples& measured,
                              const NoiseModel& noise, const Vector& scale,
                              const WindowGrid& grid) {
   WindowSquares squares;
   NoiseModel exact = noise;
   exact.disturbance.setZero();
-  const auto& [measured, omitted] = samples;
-  for (Index first = grid.begin; first + grid.length <= record.samples(); first += grid.length)
-    squares.add(one_window(
-        part_of(record, first, grid.length), measured.middleRows(first, grid.length),
-        omitted.size() > 0 ? Matrix(omitted.middleRows(first, grid.length)) : Matrix(), exact,
-        scale));
+  for (Index first = grid.begin; first + grid.length <= record.samples();
+       first += grid.length) {
+    const Matrix values = measured.values.middleRows(first, grid.length);
+    const Matrix marks = rows_of(measured.marks, first, grid.length);
+    squares.add(one_window(part_of(record, first, grid.length), {values, marks}, exact, scale));
+  }
   return squares;
 }
 
@@ -135,9 +157,11 @@ double window_gap(const Assimilation& fit) {
   const Index length = window_samples(fit);
   const Matrix none;
   WindowSquares all;
-  for (std::size_t r = 0; r < fit.records.size(); ++r)
-    all.add(window_squares(fit.records[r], {fit.measured[r], none}, fit.noise, scale,
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Matrix& marks = fit.omitted.empty() ? none : fit.omitted[r];
+    all.add(window_squares(fit.records[r], {fit.measured[r], marks}, fit.noise, scale,
                            {0, std::min(length, fit.records[r].samples())}));
+  }
   return all.rms();
 }
 

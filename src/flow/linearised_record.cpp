@@ -13,9 +13,6 @@
 namespace lacuna {
 namespace {
 
-/// Samples and the middles between them.
-constexpr Index kNodesPerStep = 2;
-
 void check(const OdeModel& model, const Trajectory& record, const Matrix& path) {
   if (path.rows() != record.samples() || path.cols() != model.dimension() ||
       record.inputs.cols() != static_cast<Index>(model.inputs().size()))
@@ -26,11 +23,12 @@ void check(const OdeModel& model, const Trajectory& record, const Matrix& path) 
                         "give a longer record");
 }
 
-/// Length of the part of a step around each sample and midpoint.
-Vector part_lengths(const Vector& length, int parts) {
-  Vector result(2 * length.size() + 1);
-  for (Index i = 0; i < length.size(); ++i) result.segment<2>(2 * i).setConstant(length[i]);
-  result[2 * length.size()] = length[length.size() - 1];
+/// Length of the part of a step around each node.
+Vector part_lengths(const Vector& length, const StepGrid& grid, int parts) {
+  Vector result(grid.rows(length.size() + 1));
+  for (Index i = 0; i < length.size(); ++i)
+    result.segment(grid.begin(i), grid.stride).setConstant(length[i]);
+  result[result.size() - 1] = length[length.size() - 1];
   return result / parts;
 }
 
@@ -42,15 +40,38 @@ Vector accuracy_of_variations(const Matrix& path, const Vector& accuracy) {
   return accuracy.cwiseMax(kThousandth * range);
 }
 
+/// What inputs that jump at unknown instants of a step may do to the states: a jump that is
+/// equally likely at any instant moves them by length x change of the rate / sqrt(12).
+/// @return spectral densities, m x (n-1); empty when there is no such input.
+Matrix switching_density(const std::vector<Quantity>& inputs, const StepSlots& slots,
+                         Rates& rates) {
+  Matrix density;
+  const auto samples = Eigen::seq(0, slots.nodes.rows() - 1, slots.grid.stride);
+  for (std::size_t j = 0; j < inputs.size(); ++j) {
+    if (inputs[j].hold != Hold::Switching) continue;
+    const Index column = slots.states + static_cast<Index>(j);
+    Matrix points = slots.nodes(samples, Eigen::all);
+    Matrix before(points.rows(), slots.states), after(before);
+    rates.rate(points, before);
+    points.col(column).head(slots.steps()) = points.col(column).tail(slots.steps()).eval();
+    rates.rate(points, after);
+    if (density.size() == 0) density = Matrix::Zero(slots.states, slots.steps());
+    for (Index i = 0; i < slots.steps(); ++i)
+      density.col(i) +=
+          slots.length(i) / 12.0 * (after.row(i) - before.row(i)).cwiseAbs2().transpose();
+  }
+  return density;
+}
+
 }  // namespace
 
 LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, const Matrix& path,
                            const Vector& accuracy) {
   check(model, record, path);
   const Index m = path.cols();
-  LinearisedRecord result = grid_of(record, path);
+  LinearisedRecord result = grid_of(model.inputs(), record, path);
   Rates rates(model);
-  const StepSlots slots(with_delays(result, rates.delays()), m, rates.delays().size());
+  const StepSlots slots(with_delays(result, rates.delays()), m, rates.delays(), result.grid);
   const int parts = parts_for(rates, slots, accuracy);
   std::vector<Index> steps(static_cast<std::size_t>(record.samples() - 1));
   std::iota(steps.begin(), steps.end(), Index{0});
@@ -59,36 +80,46 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
   const int fewer = parts_for(rates, slots, accuracy_of_variations(path, accuracy));
-  StepResponses responses =
-      step_responses(secant_slopes(rates, slots.nodes, part_lengths(length, fewer), accuracy),
-                     length, m, fewer);
+  StepResponses responses = step_responses(
+      secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, fewer), accuracy),
+      result.grid, length, {m, fewer});
   result.transition = std::move(responses.transition);
   result.response = std::move(responses.response);
+  result.bridge = switching_density(model.inputs(), slots, rates);
   return result;
 }
 
 LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count) {
-  LinearisedRecord part{record.time.segment(first, count),
-                        record.path.middleRows(first, count),
-                        record.slots.middleRows(2 * first, 2 * count - 1),
-                        record.transition.middleCols(first, count - 1),
-                        record.response.middleCols(first, count - 1),
-                        record.defect.middleCols(first, count - 1)};
+  LinearisedRecord part{
+      record.time.segment(first, count),
+      record.path.middleRows(first, count),
+      record.slots.middleRows(record.grid.begin(first), record.grid.rows(count)),
+      record.transition.middleCols(first, count - 1),
+      record.response.middleCols(first, count - 1),
+      record.defect.middleCols(first, count - 1),
+      {},
+      record.grid};
   if (record.bridge.size() > 0) part.bridge = record.bridge.middleCols(first, count - 1);
   return part;
 }
 
-LinearisedRecord grid_of(const Trajectory& record, const Matrix& path) {
+LinearisedRecord grid_of(const std::vector<Quantity>& inputs, const Trajectory& record,
+                         const Matrix& path) {
+  std::vector<Interpolation> signals(static_cast<std::size_t>(path.cols()),
+                                     Interpolation::Cubic);
+  for (const Quantity& input : inputs) signals.push_back(interpolation_of(input.hold));
+  StepGrid grid = step_grid(std::move(signals));
   Matrix values(record.samples(), path.cols() + record.inputs.cols());
   values << path, record.inputs;
-  return {record.time, path, node_slots(record.time, values, kNodesPerStep), {}, {}, {}};
+  Matrix slots = step_slots(record.time, values, grid);
+  return {record.time, path, std::move(slots), {}, {}, {}, {}, std::move(grid)};
 }
 
 Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVariable>& delays) {
   const Index width = record.slots.cols(), count = static_cast<Index>(delays.size());
   Matrix result(record.slots.rows(), width + count);
   result.leftCols(width) = record.slots;
-  result.rightCols(count) = delayed_slots(record.slots, kNodesPerStep, delays);
+  result.rightCols(count) = delayed_step_slots(record.slots, record.grid, delays);
   return result;
 }
 

@@ -32,7 +32,7 @@ class StepBlock {
         slope_(point_.rows(), slots.states) {
     for (Index row = 0; row < point_.rows(); ++row) {
       const Index i = step_at(row);
-      point_.row(row) = slots.nodes.row(2 * i);
+      point_.row(row) = slots.nodes.row(slots.grid.begin(i));
       length_[row] = slots.length(i);
     }
     state_ = point_.leftCols(slots.states);
@@ -69,7 +69,7 @@ class StepBlock {
     for (Index column = slots_.states; column < slots_.nodes.cols(); ++column) {
       const double* third = slots_.third.col(column - slots_.states).data();
       for (Index row = 0; row < point_.rows(); ++row) {
-        const double* value = slots_.nodes.col(column).data() + 2 * step_at(row);
+        const double* value = slots_.nodes.col(column).data() + slots_.grid.begin(step_at(row));
         point_(row, column) = weight[0] * value[0] + weight[1] * value[1] +
                               weight[2] * value[2] + cubic * third[step_at(row)];
       }
@@ -89,8 +89,8 @@ class StepBlock {
 template <int Size>
 class StepVariation {
  public:
-  StepVariation(const Matrix& slopes, Index states)
-      : slopes_(slopes), identity_(Square<Size>::Identity(states, states)) {}
+  StepVariation(const Matrix& slopes, const StepGrid& grid, Index states)
+      : slopes_(slopes), grid_(grid), identity_(Square<Size>::Identity(states, states)) {}
 
   void run(Index i, double length, int parts) {
     for (int part = 0; part < parts; ++part) add_part(i, length / parts, part, parts);
@@ -103,7 +103,7 @@ class StepVariation {
   Square<Size> slope_at(Index i, double s) const {
     const std::array<double, 3> weight = parabolas(s);
     const Index m = identity_.rows();
-    const double* a = slopes_.col(2 * i).data();
+    const double* a = slopes_.col(grid_.begin(i)).data();
     const Eigen::Map<const Square<Size>> begin(a, m, m), middle(a + m * m, m, m),
         end(a + 2 * m * m, m, m);
     return weight[0] * begin + weight[1] * middle + weight[2] * end;
@@ -137,16 +137,17 @@ class StepVariation {
   }
 
   const Matrix& slopes_;
+  const StepGrid& grid_;
   Square<Size> identity_, transition_;
   std::array<Square<Size>, 3> response_;
 };
 
 template <int Size>
-void write_responses(const Matrix& slopes, const Vector& length, Index m, int parts,
+void write_responses(StepVariation<Size> step, const Vector& length, const StepSize& size,
                      StepResponses& out) {
-  StepVariation<Size> step(slopes, m);
+  const Index m = size.states;
   for (Index i = 0; i < length.size(); ++i) {
-    step.run(i, length[i], parts);
+    step.run(i, length[i], size.parts);
     out.transition.col(i) = step.transition().reshaped();
     for (Index k = 0; k < m; ++k)
       for (Index q = 0; q < 3; ++q)
@@ -157,14 +158,19 @@ void write_responses(const Matrix& slopes, const Vector& length, Index m, int pa
 
 }  // namespace
 
-StepSlots::StepSlots(Matrix slots, Index state_count, std::size_t delays)
+StepSlots::StepSlots(Matrix slots, Index state_count,
+                     const std::vector<DelayedVariable>& delays, StepGrid step_grid)
     : states(state_count),
-      time(slots.cols() - 1 - static_cast<Index>(delays)),
+      time(slots.cols() - 1 - static_cast<Index>(delays.size())),
+      grid(std::move(step_grid)),
       nodes(std::move(slots)),
       third(Matrix::Zero(steps(), nodes.cols() - states)) {
-  const auto samples = Eigen::seq(0, Eigen::last, 2);
+  const auto samples = Eigen::seq(0, nodes.rows() - 1, grid.stride);
   for (Index column = states; column < nodes.cols(); ++column) {
     if (column == time) continue;
+    const Index variable =
+        column < time ? column : delays[static_cast<std::size_t>(column - time - 1)].slot;
+    if (grid.signal(variable) != Interpolation::Cubic) continue;
     const Vector values = nodes.col(column)(samples);
     const SampledSignal signal(nodes.col(time)(samples), values);
     for (Index i = 0; i < steps(); ++i)
@@ -203,12 +209,13 @@ int parts_for(Rates& rates, const StepSlots& slots, const Vector& accuracy) {
   return parts;
 }
 
-StepResponses step_responses(const Matrix& slopes, const Vector& length, Index states,
-                             int parts) {
-  StepResponses out{Matrix(states * states, length.size()),
-                    Matrix(3 * states * states, length.size())};
-  with_size(states,
-            [&](auto size) { write_responses<size()>(slopes, length, states, parts, out); });
+StepResponses step_responses(const Matrix& slopes, const StepGrid& grid, const Vector& length,
+                             const StepSize& size) {
+  const Index m = size.states;
+  StepResponses out{Matrix(m * m, length.size()), Matrix(3 * m * m, length.size())};
+  with_size(m, [&](auto fixed) {
+    write_responses<fixed()>({slopes, grid, m}, length, size, out);
+  });
   return out;
 }
 

@@ -24,6 +24,11 @@ Matrix stage_times(const Vector& time, const Vector& lengths, const StepScheme& 
   return times;
 }
 
+/// A held signal at a share of a step, inside of which it may jump.
+double held_value(SampledSignal& signal, double from, double length, double share) {
+  return signal.held_line(from, from + length).at(share);
+}
+
 }  // namespace
 
 StageSignals empty_stage_signals(const StepScheme& scheme, Index samples, Index signals) {
@@ -33,8 +38,7 @@ StageSignals empty_stage_signals(const StepScheme& scheme, Index samples, Index 
                               Matrix::Zero(steps, signals))};
 }
 
-void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals,
-                         Interpolation interpolation) {
+void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals) {
   const Index substeps = signals.scheme.substeps, p = samples.inputs.cols();
   const Vector lengths = step_lengths(samples.time, substeps);
   const Matrix times = stage_times(samples.time, lengths, signals.scheme);
@@ -42,21 +46,29 @@ void write_stage_signals(const DrivingSamples& samples, Index first, StageSignal
     return signals.stages[static_cast<std::size_t>(stage)].col(column).segment(first * substeps,
                                                                                times.rows());
   };
+  const auto goes_on = [&](Index column) {
+    return samples.signals.empty() ? Interpolation::Cubic
+                                   : samples.signals[static_cast<std::size_t>(column)];
+  };
   for (Index step = 0; step < times.rows(); ++step)
     signals.lengths[first * substeps + step] = lengths[step / substeps];
   for (Index a = 0; a < times.cols(); ++a) column_of(a, p) = times.col(a);
   for (Index column = 0; column < p; ++column) {
-    const SampledSignal input(samples.time, samples.inputs.col(column), interpolation);
+    const SampledSignal input(samples.time, samples.inputs.col(column), goes_on(column));
     for (Index a = 0; a < times.cols(); ++a)
       for (Index step = 0; step < times.rows(); ++step)
         column_of(a, column)[step] = input.in_interval(step / substeps, times(step, a));
   }
   for (Index d = 0; d < samples.delayed.cols(); ++d) {
-    SampledSignal signal(samples.time, samples.delayed.col(d), interpolation);
+    const double delay = samples.delays[static_cast<std::size_t>(d)];
+    SampledSignal signal(samples.time, samples.delayed.col(d), goes_on(p + d));
+    const bool held = goes_on(p + d) == Interpolation::Held;
     for (Index a = 0; a < times.cols(); ++a)
       for (Index step = 0; step < times.rows(); ++step)
         column_of(a, p + 1 + d)[step] =
-            signal(times(step, a) - samples.delays[static_cast<std::size_t>(d)]);
+            held ? held_value(signal, times(step, 0) - delay, lengths[step / substeps],
+                              signals.scheme.tableau->nodes[static_cast<std::size_t>(a)])
+                 : signal(times(step, a) - delay);
   }
 }
 

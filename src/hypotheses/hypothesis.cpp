@@ -8,6 +8,7 @@
 #include "lacuna/hypotheses/coloured_noise.hpp"
 #include "lacuna/hypotheses/named_effects.hpp"
 #include "lacuna/hypotheses/residual_function.hpp"
+#include "lacuna/hypotheses/sensor_calibration.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/hypotheses/unmeasured_input.hpp"
 
@@ -15,7 +16,7 @@ namespace lacuna {
 
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
   return in_order({NamedEffects{}, SensorFault{}, UnmeasuredInput{}, ColouredNoiseHypothesis{},
-                   BrokenIdentity{}, ResidualFunction{}});
+                   BrokenIdentity{}, SensorCalibration{}, ResidualFunction{}});
 }
 
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {

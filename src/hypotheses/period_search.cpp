@@ -25,10 +25,11 @@ Scatter scatter_of(const Assimilation& fit, Index equation, Index slot) {
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
     const Matrix disturbance = disturbance_along(fit, r);
     const auto values = fit.records[r].slots.col(slot);
+    const StepGrid& grid = fit.records[r].grid;
     for (Index i = 0; i < disturbance.rows(); ++i, ++row) {
-      scatter.x[row] = values[2 * i + 1];
+      scatter.x[row] = values[grid.middle(i)];
       scatter.d[row] = disturbance(i, equation);
-      squares += std::pow(values[2 * i + 2] - values[2 * i], 2);
+      squares += std::pow(values[grid.end(i)] - values[grid.begin(i)], 2);
     }
   }
   scatter.x -= scatter.x.mean();

@@ -26,8 +26,11 @@ std::string list_text(const std::vector<std::string>& elements, const std::strin
 
 std::string quantities_text(const std::vector<Quantity>& quantities) {
   std::vector<std::string> elements;
-  for (const Quantity& quantity : quantities)
-    elements.push_back(dump({{"name", quantity.name}, {"unit", quantity.unit}}));
+  for (const Quantity& quantity : quantities) {
+    OrderedJson object{{"name", quantity.name}, {"unit", quantity.unit}};
+    if (quantity.hold) object["hold"] = to_string(*quantity.hold);
+    elements.push_back(dump(object));
+  }
   return list_text(elements, "  ");
 }
 

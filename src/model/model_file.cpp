@@ -39,15 +39,30 @@ void check_quantity_name(const JsonPlace& place, const std::string& name,
                "give every state and input a name of its own");
 }
 
-std::vector<Quantity> read_quantities(const JsonPlace& list, std::set<std::string>& taken) {
+Hold read_hold(const JsonPlace& place) {
+  const std::optional<Hold> hold = hold_named(place.text());
+  if (!hold)
+    place.fail("the hold '" + place.text() + "' is not known",
+               "write zero, linear, smooth or switching, or leave it out");
+  return *hold;
+}
+
+/// @param driven whether they are inputs, which may have a hold.
+std::vector<Quantity> read_quantities(const JsonPlace& list, std::set<std::string>& taken,
+                                      bool driven) {
   std::vector<Quantity> quantities;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
-    entry.expect_keys({"name", "unit"});
+    if (driven)
+      entry.expect_keys({"name", "unit", "hold"});
+    else
+      entry.expect_keys({"name", "unit"});
     const JsonPlace name = entry.at("name");
     check_quantity_name(name, name.text(), taken);
     const std::optional<JsonPlace> unit = entry.find("unit");
     quantities.push_back({name.text(), unit ? unit->text() : std::string()});
+    if (!driven) continue;
+    if (const auto hold = entry.find("hold")) quantities.back().hold = read_hold(*hold);
   }
   return quantities;
 }
@@ -135,10 +150,10 @@ OdeModel read_document(const JsonPlace& root) {
   if (const auto description = root.find("description")) description->text();
   std::set<std::string> taken;
   const JsonPlace state_list = root.at("states");
-  std::vector<Quantity> states = read_quantities(state_list, taken);
+  std::vector<Quantity> states = read_quantities(state_list, taken, false);
   if (states.empty()) state_list.fail("there are no states", "name at least one");
   std::vector<Quantity> inputs;
-  if (const auto list = root.find("inputs")) inputs = read_quantities(*list, taken);
+  if (const auto list = root.find("inputs")) inputs = read_quantities(*list, taken, true);
   const auto unit = root.find("time_unit");
   std::vector<Equation> equations =
       read_equations(root.at("equations"), {names_of(states), names_of(inputs)});

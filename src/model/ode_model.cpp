@@ -122,6 +122,17 @@ OdeModel OdeModel::with_term(Index equation, WeightedTerm summand) const {
   return OdeModel(states_, inputs_, std::move(extended), time_unit_);
 }
 
+OdeModel OdeModel::with_holds(const std::vector<std::optional<Hold>>& holds) const {
+  if (holds.size() != inputs_.size())
+    throw ArgumentError("OdeModel",
+                        std::to_string(holds.size()) + " holds for " +
+                            std::to_string(inputs_.size()) + " inputs",
+                        "give one for each input");
+  OdeModel result = *this;
+  for (std::size_t i = 0; i < holds.size(); ++i) result.inputs_[i].hold = holds[i];
+  return result;
+}
+
 std::optional<Index> identity_of(const OdeModel& model, Index equation) {
   const Equation& summands = equation_at(model, equation);
   if (summands.size() != 1 || summands.front().coefficient != 1.0) return std::nullopt;

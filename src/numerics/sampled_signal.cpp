@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lacuna {
@@ -47,6 +48,27 @@ double SampledSignal::operator()(double t) {
 
 double SampledSignal::third_difference(Index interval) const {
   return points_ == 4 ? differences_(first_of(interval), 3) : 0.0;
+}
+
+SpanLine SampledSignal::held_line(double from, double to) {
+  const Index n = time_.size();
+  if (from < time_[interval_]) interval_ = 0;
+  while (interval_ + 1 < n && time_[interval_ + 1] <= from) ++interval_;
+  SpanLine line;
+  double least = std::numeric_limits<double>::infinity(), most = -least, a = -1.0;
+  for (Index i = interval_; a < 1.0; ++i) {
+    const bool last = i + 1 >= n || time_[i + 1] >= to;
+    const double b = last ? 1.0 : 2.0 * (time_[i + 1] - from) / (to - from) - 1.0;
+    const double value = differences_(i, 0);
+    line.mean += 0.5 * value * (b - a);
+    line.slope += 0.75 * value * (b * b - a * a);
+    least = std::min(least, value);
+    most = std::max(most, value);
+    a = b;
+  }
+  const double steepest = std::max(0.0, std::min(line.mean - least, most - line.mean));
+  line.slope = std::clamp(line.slope, -steepest, steepest);
+  return line;
 }
 
 Vector interpolate_cubic(const Vector& time, const Vector& values, const Vector& queries) {

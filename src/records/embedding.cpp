@@ -147,6 +147,12 @@ class RecordEmbedder {
       result_.states.col(i) = value(column, column.rank);
       result_.derivatives.col(i) = value(column, column.rank + 1);
     }
+    if (record_.marks.size() > 0) {
+      result_.marks = Matrix::Zero(record_.samples(), count);
+      for (Index i = 0; i < count; ++i)
+        if (const Column& column = columns[static_cast<std::size_t>(i)]; column.rank == 0)
+          result_.marks.col(i) = record_.marks.col(column.origin);
+    }
     return std::move(result_);
   }
 

@@ -41,6 +41,16 @@ std::vector<Index> places(const std::vector<Quantity>& wanted,
   return found;
 }
 
+/// Marks of the columns at the given places among all; those of inputs are values.
+Matrix picked_marks(const Trajectory& trajectory, const std::vector<Index>& places) {
+  if (trajectory.marks.size() == 0) return {};
+  Matrix marks = Matrix::Zero(trajectory.samples(), static_cast<Index>(places.size()));
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (places[k] < trajectory.marks.cols())
+      marks.col(static_cast<Index>(k)) = trajectory.marks.col(places[k]);
+  return marks;
+}
+
 /// The columns of given states and inputs, all of which there are.
 Dataset picked(const Dataset& record, const std::vector<Quantity>& states,
                const std::vector<Quantity>& inputs) {
@@ -57,7 +67,7 @@ Dataset picked(const Dataset& record, const std::vector<Quantity>& states,
     const Matrix all = all_columns(trajectory);
     view.trajectories.push_back({trajectory.source, trajectory.time,
                                  all(Eigen::all, state_places), all(Eigen::all, input_places),
-                                 Matrix()});
+                                 Matrix(), picked_marks(trajectory, state_places)});
   }
   for (const Index place : state_places)
     view.reconstructed.push_back(place < record.state_count() && !record.is_measured(place));

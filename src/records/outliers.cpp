@@ -4,6 +4,8 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "lacuna/data/marks.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -35,23 +37,40 @@ bool stands_out(const Trajectory& record, Index state, Index i, double off,
   return left < off && std::abs(record.states(i, state) - cubic[0]) > off;
 }
 
+/// Marks of one state along a record of nothing but values.
+std::vector<Index> outliers_of(const Trajectory& record, Index state, double off,
+                               const std::vector<Index>& suspects) {
+  std::vector<bool> marked(static_cast<std::size_t>(record.samples()), false);
+  for (const Index i : suspects) marked[static_cast<std::size_t>(i)] = true;
+  std::vector<Index> found;
+  for (const Index i : suspects)
+    if (stands_out(record, state, i, off, marked)) found.push_back(i);
+  return found;
+}
+
+/// Places of the samples of a state that are values.
+std::vector<Index> places_of_values(const Matrix& marks, Index state) {
+  std::vector<Index> places;
+  for (Index i = 0; i < marks.rows(); ++i)
+    if (mark_of(marks, i, state) == Mark::Value) places.push_back(i);
+  return places;
+}
+
 }  // namespace
 
 std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNoise>& noise,
                                   double deviations) {
   std::vector<Matrix> marks;
-  for (const Trajectory& record : data.trajectories)
-    marks.push_back(Matrix::Zero(record.samples(), data.state_count()));
+  for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
   for (Index k = 0; k < data.state_count(); ++k) {
     const StateNoise& seen = noise[static_cast<std::size_t>(k)];
     if (!data.is_measured(k) || seen.kind == NoiseKind::None || seen.sigma <= 0.0) continue;
     for (std::size_t r = 0; r < marks.size(); ++r) {
-      const Trajectory& record = data.trajectories[r];
-      const std::vector<Index> suspects = outlying_samples(record, k, seen.sigma, deviations);
-      std::vector<bool> marked(static_cast<std::size_t>(record.samples()), false);
-      for (const Index i : suspects) marked[static_cast<std::size_t>(i)] = true;
-      for (const Index i : suspects)
-        if (stands_out(record, k, i, deviations * seen.sigma, marked)) marks[r](i, k) = 1.0;
+      const Trajectory values = values_of(data.trajectories[r], k);
+      const std::vector<Index> places = places_of_values(marks[r], k);
+      const std::vector<Index> suspects = outlying_samples(values, 0, seen.sigma, deviations);
+      for (const Index i : outliers_of(values, 0, deviations * seen.sigma, suspects))
+        marks[r](places[static_cast<std::size_t>(i)], k) = number_of(Mark::Outlier);
     }
   }
   return marks;

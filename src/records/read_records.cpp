@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/records/read_records.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "lacuna/data/read.hpp"
+#include "lacuna/data/text_field.hpp"
 #include "lacuna/records/time_unit.hpp"
 #include "model_columns.hpp"
 
@@ -22,21 +24,65 @@ Dataset assign_roles_for(const OdeModel& model, const Table& table, const Column
   Dataset data = assign_roles(table, roles);
   const ColumnIndices columns = find_columns(table, roles);
   const bool said =
-      columns.time && !table.columns[static_cast<std::size_t>(*columns.time)].unit.empty();
+      roles.time_unit.has_value() ||
+      (columns.time && !table.columns[static_cast<std::size_t>(*columns.time)].unit.empty());
   if (!said && !model.time_unit().empty() && model.time_unit() != "1")
     data.time_unit = model.time_unit();
   return data;
 }
 
-Dataset read_one(const OdeModel& model, const std::string& path, ColumnRoles roles,
-                 const Differentiator& differentiator) {
-  const Table table = read_table(path);
+/// The roles of the columns that a model knows.
+ColumnRoles roles_for(const OdeModel& model, const Table& table, ColumnRoles roles) {
   const std::vector<std::string> columns = columns_of(table);
   check_columns(model, columns, derivative_chains(model, columns), table.source);
   for (const Quantity& state : model.states())
     if (contains(columns, state.name)) roles.states.push_back(state.name);
   for (const Quantity& input : model.inputs()) roles.inputs.push_back(input.name);
-  return model_view(model, assign_roles_for(model, table, roles), differentiator);
+  return roles;
+}
+
+bool may_be_time(const std::string& name) {
+  const std::string lower = lower_case(name);
+  return lower == "t" || lower == "time";
+}
+
+/// Columns of a table that have no role, no missing value and are no time.
+std::vector<std::string> unused_columns(const Table& table, const ColumnRoles& roles) {
+  const std::vector<Index> used = find_columns(table, roles).used();
+  std::vector<std::string> names;
+  for (Index i = 0; i < static_cast<Index>(table.columns.size()); ++i) {
+    const std::string& name = table.columns[static_cast<std::size_t>(i)].name;
+    if (std::find(used.begin(), used.end(), i) == used.end() && !may_be_time(name) &&
+        table.values.col(i).allFinite())
+      names.push_back(name);
+  }
+  return names;
+}
+
+/// The columns that no table uses and all have.
+std::vector<std::string> common_unused(const OdeModel& model, const std::vector<Table>& tables,
+                                       const ColumnRoles& roles) {
+  std::vector<std::string> common =
+      unused_columns(tables.front(), roles_for(model, tables.front(), roles));
+  for (const Table& table : tables) {
+    const std::vector<std::string> here = unused_columns(table, roles_for(model, table, roles));
+    std::erase_if(common, [&](const std::string& name) { return !contains(here, name); });
+  }
+  return common;
+}
+
+/// The model with further inputs, so that they go where inputs go.
+OdeModel with_inputs(const OdeModel& model, std::vector<Quantity> inputs) {
+  return {model.states(), std::move(inputs), model.equations(), model.time_unit()};
+}
+
+Dataset read_one(const OdeModel& model, const Table& table, const ColumnRoles& roles,
+                 const std::vector<std::string>& unused, const Differentiator& differentiator) {
+  ColumnRoles all = roles_for(model, table, roles);
+  all.inputs.insert(all.inputs.end(), unused.begin(), unused.end());
+  const Dataset data = assign_roles_for(model, table, all);
+  if (unused.empty()) return model_view(model, data, differentiator);
+  return model_view(with_inputs(model, data.inputs), data, differentiator);
 }
 
 void append(Dataset& data, Dataset more) {
@@ -50,10 +96,15 @@ void append(Dataset& data, Dataset more) {
 }  // namespace
 
 Dataset read_records(const OdeModel& model, const std::vector<std::string>& paths,
-                     const ColumnRoles& roles, const Differentiator& differentiator) {
+                     const ColumnRoles& roles, const Differentiator& differentiator,
+                     Columns columns) {
+  std::vector<Table> tables;
+  for (const std::string& path : expand_patterns(paths)) tables.push_back(read_table(path));
+  std::vector<std::string> unused;
+  if (columns == Columns::All) unused = common_unused(model, tables, roles);
   Dataset all;
-  for (const std::string& path : expand_patterns(paths)) {
-    Dataset record = read_one(model, path, roles, differentiator);
+  for (const Table& table : tables) {
+    Dataset record = read_one(model, table, roles, unused, differentiator);
     if (all.trajectories.empty())
       all = std::move(record);
     else

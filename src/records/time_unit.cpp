@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/records/time_unit.hpp"
 
-#include <map>
-#include <optional>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include "lacuna/core/error.hpp"
 
 namespace lacuna {
 namespace {
 
+/// Seconds of units of time; "us" stands before its other spelling.
+const std::vector<std::pair<std::string, double>>& known_units() {
+  static const std::vector<std::pair<std::string, double>> known{
+      {"s", 1.0},   {"ms", 1e-3},  {"us", 1e-6},  {"\u00b5s", 1e-6},
+      {"ns", 1e-9}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+  return known;
+}
+
 /// Seconds of a unit of time; nothing for one that is none of seconds (radians, tau).
 std::optional<double> seconds_of(const std::string& unit) {
-  static const std::map<std::string, double> known{
-      {"s", 1.0},   {"ms", 1e-3},  {"us", 1e-6}, {"\u00b5s", 1e-6},
-      {"ns", 1e-9}, {"min", 60.0}, {"h", 3600.0}};
-  const auto found = known.find(unit);
-  return found == known.end() ? std::nullopt : std::optional(found->second);
+  for (const auto& [name, seconds] : known_units())
+    if (name == unit) return seconds;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -37,6 +44,14 @@ Dataset in_time_unit_of(const OdeModel& model, Dataset data) {
   data.notes.push_back(where + ": time is taken from " + unit + " to " + wanted);
   data.time_unit = wanted;
   return data;
+}
+
+std::optional<std::string> scaled_time_unit(const std::string& unit, double factor) {
+  const auto seconds = seconds_of(unit);
+  if (!seconds) return std::nullopt;
+  for (const auto& [name, size] : known_units())
+    if (std::abs(size / (factor * *seconds) - 1.0) < 1e-6) return name;
+  return std::nullopt;
 }
 
 }  // namespace lacuna

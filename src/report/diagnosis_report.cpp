@@ -125,6 +125,14 @@ Json rivals_json(const Diagnosis& diagnosis) {
   return list;
 }
 
+Json hints_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Hint& hint : diagnosis.hints)
+    list.push_back(
+        {{"kind", to_string(hint.kind)}, {"message", hint.message}, {"remedy", hint.remedy}});
+  return list;
+}
+
 Json unnamed_json(const Diagnosis& diagnosis) {
   if (!diagnosis.unnamed) return {};
   const Unnamed& unnamed = *diagnosis.unnamed;
@@ -141,6 +149,7 @@ Json unnamed_json(const Diagnosis& diagnosis) {
 std::string format_json(const Diagnosis& diagnosis) {
   Json json{{"format", "lacuna.diagnosis/1"},
             {"verdict", to_string(diagnosis.verdict)},
+            {"hints", hints_json(diagnosis)},
             {"disagreement", disagreement_json(diagnosis)},
             {"effects", Json::array()}};
   for (const NamedEffect& effect : diagnosis.effects)

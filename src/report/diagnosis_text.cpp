@@ -81,7 +81,14 @@ std::string readable(const std::string& formula,
   return result;
 }
 
+void write_hint(const Hint& hint, std::ostream& out) {
+  out << "Hint (" << to_string(hint.kind) << "): " << hint.message
+      << ". Remedy: " << hint.remedy << ".\n";
+}
+
 std::string headline(const Diagnosis& diagnosis) {
+  if (withheld_by(diagnosis.hints) == Withheld::Answer)
+    return "No effect is sought: the records and the model do not fit together.";
   switch (diagnosis.verdict) {
     case Verdict::NoDiscrepancy:
       return "No discrepancy: the model fits the records to their noise.";
@@ -92,6 +99,8 @@ std::string headline(const Diagnosis& diagnosis) {
     case Verdict::PartlyExplained:
       return "Partly explained: effects are named, but significant structure is left.";
     case Verdict::UnnamedStructure:
+      if (withheld_by(diagnosis.hints) != Withheld::Nothing)
+        return "Something is missing; no effect is named, the hint comes first.";
       return "Something is missing that no known effect explains.";
   }
   return "";
@@ -180,6 +189,7 @@ void write_gap(const Gap& gap, std::ostream& out) {
 
 std::string format_text(const Diagnosis& diagnosis) {
   std::ostringstream out;
+  for (const Hint& hint : diagnosis.hints) write_hint(hint, out);
   out << headline(diagnosis) << "\n";
   for (const NamedEffect& effect : diagnosis.effects) write_effect(diagnosis, effect, out);
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())

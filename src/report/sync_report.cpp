@@ -29,6 +29,18 @@ std::string coupling_text(const SyncReport& report) {
   return parts.empty() ? "none" : join(parts, ", ");
 }
 
+/// How the error compares with the noise. A slave that follows a complete model is off by the
+/// noise alone, or less.
+std::string noise_text(const SyncResult& result) {
+  constexpr double kAboveNoise = 2.0;
+  if (!result.error_over_noise) return "";
+  const std::string ratio = format_number(*result.error_over_noise, 2);
+  if (*result.error_over_noise < kAboveNoise)
+    return "  the error is that of the noise (" + ratio + " times)\n";
+  return "  the error is " + ratio +
+         " times the noise: the model lacks something (see `lacuna diagnose`)\n";
+}
+
 }  // namespace
 
 nlohmann::ordered_json sync_to_json(const SyncReport& report) {
@@ -38,6 +50,7 @@ nlohmann::ordered_json sync_to_json(const SyncReport& report) {
   json["mean"] = result.mean;
   json["relative"] = result.relative;
   json["settled"] = result.settled;
+  if (result.error_over_noise) json["error_over_noise"] = *result.error_over_noise;
   json["status"] = to_string(result.status);
   if (!result.message.empty()) json["message"] = result.message;
   json["states"] = nlohmann::ordered_json::array();
@@ -70,7 +83,8 @@ std::string format_text(const SyncReport& report) {
     out << "  error: median " << format_number(result.median, 4) << ", mean "
         << format_number(result.mean, 4) << ", relative "
         << format_number(100.0 * result.relative, 4) << " %\n  "
-        << (result.settled ? "settled" : "did not settle: the error still grows") << "\n";
+        << (result.settled ? "settled" : "did not settle: the error still grows") << "\n"
+        << noise_text(result);
   }
   out << "  coupling [1/" << report.time_unit << "]: " << coupling_text(report)
       << (report.coupling_given ? "" : " (from the record's own time scale)") << "\n";

@@ -66,6 +66,8 @@ ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& pi
   record.values.resize(samples, static_cast<Index>(columns.size()));
   record.inputs.resize(samples, static_cast<Index>(inputs.size()));
   record.begins = {0};
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    record.holds.push_back(interpolation_of(model.symbolic().inputs()[i].hold));
   for (const Trajectory& run : data.trajectories) {
     const Index first = record.begins.back(), n = run.samples();
     record.time.segment(first, n) = run.time;
@@ -79,17 +81,20 @@ ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& pi
 StageSignals stage_signals(const ShootingRecord& record, const Rates& rates,
                            const StepScheme& scheme) {
   StageSignals signals = empty_stage_signals(scheme, record.samples(), rates.signals());
-  DrivingSamples all{record.time, record.inputs, {}, {}};
+  DrivingSamples all{record.time, record.inputs, {}, {}, record.holds};
   all.delayed.resize(record.samples(), static_cast<Index>(rates.delays().size()));
   for (const DelayedVariable& delay : rates.delays()) {
     all.delayed.col(static_cast<Index>(all.delays.size())) =
         samples_of(delay, record, rates.dimension());
     all.delays.push_back(delay.delay);
+    const Index input = delay.slot - rates.dimension();
+    all.signals.push_back(input < 0 ? Interpolation::Cubic
+                                    : record.holds[static_cast<std::size_t>(input)]);
   }
   for (std::size_t r = 0; r + 1 < record.begins.size(); ++r) {
     const Index first = record.begins[r], n = record.begins[r + 1] - first;
     write_stage_signals({all.time.segment(first, n), all.inputs.middleRows(first, n),
-                         all.delayed.middleRows(first, n), all.delays},
+                         all.delayed.middleRows(first, n), all.delays, all.signals},
                         first, signals);
   }
   return signals;

@@ -18,6 +18,7 @@ struct ShootingRecord {
   std::vector<Index> measured;             ///< states of the model that have a column
   Matrix values;                           ///< N x measured
   Matrix inputs;                           ///< N x record inputs
+  std::vector<Interpolation> holds = {};   ///< of the inputs
 
   Index samples() const noexcept { return time.size(); }
   Index trajectories() const noexcept { return static_cast<Index>(begins.size()) - 1; }

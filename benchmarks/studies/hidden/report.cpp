@@ -38,6 +38,13 @@ std::string family_of(const Trial& trial) {
   return effects[0].names[0];
 }
 
+/// "held-input" of a case that is made so; else the kind of the noise.
+std::string ordinary_of(const Trial& trial) {
+  const std::string& name = trial.hidden.name;
+  const std::size_t space = name.find(' ');
+  return space == std::string::npos ? to_string(trial.hidden.noise) : name.substr(space + 1);
+}
+
 std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
 
 /// Gaps: near that of the true model; not claimed better than it is.
@@ -143,6 +150,8 @@ void write_tables(const std::filesystem::path& folder, const std::string& name,
       return format_number(t.strength) + ", " + level(t);
     });
   text += grouped(trials, outcomes, name == "alarm" ? "kind of noise" : "family", family_of);
+  if (name == "reality" || name == "ordinary")
+    text += grouped(trials, outcomes, "kind of record", ordinary_of);
   if (name == "alarm")
     text += grouped(trials, outcomes, "system", [](const Trial& t) { return t.hidden.name; });
   write_file_atomically(folder / (name + ".md"), text);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "hidden/support/cases.hpp"
+#include "hidden/support/ordinary.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -43,6 +44,56 @@ std::vector<Trial> alarm_trials(int count) {
     trial.level = levels[turn / kinds.size() % levels.size()];
     trials.push_back(std::move(trial));
   }
+  return trials;
+}
+
+namespace {
+
+/// Cases with one effect, one of each family.
+std::vector<hidden::HiddenCase> effect_cases() {
+  std::vector<hidden::HiddenCase> cases;
+  std::set<std::string> seen;
+  for (const hidden::HiddenCase& hidden : hidden::all_cases())
+    if (hidden.kind == hidden::Kind::Effects && hidden.effects.size() == 1 &&
+        seen.insert(hidden.effects[0].names[0]).second)
+      cases.push_back(hidden);
+  return cases;
+}
+
+/// The cases, each with the next kind that it can be.
+void add_in_turn(const std::vector<hidden::HiddenCase>& cases, std::size_t count,
+                 std::vector<Trial>& trials) {
+  const std::vector<hidden::Ordinary> kinds = hidden::all_ordinary();
+  std::size_t kind = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const hidden::HiddenCase& hidden = cases[i % cases.size()];
+    while (!hidden::can_be(hidden, kinds[kind % kinds.size()])) ++kind;
+    trials.push_back({hidden::made(hidden, kinds[kind++ % kinds.size()]), 1.0, 0.005, 21 + i});
+  }
+}
+
+}  // namespace
+
+std::vector<Trial> reality_trials() {
+  constexpr std::size_t kOfEach = 40;
+  std::vector<Trial> trials;
+  add_in_turn(effect_cases(), kOfEach, trials);
+  add_in_turn(hidden::null_cases(), kOfEach, trials);
+  return trials;
+}
+
+std::vector<Trial> ordinary_trials(int count) {
+  const std::vector<hidden::HiddenCase> systems = hidden::null_cases();
+  const std::vector<double> levels{0.002, 0.005, 0.01};
+  std::vector<Trial> trials;
+  std::uint64_t seed = 3000;
+  while (static_cast<int>(trials.size()) < count)
+    for (const hidden::HiddenCase& system : systems)
+      for (const hidden::Ordinary kind : hidden::all_ordinary()) {
+        if (!hidden::can_be(system, kind) || static_cast<int>(trials.size()) == count) continue;
+        trials.push_back({hidden::made(system, kind), 1.0, levels[seed % levels.size()], seed});
+        ++seed;
+      }
   return trials;
 }
 

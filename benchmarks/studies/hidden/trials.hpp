@@ -18,4 +18,12 @@ std::vector<Trial> power_trials();
 /// at 0.1, 1 and 5 %.
 std::vector<Trial> alarm_trials(int count);
 
+/// Records as benches make them, at 0.5 % noise: effects of every family and as many complete
+/// systems, each with the kinds of hidden::Ordinary in turn.
+std::vector<Trial> reality_trials();
+
+/// Records as benches make them in which nothing is missing: all complete systems with every
+/// kind of hidden::Ordinary at 0.2, 0.5 and 1 %.
+std::vector<Trial> ordinary_trials(int count);
+
 }  // namespace lacuna::benchmarks

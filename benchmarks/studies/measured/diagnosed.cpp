@@ -113,13 +113,13 @@ ForceBalance balance(const Dataset& record, const OdeModel& model, double freque
   inner.inputs = run.inputs.middleRows(edge, n);
   Matrix path(n, 2);
   path << quick.of(q, 0), quick.of(q, 1);
-  const LinearisedRecord grid = grid_of(inner, path);
+  const LinearisedRecord grid = grid_of(model.inputs(), inner, path);
   const Equation& terms = model.equations()[1];
   ForceBalance result{slow.of(q.segment(edge, n), 2), {}};
   result.terms.resize(result.acceleration.size(), static_cast<Index>(terms.size()));
   for (std::size_t j = 0; j < terms.size(); ++j) {
     const Vector values = evaluate_on(grid, model.variables(), terms[j].term.expression());
-    result.terms.col(static_cast<Index>(j)) = slow.of(values(Eigen::seq(0, Eigen::last, 2)), 0);
+    result.terms.col(static_cast<Index>(j)) = slow.of(values(grid.sample_rows()), 0);
   }
   return result;
 }

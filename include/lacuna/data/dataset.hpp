@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lacuna/core/types.hpp"
+#include "lacuna/data/hold.hpp"
 #include "lacuna/data/trajectory.hpp"
 
 namespace lacuna {
@@ -14,6 +15,9 @@ namespace lacuna {
 struct Quantity {
   std::string name;  ///< an identifier: letters, digits, underscores
   std::string unit;  ///< "V", "rad/s"; empty when it is not known
+
+  /// Of an input: how it goes on after a sample; nothing while that is not known.
+  std::optional<Hold> hold = {};
 
   bool operator==(const Quantity&) const = default;
 };

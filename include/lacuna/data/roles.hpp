@@ -10,17 +10,25 @@
 
 namespace lacuna {
 
+/// What becomes of a row in which a state has no value and time and inputs have theirs.
+enum class Blanks {
+  Cut,   ///< it is left out and a new record begins
+  Mark,  ///< the state is filled in between its neighbours and marked as missing
+};
+
 /// Which column plays which role; what is not said is found by the rules of the data format:
 /// time is the column `t`, `time` or the first one, every other column is a state.
 /// A column is named as in the dataset ("Ch_1") or as in the file's header ("Ch 1").
 struct ColumnRoles {
-  std::optional<std::string> time = {};  ///< name of the time column
-  std::optional<double> step = {};       ///< sampling step h; then no column is the time
-  std::vector<std::string> states = {};  ///< empty: all that have no other role
+  std::optional<std::string> time = {};       ///< name of the time column
+  std::optional<double> step = {};            ///< sampling step h; then no column is the time
+  std::optional<std::string> time_unit = {};  ///< goes before the unit in the header
+  std::vector<std::string> states = {};       ///< empty: all that have no other role
   std::vector<std::string> inputs = {};
   /// Columns that hold dx/dt, in the order of the states.
   std::vector<std::string> derivatives = {};
   std::optional<std::string> trajectory = {};  ///< column that numbers the records in one file
+  Blanks blanks = Blanks::Cut;
 };
 
 /// Numbers of the columns that play the roles.
@@ -47,8 +55,9 @@ ColumnIndices find_columns(const Table& table, const ColumnRoles& roles);
 
 /// Gives the columns their roles and cuts the rows into trajectories: a missing value, a jump
 /// in time or a new number in the trajectory column starts a new one; each split is noted. The
-/// time unit is that of the time column, else "s". A state or an input called like a word of
-/// the expression language (`t`) gets an underscore, which is noted.
+/// time unit is the one that is given, else that of the time column, else "s". A state or an
+/// input called like a word of the expression language (`t`) gets an underscore, which is
+/// noted.
 /// @throws DataError for unknown names, time that goes backwards, an infinite value, ...
 Dataset assign_roles(const Table& table, const ColumnRoles& roles);
 

@@ -5,6 +5,7 @@
 #include "lacuna/core/options.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/records/hints.hpp"
 
 namespace lacuna {
 
@@ -31,14 +32,16 @@ struct DecisionOptions {
   double noise_inflation = 1.3;
   int long_window = 10;
   double outlying = kOutlyingDeviations;
+  double pile_up = 5.0;
 
   double explained_gap = 1.5;
   double cancelling = 0.1;
   double out_of_scale = 10.0;
   double acting = 0.01;
 
-  GapOptions gaps = {};  ///< these two are listed with the others
+  GapOptions gaps = {};  ///< these three are listed with the others
   NamingOptions naming = {};
+  HintOptions hints = {};
 
   void describe(OptionVisitor& v);
 };

@@ -12,7 +12,11 @@ namespace lacuna {
 /// noise with a memory, identities that do not hold), judges all by one criterion, and measures
 /// the gap that the best one leaves on records that were not used. These may lower the verdict
 /// or withdraw a name, and never choose one.
+/// Before that the records are looked at (look_at()): where a slip of units, signs or columns
+/// is the likelier cause, no effect is named, and where it keeps the model from the records the
+/// hint is all of the answer.
 /// @param data records to find effects in; their states and inputs are those of the model.
+///   Inputs behind those are columns that the model does not know.
 /// @param held_out records to gauge on; when empty the last quarter of each record in `data` is
 ///   kept back.
 /// @throws DataError, ArgumentError when the records do not fit the model; Cancelled.

@@ -9,6 +9,7 @@
 #include "lacuna/diagnosis/gap.hpp"
 #include "lacuna/diagnosis/locate.hpp"
 #include "lacuna/hypotheses/account.hpp"
+#include "lacuna/records/hints.hpp"
 
 namespace lacuna {
 
@@ -61,6 +62,7 @@ struct Diagnosis {
   std::vector<Rival> rivals;  ///< every account that was judged, in order
   std::vector<std::string> notes;
   std::optional<Unnamed> unnamed = {};  ///< with the verdict UnnamedStructure
+  std::vector<Hint> hints = {};         ///< what is odd about the records, and its remedy
 };
 
 }  // namespace lacuna

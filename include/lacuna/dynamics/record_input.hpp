@@ -1,34 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/data/trajectory.hpp"
-#include "lacuna/numerics/lagrange.hpp"
+#include <vector>
+
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/numerics/sampled_signal.hpp"
 
 namespace lacuna {
 
-/// Recorded inputs as a signal for simulate(): the Lagrange polynomial through the nearest
-/// samples of u, on any increasing grid; before and after the record the first and the last
-/// sample hold. Owns a copy of the samples. Not for use from several threads at once: copy it.
+/// Recorded inputs as a signal for simulate(): each goes on between its samples as it is held,
+/// or as the line or the cubic through the nearest samples of it, on any increasing grid;
+/// before and after the record the first and the last sample hold. A value; not for use from
+/// several threads at once.
 class RecordInput {
  public:
-  /// @param inputs n x p samples; @param points 1 holds the last sample, 2 is linear, 4 cubic.
-  /// @throws ArgumentError when shapes do not fit or there are fewer than `points` samples.
-  RecordInput(Vector time, Matrix inputs, Index points = 4);
+  /// @param inputs n x p samples. @throws ArgumentError when shapes do not fit or there is no
+  /// sample.
+  RecordInput(const Vector& time, const Matrix& inputs,
+              Interpolation interpolation = Interpolation::Cubic);
 
-  /// The inputs of a trajectory.
-  explicit RecordInput(const Trajectory& trajectory, Index points = 4);
+  /// The inputs of a trajectory, all alike.
+  explicit RecordInput(const Trajectory& trajectory,
+                       Interpolation interpolation = Interpolation::Cubic);
 
-  RecordInput(const RecordInput& other);
-  RecordInput& operator=(const RecordInput&) = delete;
+  /// The inputs of a trajectory, each as Quantity::hold says.
+  RecordInput(const Trajectory& trajectory, const std::vector<Quantity>& inputs);
 
-  /// Writes the p inputs at time t.
+  /// Writes the p inputs at time t; at a jump the value behind it.
   void operator()(double t, double* u);
 
+  /// Times at which an input jumps or bends: its samples, unless all inputs are smooth.
+  Vector breaks() const;
+
  private:
-  Vector time_;
-  Matrix inputs_;
-  Index points_;
-  LagrangeInterpolant interpolant_;
+  RecordInput(const Vector& time, const Matrix& inputs,
+              const std::vector<Interpolation>& interpolations);
+
+  std::vector<SampledSignal> signals_;
+  bool smooth_ = true;
 };
 
 }  // namespace lacuna

@@ -14,6 +14,9 @@ using InputSignal = FunctionRef<void(double t, double* u)>;
 struct DrivenModel {
   const OdeModel& model;
   InputSignal inputs;
+  /// Increasing times at which an input jumps: steps end there, and begin with the value
+  /// behind the jump. Delayed inputs jump later by their delay.
+  Vector breaks = {};
 };
 
 /// Simulates a model from x0 at the given times; one that has inputs with their signals.

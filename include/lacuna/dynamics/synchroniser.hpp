@@ -36,6 +36,13 @@ struct SyncResult {
   /// from its mean (it is not merely another orbit of the same size).
   bool settled = false;
 
+  Vector noise = {};  ///< m: standard deviation of the measurement noise; 0 where none is seen
+
+  /// Largest ratio over the measured states of the root mean square error of the last three
+  /// quarters to the noise: about 1 where the model lacks nothing, as the slave follows the
+  /// signal and not its noise. Nothing where no noise is seen.
+  std::optional<double> error_over_noise = {};
+
   IntegrationStatus status = IntegrationStatus::Completed;
   std::string message;  ///< on divergence: trajectory, time and state; else empty
 };

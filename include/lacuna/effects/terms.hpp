@@ -68,13 +68,13 @@ bool is_transmission(const Scope& scope, const Expression& argument);
 std::vector<Expression> nonlinear_terms(const Scope& scope, Index equation);
 
 /// A factor of a product that varies, and what is left of the product without it.
-struct Factor {
+struct TermFactor {
   Expression factor, rest;
 };
 
 /// The factors of a term: of x*z x and z, of x^3 x beside x^2; none where it is no product of
 /// several that vary.
-std::vector<Factor> factors_of(const Expression& term);
+std::vector<TermFactor> factors_of(const Expression& term);
 
 /// All terms of an equation with their nominal coefficients as one formula.
 Expression right_hand_side(const Scope& scope, Index equation);

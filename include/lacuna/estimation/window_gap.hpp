@@ -34,17 +34,18 @@ struct WindowGrid {
 };
 
 /// What was measured of a record.
-struct WindowSamples {
-  const Matrix& measured;  ///< n x m
-  const Matrix& omitted;   ///< n x m, 1 where a sample is left out; or empty
+struct MarkedSamples {
+  const Matrix& values;  ///< n x m
+  const Matrix& marks;   ///< n x m or 0 x 0 (Mark)
 };
 
 /// Windows of one record, in each of which the model runs freely from the initial state that
 /// fits best. The record is linearised as a whole, so that delayed terms know what was before a
-/// window.
+/// window. Samples that say nothing are left out; one at an end of its channel counts as far as
+/// the model does not reach that end.
 /// @param noise its disturbances are not looked at.
 /// @param scale m entries, by which deviations are divided.
-WindowSquares window_squares(const LinearisedRecord& record, const WindowSamples& samples,
+WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples& measured,
                              const NoiseModel& noise, const Vector& scale,
                              const WindowGrid& grid);
 

@@ -4,7 +4,8 @@
 #include <span>
 
 #include "lacuna/core/types.hpp"
-#include "lacuna/data/trajectory.hpp"
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/flow/node_grid.hpp"
 #include "lacuna/model/ode_model.hpp"
 
 namespace lacuna {
@@ -20,20 +21,23 @@ namespace lacuna {
 /// predicts beyond the path, and w0, w1, w2 its response to a rate that is a parabola in the
 /// step.
 struct LinearisedRecord {
-  Vector time;   ///< n
-  Matrix path;   ///< n x m
-  Matrix slots;  ///< (2n-1) x (m+p+1): variables and t at samples and in the middle of steps
+  Vector time;        ///< n
+  Matrix path;        ///< n x m
+  Matrix slots;       ///< R x (m+p+1): variables and t at begins, middles and ends of steps
   Matrix transition;  ///< m^2 x (n-1): Phi_i, column by column
   Matrix response;    ///< 3 m^2 x (n-1): w0, w1, w2 (m each) of equation 0, then of 1, ...
   Matrix defect;      ///< m x (n-1): b_i
   /// m x (n-1), or empty: spectral density that the disturbance of an equation has at least in
   /// each step. It is above 0 where an equation has a term that cannot be known (a delayed one
-  /// that needs what was before the record); such a step tells nothing of the noise model.
+  /// that needs what was before the record, an input that jumps at an unknown instant); such a
+  /// step tells nothing of the noise model.
   Matrix bridge = {};
+  StepGrid grid = {};  ///< where these are: R = grid.rows(n), 2n-1 unless an input jumps
 
   Index samples() const noexcept { return time.size(); }
   Index states() const noexcept { return path.cols(); }
   Index steps() const noexcept { return transition.cols(); }
+  auto sample_rows() const { return Eigen::seq(0, slots.rows() - 1, grid.stride); }
   bool is_bridged(Index step, Index equation) const {
     return bridge.size() > 0 && bridge(equation, step) > 0.0;
   }
@@ -53,20 +57,21 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
 LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count);
 
 /// Only the grid of a record along a path: time, path and slots.
-LinearisedRecord grid_of(const Trajectory& record, const Matrix& path);
+/// @param inputs of the record, which say how they go on between samples.
+LinearisedRecord grid_of(const std::vector<Quantity>& inputs, const Trajectory& record,
+                         const Matrix& path);
 
 /// Values of delayed variables on the grid of `slots`, which holds the variables in its first
-/// columns: the cubic through the nearest samples; what lies before the record is held at its
-/// first sample.
-/// @return (2n-1) x (m+p+1+d): `slots` and one column for each delayed variable.
+/// columns; what lies before the record is held at its first sample (delayed_step_slots()).
+/// @return R x (m+p+1+d): `slots` and one column for each delayed variable.
 Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVariable>& delays);
 
-/// Values of formulas at samples and midpoints, (2n-1) x count.
+/// Values of formulas at begins, middles and ends of steps, R x count.
 /// @throws ModelError when one uses a name that is not a variable of the model.
 Matrix evaluate_on(const LinearisedRecord& record, const Variables& variables,
                    std::span<const Expression> formulas);
 
-/// Values of one formula at samples and midpoints (2n-1).
+/// Values of one formula at begins, middles and ends of steps (R).
 Vector evaluate_on(const LinearisedRecord& record, const Variables& variables,
                    const Expression& formula);
 

@@ -4,22 +4,27 @@
 
 #include <vector>
 
+#include "lacuna/flow/node_grid.hpp"
 #include "lacuna/flow/rates.hpp"
 
 namespace lacuna {
 
 /// Slots at begins, middles and ends of the steps of a record; what drives the model goes on
-/// between them as the cubic through the nearest samples.
+/// between them as it is held, or as the line or the cubic through the nearest samples.
 struct StepSlots {
   Index states = 0, time = 0;  ///< number of states, column of t
-  Matrix nodes;                ///< (2n-1) x (m+p+1+d)
-  Matrix third;  ///< (n-1) x (p+1+d): third differences times the cube of the step, 0 for t
+  StepGrid grid;
+  Matrix nodes;  ///< grid.rows(n) x (m+p+1+d)
+  Matrix third;  ///< (n-1) x (p+1+d): third differences times the cube of the step, or 0
 
-  /// @param slots as node_slots() with two parts, then d columns of delayed variables.
-  StepSlots(Matrix slots, Index states, std::size_t delays);
+  /// @param slots as step_slots(), then columns of the delayed variables.
+  StepSlots(Matrix slots, Index states, const std::vector<DelayedVariable>& delays,
+            StepGrid grid = {});
 
-  Index steps() const noexcept { return (nodes.rows() - 1) / 2; }
-  double length(Index step) const { return nodes(2 * step + 2, time) - nodes(2 * step, time); }
+  Index steps() const noexcept { return (nodes.rows() - 1) / grid.stride; }
+  double length(Index step) const {
+    return nodes(grid.end(step), time) - nodes(grid.begin(step), time);
+  }
 };
 
 /// States at the ends of steps.
@@ -32,6 +37,12 @@ Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Ind
 /// to 32; a sample of the steps tells.
 int parts_for(Rates& rates, const StepSlots& slots, const Vector& accuracy);
 
+/// Number of states, and of parts in which a step is done.
+struct StepSize {
+  Index states = 0;
+  int parts = 1;
+};
+
 /// Transition matrices (m^2 x steps) and responses (3 m^2 x steps) of linear systems.
 struct StepResponses {
   Matrix transition, response;
@@ -40,9 +51,10 @@ struct StepResponses {
 /// Of d' = A(t) d + rate, with A a parabola in each step: transition by Runge and Kutta's
 /// method of order 4, responses to rates that are 1, at begin, middle or end, and a parabola
 /// between them by Simpson's rule.
-/// @param slopes m^2 x (2n-1): A at begins, middles and ends. @param length n-1 entries.
+/// @param slopes m^2 x grid.rows(n): A at begins, middles and ends. @param length n-1 entries.
+/// @param size number of states, and of parts in which a step is done.
 /// @return responses w0, w1, w2 (m each) to a rate of state 0, then of 1, ...
-StepResponses step_responses(const Matrix& slopes, const Vector& length, Index states,
-                             int parts);
+StepResponses step_responses(const Matrix& slopes, const StepGrid& grid, const Vector& length,
+                             const StepSize& size);
 
 }  // namespace lacuna

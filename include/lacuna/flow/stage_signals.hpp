@@ -33,11 +33,11 @@ struct DrivingSamples {
   Matrix inputs;               ///< n x p
   Matrix delayed;              ///< n x d: the variables that are delayed, without delay
   std::vector<double> delays;  ///< d
+  std::vector<Interpolation> signals = {};  ///< of inputs, then delayed; empty: cubic
 };
 
 /// Writes the signals of one trajectory. Before its first sample that sample holds.
 /// @param first its first sample in `signals`.
-void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals,
-                         Interpolation interpolation = Interpolation::Cubic);
+void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals);
 
 }  // namespace lacuna

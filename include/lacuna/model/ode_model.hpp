@@ -58,6 +58,10 @@ class OdeModel {
   /// @throws ArgumentError when there is no such equation; ModelError as the constructor.
   OdeModel with_term(Index equation, WeightedTerm summand) const;
 
+  /// The model with inputs that go on so between samples, in their order; nothing: not known.
+  /// @throws ArgumentError when there are not as many as inputs.
+  OdeModel with_holds(const std::vector<std::optional<Hold>>& holds) const;
+
   /// A flat evaluator of f and of its Jacobian.
   CompiledModel compile() const;
 

@@ -13,6 +13,13 @@ enum class Interpolation : Index {
   Cubic = 4,   ///< the error falls as step^4
 };
 
+/// A straight line over a span of time.
+struct SpanLine {
+  double mean = 0.0, slope = 0.0;  ///< mean + slope (2 share - 1)
+
+  double at(double share) const noexcept { return mean + slope * (2.0 * share - 1.0); }
+};
+
 /// One sampled quantity as a function of time: in each sampling interval a polynomial, in
 /// Newton's form, so that a value costs a few operations. Records with fewer samples than the
 /// polynomial wants use what there is. A value; not for use from several threads at once.
@@ -32,6 +39,10 @@ class SampledSignal {
 
   /// Third derivative over 3! in an interval; 0 unless cubic.
   double third_difference(Index interval) const;
+
+  /// Of a held signal over a span in which it may jump: the line of least squares, which has
+  /// its mean and, unless the line would leave the values of the signal, its first moment.
+  SpanLine held_line(double from, double to);
 
   const Vector& time() const noexcept { return time_; }
 

@@ -13,7 +13,7 @@ namespace lacuna {
 /// through the neighbours of a sample either, which says nothing of the sample.
 /// @param noise as analyse_noise() has it, m entries.
 /// @param deviations of the noise that a sample must be off.
-/// @return per record n x m, 1 where a sample may be one.
+/// @return per record the marks of its samples, n x m, with those that may be one.
 std::vector<Matrix> mark_outliers(const Dataset& data, const std::vector<StateNoise>& noise,
                                   double deviations = kOutlyingDeviations);
 

@@ -9,6 +9,13 @@
 
 namespace lacuna {
 
+/// Which columns of a file are kept.
+enum class Columns {
+  OfModel,  ///< states and inputs of the model
+  All,      ///< behind them, as inputs, those that the model does not know and that all files
+            ///< have without a missing value
+};
+
 /// Reads files (paths or patterns) in the variables of a model, as model_view() has them. Files
 /// may have their columns in any order, columns that the model does not know, and units of time
 /// of their own; a time without a unit is taken to be in the model's. A state is marked as
@@ -16,7 +23,8 @@ namespace lacuna {
 /// @param roles time, step and number of the record; the model says what the others are.
 /// @throws FileError, DataError as read_dataset() and model_view().
 Dataset read_records(const OdeModel& model, const std::vector<std::string>& paths,
-                     const ColumnRoles& roles, const Differentiator& differentiator);
+                     const ColumnRoles& roles, const Differentiator& differentiator,
+                     Columns columns = Columns::OfModel);
 
 /// Reads the inputs of a model from one file, which need not have its states: records with n x
 /// 0 states.

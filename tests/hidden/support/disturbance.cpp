@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "hidden/support/disturbance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "lacuna/core/random.hpp"
+#include "lacuna/data/marks.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -43,12 +46,46 @@ Vector drifting(Index n, Random& random) {
   return noise;
 }
 
+/// White noise, then the ends of the range.
+Vector clipped(const Vector& x, double sigma, Random& random) {
+  const Vector noisy = x + sigma * white(x.size(), random);
+  std::vector<double> sorted(noisy.begin(), noisy.end());
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t tenth = sorted.size() / 10;
+  return noisy.cwiseMax(sorted[tenth]).cwiseMin(sorted[sorted.size() - 1 - tenth]);
+}
+
+Vector with_dropouts(const Vector& x, double sigma, Random& random) {
+  Vector noisy = x + sigma * white(x.size(), random);
+  for (Index i = 1; i < noisy.size(); ++i) {
+    if (random.uniform() >= 0.01) continue;
+    const auto length = static_cast<Index>(random.uniform(3.0, 8.0));
+    for (const Index end = std::min(noisy.size(), i + length); i < end; ++i)
+      noisy[i] = noisy[i - 1];
+  }
+  return noisy;
+}
+
+/// Blank but for every fifth sample; blanks repeat the value before, as a reader fills them.
+void make_slow(Trajectory& record, Index state) {
+  for (Index i = 0; i < record.samples(); ++i) {
+    if (i % 5 == 0) continue;
+    record.states(i, state) = record.states(i - 1, state);
+    set_mark(record, i, state, Mark::Missing);
+  }
+}
+
 Vector rounded(const Vector& x, double grid) { return (x.array() / grid).round() * grid; }
 
 Vector measured(const Vector& x, NoiseKind kind, double sigma, Random& random) {
   switch (kind) {
     case NoiseKind::White:
+    case NoiseKind::Slow:
       return x + sigma * white(x.size(), random);
+    case NoiseKind::Clipped:
+      return clipped(x, sigma, random);
+    case NoiseKind::Dropouts:
+      return with_dropouts(x, sigma, random);
     case NoiseKind::Coloured:
       return x + sigma * coloured(x.size(), random);
     case NoiseKind::Outliers:
@@ -73,6 +110,12 @@ std::string to_string(NoiseKind kind) {
       return "outliers";
     case NoiseKind::Quantised:
       return "quantised";
+    case NoiseKind::Clipped:
+      return "clipped";
+    case NoiseKind::Dropouts:
+      return "dropouts";
+    case NoiseKind::Slow:
+      return "slow";
     case NoiseKind::Drifting:
       break;
   }
@@ -88,6 +131,7 @@ Dataset disturbed(const Dataset& clean, NoiseKind kind, double level, std::uint6
       const Vector x = trajectory.states.col(k);
       trajectory.states.col(k) = measured(x, kind, level * deviation(x), random);
     }
+    if (kind == NoiseKind::Slow) make_slow(trajectory, trajectory.states.cols() - 1);
   }
   return record;
 }

@@ -15,6 +15,9 @@ enum class NoiseKind {
   Coloured,   ///< Gaussian, first-order low pass with a time constant of 5 samples
   Outliers,   ///< white, and in 1 % of the samples a spike of 5 to 10 standard deviations more
   Quantised,  ///< rounding to a grid of sqrt(12) * level standard deviations
+  Clipped,    ///< white, and an end of the range at a tenth of the samples on either side
+  Dropouts,   ///< white, and in bursts of 3 to 8 samples, 5 % in all, the last value again
+  Slow,       ///< white, and the last state has a value at every fifth sample only
   Drifting,  ///< a slow sensor offset (half a period over the record) and white, equally strong
 };
 

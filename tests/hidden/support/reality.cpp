@@ -17,9 +17,9 @@ bool is_shown(const OdeModel& model, const Dataset& record) {
 /// One window from its clean start; nothing when it diverges.
 std::optional<Matrix> simulated(const OdeModel& model, const Trajectory& clean, Index first,
                                 Index count) {
-  RecordInput inputs(clean, clean.samples() < 4 ? 2 : 4);
+  RecordInput inputs(clean, model.inputs());
   const Solution solution =
-      simulate(DrivenModel{model, inputs}, Rk4{{.substeps = 4}},
+      simulate(DrivenModel{model, inputs, inputs.breaks()}, Rk4{{.substeps = 4}},
                clean.states.row(first).transpose(), clean.time.segment(first, count));
   if (solution.status != IntegrationStatus::Completed) return std::nullopt;
   return solution.states;

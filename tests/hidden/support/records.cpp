@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hidden/support/records.hpp"
 
+#include <algorithm>
+
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
@@ -28,6 +30,17 @@ Vector drawn_start(const Plant& plant, std::uint64_t seed) {
   return start;
 }
 
+/// Times at which some signal jumps.
+Vector breaks_of(const std::vector<Signal>& signals) {
+  std::vector<double> all;
+  for (const Signal& signal : signals) {
+    const std::vector<double> own = signal.breaks();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end());
+  return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
+}
+
 /// The orbit at -settle, 0 + shift, h + shift, ...
 Solution orbit(const Plant& plant, const std::vector<Signal>& signals, double shift,
                std::uint64_t seed) {
@@ -39,8 +52,8 @@ Solution orbit(const Plant& plant, const std::vector<Signal>& signals, double sh
   const Dopri87 integrator{
       {.control = {
            .relative_tolerance = 1e-10, .absolute_tolerance = 1e-12, .max_step = plant.step}}};
-  Solution solution =
-      simulate(DrivenModel{plant.model, inputs}, integrator, drawn_start(plant, seed), times);
+  Solution solution = simulate(DrivenModel{plant.model, inputs, breaks_of(signals)}, integrator,
+                               drawn_start(plant, seed), times);
   if (solution.status != IntegrationStatus::Completed)
     throw ArgumentError("hidden case", solution.message, "choose a bounded system");
   return solution;

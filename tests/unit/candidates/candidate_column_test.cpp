@@ -21,7 +21,7 @@ LinearisedRecord step_record() {
   Trajectory& record = data.trajectories.front();
   record.inputs.setOnes();
   record.inputs(0, 0) = 0.0;
-  return grid_of(record, record.states);
+  return grid_of(data.inputs, record, record.states);
 }
 
 TEST(CandidateColumn, MemoryFollowsItsEquation) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "lacuna/model/model_file.hpp"
@@ -16,7 +17,8 @@ using testing::run_command;
 /// something hidden in dv/dt, "r1.csv" and "r2.csv".
 class HiddenRecords {
  public:
-  explicit HiddenRecords(const support::Hidden& hidden) {
+  explicit HiddenRecords(const support::Hidden& hidden, double seconds = 1.0)
+      : seconds_(seconds) {
     folder_.write("nominal.json", format_model(support::oscillator()));
     write("r1.csv", support::hidden_record(hidden, 0.005, 3));
     write("r2.csv", support::hidden_record(hidden, 0.005, 4, -0.7));
@@ -35,14 +37,15 @@ class HiddenRecords {
  private:
   void write(const std::string& name, const Dataset& data) {
     const Trajectory& record = data.trajectories.front();
-    std::string text = "t,q,v,F\n";
+    std::string text = seconds_ == 1.0 ? "t,q,v,F\n" : "t [s],q,v,F\n";
     for (Index i = 0; i < record.samples(); ++i)
-      text += std::to_string(record.time[i]) + "," + std::to_string(record.states(i, 0)) + "," +
-              std::to_string(record.states(i, 1)) + "," + std::to_string(record.inputs(i, 0)) +
-              "\n";
+      text += std::to_string(record.time[i] / seconds_) + "," +
+              std::to_string(record.states(i, 0)) + "," + std::to_string(record.states(i, 1)) +
+              "," + std::to_string(record.inputs(i, 0)) + "\n";
     folder_.write(name, text);
   }
 
+  double seconds_;  ///< of the unit of time in the files, whose header says s
   testing::TemporaryFolder folder_;
 };
 
@@ -93,6 +96,35 @@ TEST(DiagnoseCommand, FillsTheGapWithASplineWhenAsked) {
   EXPECT_TRUE(after["unnamed"]["stop_gap"].get<bool>());
   EXPECT_GT(before["gap"]["ratio"].get<double>(), 0.9);
   EXPECT_LT(after["gap"]["ratio"].get<double>(), 0.5);
+}
+
+TEST(DiagnoseCommand, TellsAWrongUnitOfTimeAndTakesTheRightOne) {
+  const HiddenRecords records(support::nothing, 1e-3);
+  const auto wrong = records.diagnose({"--json", "-"});
+  EXPECT_EQ(wrong.status, 0) << wrong.err;
+  const auto answer = nlohmann::json::parse(wrong.out);
+  EXPECT_EQ(answer["verdict"], "unnamed-structure");
+  EXPECT_TRUE(answer["effects"].empty());
+  ASSERT_EQ(answer["hints"].size(), 1u);
+  EXPECT_EQ(answer["hints"][0]["kind"], "time-unit");
+  EXPECT_EQ(answer["hints"][0]["remedy"], "--time-unit ms");
+  EXPECT_EQ(records.diagnose({}).out.rfind("Hint (time-unit): time looks 1000 times", 0), 0u);
+  const auto right = records.diagnose(with(kTwoEffects, {"--json", "-", "--time-unit", "ms"}));
+  EXPECT_EQ(nlohmann::json::parse(right.out)["verdict"], "no-discrepancy") << right.err;
+}
+
+TEST(DiagnoseCommand, TellsAColumnThatTheModelLacks) {
+  const HiddenRecords records(support::nothing);
+  OdeModel model = support::oscillator();
+  const OdeModel without(
+      model.states(), {},
+      {model.equations()[0], {model.equations()[1][0], model.equations()[1][1]}});
+  std::ofstream(records.file("nominal.json")) << format_model(without);
+  const auto answer = nlohmann::json::parse(records.diagnose({"--json", "-"}).out);
+  EXPECT_TRUE(answer["effects"].empty());
+  ASSERT_EQ(answer["hints"].size(), 1u);
+  EXPECT_EQ(answer["hints"][0]["kind"], "unused-column");
+  EXPECT_THAT(answer["hints"][0]["message"].get<std::string>(), HasSubstr("column F"));
 }
 
 TEST(DiagnoseCommand, BadOptionsAreNamed) {

@@ -148,5 +148,11 @@ TEST(AssignRoles, AStateCalledTGetsAnotherName) {
   EXPECT_THAT(data.notes, Contains(HasSubstr("'t' is called 't_'")));
 }
 
+TEST(AssignRoles, AGivenUnitOfTheTimeGoesBeforeTheHeader) {
+  const Table table = parse_text_table("t [s],x\n1,2\n2,3\n", "a.csv");
+  EXPECT_EQ(assign_roles(table, {}).time_unit, "s");
+  EXPECT_EQ(assign_roles(table, {.time_unit = "ms"}).time_unit, "ms");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -224,7 +224,57 @@ TEST(Diagnose, PiecesThatAreTooShortAreAnErrorThatSaysSo) {
 TEST(Diagnose, AModelThatDivergesWithinAStepIsAnErrorThatNamesUnits) {
   Dataset data = support::hidden_record(support::nothing, 0.01);
   data.trajectories.front().time *= 1e8;
-  EXPECT_THROW(diagnose(support::oscillator(), data, {}, {}, RunContext{}), DataError);
+  DiagnosisOptions options;
+  options.decision.hints.slip_remainder = 0.0;  // not looked for
+  options.decision.hints.identity_factor = 1e12;
+  EXPECT_THROW(diagnose(support::oscillator(), data, {}, options, RunContext{}), DataError);
+}
+
+/// The record with a column G that acts on dv/dt.
+Dataset with_column_acting() {
+  Dataset data = support::hidden_record(
+      [](double t, double, double) { return 0.6 * std::sin(2.3 * t); }, 0.005);
+  data.inputs.push_back({"G", ""});
+  Trajectory& record = data.trajectories.front();
+  record.inputs.conservativeResize(record.samples(), 2);
+  record.inputs.col(1) = (2.3 * record.time.array()).sin() + 0.3 * record.time.array().sin();
+  return data;
+}
+
+TEST(Diagnose, AColumnTheModelDoesNotKnowComesBeforeAName) {
+  const Diagnosis diagnosis = diagnose(support::oscillator(), with_column_acting(), {},
+                                       {.effects = support::own_effects()}, RunContext{});
+  EXPECT_EQ(diagnosis.verdict, Verdict::UnnamedStructure);
+  EXPECT_TRUE(diagnosis.effects.empty());
+  ASSERT_EQ(diagnosis.hints.size(), 1u);
+  EXPECT_EQ(diagnosis.hints[0].kind, HintKind::UnusedColumn);
+  EXPECT_TRUE(diagnosis.gap.has_value());
+  ASSERT_EQ(diagnosis.disagreement.size(), 1u);
+  EXPECT_GT(diagnosis.disagreement[0].sigma, 5.0);
+}
+
+TEST(Diagnose, ASlipIsAllOfTheAnswer) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories.front().time *= 1e8;
+  const Diagnosis diagnosis = diagnose(support::oscillator(), data, {},
+                                       {.effects = support::own_effects()}, RunContext{});
+  EXPECT_EQ(diagnosis.verdict, Verdict::UnnamedStructure);
+  ASSERT_EQ(diagnosis.hints.size(), 1u);
+  EXPECT_EQ(diagnosis.hints[0].kind, HintKind::TimeUnit);
+  EXPECT_TRUE(diagnosis.remaining.structure);
+  EXPECT_TRUE(diagnosis.rivals.empty()) << "nothing was sought";
+}
+
+TEST(Diagnose, AnInputWithTheOtherSignIsFittedAndNotNamed) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories.front().inputs *= -1.0;
+  const Diagnosis diagnosis = diagnose(support::oscillator(), data, {},
+                                       {.effects = support::own_effects()}, RunContext{});
+  EXPECT_EQ(diagnosis.verdict, Verdict::CoefficientsOnly);
+  ASSERT_EQ(diagnosis.hints.size(), 1u);
+  EXPECT_EQ(diagnosis.hints[0].kind, HintKind::Sign);
+  EXPECT_EQ(diagnosis.coefficient_changes[0].term, "F");
+  EXPECT_NEAR(diagnosis.coefficient_changes[0].estimated, -1.0, 0.02);
 }
 
 /// A random function of time: straight lines between values half a second apart.

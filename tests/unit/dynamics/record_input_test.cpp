@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+
+#include "lacuna/core/error.hpp"
 
 namespace lacuna {
 namespace {
@@ -34,7 +37,7 @@ TEST(RecordInput, IsCubicUnlessToldOtherwise) {
 }
 
 TEST(RecordInput, TwoPointsAreAStraightLine) {
-  RecordInput input(Vector{{0.0, 1.0, 3.0}}, Vector{{0.0, 2.0, 0.0}}, 2);
+  RecordInput input(Vector{{0.0, 1.0, 3.0}}, Vector{{0.0, 2.0, 0.0}}, Interpolation::Linear);
   double u = 0.0;
   input(0.25, &u);
   EXPECT_DOUBLE_EQ(u, 0.5);
@@ -43,7 +46,7 @@ TEST(RecordInput, TwoPointsAreAStraightLine) {
 }
 
 TEST(RecordInput, OnePointHoldsTheLastSample) {
-  RecordInput input(Vector{{0.0, 1.0, 3.0}}, Vector{{5.0, 6.0, 7.0}}, 1);
+  RecordInput input(Vector{{0.0, 1.0, 3.0}}, Vector{{5.0, 6.0, 7.0}}, Interpolation::Held);
   double u = 0.0;
   input(0.99, &u);
   EXPECT_EQ(u, 5.0);
@@ -60,6 +63,23 @@ TEST(RecordInput, EndsHoldOutsideOfTheRecord) {
   EXPECT_EQ(u[1], 1.0);
   input(99.0, u);
   EXPECT_DOUBLE_EQ(u[0], std::sin(10.0));
+}
+
+TEST(RecordInput, EachInputGoesOnInItsOwnWay) {
+  Trajectory run = sine(51, 0.2);
+  const std::vector<Quantity> inputs{{"a", "", Hold::Zero}, {"b", ""}};
+  RecordInput input(run, inputs);
+  double u[2];
+  input(1.1, u);
+  EXPECT_EQ(u[0], run.inputs(5, 0));
+  EXPECT_NEAR(u[1], std::cos(1.1), 1e-4);
+  EXPECT_EQ(input.breaks(), run.time);
+  EXPECT_EQ(RecordInput(run).breaks().size(), 0) << "smooth inputs have no breaks";
+}
+
+TEST(RecordInput, ShapesMustFit) {
+  EXPECT_THROW(RecordInput(Vector{{0.0, 1.0}}, Matrix::Zero(3, 1)), ArgumentError);
+  EXPECT_THROW(RecordInput(sine(51, 0.2), std::vector<Quantity>{{"a", ""}}), ArgumentError);
 }
 
 TEST(RecordInput, CopiesDoNotShareSamples) {

@@ -51,6 +51,36 @@ TEST(Simulate, RecordedInputsDriveTheModel) {
   EXPECT_NEAR(solution.states(100, 0), std::sin(5.0), 1e-6);
 }
 
+/// dx/dt = -2 x + u with u held: x goes to u/2 by exp(-2 h) in each interval.
+TEST(Simulate, StepsEndWhereAnInputJumps) {
+  const OdeModel model = scalar_model({{"x", -2.0}, {"u", 1.0}});
+  const Vector jumps{{0.0, 0.13, 0.61, 0.97}}, levels{{1.0, -3.0, 2.0, 0.0}};
+  RecordInput input(jumps, levels, Interpolation::Held);
+  double expected = 0.7, t = 0.0;
+  const auto hold = [&](double level, double until) {
+    expected = 0.5 * level + (expected - 0.5 * level) * std::exp(-2.0 * (until - t));
+    t = until;
+  };
+  for (Index i = 0; i < 3; ++i) hold(levels[i], jumps[i + 1]);
+  hold(levels[3], 1.25);
+  const Vector times = sample_times(0.0, 0.25, 6);
+  const auto last = [&](const Vector& breaks) {
+    return simulate(DrivenModel{model, input, breaks}, Rk4{{.substeps = 40}}, Vector{{0.7}},
+                    times)
+        .states(5, 0);
+  };
+  EXPECT_NEAR(last(input.breaks()), expected, 1e-10);
+  EXPECT_GT(std::abs(last(Vector()) - expected), 1e-6) << "steps across a jump are not exact";
+}
+
+TEST(Simulate, DelayedInputsJumpLater) {
+  const OdeModel model = scalar_model({{"delay(u,0.2)", 1.0}});
+  RecordInput input(Vector{{0.0, 0.13, 0.61}}, Vector{{1.0, -3.0, 2.0}}, Interpolation::Held);
+  const Solution solution = simulate(DrivenModel{model, input, input.breaks()}, Rk4{},
+                                     Vector{{0.0}}, sample_times(0.0, 0.25, 5));
+  EXPECT_NEAR(solution.states(4, 0), 0.33 * 1.0 - 3.0 * 0.48 + 2.0 * 0.19, 1e-12);
+}
+
 TEST(Simulate, TimeIsAVariable) {
   const OdeModel model = scalar_model({{"t", 2.0}}, false);
   const Solution solution = simulate(model, Rk4{}, Vector{{0.0}}, sample_times(0.0, 0.5, 7));

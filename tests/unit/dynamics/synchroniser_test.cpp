@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "lacuna/core/random.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/systems/measurement.hpp"
@@ -200,6 +201,56 @@ TEST(Synchroniser, MissingColumnsAndWrongShapesAreErrors) {
   EXPECT_THROW(synchronise(model, record, Rk4{}), DataError);
   record.states[1].name = "y";
   EXPECT_THROW(synchronise(model, record, Rk4{}), DataError);
+}
+
+/// dx/dt = -2 x + u, u held: the record is exact, so that the slave stays on it.
+TEST(Synchroniser, AHeldInputJumpsAtItsSamples) {
+  const Variables variables{{"x"}, {"u"}};
+  const OdeModel model({{"x", ""}}, {{"u", "", Hold::Zero}},
+                       {{{Term::parse("x", variables), -2.0, {}, {}},
+                         {Term::parse("u", variables), 1.0, {}, {}}}});
+  constexpr Index kSamples = 60;
+  Dataset record{
+      .states = model.states(), .inputs = model.inputs(), .trajectories = {}, .rate_of = {}};
+  Trajectory run{"made", Vector::LinSpaced(kSamples, 0.0, 5.9), Matrix(kSamples, 1),
+                 Matrix(kSamples, 1), Matrix()};
+  double x = 0.4;
+  for (Index i = 0; i < kSamples; ++i) {
+    const double u = (i / 7) % 2 == 0 ? 1.0 : -0.5;
+    run.states(i, 0) = x;
+    run.inputs(i, 0) = u;
+    x = 0.5 * u + (x - 0.5 * u) * std::exp(-0.2);
+  }
+  record.trajectories.push_back(run);
+  // The coupling to the interpolated record would add its own error.
+  const SyncOptions alone{.coupling = Matrix::Zero(1, 1)};
+  const Dopri8 exact({.substeps = 4});
+  EXPECT_LT(synchronise(model, record, exact, alone).mean, 1e-10);
+  EXPECT_GT(synchronise(model.with_holds({Hold::Smooth}), record, exact, alone).mean, 1e-3);
+}
+
+/// A tank that drains and is filled by a sine; the model lacks half of the drain.
+TEST(Synchroniser, AnErrorThatIsNotNoiseIsTold) {
+  const Variables variables{{"h"}, {}};
+  const auto tank = [&](double drain) {
+    return OdeModel({{"h", "m"}}, {},
+                    {{{Term::parse("h^2", variables), -drain, {}, {}},
+                      {Term::parse("1", variables), 1.0, {}, {}},
+                      {Term::parse("sin(0.7*t)", variables), 0.8, {}, {}}}});
+  };
+  Dataset record{.states = {{"h", "m"}}, .inputs = {}, .trajectories = {}, .rate_of = {}};
+  const Vector time = sample_times(0.0, 0.05, 800);
+  const Solution motion = simulate(tank(1.0), Dopri8{}, Vector{{1.0}}, time);
+  record.trajectories.push_back({"made", time, motion.states, Matrix(800, 0), Matrix()});
+  Random random(3);
+  for (double& value : record.trajectories[0].states.reshaped())
+    value += 0.002 * random.normal();
+  const SyncResult right = synchronise(tank(1.0), record, Rk4{});
+  const SyncResult wrong = synchronise(tank(0.7), record, Rk4{});
+  EXPECT_NEAR(right.noise[0], 0.002, 0.0004);
+  EXPECT_LT(*right.error_over_noise, 1.3);
+  EXPECT_TRUE(wrong.settled);
+  EXPECT_GT(*wrong.error_over_noise, 10.0);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(InnovationSystem, StacksTheRecords) {
 TEST(InnovationSystem, FormulasAreEvaluatedBetweenSamplesToo) {
   const Dataset data = support::hidden_record(support::nothing, 0.0);
   const LinearisedRecord grid =
-      grid_of(data.trajectories.front(), data.trajectories.front().states);
+      grid_of(data.inputs, data.trajectories.front(), data.trajectories.front().states);
   const Vector values = evaluate_on(grid, support::oscillator().variables(),
                                     parse_expression("2*q+delay(v,0.02)"));
   ASSERT_EQ(values.size(), 3001);

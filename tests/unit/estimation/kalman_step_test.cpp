@@ -48,8 +48,13 @@ TEST(Variances, AreTheSquaresOfTheDeviations) {
 }
 
 TEST(KalmanStep, DevianceOfAnInnovationIsItsLogDensity) {
-  const double density = std::exp(-0.5 * 0.7 * 0.7 / 2.0) / std::sqrt(2.0 * M_PI * 2.0);
-  EXPECT_NEAR(deviance_of({0.7, 2.0}), -2.0 * std::log(density) - std::log(2.0 * M_PI), 1e-12);
+  const GaussianCase made = coloured_case();
+  const ChannelMap map(made.record, made.noise);
+  const Innovation seen =
+      KalmanStep<Eigen::Dynamic>(made.record, made.noise, map).update(0, 0.7);
+  const double density = std::exp(-0.5 * seen.value * seen.value / seen.variance) /
+                         std::sqrt(2.0 * M_PI * seen.variance);
+  EXPECT_NEAR(seen.deviance, -2.0 * std::log(density) - std::log(2.0 * M_PI), 1e-12);
 }
 
 /// Mean and covariance carried by full matrices: x+ = F x + b, P+ = F P F' + Q.

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/model/expression.hpp"
 #include "support/driven_oscillator.hpp"
+#include "support/held_oscillator.hpp"
 
 namespace lacuna {
 namespace {
@@ -61,6 +63,44 @@ TEST(LinearisedRecord, APartKeepsItsBridge) {
   const LinearisedRecord part = part_of(record, 10, 20);
   EXPECT_TRUE(part.is_bridged(2, 1));
   EXPECT_FALSE(part.is_bridged(2, 0));
+}
+
+OdeModel held_oscillator(Hold hold) { return support::oscillator().with_holds({hold}); }
+
+LinearisedRecord held_linearised(Hold hold, Hold assumed) {
+  const Dataset data = support::held_record(hold, 0.0);
+  const Trajectory& record = data.trajectories.front();
+  return linearise(held_oscillator(assumed), record, record.states, Vector::Constant(2, 1e-8));
+}
+
+TEST(LinearisedRecord, AHeldInputLeavesNoDefectWhereItIsHeld) {
+  const double exact = held_linearised(Hold::Zero, Hold::Zero).defect.cwiseAbs().maxCoeff();
+  EXPECT_LT(exact, 1e-7);
+  EXPECT_LT(held_linearised(Hold::Linear, Hold::Linear).defect.cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_GT(held_linearised(Hold::Zero, Hold::Smooth).defect.cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(LinearisedRecord, EachStepOfAHeldInputHasAnEndOfItsOwn) {
+  const LinearisedRecord record = held_linearised(Hold::Zero, Hold::Zero);
+  ASSERT_EQ(record.slots.rows(), 3 * 1000 + 1);
+  const Vector force =
+      evaluate_on(record, support::oscillator().variables(), parse_expression("F"));
+  EXPECT_EQ(force[record.grid.end(4)], force[record.grid.begin(4)]);
+  EXPECT_NE(force[record.grid.end(4)], force[record.grid.begin(5)]) << "it changes at sample 5";
+  const LinearisedRecord part = part_of(record, 10, 20);
+  EXPECT_EQ(part.slots, record.slots.middleRows(30, 58));
+}
+
+/// A jump by d at an instant that is equally likely anywhere in a step of h moves v by an
+/// amount with the variance (d h)^2 / 12.
+TEST(LinearisedRecord, AJumpAtAnUnknownInstantIsADisturbance) {
+  const LinearisedRecord record = held_linearised(Hold::Switching, Hold::Switching);
+  const Vector force =
+      evaluate_on(record, support::oscillator().variables(), parse_expression("F"));
+  const double jump = force[record.grid.begin(5)] - force[record.grid.begin(4)];
+  EXPECT_NEAR(record.bridge(1, 4), 0.02 * jump * jump / 12.0, 1e-12);
+  EXPECT_EQ(record.bridge(0, 4), 0.0);
+  EXPECT_EQ(record.bridge(1, 3), 0.0) << "no jump, no doubt";
 }
 
 }  // namespace

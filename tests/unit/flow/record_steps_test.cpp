@@ -25,7 +25,7 @@ StepSlots slots() {
   const Vector time{{0.0, 0.2, 0.3, 0.6, 0.8, 1.0}};
   Matrix values(6, 2);
   values << time.array().square() + 3.0 * (-time.array()).exp(), 2.0 * time;
-  return {node_slots(time, values, 2), 1, 0};
+  return {node_slots(time, values, 2), 1, {}};
 }
 
 std::vector<Index> all_steps() { return {0, 1, 2, 3, 4}; }
@@ -51,7 +51,7 @@ TEST(EndsOfSteps, InputsAreCubicsBetweenNodes) {
   Rates rates(OdeModel({{"x", ""}}, {{"u", ""}}, {{{Term::parse("u", variables), 1.0}}}));
   Matrix values(5, 2);
   values << Vector::Zero(5), time.array().cube();
-  const StepSlots grid(node_slots(time, values, 2), 1, 0);
+  const StepSlots grid(node_slots(time, values, 2), 1, {});
   const Matrix ends = ends_of_steps(rates, grid, {0, 1, 2, 3}, 4);
   for (Index i = 0; i < 4; ++i)
     EXPECT_NEAR(ends(i, 0), 0.25 * (std::pow(time[i + 1], 4) - std::pow(time[i], 4)), 1e-15);
@@ -95,7 +95,7 @@ TEST(StepResponses, AreThoseOfAFineIntegration) {
   const double h = 0.05;
   for (const int parts : {1, 4}) {
     const StepResponses found =
-        step_responses(slopes_of(1.0, h), Vector::Constant(1, h), 2, parts);
+        step_responses(slopes_of(1.0, h), {}, Vector::Constant(1, h), {2, parts});
     const double tolerance = parts == 1 ? 2e-5 : 1e-7;
     for (Index j = 0; j < 2; ++j) {
       const Vector column = integrated(Vector::Unit(2, j), 1.0, h,

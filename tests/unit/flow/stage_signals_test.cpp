@@ -16,7 +16,10 @@ DrivingSamples samples() {
 
 StageSignals written(Interpolation interpolation) {
   StageSignals signals = empty_stage_signals({&runge_kutta_4(), 2}, 8, 3);
-  write_stage_signals(samples(), 2, signals, interpolation);
+  DrivingSamples driving = samples();
+  driving.signals.assign(
+      static_cast<std::size_t>(driving.inputs.cols() + driving.delayed.cols()), interpolation);
+  write_stage_signals(driving, 2, signals);
   return signals;
 }
 

@@ -31,7 +31,7 @@ FunctionBasis basis_of(const std::vector<FunctionBasis>& bases, Kind kind,
 Matrix values_of(const FunctionBasis& basis) {
   const Dataset data = support::oscillator_record();
   const LinearisedRecord grid =
-      grid_of(data.trajectories.front(), data.trajectories.front().states);
+      grid_of(data.inputs, data.trajectories.front(), data.trajectories.front().states);
   std::vector<Expression> forms;
   for (const Candidate& member : basis.members) forms.push_back(member.form);
   return evaluate_on(grid, support::oscillator().variables(), forms);

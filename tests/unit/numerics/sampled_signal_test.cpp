@@ -85,5 +85,20 @@ TEST(IntegrateCubic, StartsAtZero) {
   EXPECT_EQ(integrate_cubic(Vector::Ones(1), Vector::Ones(1)), Vector::Zero(1));
 }
 
+TEST(SampledSignal, TheLineOfAHeldSignalHasItsMeanAndMoment) {
+  SampledSignal signal(Vector{{0.0, 1.0, 2.0, 3.0}}, Vector{{0.0, 1.0, 0.0, 5.0}},
+                       Interpolation::Held);
+  // 1 on the middle half of the span.
+  const SpanLine even = signal.held_line(0.5, 2.5);
+  EXPECT_DOUBLE_EQ(even.mean, 0.5);
+  EXPECT_NEAR(even.slope, 0.0, 1e-15);
+  // Least squares on a fine grid for a jump in the first tenth.
+  const SpanLine line = signal.held_line(1.9, 2.9);
+  EXPECT_NEAR(line.mean, 0.1, 1e-15);
+  EXPECT_NEAR(line.slope, -0.1, 1e-15) << "no value below 0: -0.27 would be the best line";
+  EXPECT_DOUBLE_EQ(signal.held_line(-2.0, -1.0).mean, 0.0) << "before the record";
+  EXPECT_DOUBLE_EQ(signal.held_line(4.0, 5.0).mean, 5.0) << "behind it";
+}
+
 }  // namespace
 }  // namespace lacuna

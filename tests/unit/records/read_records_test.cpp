@@ -99,5 +99,32 @@ TEST(ReadInputs, NeedsNoStates) {
       << "u = t in seconds";
 }
 
+TEST(ReadRecords, KeepsColumnsThatTheModelDoesNotKnow) {
+  const TemporaryFolder folder;
+  folder.write("b1.csv", table_of("t,x,u,spare"));
+  folder.write("b2.csv", "spare,u,x,other,t\n" + std::string(R"(1,0.0,1.0,5,0.0
+2,0.1,0.9,,0.1
+3,0.2,0.8,5,0.2
+4,0.3,0.7,5,0.3
+5,0.4,0.6,5,0.4
+6,0.5,0.5,5,0.5
+)"));
+  const Dataset data = read_records(support::harmonic_model(), {folder.file("b*.csv")}, {},
+                                    kDifferences, Columns::All);
+  ASSERT_EQ(data.inputs.size(), 2u) << "not 'other', which one file lacks and misses a value";
+  EXPECT_EQ(data.inputs[1].name, "spare");
+  ASSERT_EQ(data.trajectories.size(), 2u) << "the missing value splits nothing";
+  EXPECT_EQ(data.trajectories[0].inputs(9, 1), 7.0);
+  EXPECT_EQ(data.trajectories[1].inputs.col(1), Vector::LinSpaced(6, 1.0, 6.0));
+}
+
+TEST(ReadRecords, TakesTheUnitOfTheTimeThatIsGiven) {
+  const TemporaryFolder folder;
+  const Dataset data = read_records(support::harmonic_model(),
+                                    {folder.write("a.csv", table_of("t [s],x,u,spare"))},
+                                    {.time_unit = "ms"}, kDifferences);
+  EXPECT_NEAR(data.trajectories[0].duration(), 0.98e-3, 1e-9) << "the header is wrong";
+}
+
 }  // namespace
 }  // namespace lacuna

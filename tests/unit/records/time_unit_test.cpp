@@ -44,5 +44,13 @@ TEST(TimeUnit, ThatIsNoMultipleOfASecondIsRefused) {
                                    "same unit");
 }
 
+TEST(TimeUnit, HasANameWhereItIsATimeOfSeconds) {
+  EXPECT_EQ(scaled_time_unit("s", 1e-3), "ms");
+  EXPECT_EQ(scaled_time_unit("ms", 1e-3), "us");
+  EXPECT_EQ(scaled_time_unit("min", 60.0), "h");
+  EXPECT_FALSE(scaled_time_unit("s", 0.1));
+  EXPECT_FALSE(scaled_time_unit("tau", 1e-3));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -92,5 +92,27 @@ TEST(DiagnosisReport, VerdictsHaveTheirWords) {
   EXPECT_EQ(to_string(Verdict::UnnamedStructure), "unnamed-structure");
 }
 
+TEST(DiagnosisReport, HintsComeFirst) {
+  Diagnosis diagnosis = made();
+  diagnosis.hints = {{HintKind::TimeUnit, "time looks long", "--time-unit ms"}};
+  EXPECT_EQ(format_text(diagnosis).rfind(
+                "Hint (time-unit): time looks long. Remedy: --time-unit ms.\n", 0),
+            0u);
+  const auto hints = nlohmann::json::parse(format_json(diagnosis))["hints"];
+  ASSERT_EQ(hints.size(), 1u);
+  EXPECT_EQ(hints[0]["kind"], "time-unit");
+  EXPECT_EQ(hints[0]["message"], "time looks long");
+  EXPECT_EQ(hints[0]["remedy"], "--time-unit ms");
+}
+
+TEST(DiagnosisReport, SaysWhyThereIsNoAnswer) {
+  Diagnosis diagnosis = made();
+  diagnosis.verdict = Verdict::UnnamedStructure;
+  diagnosis.hints = {{HintKind::Sign, "m", "r", Withheld::Names}};
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the hint comes first"));
+  diagnosis.hints = {{HintKind::Sign, "m", "r", Withheld::Answer}};
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("No effect is sought"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/hypotheses/account.hpp"
+
+namespace lacuna {
+
+/// The nominal model with inputs of which it is known how they go on between samples.
+struct ChosenHolds {
+  OdeModel model;
+  std::vector<Index> open = {};   ///< inputs of which nobody said it
+  std::vector<Rival> trail = {};  ///< what was compared
+};
+
+/// Decides for each input of which nobody said it how it goes on between samples, by the
+/// likelihood of the nominal model with fitted coefficients under each Hold. What the samples
+/// show by themselves (zero where most of them repeat the one before, else smooth) stays unless
+/// another is more likely by more than DecisionOptions::undecided.
+///
+/// The choice is made before effects are sought: a half step of delay between a held and a
+/// smooth input looks like an effect of the dynamics.
+ChosenHolds choose_holds(const Problem& problem);
+
+/// Models with another hold of an open input under which effects should be sought anew: all
+/// holds where an effect is one of that input (half a step of delay may be all there is to it),
+/// the best one where the effects that were found fit decidedly better under it. None without
+/// effects.
+/// @param problem its model has the chosen holds.
+std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Index>& open,
+                                  const Account& best);
+
+/// What is assumed of inputs that are not smooth, for people: "u is held from sample to
+/// sample".
+/// @param open the inputs of which nobody said it.
+std::vector<std::string> notes_on_holds(const OdeModel& model, const std::vector<Index>& open);
+
+}  // namespace lacuna

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/core/options.hpp"
+#include "lacuna/records/bound_records.hpp"
+
+namespace lacuna {
+
+/// What a hint is about.
+enum class HintKind {
+  TimeUnit,         ///< time off by a factor
+  ChannelUnit,      ///< a column off by a factor
+  Sign,             ///< a column with the other sign
+  SwappedColumns,   ///< two columns in each other's place
+  UnusedColumn,     ///< a column that the model does not know explains what it lacks
+  Identity,         ///< a column is not the derivative that the model says it is
+  ClosedLoop,       ///< an input is nearly a function of the states
+  Excitation,       ///< hardly any motion
+  Sampling,         ///< too few samples in a period, too few periods
+  NotIdentifiable,  ///< coefficients that the records do not tell apart
+};
+
+/// "time-unit", "channel-unit", "sign", ...
+std::string to_string(HintKind kind);
+
+/// How far the answer may go where a hint holds.
+enum class Withheld {
+  Nothing,  ///< a remark
+  Names,    ///< no effect may be named: another cause is at hand
+  Answer,   ///< records and model do not fit together, and nothing can be said
+};
+
+/// Something odd about records and model, and what would mend it.
+struct Hint {
+  HintKind kind = HintKind::TimeUnit;
+  std::string message;
+  std::string remedy;
+  Withheld withheld = Withheld::Nothing;
+};
+
+/// When a hint is given.
+struct HintOptions {
+  double slip_remainder = 0.2;
+  double slip_misfit = 0.1;
+  double round_factor = 0.02;
+  double identity_factor = 2.0;
+  double column_share = 0.5;
+  double column_sigma = 5.0;
+  double feedback = 0.95;
+  double samples_per_period = 8.0;
+  double barely_moving = 3.0;
+
+  void describe(OptionVisitor& visitor);
+};
+
+/// A look at records before a model is diagnosed on them.
+///
+/// Rates in short windows of the records are compared with those of the model as it is given.
+/// With y_k measured and f_k of the model the misfit of equation k is
+/// e_k^2 = <(y_k - f_k)^2> / <y_k^2 + f_k^2>: 0 where they agree, 1 where they have nothing to
+/// do with one another (one minus the concordance of Lin, Biometrics 45:255, 1989, about 0).
+/// Slips of the time, of units, signs and columns are undone one by one; the one that takes
+/// nearly all of the misfit away, more than a missing effect could, is the hint.
+/// @param records in the variables of the model.
+/// @param unused the same records with columns that the model does not know as inputs.
+std::vector<Hint> look_at(const OdeModel& model, const BoundRecords& records,
+                          const Dataset& unused, const HintOptions& options);
+
+/// The most that any of the hints withholds.
+Withheld withheld_by(const std::vector<Hint>& hints);
+
+}  // namespace lacuna

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Accounts under what is assumed of the inputs between samples.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "journey.hpp"
+
+namespace lacuna {
+
+/// The best account, and the nominal model with the holds under which it is the best.
+struct JudgedModel {
+  std::shared_ptr<const OdeModel> model;
+  Judged judged;
+  std::vector<std::string> notes = {};
+};
+
+/// Chooses how inputs go on between samples, then the account; where the effects that are found
+/// speak for other holds (rival_holds()), these are judged too, and the criterion decides.
+/// @param problem with the nominal model as it was given.
+JudgedModel judge_holds(const Problem& problem,
+                        const std::vector<Stage<Hypothesis>>& hypotheses);
+
+}  // namespace lacuna

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "censoring.hpp"
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+/// log Phi(z); far below 0 by the asymptotic series of the tail.
+double log_probability(double z) {
+  constexpr double kFarBelow = -25.0;
+  constexpr double kLogRootTwoPi = 0.91893853320467274178;
+  if (z > kFarBelow) return std::log(0.5 * std::erfc(-z * M_SQRT1_2));
+  const double s = 1.0 / (z * z);
+  return -0.5 * z * z - std::log(-z) - kLogRootTwoPi + std::log1p(-s + 3.0 * s * s);
+}
+
+}  // namespace
+
+Truncation::Truncation(double z) {
+  constexpr double kLogRootTwoPi = 0.91893853320467274178;
+  const double log_phi = log_probability(z);
+  deviance = -2.0 * log_phi;
+  shift = std::exp(-0.5 * z * z - kLogRootTwoPi - log_phi);
+  // lambda + z cancels far below 0, where it is 1/|z| (1 - 2/z^2 ...)
+  constexpr double kFarBelow = -25.0;
+  const double sum = z > kFarBelow ? shift + z : -1.0 / z * (1.0 - 2.0 / (z * z));
+  share = shift * sum;
+}
+
+}  // namespace lacuna

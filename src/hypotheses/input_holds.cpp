@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/input_holds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lacuna/core/parallel.hpp"
+#include "lacuna/records/shown_holds.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Passes of the fits that are compared: holds that differ differ by much.
+constexpr int kPasses = 3;
+
+using Holds = std::vector<std::optional<Hold>>;
+
+/// Whether samples are dense against what the input does: the slope changes by less than half
+/// from one step to the next. Lines and curves through them are the same then, and no jump
+/// hides between two of them.
+bool looks_smooth(const Dataset& data, Index input) {
+  double slopes = 0.0, bends = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    const auto values = record.inputs.col(input);
+    const Index n = values.size() - 1;
+    const Vector slope = values.tail(n) - values.head(n);
+    slopes += slope.squaredNorm();
+    bends += (slope.tail(n - 1) - slope.head(n - 1)).squaredNorm();
+  }
+  return bends < 0.25 * slopes;
+}
+
+std::vector<Hold> possible_holds(const Dataset& data, Index input) {
+  if (looks_smooth(data, input)) return {Hold::Zero, Hold::Smooth};
+  return {Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
+}
+
+std::string meaning(Hold hold) {
+  switch (hold) {
+    case Hold::Zero:
+      return "is held from sample to sample";
+    case Hold::Linear:
+      return "goes on in straight lines between samples";
+    case Hold::Smooth:
+      return "is smooth between samples";
+    case Hold::Switching:
+      return "switches between samples: where it does is not known to less than a step";
+  }
+  return "";
+}
+
+/// A hold and the deviance of the nominal model under it.
+struct TriedHold {
+  Hold hold = Hold::Smooth;
+  double deviance = 0.0;
+};
+
+/// The nominal model under the possible holds of one input.
+std::vector<TriedHold> tried_holds(const Problem& problem, const Holds& holds, Index input,
+                                   const Assimilation& start) {
+  AssimilationOptions options;
+  options.passes = kPasses;
+  options.free = free_coefficients(problem.nominal);
+  options.priors = problem.options.tolerances;
+  std::vector<TriedHold> tried;
+  for (const Hold hold : possible_holds(problem.records.data, input))
+    tried.push_back({hold, INFINITY});
+  parallel_for(tried.size(), problem.context.threads, [&](std::size_t h) {
+    Holds assumed = holds;
+    assumed[static_cast<std::size_t>(input)] = tried[h].hold;
+    tried[h].deviance = assimilate_from(problem.nominal.with_holds(assumed),
+                                        problem.records.data, start, options, problem.context)
+                            .deviance;
+  });
+  return tried;
+}
+
+/// The most likely hold, or the shown one where no other is decidedly more likely.
+Hold judged(const std::vector<TriedHold>& tried, Hold shown, double undecided) {
+  double least = INFINITY;
+  for (const auto& [hold, deviance] : tried)
+    if (hold == shown && std::isfinite(deviance)) least = deviance - undecided;
+  Hold best = shown;
+  for (const auto& [hold, deviance] : tried)
+    if (deviance < least) {
+      best = hold;
+      least = deviance;
+    }
+  return best;
+}
+
+/// Adds what was tried of one input to the trail.
+void note_trial(const std::vector<TriedHold>& tried, Hold taken, const std::string& input,
+                std::vector<Rival>& trail) {
+  double least = INFINITY;
+  for (const TriedHold& one : tried) least = std::min(least, one.deviance);
+  for (const auto& [hold, deviance] : tried)
+    trail.push_back({"input-hold",
+                     input + " " + meaning(hold),
+                     {},
+                     hold == taken,
+                     "deviance",
+                     deviance,
+                     least});
+}
+
+}  // namespace
+
+ChosenHolds choose_holds(const Problem& problem) {
+  const auto& [nominal, records, options, context] = problem;
+  ChosenHolds chosen{nominal};
+  Holds holds;
+  for (const Quantity& input : nominal.inputs()) {
+    const auto j = static_cast<Index>(holds.size());
+    holds.push_back(input.hold ? input.hold : shown_hold(records.data, j));
+    if (!input.hold && holds.back()) chosen.open.push_back(j);
+  }
+  if (chosen.open.empty()) return chosen;
+  context.report("how inputs go on between samples", 0.0);
+  AssimilationOptions few;
+  few.passes = kPasses;
+  const Assimilation start =
+      assimilate(nominal.with_holds(holds), records.data, records.outliers, few, context);
+  for (const Index j : chosen.open) {
+    if (!std::isfinite(start.deviance)) break;
+    auto& hold = holds[static_cast<std::size_t>(j)];
+    const std::vector<TriedHold> tried = tried_holds(problem, holds, j, start);
+    hold = judged(tried, *hold, options.decision.undecided);
+    note_trial(tried, *hold, nominal.inputs()[static_cast<std::size_t>(j)].name, chosen.trail);
+  }
+  chosen.model = nominal.with_holds(holds);
+  return chosen;
+}
+
+namespace {
+
+OdeModel with_hold(const OdeModel& model, Index input, Hold hold) {
+  Holds holds;
+  for (const Quantity& quantity : model.inputs()) holds.push_back(quantity.hold);
+  holds[static_cast<std::size_t>(input)] = hold;
+  return model.with_holds(holds);
+}
+
+bool is_of(const FittedEffect& effect, const std::string& input) {
+  const auto& memory = effect.candidate.memory;
+  return effect.candidate.form.variables().contains(input) ||
+         std::any_of(memory.begin(), memory.end(), [&](const MemoryState& state) {
+           return state.rate.variables().contains(input);
+         });
+}
+
+/// Deviance of the effects that were found, fitted in few passes under another model.
+double deviance_under(const Problem& problem, const Account& best, const OdeModel& model) {
+  const JointFitTask task{problem.records.data, model, best.base->fit_options, problem.context};
+  return explain_roughly(task, best.base->fitted, best.explanation.effects).fit.deviance;
+}
+
+/// The other holds of an input that is in no effect, if one is decidedly better.
+std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, Index input) {
+  double least =
+      deviance_under(problem, best, problem.nominal) - problem.options.decision.undecided;
+  std::vector<OdeModel> better;
+  for (const Hold hold : possible_holds(problem.records.data, input)) {
+    OdeModel model = with_hold(problem.nominal, input, hold);
+    const double deviance = deviance_under(problem, best, model);
+    if (!(deviance < least)) continue;
+    least = deviance;
+    better = {std::move(model)};
+  }
+  return better;
+}
+
+}  // namespace
+
+std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Index>& open,
+                                  const Account& best) {
+  std::vector<OdeModel> rivals;
+  const std::vector<FittedEffect>& effects = best.explanation.effects;
+  if (effects.empty()) return rivals;
+  for (const Index j : open) {
+    const Quantity& input = problem.nominal.inputs()[static_cast<std::size_t>(j)];
+    const bool concerned =
+        std::any_of(effects.begin(), effects.end(),
+                    [&](const FittedEffect& effect) { return is_of(effect, input.name); });
+    if (!concerned) {
+      for (OdeModel& model : better_holds(problem, best, j)) rivals.push_back(std::move(model));
+      continue;
+    }
+    for (const Hold hold : {Hold::Zero, Hold::Linear, Hold::Smooth})
+      if (hold != input.hold) rivals.push_back(with_hold(problem.nominal, j, hold));
+  }
+  return rivals;
+}
+
+std::vector<std::string> notes_on_holds(const OdeModel& model, const std::vector<Index>& open) {
+  std::vector<std::string> notes;
+  for (const Index j : open) {
+    const Quantity& input = model.inputs()[static_cast<std::size_t>(j)];
+    if (input.hold && *input.hold != Hold::Smooth)
+      notes.push_back(input.name + " " + meaning(*input.hold));
+  }
+  return notes;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/sensor_calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "channel_forms.hpp"
+#include "effect_names.hpp"
+#include "lacuna/candidates/screening.hpp"
+#include "lacuna/numerics/significance.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A channel with a form, fitted with the nominal coefficients as given.
+struct Fitted {
+  Explanation explanation;
+  std::vector<EquationStructure> left;
+  double criterion = 0.0;
+};
+
+/// The baseline whose coefficients are those that are given.
+Baseline as_given(const Baseline& base) {
+  Baseline given = base;
+  given.fitted = base.given;
+  given.fit_options.free.clear();
+  given.fit_options.priors.clear();
+  return given;
+}
+
+std::vector<Candidate> candidates_of(const Problem& problem, const Baseline& base) {
+  std::vector<Candidate> all;
+  for (Index k = 0; k < problem.nominal.dimension(); ++k) {
+    if (!base.given.noise.measurement[static_cast<std::size_t>(k)]) continue;
+    for (Candidate& candidate : channel_forms(base.scope, k))
+      all.push_back(std::move(candidate));
+  }
+  return all;
+}
+
+/// rms of what a channel adds, about its mean where it varies, over the deviation of the state.
+double size_of(const FittedEffect& effect, const Assimilation& fit) {
+  double sum = 0.0, spread = 0.0;
+  for (const LinearisedRecord& record : fit.records) {
+    const Vector form =
+        form_along(effect.candidate,
+                   {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
+                   fit.model.variables(), record);
+    const auto& path = record.path.col(effect.candidate.equation);
+    sum += form.squaredNorm() / static_cast<double>(form.size());
+    spread += (path.array() - path.mean()).square().mean();
+  }
+  return std::abs(effect.coefficient) * std::sqrt(sum / spread);
+}
+
+/// A filter shows the whole of the state behind it.
+bool is_plausible(const FittedEffect& effect) {
+  constexpr double kPart = 0.3;
+  return effect.candidate.memory.empty() || std::abs(effect.coefficient - 1.0) < kPart;
+}
+
+/// The channels that may be it, fitted; the best first.
+std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
+                                    const std::vector<ScreenedCandidate>& screened) {
+  const DecisionOptions& decision = problem.options.decision;
+  const auto tried = static_cast<double>(screened.size());
+  std::vector<Fitted> fitted;
+  for (const ScreenedCandidate& one : screened) {
+    const double freedom = 1.0 + static_cast<double>(one.shapes.size());
+    if (sigma_of_gain(one.gain, freedom, tried) < decision.significance) continue;
+    Explanation found = explain_on(problem, given, given.fitted,
+                                   {{one.candidate, one.shapes, one.coefficient, 0.0}});
+    const FittedEffect& effect = found.effects.front();
+    if (!std::isfinite(found.fit.deviance) || !is_plausible(effect) ||
+        size_of(effect, found.fit) < decision.effect_size)
+      continue;
+    const double value = criterion_of(problem, given, found);
+    fitted.push_back({std::move(found), {}, value});
+  }
+  std::stable_sort(fitted.begin(), fitted.end(),
+                   [](const Fitted& a, const Fitted& b) { return a.criterion < b.criterion; });
+  return fitted;
+}
+
+/// The best that leaves nothing over.
+std::optional<std::size_t> sound_one(const Problem& problem, std::vector<Fitted>& fitted) {
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    fitted[i].left = test_disturbances(fitted[i].explanation.fit, problem.context);
+    if (std::none_of(fitted[i].left.begin(), fitted[i].left.end(), [&](const auto& left) {
+          return is_substantial(left, problem.options.decision);
+        }))
+      return i;
+  }
+  return std::nullopt;
+}
+
+/// A rival that leaves the other coefficients as given.
+struct Peer {
+  double criterion = std::numeric_limits<double>::infinity();
+  Index parameters = 0;
+};
+
+/// One coefficient changed: the best of all.
+Peer best_coefficient(const Problem& problem, const Baseline& given) {
+  Peer best{.parameters = 1};
+  for (const CoefficientPlace& place : free_coefficients(problem.nominal)) {
+    Baseline one = given;
+    one.fit_options.free = {place};
+    const Explanation changed{{},
+                              assimilate_from(problem.nominal, given.records->data,
+                                              given.fitted, one.fit_options, problem.context)};
+    if (std::isfinite(changed.fit.deviance))
+      best.criterion = std::min(best.criterion, criterion_of(problem, one, changed));
+  }
+  return best;
+}
+
+/// The effects of an account.
+Peer same_effects(const Problem& problem, const Baseline& given, const Account& account) {
+  if (account.explanation.effects.empty()) return {};
+  const Explanation same =
+      explain_on(problem, given, given.fitted, account.explanation.effects);
+  if (!std::isfinite(same.fit.deviance)) return {};
+  return {criterion_of(problem, given, same), same.parameters()};
+}
+
+/// The channel's fault with its numbers and the others that might be it.
+NamedEffect named(const Problem& problem, const Baseline& given,
+                  const std::vector<Fitted>& fitted, std::size_t chosen, double tried) {
+  constexpr std::size_t kAlternatives = 4;
+  const Fitted& own = fitted[chosen];
+  const FittedEffect& effect = own.explanation.effects.front();
+  const ChannelName name = channel_name(effect, problem.nominal);
+  NamedEffect result;
+  result.equation = effect.candidate.equation;
+  result.name = name.name;
+  result.description = name.sentence;
+  result.cause = "a calibration that is off, a filter in the measuring chain";
+  for (const ShapeParameter& shape : effect.candidate.shapes)
+    result.parameters.push_back({shape.name, shape.unit, 0.0, {}});
+  const double gain = given.fitted.deviance - own.explanation.fit.deviance;
+  result.sigma = sigma_of_gain(gain, 1.0 + static_cast<double>(effect.shapes.size()), tried);
+  result.contribution = size_of(effect, own.explanation.fit);
+  result.tried = static_cast<Index>(tried);
+  double sum = 0.0;
+  for (const Fitted& other : fitted)
+    sum += std::exp(-0.5 * (other.criterion - fitted.front().criterion));
+  const auto probability = [&](const Fitted& one) {
+    return std::exp(-0.5 * (one.criterion - fitted.front().criterion)) / sum;
+  };
+  result.probability = probability(own);
+  const Vector rates = rate_rms(given.fitted);
+  const double before = total_disturbance(given.fitted, rates);
+  const double after = total_disturbance(own.explanation.fit, rates);
+  result.gap_closed = before > 0.0 ? std::clamp(1.0 - after / before, 0.0, 1.0) : 1.0;
+  for (std::size_t i = 0; i < fitted.size() && result.alternatives.size() < kAlternatives;
+       ++i) {
+    if (i == chosen) continue;
+    const FittedEffect& other = fitted[i].explanation.effects.front();
+    const std::string where =
+        problem.nominal.states()[static_cast<std::size_t>(other.candidate.equation)].name;
+    result.alternatives.push_back({channel_name(other, problem.nominal).name + " of " + where,
+                                   term_of(other), probability(fitted[i])});
+  }
+  return result;
+}
+
+Account account_of(const Account& best, const Baseline& given, Fitted own, NamedEffect fault) {
+  Account account{.hypothesis = std::string(kSensorCalibration.name),
+                  .base = std::make_shared<const Baseline>(given),
+                  .explanation = std::move(own.explanation),
+                  .named = {std::move(fault)},
+                  .rounds = best.rounds,
+                  .left = std::move(own.left)};
+  update_numbers(account.explanation, account.named);
+  account.notes = best.notes;
+  return account;
+}
+
+std::string as_well(const std::string& what) {
+  return "the records do not tell this from another explanation: " + what;
+}
+
+/// Whether an account has something in another place than the channel.
+bool acts_elsewhere(const Account& account, const NamedEffect& fault) {
+  const std::vector<FittedEffect>& effects = account.explanation.effects;
+  return std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+    return effect.candidate.place != Place::Channel ||
+           effect.candidate.equation != fault.equation;
+  });
+}
+
+/// The best account with the channel beside it as an alternative.
+Proposal beside(const Account& best, const NamedEffect& fault, const std::string& term) {
+  Account account = best;
+  std::vector<std::string>& said = acts_elsewhere(best, fault) ? account.doubts : account.notes;
+  said.push_back(as_well(fault.description + " (" + fault.name + ")"));
+  for (NamedEffect& effect : account.named)
+    effect.alternatives.insert(effect.alternatives.begin(),
+                               {fault.name, term, 0.5 * effect.probability});
+  return {.account = std::move(account),
+          .precedence = "a channel explains the records as well"};
+}
+
+/// The channel against its peers: alone where they do worse beyond doubt, first where it is the
+/// plainer one, else an alternative.
+Proposals against_peers(const Problem& problem, const Account& best, const Baseline& given,
+                        Fitted own, NamedEffect fault) {
+  const double undecided = problem.options.decision.undecided;
+  const Peer coefficient = best_coefficient(problem, given);
+  const Peer effects = same_effects(problem, given, best);
+  const std::string term = term_of(own.explanation.effects.front());
+  if (coefficient.criterion < own.criterion + undecided &&
+      coefficient.criterion < effects.criterion + undecided)
+    return {{beside(best, fault, term)}, {}};
+  const bool is_sure = own.criterion + undecided < effects.criterion;
+  const bool is_plainer =
+      own.criterion < effects.criterion && own.explanation.parameters() < effects.parameters;
+  if (!is_sure && !is_plainer) {
+    if (own.criterion > effects.criterion + undecided) return {};
+    return {{beside(best, fault, term)}, {}};
+  }
+  const bool elsewhere = acts_elsewhere(best, fault);
+  Account account = account_of(best, given, std::move(own), std::move(fault));
+  if (is_sure) return {{{.account = std::move(account), .lead = undecided}}, {}};
+  std::vector<std::string>& said = elsewhere ? account.doubts : account.notes;
+  for (const NamedEffect& other : best.named) {
+    said.push_back(as_well(other.description + " (" + other.name + ")"));
+    account.named[0].alternatives.insert(account.named[0].alternatives.begin(),
+                                         {other.name, other.term, 0.0});
+  }
+  return {{{.account = std::move(account),
+            .precedence = "the plainer one of two that explain the records as well"}},
+          {}};
+}
+
+}  // namespace
+
+Proposals SensorCalibration::do_propose(const Problem& problem, const Account& best) const {
+  problem.context.report("calibrating channels", 0.0);
+  const DecisionOptions& decision = problem.options.decision;
+  const Baseline given = as_given(*best.base);
+  const Screening screening(given.fitted);
+  const double shape_price = problem.options.criterion->penalty(
+      {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
+  const std::vector<ScreenedCandidate> screened =
+      screen(candidates_of(problem, given), screening, {shape_price, decision.worth_shaping},
+             problem.context);
+  std::vector<Fitted> fitted = fitted_channels(problem, given, screened);
+  const auto chosen = sound_one(problem, fitted);
+  if (!chosen) return {};
+  NamedEffect fault =
+      named(problem, given, fitted, *chosen, static_cast<double>(screened.size()));
+  return against_peers(problem, best, given, std::move(fitted[*chosen]), std::move(fault));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "slip_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+constexpr double kAlike = 1.5;  // ratio of misfits (rms) up to which slips are not told apart
+constexpr double kNoWorse = 0.05;    // misfit (rms) that an equation may gain
+constexpr double kUnchanged = 1e-9;  // relative difference of a misfit that was not touched
+constexpr double kProbe = 0.1;       // step of the logarithm of a factor, for its estimate
+
+/// Everything a slip is tried on.
+struct Trial {
+  const OdeModel& model;
+  const Dataset& data;
+  const RateWindows& windows;
+  Vector before;
+};
+
+Vector misfit_of(const Trial& trial, const Slip& slip) {
+  const Dataset data = corrected(trial.model, trial.data, slip);
+  return misfit(window_rates(data, trial.windows),
+                model_rates(trial.model, data, trial.windows));
+}
+
+bool is_touched(const Trial& trial, const Vector& after, Index k) {
+  return std::abs(after[k] - trial.before[k]) > kUnchanged * trial.before[k];
+}
+
+/// Mean over the touched equations of log(e_after / e_before); 0 when there are none.
+double log_remainder(const Trial& trial, const Vector& after) {
+  double sum = 0.0;
+  int touched = 0;
+  for (Index k = 0; k < after.size(); ++k) {
+    if (!is_touched(trial, after, k)) continue;
+    sum += 0.5 * std::log(after[k] / trial.before[k]);
+    ++touched;
+  }
+  return touched > 0 ? sum / touched : 0.0;
+}
+
+/// Whether some equation that the slip touches is off by more than a little.
+bool is_plain(const Trial& trial, const Vector& after, double slip_misfit) {
+  for (Index k = 0; k < after.size(); ++k)
+    if (is_touched(trial, after, k) && trial.before[k] > slip_misfit * slip_misfit) return true;
+  return false;
+}
+
+bool fits_no_worse(const Trial& trial, const Vector& after) {
+  return (after.array() <= trial.before.array() + kNoWorse * kNoWorse).all();
+}
+
+/// Whether the factor that the records say, from the parabola through the logarithms of three
+/// misfits, is the one on the list, and whether they say one at all. Of the logarithms the
+/// equation that says most decides, and not one that lacks something.
+bool is_said(const Trial& trial, const Slip& slip, const Vector& after, double round_factor) {
+  if (slip.kind != HintKind::TimeUnit && slip.kind != HintKind::ChannelUnit) return true;
+  const auto at = [&](double step) {
+    Slip near = slip;
+    near.correction *= std::exp(step);
+    const Vector misfit = misfit_of(trial, near);
+    double sum = 0.0;
+    for (Index k = 0; k < misfit.size(); ++k)
+      if (is_touched(trial, after, k)) sum += std::log(misfit[k]);
+    return sum;
+  };
+  const double low = at(-kProbe), middle = at(0.0), high = at(kProbe);
+  const double curvature = (low - 2.0 * middle + high) / (kProbe * kProbe);
+  const double slope = (high - low) / (2.0 * kProbe);
+  return std::abs(slope) < round_factor * std::abs(std::log(slip.correction)) * curvature;
+}
+
+struct Candidate {
+  std::size_t number;  ///< on the list
+  double level;        ///< mean over all equations of log(e)
+  Vector after;
+};
+
+std::vector<Candidate> candidates(const Trial& trial, const std::vector<Slip>& slips,
+                                  const HintOptions& options) {
+  std::vector<Candidate> result;
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    Vector after = misfit_of(trial, slips[i]);
+    if (log_remainder(trial, after) > std::log(options.slip_remainder)) continue;
+    if (!is_plain(trial, after, options.slip_misfit) || !fits_no_worse(trial, after)) continue;
+    if (!is_said(trial, slips[i], after, options.round_factor)) continue;
+    const double level = 0.5 * after.array().log().mean();
+    result.push_back({i, level, std::move(after)});
+  }
+  return result;
+}
+
+}  // namespace
+
+Vector misfit(const Matrix& measured, const Matrix& modelled) {
+  Vector result(measured.cols());
+  for (Index k = 0; k < measured.cols(); ++k) {
+    double apart = 0.0, size = 0.0;
+    Index finite = 0;
+    for (Index i = 0; i < measured.rows(); ++i) {
+      const double y = measured(i, k), f = modelled(i, k);
+      if (!std::isfinite(f)) continue;
+      ++finite;
+      apart += (y - f) * (y - f);
+      size += y * y + f * f;
+    }
+    const bool is_known = 10 * finite >= 9 * measured.rows() && std::isfinite(size);
+    // What is less than rounding is no better.
+    result[k] = is_known ? std::max(apart / size, std::numeric_limits<double>::epsilon()) : 2.0;
+    if (is_known && size == 0.0) result[k] = std::numeric_limits<double>::epsilon();
+  }
+  return result;
+}
+
+std::optional<FoundSlip> find_slip(const OdeModel& model, const Dataset& data,
+                                   const RateWindows& windows, const HintOptions& options) {
+  const Trial trial{model, data, windows,
+                    misfit(window_rates(data, windows), model_rates(model, data, windows))};
+  const std::vector<Slip> slips = possible_slips(model, data);
+  std::vector<Candidate> all = candidates(trial, slips, options);
+  if (all.empty()) return std::nullopt;
+  const auto channels = [&](const Candidate& one) { return slips[one.number].channels; };
+  const double least =
+      std::min_element(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+        return a.level < b.level;
+      })->level;
+  std::erase_if(all,
+                [&](const Candidate& one) { return one.level > least + std::log(kAlike); });
+  // Of the same channels the plainest factor.
+  std::vector<Candidate> plain;
+  for (Candidate& one : all)
+    if (std::none_of(plain.begin(), plain.end(), [&](const Candidate& other) {
+          return slips[other.number].kind == slips[one.number].kind &&
+                 channels(other) == channels(one);
+        }))
+      plain.push_back(std::move(one));
+  std::stable_sort(plain.begin(), plain.end(), [&](const Candidate& a, const Candidate& b) {
+    return std::pair(channels(a).size(), a.level) < std::pair(channels(b).size(), b.level);
+  });
+  FoundSlip found{slips[plain.front().number], trial.before, plain.front().after};
+  for (std::size_t i = 1; i < plain.size(); ++i)
+    if (channels(plain[i]).size() <= std::max<std::size_t>(1, found.slip.channels.size()))
+      found.others.push_back(slips[plain[i].number]);
+  return found;
+}
+
+}  // namespace lacuna

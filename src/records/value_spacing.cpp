@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "value_spacing.hpp"
+
+#include <algorithm>
+
+#include "lacuna/data/noise.hpp"
+
+namespace lacuna {
+
+Vector value_spacings(const Dataset& data) {
+  constexpr double kSevenDigits = 1e-6;
+  const std::vector<StateNoise> noise = analyse_noise(data);
+  Vector spacings = Vector::Zero(data.state_count());
+  for (Index k = 0; k < spacings.size(); ++k) {
+    for (const Trajectory& record : data.trajectories)
+      spacings[k] =
+          std::max(spacings[k], kSevenDigits * record.states.col(k).cwiseAbs().maxCoeff());
+    spacings[k] =
+        std::max(spacings[k], noise[static_cast<std::size_t>(k)].lattice.value_or(0.0));
+  }
+  return spacings;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/input_holds.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/asked.hpp"
+#include "support/held_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+ChosenHolds chosen(const Dataset& data) {
+  const support::Asked asked{.records = observed(data)};
+  return choose_holds(asked.problem());
+}
+
+std::optional<Hold> hold_of(const ChosenHolds& chosen) { return chosen.model.inputs()[0].hold; }
+
+class TrueHold : public ::testing::TestWithParam<Hold> {};
+
+TEST_P(TrueHold, IsTheMostLikelyOne) {
+  const ChosenHolds found = chosen(support::held_record(GetParam(), 2e-4));
+  ASSERT_TRUE(hold_of(found).has_value());
+  EXPECT_EQ(to_string(*hold_of(found)), to_string(GetParam()));
+  EXPECT_EQ(found.trail.size(), 4U);
+  EXPECT_THAT(notes_on_holds(found.model, found.open), ::testing::SizeIs(1));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TrueHold,
+                         ::testing::Values(Hold::Zero, Hold::Linear, Hold::Switching),
+                         [](const auto& hold) { return to_string(hold.param); });
+
+TEST(InputHolds, ASmoothInputStaysSmooth) {
+  const ChosenHolds found = chosen(support::hidden_record(support::nothing, 0.01));
+  EXPECT_EQ(hold_of(found), Hold::Smooth);
+  EXPECT_TRUE(notes_on_holds(found.model, found.open).empty());
+}
+
+TEST(InputHolds, WhatIsMissingDoesNotChangeThem) {
+  const auto friction = [](double v) { return -0.3 * std::tanh(v / 0.01); };
+  EXPECT_EQ(hold_of(chosen(support::held_record(Hold::Zero, 2e-3, 9, friction))), Hold::Zero);
+}
+
+TEST(InputHolds, WhatTheModelSaysIsNotAsked) {
+  support::Asked asked{.records = observed(support::held_record(Hold::Zero, 1e-3))};
+  asked.nominal = asked.nominal.with_holds({Hold::Linear});
+  const ChosenHolds found = choose_holds(asked.problem());
+  EXPECT_EQ(hold_of(found), Hold::Linear);
+  EXPECT_TRUE(found.trail.empty());
+}
+
+TEST(InputHolds, AnInputThatStandsStillHasNone) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories.front().inputs.setConstant(0.3);
+  EXPECT_EQ(hold_of(chosen(data)), std::nullopt);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/hypotheses/sensor_calibration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/asked.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A complete model whose sensor of a state shows something else.
+template <class Show>
+support::Asked with_sensor(Index state, Show show) {
+  Dataset data = support::hidden_record(support::nothing, 0.005);
+  Trajectory& record = data.trajectories.front();
+  for (Index i = 0; i < record.samples(); ++i)
+    record.states(i, state) = show(record.states(i, state), record.time[i]);
+  return {.records = observed(data)};
+}
+
+Proposals proposed(const support::Asked& asked) {
+  return SensorCalibration().propose(asked.problem(), asked.bare());
+}
+
+void expect_fault(const support::Asked& asked, const std::string& name, Index state,
+                  double coefficient, double tolerance) {
+  const Proposals made = proposed(asked);
+  ASSERT_EQ(made.accounts.size(), 1u) << name;
+  const Account& account = made.accounts[0].account;
+  ASSERT_EQ(account.named.size(), 1u);
+  EXPECT_EQ(account.named[0].name, name);
+  EXPECT_EQ(account.named[0].equation, state);
+  EXPECT_NEAR(account.named[0].coefficient, coefficient, tolerance);
+  EXPECT_EQ(account.base->fit_options.free.size(), 0u) << "the model is as given";
+  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+}
+
+TEST(SensorCalibration, FindsGainOffsetAndDrift) {
+  expect_fault(with_sensor(1, [](double v, double) { return 1.05 * v; }), "sensor-gain", 1,
+               0.05, 0.005);
+  expect_fault(with_sensor(0, [](double q, double) { return q - 0.1; }), "sensor-offset", 0,
+               -0.1, 0.01);
+  expect_fault(with_sensor(1, [](double v, double t) { return v + 0.02 * t; }), "sensor-drift",
+               1, 0.02, 0.002);
+}
+
+TEST(SensorCalibration, FindsAFilterOfTheSensor) {
+  const double tau = 0.1;
+  Dataset data = support::hidden_record(support::nothing, 0.0);
+  Matrix& states = data.trajectories.front().states;
+  Random random(5);
+  double shown = states(0, 1), before = shown;
+  const double h = 0.02, decay = std::exp(-h / tau);
+  for (Index i = 0; i < states.rows(); ++i) {
+    // exact for a line from sample to sample
+    const double now = states(i, 1), slope = (now - before) / h;
+    if (i > 0) shown = now - slope * tau + decay * (shown - before + slope * tau);
+    before = now;
+    states(i, 0) += 0.005 * random.normal();
+    states(i, 1) = shown + 0.01 * random.normal();
+  }
+  const support::Asked asked{.records = observed(data)};
+  expect_fault(asked, "sensor-lag", 1, 1.0, 0.05);
+  const Proposals made = proposed(asked);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  ASSERT_EQ(made.accounts[0].account.named[0].parameters.size(), 1u);
+  EXPECT_NEAR(made.accounts[0].account.named[0].parameters[0].value, tau, 0.01);
+}
+
+TEST(SensorCalibration, HasNothingToSayOfAGoodModel) {
+  const Proposals made = proposed(support::asked(support::nothing, 0.005));
+  EXPECT_TRUE(made.accounts.empty());
+}
+
+TEST(SensorCalibration, WhatLeavesStructureIsNoSensor) {
+  EXPECT_TRUE(proposed(support::asked(support::ripple, 0.005)).accounts.empty());
+}
+
+TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
+  support::Asked asked = support::asked([](double, double, double) { return 0.4; }, 0.005);
+  Account best = asked.bare();
+  // the best account so far has the force
+  Candidate force{.form = Expression::number(1.0),
+                  .argument = Expression::number(1.0),
+                  .starts = {Vector()},
+                  .equation = 1};
+  best.explanation =
+      explain_on(asked.problem(), *best.base, best.base->fitted, {{force, Vector(), 0.4, 0.0}});
+  const Proposals made = SensorCalibration().propose(asked.problem(), best);
+  EXPECT_TRUE(made.accounts.empty());
+  ASSERT_EQ(made.trail.size(), 1u);
+  EXPECT_FALSE(made.trail[0].rule.empty());
+}
+
+}  // namespace
+}  // namespace lacuna

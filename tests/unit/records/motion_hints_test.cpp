@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "records/motion_hints.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "lacuna/core/random.hpp"
+#include "support/driven_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<HintKind> kinds_of(const Dataset& data) {
+  const BoundRecords records = observed(data);
+  std::vector<HintKind> kinds;
+  for (const Hint& hint :
+       motion_hints(support::oscillator(), records, rate_windows(records), {})) {
+    kinds.push_back(hint.kind);
+    EXPECT_EQ(hint.withheld, Withheld::Nothing);
+  }
+  return kinds;
+}
+
+Dataset good() { return support::hidden_record(support::nothing, 0.01); }
+
+TEST(MotionHints, SayNothingOfAGoodRecord) { EXPECT_TRUE(kinds_of(good()).empty()); }
+
+TEST(MotionHints, TellAnInputThatFollowsTheStates) {
+  Dataset data = good();
+  Trajectory& record = data.trajectories[0];
+  record.inputs =
+      -0.5 * record.states.col(0) - 0.3 * record.states.col(1) + 0.1 * record.inputs;
+  EXPECT_THAT(kinds_of(data), ::testing::ElementsAre(HintKind::ClosedLoop));
+  record.inputs = -0.5 * record.states.col(0) - 0.3 * record.states.col(1);
+  EXPECT_THAT(kinds_of(data),
+              ::testing::ElementsAre(HintKind::ClosedLoop, HintKind::NotIdentifiable));
+}
+
+TEST(MotionHints, TellWhatDoesNotMove) {
+  Dataset data = good();
+  data.trajectories[0].inputs.setConstant(0.7);
+  EXPECT_THAT(kinds_of(data), ::testing::ElementsAre(HintKind::Excitation));
+  data = good();
+  Random random(4);
+  for (double& q : data.trajectories[0].states.col(0)) q = 1e-3 * random.normal();
+  EXPECT_THAT(kinds_of(data), ::testing::Contains(HintKind::Excitation));
+}
+
+TEST(MotionHints, TellFewSamplesAndFewPeriods) {
+  const Dataset data = good();
+  const Trajectory& record = data.trajectories[0];
+  Dataset coarse = data;
+  const auto every = Eigen::seqN(0, 50, 30);  // 0.6 s of periods of 3 s
+  coarse.trajectories = {{"r", record.time(every), record.states(every, Eigen::all),
+                          record.inputs(every, Eigen::all), Matrix()}};
+  EXPECT_THAT(kinds_of(coarse), ::testing::Contains(HintKind::Sampling));
+  Dataset brief = data;
+  brief.trajectories = {rows_of(record, 0, 200)};
+  EXPECT_THAT(kinds_of(brief), ::testing::Contains(HintKind::Sampling));
+}
+
+TEST(StepsInPeriod, AreThoseOfASineWithNoise) {
+  Dataset data = support::oscillator_record();  // q = sin 2t in steps of 0.01
+  EXPECT_NEAR(steps_in_period(data, 0, 0.0), 100.0 * std::numbers::pi, 8.0);
+  Random random(2);
+  for (double& q : data.trajectories[0].states.col(0)) q += 0.02 * random.normal();
+  EXPECT_NEAR(steps_in_period(data, 0, 0.02), 100.0 * std::numbers::pi, 60.0);
+}
+
+}  // namespace
+}  // namespace lacuna
