@@ -3,6 +3,55 @@
 
 namespace lacuna {
 
+namespace {
+
+/// What is tried, and how exactly.
+void describe_effort(DecisionOptions& decision, OptionVisitor& v) {
+  v.field(
+      {"worth_shaping", "",
+       "Candidates whose gain is a smaller share of the best one's get no search of shapes.",
+       0.0, 1.0},
+      decision.worth_shaping);
+  v.field(
+      {"worth_fitting", "",
+       "Candidates whose gain is a smaller share of the best one's are not fitted.", 0.0, 1.0},
+      decision.worth_fitting);
+  v.field({"possible", "standard deviations",
+           "Candidates whose gain is less significant are not fitted.", 0.0},
+          decision.possible);
+  v.field({"rough_fits", "", "Candidates of a round that are fitted in few passes.", 1.0},
+          decision.rough_fits);
+  v.field({"exact_fits", "", "Of these the best, which are fitted exactly.", 1.0},
+          decision.exact_fits);
+}
+
+/// What keeps an explanation from passing as one.
+void describe_doubts(DecisionOptions& decision, OptionVisitor& v) {
+  v.field(
+      {"explained_gap", "noise floors",
+       "What leaves a larger gap on records that were not used, by more than chance, is not "
+       "called explained.",
+       1.0},
+      decision.explained_gap);
+  v.field({"cancelling", "",
+           "Terms whose sum is a smaller share of the largest of them nearly cancel: their "
+           "numbers say nothing each, and they do not pass as an explanation.",
+           0.0, 1.0},
+          decision.cancelling);
+  v.field({"out_of_scale", "",
+           "A nominal coefficient that grows by more than this factor, or changes its sign, is "
+           "not the one that was given; what needs it does not pass as an explanation.",
+           1.0},
+          decision.out_of_scale);
+  v.field({"acting", "",
+           "An effect that acts in a smaller share of the samples is known from too few of "
+           "them to pass as an explanation.",
+           0.0, 1.0},
+          decision.acting);
+}
+
+}  // namespace
+
 void DecisionOptions::describe(OptionVisitor& v) {
   v.field({"significance", "standard deviations",
            "What is less significant, after allowing for all that was tried, is chance.", 0.0},
@@ -34,21 +83,7 @@ void DecisionOptions::describe(OptionVisitor& v) {
            "repeat.",
            0.0, 1.0},
           major);
-  v.field(
-      {"worth_shaping", "",
-       "Candidates whose gain is a smaller share of the best one's get no search of shapes.",
-       0.0, 1.0},
-      worth_shaping);
-  v.field(
-      {"worth_fitting", "",
-       "Candidates whose gain is a smaller share of the best one's are not fitted.", 0.0, 1.0},
-      worth_fitting);
-  v.field({"possible", "standard deviations",
-           "Candidates whose gain is less significant are not fitted.", 0.0},
-          possible);
-  v.field({"rough_fits", "", "Candidates of a round that are fitted in few passes.", 1.0},
-          rough_fits);
-  v.field({"exact_fits", "", "Of these the best, which are fitted exactly.", 1.0}, exact_fits);
+  describe_effort(*this, v);
   v.field({"noise_inflation", "",
            "Identities are doubted where the noise of a channel comes out larger than its "
            "samples show against their neighbours, by this factor.",
@@ -70,27 +105,7 @@ void DecisionOptions::describe(OptionVisitor& v) {
            "samples as any value next to it.",
            1.0},
           pile_up);
-  v.field(
-      {"explained_gap", "noise floors",
-       "What leaves a larger gap on records that were not used, by more than chance, is not "
-       "called explained.",
-       1.0},
-      explained_gap);
-  v.field({"cancelling", "",
-           "Terms whose sum is a smaller share of the largest of them nearly cancel: their "
-           "numbers say nothing each, and they do not pass as an explanation.",
-           0.0, 1.0},
-          cancelling);
-  v.field({"out_of_scale", "",
-           "A nominal coefficient that grows by more than this factor, or changes its sign, is "
-           "not the one that was given; what needs it does not pass as an explanation.",
-           1.0},
-          out_of_scale);
-  v.field({"acting", "",
-           "An effect that acts in a smaller share of the samples is known from too few of "
-           "them to pass as an explanation.",
-           0.0, 1.0},
-          acting);
+  describe_doubts(*this, v);
   gaps.describe(v);
   naming.describe(v);
   hints.describe(v);
