@@ -45,6 +45,7 @@ constexpr double kSteep = 0.3;
 // An action of its own, which is at its limit soon, beside a term of the same argument.
 void add_steep(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   if (!scope.range_of(x).changes_sign()) return;
+  result.push_back(plain_candidate(formula(scope, "sign(x)", {{"x", x}}), x));
   const double widest = magnitude_quantile(scope, x, 1.0);
   result.push_back(shaped_candidate(
       formula(scope, "tanh(x/limit)", {{"x", x}}), x,
@@ -71,10 +72,12 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-// Whether the nominal term is what it was given as, so that the form acts beside it.
-bool leaves_the_term(const FittedForm& fitted) {
-  const double given =
-      slope(fitted.scope.model, fitted.candidate.equation, fitted.candidate.argument);
+// Whether a form acts of itself beside a nominal term that is what it was given as. Of a speed
+// it is friction, or pushes and is nothing.
+bool acts_beside_the_term(const FittedForm& fitted) {
+  const Expression& x = fitted.candidate.argument;
+  if (is_felt_speed(fitted.scope, fitted.candidate.equation, x)) return false;
+  const double given = slope(fitted.scope.model, fitted.candidate.equation, x);
   return std::abs(nominal_slope(fitted) - given) <=
          fitted.options.equal_slopes * std::abs(given);
 }
@@ -84,13 +87,15 @@ bool leaves_the_term(const FittedForm& fitted) {
 // says the same with other coefficients than were given.
 std::optional<Reading> reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
+  if (has_form(candidate, "sign(x)") && acts_beside_the_term(fitted))
+    return Reading{"action of " + candidate.argument.to_string() + " that switches"};
   const std::optional<Bend> bend = bend_of(fitted);
   if (!bend || !is_flat_outside(*bend, fitted.options)) return std::nullopt;
   const std::string x = candidate.argument.to_string();
   const bool known = slope(fitted.scope.model, candidate.equation, candidate.argument) != 0.0;
   const bool acts_inside =
       has_form(candidate, "clip(x,-a,a)") || has_form(candidate, "tanh(x/a)");
-  const bool beside = has_form(candidate, "tanh(x/a)") && leaves_the_term(fitted);
+  const bool beside = has_form(candidate, "tanh(x/a)") && acts_beside_the_term(fitted);
   if (known && acts_inside && !beside) return std::nullopt;
   return Reading{known && !beside ? "saturation of " + x : "action of " + x + " that saturates",
                  Precedence::Plain,

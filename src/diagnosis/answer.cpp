@@ -146,8 +146,8 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   std::move(best.findings.begin(), best.findings.end(), std::back_inserter(result.effects));
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
   result.remaining.structure = result.remaining.structure || hearing.lower;
-  if (!hearing.note.empty()) result.notes.push_back(hearing.note);
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
+  if (!hearing.note.empty()) result.notes.push_back(hearing.note);
   add_notes(problem, result);
   if (!result.remaining.structure) add_jitter_note(problem, fit, result);
   return result;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coefficient_changes.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/hypotheses/effect_parts.hpp"
 
@@ -58,22 +57,13 @@ void add_cancelling(const Problem& problem, const Account& account, Sentences& s
 }
 
 void add_coefficients(const Problem& problem, const Account& account, Sentences& said) {
-  const DecisionOptions& decision = problem.options.decision;
-  const Assimilation& fit = account.explanation.fit;
-  for (const CoefficientChange& change :
-       coefficient_changes(problem.nominal, fit, account.base->fit_options.free.size())) {
-    const bool told = std::abs(change.estimated) >= decision.significance * change.deviation;
-    // What is a minor part of it, whatever the sign, is a term that an effect stands for.
-    const bool turned = change.estimated * change.nominal < 0.0 &&
-                        std::abs(change.estimated) > decision.minor * std::abs(change.nominal);
-    const bool grown =
-        std::abs(change.estimated) > decision.out_of_scale * std::abs(change.nominal);
-    if (change.nominal == 0.0 || !told || !(turned || grown)) continue;
-    said.push_back(
-        "the nominal coefficient of " + change.term + " in " + where(problem, change.equation) +
-        (turned ? " changes its sign: " : " changes out of scale: ") +
-        format_number(change.nominal, 4) + " to " + format_number(change.estimated, 4));
-  }
+  for (const MovedCoefficient& one :
+       moved_coefficients(account.explanation.fit, problem.nominal,
+                          account.base->fit_options.free.size(), problem.options.decision))
+    said.push_back("the nominal coefficient of " + one.term + " in " +
+                   where(problem, one.equation) +
+                   (one.changes_sign() ? " changes its sign: " : " changes out of scale: ") +
+                   format_number(one.given, 4) + " to " + format_number(one.fitted, 4));
 }
 
 void add_idle(const Problem& problem, const Account& account, Sentences& said) {
@@ -97,10 +87,10 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision) {
 Sentences reservations(const Problem& problem, const Account& account,
                        const std::optional<Gap>& gap) {
   Sentences said;
-  if (account.named.empty() && account.findings.empty()) return said;
   if (gap && stays_open(*gap, problem.options.decision))
     said.push_back("the gap on the records that were not used stays at " +
                    format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
+  if (account.named.empty() && account.findings.empty()) return said;
   said.insert(said.end(), account.doubts.begin(), account.doubts.end());
   add_bounds(account, said);
   add_cancelling(problem, account, said);

@@ -13,7 +13,8 @@ namespace lacuna {
 
 /// What there is to be said against an account that leaves no structure, a sentence each; none
 /// where names and numbers are as they should be. Said are: a gap on other records that stays
-/// above its noise floor (DecisionOptions::explained_gap) by more than chance, a shape on the
+/// above its noise floor (DecisionOptions::explained_gap) by more than chance, also where
+/// nothing is named, a shape on the
 /// bound of its range, parts that nearly cancel, nominal coefficients of another sign or size,
 /// effects that act in few samples only, and Account::doubts.
 std::vector<std::string> reservations(const Problem& problem, const Account& account,

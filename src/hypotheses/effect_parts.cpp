@@ -91,6 +91,26 @@ Cancellation largest_cancellation(const AddedParts& parts) {
   return found;
 }
 
+std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
+                                                 const OdeModel& nominal, std::size_t free,
+                                                 const DecisionOptions& decision) {
+  std::vector<MovedCoefficient> moved;
+  for (std::size_t j = 0; j < free; ++j) {
+    const auto k = static_cast<std::size_t>(fit.free[j].equation);
+    const auto term = static_cast<std::size_t>(fit.free[j].term);
+    const auto row = static_cast<Index>(j);
+    const WeightedTerm& before = nominal.equations()[k][term];
+    const MovedCoefficient one{fit.free[j].equation, before.term.name(), before.coefficient,
+                               fit.model.equations()[k][term].coefficient};
+    const double given = std::abs(one.given), now = std::abs(one.fitted);
+    const double error = std::sqrt(std::max(0.0, fit.covariance(row, row)));
+    const bool out = (one.changes_sign() && now > decision.minor * given) ||
+                     now > decision.out_of_scale * given;
+    if (given > 0.0 && out && now >= decision.significance * error) moved.push_back(one);
+  }
+  return moved;
+}
+
 double acting_share(const FittedEffect& effect, const Assimilation& fit) {
   constexpr double kNothing = 0.01;
   std::vector<Vector> all;

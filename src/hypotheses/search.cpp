@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "effect_size.hpp"
+#include "lacuna/hypotheses/effect_parts.hpp"
 #include "lacuna/hypotheses/named_effects.hpp"
 
 namespace lacuna {
@@ -37,6 +38,27 @@ struct Shortfall {
   double threshold = 0.0;
 };
 
+/// Why the numbers of an explanation with one more effect make no sense: what it adds nearly
+/// cancels what the others do, or a nominal coefficient that was as it was given is not any
+/// more. Where structure is left such forms, which follow it for a step or two, gain most.
+std::optional<Shortfall> absurdity(const EffectSearch& search, const Explanation& before,
+                                   const RankedEffect& ranked) {
+  const DecisionOptions& decision = decision_of(search);
+  const OdeModel& nominal = search.problem.nominal;
+  const double left = largest_cancellation(added_parts(ranked.explanation, nominal,
+                                                       ranked.effect().candidate.equation))
+                          .left;
+  if (left < decision.cancelling)
+    return Shortfall{"what is left of terms that cancel", left, decision.cancelling};
+  const auto moved = [&](const Assimilation& fit) {
+    const std::size_t free = search.base.fit_options.free.size();
+    return static_cast<double>(moved_coefficients(fit, nominal, free, decision).size());
+  };
+  const double had = moved(before.fit), has = moved(ranked.explanation.fit);
+  if (has > had) return Shortfall{"nominal coefficients out of scale", has, had};
+  return std::nullopt;
+}
+
 /// The gain has to be the effect's own: with a coefficient that is not told from 0 it is that
 /// of effects before it, whose shapes have moved.
 std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
@@ -48,7 +70,9 @@ std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize&
     return Shortfall{"effect size", ranked.contribution, decision.effect_size};
   if (const double told = told_from_zero(ranked.effect()); told < decision.significance)
     return Shortfall{"coefficient over its error", told, decision.significance};
-  if (!found.named.empty() && !size.counts(found.explanation, ranked.explanation))
+  if (found.named.empty()) return std::nullopt;
+  if (const auto absurd = absurdity(search, found.explanation, ranked)) return absurd;
+  if (!size.counts(found.explanation, ranked.explanation))
     return Shortfall{"share of what is left that goes",
                      1.0 - size.disturbance(ranked.explanation.fit, ranked.effect().candidate),
                      decision.minor};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lacuna/candidates/explanation.hpp"
+#include "lacuna/decision/options.hpp"
 
 namespace lacuna {
 
@@ -32,6 +33,23 @@ struct Cancellation {
 /// The sum of two parts or more, an effect among them, that cancel most: min over subsets S of
 /// rms(sum of S) / max over S of rms(part); 1 where there is none.
 Cancellation largest_cancellation(const AddedParts& parts);
+
+/// A nominal coefficient that came out with another sign or out of scale.
+struct MovedCoefficient {
+  Index equation = 0;
+  std::string term = {};
+  double given = 0.0, fitted = 0.0;
+
+  bool changes_sign() const { return given * fitted < 0.0; }
+};
+
+/// The nominal coefficients that have moved beyond what passes as the given ones: told from 0,
+/// and of the other sign and more than a minor part of the given one, or larger by more than
+/// DecisionOptions::out_of_scale.
+/// @param free how many of the fit's free coefficients, the first ones, are nominal.
+std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
+                                                 const OdeModel& nominal, std::size_t free,
+                                                 const DecisionOptions& decision);
 
 /// Share of the samples in which an effect acts: in which it is more than a hundredth of the
 /// largest it ever is.

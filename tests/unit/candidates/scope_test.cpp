@@ -43,6 +43,20 @@ TEST(Scope, TellsAmountsFromSignedVariables) {
   EXPECT_TRUE(scope.state(1).changes_sign());
 }
 
+TEST(Scope, AnAmountMayBeUsedUpForLong) {
+  Dataset data = support::oscillator_record();
+  auto q = data.trajectories[0].states.col(0).array();
+  for (Index i = 0; i < q.size(); ++i)
+    q[i] = std::max(q[i], 0.0) + (i % 2 == 0 ? 0.02 : -0.02);  // below 0 a quarter of the time
+  const auto amount = [&](double noise) {
+    return make_scope(support::oscillator(), data, Vector::Constant(2, noise))
+        .state(0)
+        .is_amount();
+  };
+  EXPECT_TRUE(amount(0.01));
+  EXPECT_FALSE(amount(0.003)) << "noise does not take it as far below 0";
+}
+
 TEST(Scope, FormulasHaveARange) {
   const VariableRange range =
       support::oscillator_scope().range_of(parse_expression("4*q^2+v^2"));

@@ -34,6 +34,8 @@ class Claims final : public Configured<Hypothesis, HypothesisOptions<Info>> {
     proposal.account.hypothesis = Info.name;
     proposal.account.explanation.fit.deviance -= gain_;
     proposal.account.notes.push_back(std::string(Info.name));
+    if (phase_ == Phase::Assumptions)
+      proposal.account.findings.push_back({.name = std::string(Info.name)});
     proposal.precedence = precedence_;
     return {{std::move(proposal)},
             {{std::string(Info.name), "declined", {}, false, "reason", 1.0, 2.0}}};
@@ -97,6 +99,18 @@ TEST_F(Journey, EffectsAreSoughtOnTopOfAnAssumptionThatHasWon) {
                                                   Claims<kSecond>(Phase::Assumptions, -5.0)});
   EXPECT_EQ(lost.best.hypothesis, "bare");
   EXPECT_TRUE(lost.best.notes.empty());
+}
+
+TEST_F(Journey, AnAssumptionThatDoesAsWellIsADoubt) {
+  const auto doubts = [&](double gain) {
+    return judged(Phase::Assumptions, {Claims<kSecond>(Phase::Assumptions, gain)}).best.doubts;
+  };
+  EXPECT_EQ(doubts(5.0),
+            std::vector<std::string>{"the records allow as well (bare): nothing is missing"});
+  EXPECT_EQ(doubts(-5.0),
+            std::vector<std::string>{"the records allow as well (second): second"});
+  EXPECT_TRUE(doubts(15.0).empty());
+  EXPECT_TRUE(doubts(-15.0).empty());
 }
 
 TEST_F(Journey, NamesThatDoNotExplainMostAreWithdrawn) {

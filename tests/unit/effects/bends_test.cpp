@@ -35,6 +35,33 @@ TEST(Saturation, LeavesNoSlopeOutside) {
   EXPECT_EQ(reading_of<kSaturation>(scope, limit, -1.0)->sentence, "saturation of F");
 }
 
+TEST(Saturation, OfAnActionOfItsOwnBesideATerm) {
+  // The nominal coefficient of q is -4; 60 tanh(q/0.05) has the slope 1200.
+  const Scope scope = oscillator_scope();
+  const Candidate steep = candidate_of<kSaturation>(scope, 1, "tanh(q/limit)");
+  const auto steep_one = reading_of<kSaturation>(scope, steep, 60.0, Vector::Constant(1, 0.05));
+  ASSERT_TRUE(steep_one.has_value());
+  EXPECT_EQ(steep_one->sentence, "action of q that saturates");
+  EXPECT_FALSE(
+      reading_of<kSaturation>(scope, steep, 0.5, Vector::Constant(1, 0.25)).has_value())
+      << "most of the slope is left outside";
+  EXPECT_LT(steep.shapes[0].high, scope.state(0).magnitude());
+  EXPECT_TRUE(
+      plausible_with<kSaturation>(scope, candidate_of<kSaturation>(scope, 1, "sign(q)"), -2.0));
+  EXPECT_FALSE(
+      plausible_with<kSaturation>(scope, candidate_of<kSaturation>(scope, 1, "sign(v)"), 2.0))
+      << "a speed that pushes";
+}
+
+TEST(OneSidedStop, AndOthersAreSoughtWhereHardlyAnythingActs) {
+  const Scope scope = oscillator_scope();
+  const Candidate stop = candidate_of<kOneSidedStop>(scope, 1, "max(q-edge,0)");
+  EXPECT_GT(stop.starts.back()[0], scope.state(0).quantile(0.98));
+  EXPECT_GE(stop.shapes[0].high, scope.state(0).quantile(0.985));
+  const Candidate zone = candidate_of<kDeadZone>(scope, 1, "clip(q,-edge,edge)");
+  EXPECT_LT(zone.shapes[0].low, 0.01 * scope.state(0).magnitude());
+}
+
 TEST(CoulombFriction, IsABendAtStandstillThatOpposesTheMotion) {
   // The speed is within +-2; the damping of the nominal model has the coefficient -0.2.
   const Scope scope = oscillator_scope();

@@ -172,6 +172,19 @@ TEST(Delay, OfAStateItselfIsNoFasterThanTheState) {
   EXPECT_FALSE(plausible_with<kDelay>(scope, late, -2.0 * late.most));
 }
 
+TEST(Delay, OfAnInputIsKnownFromATenthOfAStepOn) {
+  const Scope scope = oscillator_scope();
+  const Candidate late = candidate_of<kDelay>(scope, 1, "delay(F,T)-F");
+  EXPECT_NEAR(late.shapes[0].low, 0.1 * scope.step, 1e-12);
+  const Vector half = Vector::Constant(1, 0.5 * scope.step);
+  EXPECT_TRUE(reading_of<kDelay>(scope, late, 1.0, half).has_value());
+  EXPECT_FALSE(reading_of<kDelay>(scope, late, 0.5, half).has_value())
+      << "a part of it could as well lag";
+  EXPECT_TRUE(
+      reading_of<kDelay>(scope, late, 0.5, Vector::Constant(1, 3.0 * scope.step)).has_value());
+  EXPECT_NEAR(candidate_of<kDelay>(scope, 1, "delay(q,T)-q").shapes[0].low, scope.step, 1e-12);
+}
+
 TEST(UnmeasuredInput, IsDrivenAndRemembers) {
   const Scope scope = oscillator_scope();
   const auto made = candidates_of<kUnmeasuredInput>(scope, 1);

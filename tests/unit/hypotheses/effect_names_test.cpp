@@ -84,5 +84,18 @@ TEST(EffectNames, ThresholdsDecideWhichPlainerFormsCount) {
   EXPECT_TRUE(plainer_forms(ranking.effects[0], ranking, {.effect_size = 0.2}).empty());
 }
 
+TEST(EffectNames, FormsElsewhereStandInAnotherPlaceAndDoAsWell) {
+  Ranking ranking = three_forms();
+  EXPECT_TRUE(forms_elsewhere(ranking.effects[0], ranking, {}).empty()) << "all in one place";
+  ranking.effects[1].explanation.effects[0].candidate.equation = 0;
+  ranking.effects[2].explanation.effects[0].candidate.place = Place::Channel;
+  ranking.effects[2].criterion = 9.0;
+  const auto elsewhere = forms_elsewhere(ranking.effects[0], ranking, {});
+  ASSERT_EQ(elsewhere.size(), 2u);
+  EXPECT_EQ(elsewhere[0].named.name, "friction");
+  EXPECT_EQ(elsewhere[1].named.name, "hardening");
+  EXPECT_EQ(forms_elsewhere(ranking.effects[0], ranking, {.undecided = 8.0}).size(), 1u);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -60,6 +60,27 @@ TEST(EffectParts, AreTheEffectsAndWhatTheCoefficientsChangedBy) {
   EXPECT_NEAR(parts.gram(j, j), more * more * q.square().mean(), 1e-9);
 }
 
+TEST(EffectParts, CoefficientsMoveOutOfScale) {
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const auto moved_from = [&](double factor, const DecisionOptions& decision = {}) {
+    const OdeModel model = support::oscillator();
+    std::vector<Equation> equations = model.equations();
+    for (WeightedTerm& summand : equations[1])
+      if (summand.term.name() == "q") summand.coefficient *= factor;
+    const OdeModel given{model.states(), model.inputs(), equations, model.time_unit()};
+    return moved_coefficients(fit, given, fit.free.size(), decision);
+  };
+  EXPECT_TRUE(moved_from(1.0).empty());
+  ASSERT_EQ(moved_from(-1.0).size(), 1u);
+  EXPECT_TRUE(moved_from(-1.0)[0].changes_sign());
+  EXPECT_EQ(moved_from(-1.0)[0].term, "q");
+  EXPECT_TRUE(moved_from(-20.0).empty()) << "a minor part of what was given";
+  ASSERT_EQ(moved_from(0.09).size(), 1u);
+  EXPECT_FALSE(moved_from(0.09)[0].changes_sign());
+  EXPECT_TRUE(moved_from(0.11).empty());
+  EXPECT_TRUE(moved_from(-1.0, {.significance = 1e6}).empty()) << "not told from 0";
+}
+
 TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
   const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
   const auto& slots = fit.records[0].slots;

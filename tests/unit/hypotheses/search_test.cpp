@@ -47,6 +47,35 @@ TEST_F(Search, SharesOfTheDisturbanceThatGoAddUpToMostOfIt) {
   EXPECT_LE(sum, 1.0 + 1e-9);
 }
 
+TEST_F(Search, GoesWithoutFormsThatAreShutOut) {
+  found(dry_and_cubic);
+  const Problem problem = asked_.problem();
+  EffectSearch search{problem, *base_, asked_.options.effects};
+  Candidate dry = support::own_effects()[0]->candidates(base_->scope, 1).front();
+  search.without = {dry};
+  for (const NamedEffect& named : search_effects(search).named) EXPECT_EQ(named.name, "cubic");
+  dry.families = {"another"};
+  search.without = {dry};
+  EXPECT_EQ(search_effects(search).named.size(), 2u) << "it is not one of this effect's";
+}
+
+TEST_F(Search, RivalsElsewhereDoAsWellInTheEnd) {
+  FoundEffects effects = found(dry);
+  const Problem problem = asked_.problem();
+  const EffectSearch search{problem, *base_, asked_.options.effects};
+  ASSERT_EQ(effects.elsewhere.size(), effects.named.size());
+  EXPECT_TRUE(rivals_elsewhere(search, effects).empty());
+  OtherForm cube{effects.named[0], effects.explanation.effects[0]};
+  cube.effect.candidate = support::own_effects()[1]->candidates(base_->scope, 1).front();
+  cube.named.name = "cubic";
+  effects.elsewhere[0] = {cube};
+  EXPECT_TRUE(rivals_elsewhere(search, effects).empty()) << "it does much worse";
+  asked_.options.decision.undecided = 1e6;
+  const auto rivals = rivals_elsewhere(search, effects);
+  ASSERT_EQ(rivals.size(), 1u);
+  EXPECT_EQ(rivals[0], "in the place of dry the records allow as well cubic (q^3) in dv/dt");
+}
+
 TEST_F(Search, NothingIsAddedWhereNothingIsMissing) {
   const FoundEffects effects = found(support::nothing);
   EXPECT_TRUE(effects.named.empty() && effects.explanation.effects.empty());
