@@ -8,9 +8,9 @@
 #include "answer.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
-#include "lacuna/records/coefficient_hints.hpp"
 #include "lacuna/records/gaps.hpp"
-#include "lacuna/records/unused_part.hpp"
+#include "lacuna/records/hints.hpp"
+#include "lacuna/records/read_records.hpp"
 
 namespace lacuna {
 namespace {

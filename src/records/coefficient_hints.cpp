@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/coefficient_hints.hpp"
-
 #include <cmath>
 #include <numbers>
 
+#include "lacuna/records/hints.hpp"
 #include "slip_hints.hpp"
 
 namespace lacuna {

@@ -22,53 +22,63 @@ struct Trial {
   Vector before;
 };
 
-Vector misfit_of(const Trial& trial, const Slip& slip) {
-  const Dataset data = corrected(trial.model, trial.data, slip);
-  // A column in another place has its outliers and gaps there.
-  const bool moved = slip.kind == HintKind::SwappedColumns;
-  const RateWindows windows = moved ? rate_windows(observed(data)) : trial.windows;
+/// Misfits with a slip and without it, in the same windows.
+struct Comparison {
+  Vector before, after;
+
+  bool touches(Index k) const {
+    return std::abs(after[k] - before[k]) > kUnchanged * before[k];
+  }
+};
+
+Vector misfit_in(const Trial& trial, const Dataset& data, const RateWindows& windows) {
   return misfit(window_rates(data, windows), model_rates(trial.model, data, windows));
 }
 
-bool is_touched(const Trial& trial, const Vector& after, Index k) {
-  return std::abs(after[k] - trial.before[k]) > kUnchanged * trial.before[k];
+Comparison compare(const Trial& trial, const Slip& slip) {
+  const Dataset data = corrected(trial.model, trial.data, slip);
+  if (slip.kind != HintKind::SwappedColumns)
+    return {trial.before, misfit_in(trial, data, trial.windows)};
+  // A column in another place has its outliers and gaps there.
+  const RateWindows windows = rate_windows(observed(data));
+  return {misfit_in(trial, trial.data, windows), misfit_in(trial, data, windows)};
 }
 
 /// Mean over the touched equations of log(e_after / e_before); 0 when there are none.
-double log_remainder(const Trial& trial, const Vector& after) {
+double log_remainder(const Comparison& fit) {
   double sum = 0.0;
   int touched = 0;
-  for (Index k = 0; k < after.size(); ++k) {
-    if (!is_touched(trial, after, k)) continue;
-    sum += 0.5 * std::log(after[k] / trial.before[k]);
+  for (Index k = 0; k < fit.after.size(); ++k) {
+    if (!fit.touches(k)) continue;
+    sum += 0.5 * std::log(fit.after[k] / fit.before[k]);
     ++touched;
   }
   return touched > 0 ? sum / touched : 0.0;
 }
 
 /// Whether some equation that the slip touches is off by more than a little.
-bool is_plain(const Trial& trial, const Vector& after, double slip_misfit) {
-  for (Index k = 0; k < after.size(); ++k)
-    if (is_touched(trial, after, k) && trial.before[k] > slip_misfit * slip_misfit) return true;
+bool is_plain(const Comparison& fit, double slip_misfit) {
+  for (Index k = 0; k < fit.after.size(); ++k)
+    if (fit.touches(k) && fit.before[k] > slip_misfit * slip_misfit) return true;
   return false;
 }
 
-bool fits_no_worse(const Trial& trial, const Vector& after) {
-  return (after.array().sqrt() <= trial.before.array().sqrt() + kNoWorse).all();
+bool fits_no_worse(const Comparison& fit) {
+  return (fit.after.array().sqrt() <= fit.before.array().sqrt() + kNoWorse).all();
 }
 
 /// Whether the factor that the records say, from the parabola through the logarithms of three
 /// misfits, is the one on the list, and whether they say one at all. Of the logarithms the
 /// equation that says most decides, and not one that lacks something.
-bool is_said(const Trial& trial, const Slip& slip, const Vector& after, double round_factor) {
+bool is_said(const Trial& trial, const Slip& slip, const Comparison& fit, double round_factor) {
   if (slip.kind != HintKind::TimeUnit && slip.kind != HintKind::ChannelUnit) return true;
   const auto at = [&](double step) {
     Slip near = slip;
     near.correction *= std::exp(step);
-    const Vector misfit = misfit_of(trial, near);
+    const Vector misfit = compare(trial, near).after;
     double sum = 0.0;
     for (Index k = 0; k < misfit.size(); ++k)
-      if (is_touched(trial, after, k)) sum += std::log(misfit[k]);
+      if (fit.touches(k)) sum += std::log(misfit[k]);
     return sum;
   };
   const double low = at(-kProbe), middle = at(0.0), high = at(kProbe);
@@ -103,12 +113,12 @@ std::vector<Candidate> candidates(const Trial& trial, const std::vector<Slip>& s
                                   const HintOptions& options) {
   std::vector<Candidate> result;
   for (std::size_t i = 0; i < slips.size(); ++i) {
-    Vector after = misfit_of(trial, slips[i]);
-    if (log_remainder(trial, after) > std::log(options.slip_remainder)) continue;
-    if (!is_plain(trial, after, options.slip_misfit) || !fits_no_worse(trial, after)) continue;
-    if (!is_said(trial, slips[i], after, options.round_factor)) continue;
-    const double level = 0.5 * after.array().log().mean();
-    result.push_back({i, level, std::move(after)});
+    Comparison fit = compare(trial, slips[i]);
+    if (log_remainder(fit) > std::log(options.slip_remainder)) continue;
+    if (!is_plain(fit, options.slip_misfit) || !fits_no_worse(fit)) continue;
+    if (!is_said(trial, slips[i], fit, options.round_factor)) continue;
+    const double level = 0.5 * fit.after.array().log().mean();
+    result.push_back({i, level, std::move(fit.after)});
   }
   return result;
 }

@@ -26,6 +26,13 @@ Dataset read_records(const OdeModel& model, const std::vector<std::string>& path
                      const ColumnRoles& roles, const Differentiator& differentiator,
                      Columns columns = Columns::OfModel);
 
+/// Records without the inputs that follow those of the model: columns that it does not know
+/// (see Columns::All).
+Dataset used_part(const OdeModel& model, Dataset data);
+
+/// The same records with only these columns as inputs; their units, n x 0 where there are none.
+Dataset unused_part(const OdeModel& model, const Dataset& data);
+
 /// Reads the inputs of a model from one file, which need not have its states: records with n x
 /// 0 states.
 /// @throws FileError, DataError as above.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/coefficient_hints.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lacuna/records/hints.hpp"
 #include "support/diagnosis_scope.hpp"
 
 namespace lacuna {

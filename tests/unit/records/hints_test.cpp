@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lacuna/records/unused_part.hpp"
+#include "lacuna/records/read_records.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna {

@@ -6,6 +6,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
+#include "support/diagnosis_scope.hpp"
 #include "support/expect_error.hpp"
 #include "support/harmonic_model.hpp"
 #include "support/temporary_folder.hpp"
@@ -86,6 +87,28 @@ TEST(ReadRecords, FilesMayDifferInTheirColumns) {
   EXPECT_THAT(data.reconstructed, ElementsAre(false, true)) << "one file does not have it";
   const std::string none = folder.file("no*.csv");
   expect_error<DataError>([&] { read({none}); }, none, "no file matches", "names");
+}
+
+TEST(UnusedPart, IsWhatFollowsTheInputsOfTheModel) {
+  Dataset data = support::oscillator_record();
+  Trajectory& record = data.trajectories[0];
+  data.inputs.push_back({"G", "N"});
+  record.inputs.conservativeResize(record.samples(), 2);
+  record.inputs.col(1) = 3.0 * record.time;
+  const Dataset used = used_part(support::oscillator(), data);
+  const Dataset unused = unused_part(support::oscillator(), data);
+  EXPECT_EQ(used.inputs, support::oscillator().inputs());
+  EXPECT_EQ(used.trajectories[0].inputs, record.inputs.leftCols(1));
+  ASSERT_EQ(unused.inputs.size(), 1u);
+  EXPECT_EQ(unused.inputs[0].name, "G");
+  EXPECT_EQ(unused.trajectories[0].inputs, 3.0 * record.time);
+}
+
+TEST(UnusedPart, IsEmptyWhereTheModelKnowsAll) {
+  const Dataset data = support::oscillator_record();
+  EXPECT_EQ(used_part(support::oscillator(), data).trajectories[0].inputs,
+            data.trajectories[0].inputs);
+  EXPECT_EQ(unused_part(support::oscillator(), data).trajectories[0].inputs.cols(), 0);
 }
 
 TEST(ReadInputs, NeedsNoStates) {
