@@ -8,7 +8,6 @@
 #include "lacuna/hypotheses/coloured_noise.hpp"
 #include "lacuna/hypotheses/named_effects.hpp"
 #include "lacuna/hypotheses/residual_function.hpp"
-#include "lacuna/hypotheses/sensor_calibration.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/hypotheses/unmeasured_input.hpp"
 

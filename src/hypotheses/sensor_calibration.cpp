@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/hypotheses/sensor_calibration.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include "channel_forms.hpp"
 #include "effect_names.hpp"
 #include "lacuna/candidates/screening.hpp"
+#include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {

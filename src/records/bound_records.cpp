@@ -6,8 +6,8 @@
 
 #include "channel_notes.hpp"
 #include "lacuna/data/marks.hpp"
-#include "lacuna/records/outliers.hpp"
-#include "lacuna/records/repeats.hpp"
+#include "outliers.hpp"
+#include "repeats.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/outliers.hpp"
+#include "outliers.hpp"
 
 #include <Eigen/QR>
 #include <cmath>

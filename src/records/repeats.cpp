@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/repeats.hpp"
+#include "repeats.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -21,4 +21,27 @@ class SensorFault final : public Configured<Hypothesis, HypothesisOptions<kSenso
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
 
+inline constexpr StageInfo kSensorCalibration{
+    "sensor-calibration",
+    "The model holds as it is given, and one channel has a gain, an offset, a drift or a lag",
+    ""};
+
+/// The nominal model with its coefficients as given, measured by a channel k that shows
+/// x_k + c f: f = x_k (sensor-gain), 1 (sensor-offset), the time since the start
+/// (sensor-drift), or the value behind a filter of first order less x_k (sensor-lag).
+///
+/// It is proposed where such a channel leaves nothing over. On equal terms, with the other
+/// coefficients as given, a change of one coefficient and the effects of the best account so
+/// far must do worse by more than the evidence that cannot tell two explanations apart.
+class SensorCalibration final
+    : public Configured<Hypothesis, HypothesisOptions<kSensorCalibration>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Effects; }
+  int do_order() const override { return 2; }
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
 }  // namespace lacuna

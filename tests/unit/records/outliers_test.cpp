@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/outliers.hpp"
+#include "records/outliers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/repeats.hpp"
+#include "records/repeats.hpp"
 
 #include <gtest/gtest.h>
 
