@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lacuna/core/text.hpp"
-#include "lacuna/hypotheses/effect_parts.hpp"
+#include "lacuna/decision/effect_parts.hpp"
 
 namespace lacuna {
 namespace {

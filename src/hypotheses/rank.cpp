@@ -11,8 +11,8 @@
 
 #include "lacuna/candidates/nesting.hpp"
 #include "lacuna/core/parallel.hpp"
+#include "lacuna/decision/effect_parts.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
-#include "lacuna/hypotheses/effect_parts.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {

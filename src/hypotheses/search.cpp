@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "effect_size.hpp"
-#include "lacuna/hypotheses/effect_parts.hpp"
+#include "lacuna/decision/effect_parts.hpp"
 #include "lacuna/hypotheses/named_effects.hpp"
 
 namespace lacuna {

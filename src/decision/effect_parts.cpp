@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/hypotheses/effect_parts.hpp"
+#include "lacuna/decision/effect_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "effect_names.hpp"
 #include "lacuna/candidates/candidate_column.hpp"
 
 namespace lacuna {
 namespace {
+
+std::span<const double> as_span(const Vector& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
 
 /// Parts along one record, as columns.
 Matrix parts_along(const Explanation& explanation, const OdeModel& nominal, Index equation,
@@ -36,7 +39,7 @@ std::vector<std::string> terms_in(const Explanation& explanation, const OdeModel
   std::vector<std::string> terms;
   for (const FittedEffect& effect : explanation.effects)
     if (effect.candidate.equation == equation && effect.candidate.place == Place::Rate)
-      terms.push_back(term_of(effect));
+      terms.push_back(bind_form(effect.candidate, as_span(effect.shapes)).to_string());
   for (const WeightedTerm& given : nominal.equations()[static_cast<std::size_t>(equation)])
     terms.push_back("the change of " + given.term.name());
   return terms;
@@ -48,9 +51,7 @@ Vector effect_along(const FittedEffect& effect, const Assimilation& fit,
                     const LinearisedRecord& record) {
   const Candidate candidate = without_clash(effect.candidate, fit.model.variables().names());
   return effect.coefficient *
-         form_along(candidate,
-                    {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
-                    fit.model.variables(), record);
+         form_along(candidate, as_span(effect.shapes), fit.model.variables(), record);
 }
 
 AddedParts added_parts(const Explanation& explanation, const OdeModel& nominal,

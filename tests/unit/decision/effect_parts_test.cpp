@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/hypotheses/effect_parts.hpp"
+#include "lacuna/decision/effect_parts.hpp"
 
 #include <gtest/gtest.h>
 
