@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "lacuna/core/parallel.hpp"
@@ -90,6 +91,21 @@ Hold judged(const std::vector<TriedHold>& tried, Hold shown, double undecided) {
   return best;
 }
 
+/// The likeliest of the others, and how far it is behind.
+OpenInput open_input(Index input, const std::vector<TriedHold>& tried, Hold taken) {
+  OpenInput open{input, taken, INFINITY};
+  double own = INFINITY, next = INFINITY;
+  for (const auto& [hold, deviance] : tried)
+    if (hold == taken)
+      own = deviance;
+    else if (deviance < next) {
+      next = deviance;
+      open.second = hold;
+    }
+  open.lead = next - own;
+  return open;
+}
+
 /// Adds what was tried of one input to the trail.
 void note_trial(const std::vector<TriedHold>& tried, Hold taken, const std::string& input,
                 std::vector<Rival>& trail) {
@@ -111,22 +127,24 @@ ChosenHolds choose_holds(const Problem& problem) {
   const auto& [nominal, records, options, context] = problem;
   ChosenHolds chosen{nominal};
   Holds holds;
+  std::vector<Index> unknown;
   for (const Quantity& input : nominal.inputs()) {
     const auto j = static_cast<Index>(holds.size());
     holds.push_back(input.hold ? input.hold : shown_hold(records.data, j));
-    if (!input.hold && holds.back()) chosen.open.push_back(j);
+    if (!input.hold && holds.back()) unknown.push_back(j);
   }
-  if (chosen.open.empty()) return chosen;
+  if (unknown.empty()) return chosen;
   context.report("how inputs go on between samples", 0.0);
   AssimilationOptions few;
   few.passes = kPasses;
   const Assimilation start =
       assimilate(nominal.with_holds(holds), records.data, records.outliers, few, context);
-  for (const Index j : chosen.open) {
+  for (const Index j : unknown) {
     if (!std::isfinite(start.deviance)) break;
     auto& hold = holds[static_cast<std::size_t>(j)];
     const std::vector<TriedHold> tried = tried_holds(problem, holds, j, start);
     hold = judged(tried, *hold, options.decision.undecided);
+    chosen.open.push_back(open_input(j, tried, *hold));
     note_trial(tried, *hold, nominal.inputs()[static_cast<std::size_t>(j)].name, chosen.trail);
   }
   chosen.model = nominal.with_holds(holds);
@@ -175,28 +193,33 @@ std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, 
 
 }  // namespace
 
-std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Index>& open,
+std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
                                   const Account& best) {
   std::vector<OdeModel> rivals;
   const std::vector<FittedEffect>& effects = best.explanation.effects;
   if (effects.empty()) return rivals;
-  for (const Index j : open) {
-    const Quantity& input = problem.nominal.inputs()[static_cast<std::size_t>(j)];
+  const DecisionOptions& decision = problem.options.decision;
+  const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
+  for (const auto& [input, second, lead] : open) {
+    const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;
     const bool concerned =
         std::any_of(effects.begin(), effects.end(),
-                    [&](const FittedEffect& effect) { return is_of(effect, input.name); });
+                    [&](const FittedEffect& effect) { return is_of(effect, name); });
     // What a wrong hold made necessary does no good under the right one, and no harm.
-    const double undecided = problem.options.decision.undecided;
-    for (OdeModel& model : better_holds(problem, best, j, concerned ? -undecided : undecided))
-      rivals.push_back(std::move(model));
+    const double least = concerned ? -decision.undecided : decision.undecided;
+    std::vector<OdeModel> better = better_holds(problem, best, input, least);
+    if (better.empty() && lead < decision.minor * explained)
+      better.push_back(with_hold(problem.nominal, input, second));
+    std::move(better.begin(), better.end(), std::back_inserter(rivals));
   }
   return rivals;
 }
 
-std::vector<std::string> notes_on_holds(const OdeModel& model, const std::vector<Index>& open) {
+std::vector<std::string> notes_on_holds(const OdeModel& model,
+                                        const std::vector<OpenInput>& open) {
   std::vector<std::string> notes;
-  for (const Index j : open) {
-    const Quantity& input = model.inputs()[static_cast<std::size_t>(j)];
+  for (const OpenInput& one : open) {
+    const Quantity& input = model.inputs()[static_cast<std::size_t>(one.input)];
     if (input.hold && *input.hold != Hold::Smooth)
       notes.push_back(input.name + " " + meaning(*input.hold));
   }

@@ -8,10 +8,17 @@
 
 namespace lacuna {
 
+/// An input of which nobody said how it goes on between samples.
+struct OpenInput {
+  Index input = 0;
+  Hold second = Hold::Smooth;  ///< the hold that is next to the chosen one
+  double lead = 0.0;           ///< of the chosen one, in deviance of the nominal model
+};
+
 /// The nominal model with inputs of which it is known how they go on between samples.
 struct ChosenHolds {
   OdeModel model;
-  std::vector<Index> open = {};   ///< inputs of which nobody said it
+  std::vector<OpenInput> open = {};
   std::vector<Rival> trail = {};  ///< what was compared
 };
 
@@ -24,17 +31,21 @@ struct ChosenHolds {
 /// smooth input looks like an effect of the dynamics.
 ChosenHolds choose_holds(const Problem& problem);
 
-/// Models with another hold of an open input under which effects should be sought anew: those
-/// under which the effects that were found fit decidedly better; where an effect is one of that
-/// input (half a step of delay may be all there is to it), those under which they do not fit
-/// decidedly worse. None without effects.
+/// Models with another hold of an open input under which effects should be sought anew. None
+/// without effects; else
+/// - those under which the effects that were found fit decidedly better; where an effect is one
+///   of that input (half a step of delay may be all there is to it), those under which they do
+///   not fit decidedly worse;
+/// - the second one where the lead of the first was a minor share of what the effects explain:
+///   a model that lacks so much is no judge of half a step.
 /// @param problem its model has the chosen holds.
-std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Index>& open,
+std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
                                   const Account& best);
 
 /// What is assumed of inputs that are not smooth, for people: "u is held from sample to
 /// sample".
 /// @param open the inputs of which nobody said it.
-std::vector<std::string> notes_on_holds(const OdeModel& model, const std::vector<Index>& open);
+std::vector<std::string> notes_on_holds(const OdeModel& model,
+                                        const std::vector<OpenInput>& open);
 
 }  // namespace lacuna

@@ -118,7 +118,7 @@ TEST(EffectTerms, NonlinearTermsAndTheWholeEquation) {
 TEST(EffectTerms, FactorsOfProductsAndPowers) {
   const auto factors = [](const std::string& term) {
     std::vector<std::string> result;
-    for (const Factor& factor : factors_of(as(term)))
+    for (const TermFactor& factor : factors_of(as(term)))
       result.push_back(factor.factor.to_string() + " of " + factor.rest.to_string());
     return result;
   };

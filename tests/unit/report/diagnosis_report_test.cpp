@@ -29,7 +29,7 @@ Diagnosis made() {
   effect.alternatives.push_back({"quadratic-drag", "v*abs(v)", 0.02});
   diagnosis.effects.push_back(effect);
   diagnosis.coefficient_changes.push_back({1, "q", -4.0, -3.9, 0.01, 10.0});
-  diagnosis.gap = Gap{"rms", 0.049, 0.0031, 0.003, 1.0, {"r2.csv"}};
+  diagnosis.gap = Gap{"rms", 0.049, 0.0031, 0.003, 0.5, 1.0, {"r2.csv"}};
   return diagnosis;
 }
 
