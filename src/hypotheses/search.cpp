@@ -345,11 +345,18 @@ bool came_to_more(const EffectSearch& search, const FoundEffects& one,
          criterion_of(search, other.explanation) + (plainer ? undecided : -undecided);
 }
 
+/// What is of no substance counts too: it may be what special forms cannot take up.
+bool is_anything_left(const FoundEffects& found, const DecisionOptions& decision) {
+  return std::any_of(found.left.begin(), found.left.end(), [&](const auto& structure) {
+    return structure.sigma >= decision.significance;
+  });
+}
+
 }  // namespace
 
 FoundEffects search_effects(const EffectSearch& search) {
   FoundEffects best = search_once(search);
-  if (!is_left_in(best.left, decision_of(search))) return best;
+  if (!is_anything_left(best, decision_of(search))) return best;
   const std::vector<FittedEffect> doubted = best.explanation.effects;
   for (const FittedEffect& effect : doubted) {
     if (effect.candidate.intricacy() == 0) continue;

@@ -39,8 +39,9 @@ std::optional<std::pair<Dataset, double>> planted(const Candidate& candidate,
   const LinearisedRecord grid = grid_of(nominal.inputs(), record, record.states);
   const Vector form = form_along(candidate, values, nominal.variables(), grid);
   const Vector rate = evaluate_on(grid, nominal.variables(), parse_expression("-4*q-0.2*v+F"));
-  const double coefficient =
-      std::clamp(-0.3 * rms(rate) / rms(form), candidate.least, candidate.most);
+  const double size = 0.3 * rms(rate) / rms(form);
+  const double sign = candidate.least < 0.0 ? -1.0 : 1.0;
+  const double coefficient = std::clamp(sign * size, candidate.least, candidate.most);
   const AugmentedProblem problem =
       augment(nominal, data, {}, {{candidate, shapes, coefficient}}, {record.states});
   RecordInput force(record);
@@ -82,7 +83,8 @@ TEST_P(EveryEffectOnRecords, IsFoundWhereItActs) {
   const Dataset bare = support::hidden_record(support::nothing, kNoise);
   for (const Candidate& candidate : effect()->candidates(scope_on(bare), 1)) {
     if (candidate.is_driven() || candidate.place == Place::Channel) continue;
-    const Vector& shapes = candidate.starts.front();
+    // The first and the last ones are at the ends of what records can show.
+    const Vector& shapes = candidate.starts[candidate.starts.size() / 2];
     const auto made = planted(candidate, shapes);
     if (!made) continue;
     const Assimilation fit = support::assimilated(made->first);

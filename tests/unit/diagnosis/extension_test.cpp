@@ -2,6 +2,7 @@
 // A criterion and a hypothesis of one's own are one class each and a line that registers them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lacuna/config/diagnosis_configuration.hpp"
@@ -40,8 +41,11 @@ TEST(Extension, ACriterionIsOneClassAndOneLine) {
                diagnosis_options(configuration, registry), RunContext{});
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_EQ(diagnosis.effects[0].name, "coulomb-friction");
-  ASSERT_FALSE(diagnosis.rivals.empty());
-  EXPECT_EQ(diagnosis.rivals.front().quantity, "aicc");
+  const auto bare = std::find_if(
+      diagnosis.rivals.begin(), diagnosis.rivals.end(),
+      [](const Rival& rival) { return rival.hypothesis == "coefficients-only"; });
+  ASSERT_NE(bare, diagnosis.rivals.end());
+  EXPECT_EQ(bare->quantity, "aicc");
 }
 
 inline constexpr StageInfo kSamplingTime{"sampling-time",

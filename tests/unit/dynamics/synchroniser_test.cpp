@@ -229,7 +229,7 @@ TEST(Synchroniser, AHeldInputJumpsAtItsSamples) {
   EXPECT_GT(synchronise(model.with_holds({Hold::Smooth}), record, exact, alone).mean, 1e-3);
 }
 
-/// A tank that drains and is filled by a sine; the model lacks half of the drain.
+/// A tank that drains and is filled by a sine; the model lacks a tenth of the drain.
 TEST(Synchroniser, AnErrorThatIsNotNoiseIsTold) {
   const Variables variables{{"h"}, {}};
   const auto tank = [&](double drain) {
@@ -246,7 +246,7 @@ TEST(Synchroniser, AnErrorThatIsNotNoiseIsTold) {
   for (double& value : record.trajectories[0].states.reshaped())
     value += 0.002 * random.normal();
   const SyncResult right = synchronise(tank(1.0), record, Rk4{});
-  const SyncResult wrong = synchronise(tank(0.7), record, Rk4{});
+  const SyncResult wrong = synchronise(tank(0.9), record, Rk4{});
   EXPECT_NEAR(right.noise[0], 0.002, 0.0004);
   EXPECT_LT(*right.error_over_noise, 1.3);
   EXPECT_TRUE(wrong.settled);
