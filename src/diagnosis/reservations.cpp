@@ -80,7 +80,9 @@ void add_idle(const Problem& problem, const Account& account, Sentences& said) {
 }  // namespace
 
 bool stays_open(const Gap& gap, const DecisionOptions& decision) {
+  // What is no size of an effect comes from the arithmetic that made or sampled the records.
   return gap.after > decision.explained_gap * gap.noise_floor &&
+         std::hypot(gap.noise_floor, decision.effect_size) < gap.after &&
          gap.above_floor >= decision.significance;
 }
 

@@ -202,13 +202,12 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
   for (const auto& [input, second, lead] : open) {
     const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;
-    const bool concerned =
-        std::any_of(effects.begin(), effects.end(),
-                    [&](const FittedEffect& effect) { return is_of(effect, name); });
-    // What a wrong hold made necessary does no good under the right one, and no harm.
-    const double least = concerned ? -decision.undecided : decision.undecided;
-    std::vector<OdeModel> better = better_holds(problem, best, input, least);
-    if (better.empty() && lead < decision.minor * explained)
+    const bool doubtful = effects.size() > 1 || leaves_structure(best, decision) ||
+                          std::any_of(effects.begin(), effects.end(),
+                                      [&](const auto& effect) { return is_of(effect, name); });
+    std::vector<OdeModel> better =
+        better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
+    if (doubtful && better.empty() && lead < decision.major * explained)
       better.push_back(with_hold(problem.nominal, input, second));
     std::move(better.begin(), better.end(), std::back_inserter(rivals));
   }

@@ -345,11 +345,11 @@ bool came_to_more(const EffectSearch& search, const FoundEffects& one,
          criterion_of(search, other.explanation) + (plainer ? undecided : -undecided);
 }
 
-/// What is of no substance counts too: it may be what special forms cannot take up.
+/// What is a minor part of an effect counts too: it may be what special forms cannot take up.
 bool is_anything_left(const FoundEffects& found, const DecisionOptions& decision) {
-  return std::any_of(found.left.begin(), found.left.end(), [&](const auto& structure) {
-    return structure.sigma >= decision.significance;
-  });
+  DecisionOptions smaller = decision;
+  smaller.effect_size *= decision.minor;
+  return is_left_in(found.left, smaller);
 }
 
 }  // namespace

@@ -32,11 +32,12 @@ struct ChosenHolds {
 ChosenHolds choose_holds(const Problem& problem);
 
 /// Models with another hold of an open input under which effects should be sought anew. None
-/// without effects; else
-/// - those under which the effects that were found fit decidedly better; where an effect is one
-///   of that input (half a step of delay may be all there is to it), those under which they do
-///   not fit decidedly worse;
-/// - the second one where the lead of the first was a minor share of what the effects explain:
+/// without effects; else those under which the effects that were found fit decidedly better. A
+/// wrong hold makes effects necessary that the right one does without: where there are several,
+/// where one is of that input (half a step of delay may be all there is to it) or where
+/// structure is left, also
+/// - those under which they do not fit decidedly worse;
+/// - the second one where the lead of the first was not most of what the effects explain:
 ///   a model that lacks so much is no judge of half a step.
 /// @param problem its model has the chosen holds.
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
