@@ -7,14 +7,11 @@
 namespace lacuna {
 namespace {
 
-// Of the largest value: what is narrower is a jump.
-constexpr double kNarrowest = 2e-3;
-
 Candidate with_edge(const Scope& scope, const char* form, const Expression& x) {
   const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
   return shaped_candidate(
       formula(scope, form, {{"x", x}}), x,
-      {"edge", scope.range_of(x).unit, kNarrowest * at(1.0), at(0.995), true},
+      {"edge", scope.range_of(x).unit, kNarrowestBend * at(1.0), at(0.995), true},
       starts_at({at(0.04), at(0.15), at(0.4), at(0.7), at(0.95)}));
 }
 

@@ -7,9 +7,6 @@
 namespace lacuna {
 namespace {
 
-// Of the largest value: two bends that are closer are a jump.
-constexpr double kNarrowest = 2e-3;
-
 void add_bend(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
   const auto at = [&](double level) { return range.quantile(level); };
@@ -22,9 +19,10 @@ void add_two_bends(const Scope& scope, const Expression& x, std::vector<Candidat
   const VariableRange range = scope.range_of(x);
   if (!range.changes_sign()) return;
   const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
-  result.push_back(shaped_candidate(formula(scope, "clip(x,-edge,edge)", {{"x", x}}), x,
-                                    {"edge", range.unit, kNarrowest * at(1.0), at(0.995), true},
-                                    starts_at({at(0.04), at(0.15), at(0.4), at(0.7)})));
+  result.push_back(
+      shaped_candidate(formula(scope, "clip(x,-edge,edge)", {{"x", x}}), x,
+                       {"edge", range.unit, kNarrowestBend * at(1.0), at(0.995), true},
+                       starts_at({at(0.04), at(0.15), at(0.4), at(0.7)})));
 }
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {

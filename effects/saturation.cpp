@@ -14,14 +14,22 @@ namespace {
 // A coarse converter may show 0 most of the time: the least limit is a share of the largest.
 constexpr double kLeast = 1e-3;
 
-// Up to where a hard limit is reached at all, and a soft one bends what is seen.
-constexpr double kHard = 0.999, kSoft = 3.0;
+// Up to where a hard limit is reached in a few samples, and a soft one bends what is seen.
+constexpr double kReached = 0.995, kSoft = 3.0;
+
+double hard_limit(const Scope& scope, const Expression& x) {
+  return magnitude_quantile(scope, x, kReached);
+}
+
+double soft_limit(const Scope& scope, const Expression& x) {
+  return kSoft * magnitude_quantile(scope, x, 1.0);
+}
 
 Candidate limited(const Scope& scope, const char* form, const Expression& x, double widest) {
   const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
   const double least = std::max(at(0.05), kLeast * at(1.0));
   return shaped_candidate(formula(scope, form, {{"x", x}}), x,
-                          {"limit", scope.range_of(x).unit, least, widest * at(1.0), true},
+                          {"limit", scope.range_of(x).unit, least, widest, true},
                           starts_at({at(0.4), at(0.7), at(0.93), at(0.985)}));
 }
 
@@ -31,8 +39,9 @@ Candidate limited(const Scope& scope, const char* form, const Expression& x, dou
 void add_limits(const Scope& scope, Index equation, const Expression& x,
                 std::vector<Candidate>& result) {
   if (!scope.range_of(x).changes_sign()) return;
-  for (Candidate candidate : {limited(scope, "x-clip(x,-limit,limit)", x, kHard),
-                              limited(scope, "x-limit*tanh(x/limit)", x, kSoft)}) {
+  for (Candidate candidate :
+       {limited(scope, "x-clip(x,-limit,limit)", x, hard_limit(scope, x)),
+        limited(scope, "x-limit*tanh(x/limit)", x, soft_limit(scope, x))}) {
     bound_to_term(scope, equation, x, candidate);
     candidate.least = -std::exchange(candidate.most, -candidate.least);
     result.push_back(std::move(candidate));
@@ -56,8 +65,8 @@ void add_steep(const Scope& scope, const Expression& x, std::vector<Candidate>& 
 // The same of something that the nominal equation does not have at all.
 void add_new(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   if (!scope.range_of(x).changes_sign()) return;
-  result.push_back(limited(scope, "clip(x,-limit,limit)", x, kHard));
-  result.push_back(limited(scope, "tanh(x/limit)", x, kSoft));
+  result.push_back(limited(scope, "clip(x,-limit,limit)", x, hard_limit(scope, x)));
+  result.push_back(limited(scope, "tanh(x/limit)", x, soft_limit(scope, x)));
 }
 
 std::vector<Candidate> forms(const Scope& scope, Index equation) {

@@ -82,4 +82,8 @@ Expression right_hand_side(const Scope& scope, Index equation);
 /// The quantiles of an expression's absolute value.
 double magnitude_quantile(const Scope& scope, const Expression& argument, double level);
 
+/// Least edge of two bends about 0, as a share of the largest value: what is narrower is a jump
+/// in any record, and searched as one.
+inline constexpr double kNarrowestBend = 2e-3;
+
 }  // namespace lacuna
