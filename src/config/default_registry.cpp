@@ -97,6 +97,7 @@ void add_diagnosis(Registry& registry) {
   registry.add<StandardDecision>();
   registry.add<ExtendedBic>();
   registry.add<NamedEffects>();
+  registry.add<OtherChoices>();
   registry.add<SensorFault>();
   registry.add<UnmeasuredInput>();
   registry.add<ColouredNoiseHypothesis>();

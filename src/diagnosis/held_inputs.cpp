@@ -14,12 +14,12 @@ using Hypotheses = std::vector<Stage<Hypothesis>>;
 JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& hypotheses) {
   auto nominal = std::make_shared<const OdeModel>(std::move(model));
   const Problem problem{*nominal, asked.records, asked.options, asked.context};
-  Judged judged = choose_account(problem, hypotheses, plain_baseline(problem));
+  Judged judged = first_account(problem, hypotheses, plain_baseline(problem));
   return {std::move(nominal), std::move(judged)};
 }
 
-double criterion_of(const Problem& problem, const JudgedModel& judged) {
-  return problem.options.criterion->value(evidence_of(judged.judged.best));
+double criterion_of(const Problem& problem, const Account& account) {
+  return problem.options.criterion->value(evidence_of(account));
 }
 
 }  // namespace
@@ -31,13 +31,16 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
   std::vector<Rival> trail = std::move(chosen.trail);
   for (OdeModel& model : rival_holds(first, chosen.open, best.judged.best)) {
     JudgedModel other = judged_with(problem, std::move(model), hypotheses);
-    const double value = criterion_of(problem, other), least = criterion_of(problem, best);
+    const double value = criterion_of(problem, other.judged.best);
+    const double least = criterion_of(problem, best.judged.best);
     const std::vector<std::string> notes = notes_on_holds(*other.model, chosen.open);
     trail.push_back({"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value,
                      value < least, std::string(problem.options.criterion->info().name), value,
                      least});
     if (value < least) best = std::move(other);
   }
+  const Problem held{*best.model, problem.records, problem.options, problem.context};
+  best.judged = choose_account(held, hypotheses, std::move(best.judged));
   best.notes = notes_on_holds(*best.model, chosen.open);
   std::vector<Rival>& all = best.judged.trail;
   all.insert(all.begin(), std::make_move_iterator(trail.begin()),

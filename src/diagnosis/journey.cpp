@@ -25,7 +25,8 @@ std::string says(const Account& account, const OdeModel& nominal) {
 
 /// Effects on the baseline of an account.
 Judged with_effects(const Problem& problem, const Hypotheses& hypotheses, Account bare) {
-  return judge_phase(problem, hypotheses, Phase::Effects, {std::move(bare)});
+  return judge_phase(problem, hypotheses, Phase::Revision,
+                     judge_phase(problem, hypotheses, Phase::Effects, {std::move(bare)}));
 }
 
 /// A proposal against the best account so far.
@@ -120,16 +121,21 @@ Judged judge_phase(const Problem& problem, const Hypotheses& hypotheses, Phase p
   return so_far;
 }
 
-Judged choose_account(const Problem& problem, const Hypotheses& hypotheses, Baseline base) {
+Judged first_account(const Problem& problem, const Hypotheses& hypotheses, Baseline base) {
   Account bare = bare_account(problem, "coefficients-only",
                               std::make_shared<const Baseline>(std::move(base)));
   const double value = problem.options.criterion->value(evidence_of(bare));
-  Judged best = with_effects(problem, hypotheses, std::move(bare));
+  Judged best = judge_phase(problem, hypotheses, Phase::Effects, {std::move(bare)});
   best.trail.insert(best.trail.begin(),
                     {"coefficients-only", "nothing is missing", value,
                      best.best.hypothesis == "coefficients-only",
                      std::string(problem.options.criterion->info().name), value, value});
-  return judge_phase(problem, hypotheses, Phase::Assumptions, std::move(best));
+  return best;
+}
+
+Judged choose_account(const Problem& problem, const Hypotheses& hypotheses, Judged first) {
+  return judge_phase(problem, hypotheses, Phase::Assumptions,
+                     judge_phase(problem, hypotheses, Phase::Revision, std::move(first)));
 }
 
 Judged settle_account(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {

@@ -19,10 +19,14 @@ struct Judged {
 Judged judge_phase(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
                    Hypothesis::Phase phase, Judged so_far);
 
-/// Accounts of the effects under the plain assumptions, then under others, on top of which the
-/// effects are sought again.
+/// The account of what is missing that comes first, under the plain assumptions.
+Judged first_account(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
+                     Baseline base);
+
+/// What else may be in the place of the first account, then accounts under other assumptions, on
+/// top of which the effects are sought again.
 Judged choose_account(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
-                      Baseline base);
+                      Judged first);
 
 /// What an account may claim: names that leave structure and do not explain most are withdrawn;
 /// beside structure that is left, coefficients are those that hold over windows; what is left

@@ -81,7 +81,7 @@ double total_disturbance(const Assimilation& fit, const Vector& rates) {
 }
 
 std::vector<EquationStructure> test_disturbances(const Assimilation& fit,
-                                              const RunContext& context) {
+                                                 const RunContext& context) {
   std::vector<Index> disturbed;
   for (Index k = 0; k < fit.model.dimension(); ++k)
     if (fit.noise.disturbance[k] != 0.0) disturbed.push_back(k);

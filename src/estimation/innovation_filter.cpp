@@ -55,26 +55,28 @@ InnovationFilter run_filter(const LinearisedRecord& record, const Matrix& measur
   filter.gain = Matrix::Zero(map.size * map.channels(), n);
   filter.inverse_deviation = Matrix::Zero(map.channels(), n);
   filter.innovations = Matrix::Zero(map.channels(), n);
+  DevianceSum deviance;
   run(record, measured, omitted, noise, map,
       [&](Index i, Index c, const Innovation& innovation, const auto& gain) {
         filter.gain.col(i).segment(c * map.size, map.size) = gain;
         filter.inverse_deviation(c, i) = 1.0 / std::sqrt(innovation.variance);
         filter.innovations(c, i) = innovation.value * filter.inverse_deviation(c, i);
-        filter.deviance += innovation.deviance;
+        deviance.add(innovation);
         ++filter.used;
       });
+  filter.deviance = deviance.value();
   return filter;
 }
 
 double filter_deviance(const LinearisedRecord& record, const Matrix& measured,
                        const Matrix& omitted, const NoiseModel& noise) {
   check(record, measured, omitted, noise);
-  double deviance = 0.0;
+  DevianceSum deviance;
   run(record, measured, omitted, noise, ChannelMap(record, noise),
       [&](Index, Index, const Innovation& innovation, const auto&) {
-        deviance += innovation.deviance;
+        deviance.add(innovation);
       });
-  return deviance;
+  return deviance.value();
 }
 
 }  // namespace lacuna

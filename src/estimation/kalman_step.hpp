@@ -40,9 +40,34 @@ struct Variances {
 struct Innovation {
   double value = 0.0;     ///< nu
   double variance = 0.0;  ///< S; infinite where it says nothing
-  double deviance = 0.0;  ///< what it adds to -2 log likelihood
+  double deviance = 0.0;  ///< what it adds to -2 log likelihood, beside log(scale)
+  double scale = 1.0;
   /// d deviance / d variance of the white noise where the sample is at an end of its channel.
   double slope = 0.0;
+};
+
+/// Sum of what innovations add to -2 log likelihood. The logarithm is that of their product: of
+/// each one alone it would cost as much as a small matrix.
+class DevianceSum {
+ public:
+  void add(const Innovation& one) {
+    sum_ += one.deviance;
+    if (!is_moderate(product_ * one.scale)) {
+      sum_ += std::log(product_);
+      product_ = 1.0;
+    }
+    if (is_moderate(one.scale))
+      product_ *= one.scale;
+    else
+      sum_ += std::log(one.scale);
+  }
+
+  double value() const { return sum_ + std::log(product_); }
+
+ private:
+  static bool is_moderate(double x) { return x > 1e-100 && x < 1e100; }
+
+  double sum_ = 0.0, product_ = 1.0;
 };
 
 /// Response at the end of step i to a constant rate in an equation: w0 + w1 + w2.
@@ -183,7 +208,7 @@ class KalmanStep {
     const double variance =
         row_[state] + (colour < map_.size ? row_[colour] : 0.0) + variances_.white[channel];
     const double value = measured - expected;
-    return {value, variance, std::log(variance) + value * value / variance};
+    return {value, variance, value * value / variance, variance};
   }
 
   /// The measurement that moves mean and variance as the knowledge does that the value lies
@@ -197,9 +222,9 @@ class KalmanStep {
     const Truncation known(z);
     const double slope = known.shift * z / at_end.variance;
     if (known.share < kNothing)
-      return {0.0, std::numeric_limits<double>::infinity(), known.deviance, slope};
+      return {0.0, std::numeric_limits<double>::infinity(), known.deviance, 1.0, slope};
     return {side * known.shift / known.share * deviation, at_end.variance / known.share,
-            known.deviance, slope};
+            known.deviance, 1.0, slope};
   }
 
   void add_disturbance(Index i) {

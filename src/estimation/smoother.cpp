@@ -33,6 +33,7 @@ Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
                   Matrix::Zero(map.channels(), n),
                   0.0};
   KalmanStep<Size> step(record, noise, map);
+  DevianceSum deviance;
   for (Index i = 0; i < n; ++i) {
     forward.mean.col(i) = step.mean();
     forward.covariance.col(i) = step.covariance().reshaped();
@@ -45,10 +46,11 @@ Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
       forward.value(c, i) = seen.value;
       forward.variance(c, i) = seen.variance;
       forward.slope(c, i) = seen.slope;
-      forward.deviance += seen.deviance;
+      deviance.add(seen);
     }
     if (i + 1 < n) step.predict(i);
   }
+  forward.deviance = deviance.value();
   return forward;
 }
 

@@ -47,6 +47,14 @@ bool leaves_structure(const Account& account, const DecisionOptions& decision) {
                      [&](const auto& left) { return is_substantial(left, decision); });
 }
 
+bool is_anything_left(const std::vector<EquationStructure>& left,
+                      const DecisionOptions& decision) {
+  DecisionOptions smaller = decision;
+  smaller.effect_size *= decision.minor;
+  return std::any_of(left.begin(), left.end(),
+                     [&](const auto& one) { return is_substantial(one, smaller); });
+}
+
 bool closes_most(const Account& account, const Problem& problem) {
   if (account.named.empty()) return false;
   const Assimilation& base = account.base->fitted;

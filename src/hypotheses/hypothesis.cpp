@@ -14,7 +14,7 @@
 namespace lacuna {
 
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
-  return in_order({NamedEffects{}, SensorFault{}, UnmeasuredInput{}, ColouredNoiseHypothesis{},
+  return in_order({NamedEffects{}, OtherChoices{}, SensorFault{}, UnmeasuredInput{}, ColouredNoiseHypothesis{},
                    BrokenIdentity{}, SensorCalibration{}, ResidualFunction{}});
 }
 

@@ -207,7 +207,8 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
                                       [&](const auto& effect) { return is_of(effect, name); });
     std::vector<OdeModel> better =
         better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
-    if (doubtful && better.empty() && lead < decision.major * explained)
+    if (better.empty() && is_anything_left(best.left, decision) &&
+        lead < decision.major * explained)
       better.push_back(with_hold(problem.nominal, input, second));
     std::move(better.begin(), better.end(), std::back_inserter(rivals));
   }

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/hypotheses/named_effects.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
 #include "search.hpp"
 #include "window_refit.hpp"
 
 namespace lacuna {
 
-SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
-                         const std::vector<Stage<Effect>>& effects) {
-  const EffectSearch search{problem, *base, effects};
-  FoundEffects found = search_effects(search);
+namespace {
+
+SearchedAccount account_of(const EffectSearch& search, std::shared_ptr<const Baseline> base,
+                           FoundEffects found) {
+  const Problem& problem = search.problem;
   std::vector<std::string> doubts = rivals_elsewhere(search, found);
   SearchedAccount result{{.hypothesis = std::string(kNamedEffects.name),
                           .base = std::move(base),
@@ -25,12 +31,70 @@ SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline>
   return result;
 }
 
-Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) const {
-  SearchedAccount found = searched(problem, best.base, problem.options.effects);
-  Proposal proposal{std::move(found.account)};
+/// The account of a search beside the best so far, whose assumptions it shares.
+Proposals proposed(const EffectSearch& search, const Account& best, FoundEffects found,
+                   double lead) {
+  SearchedAccount result = account_of(search, best.base, std::move(found));
+  Proposal proposal{.account = std::move(result.account), .lead = lead};
   proposal.account.findings = best.findings;
   proposal.account.notes = best.notes;
-  return {{std::move(proposal)}, std::move(found.rivals)};
+  return {{std::move(proposal)}, std::move(result.rivals)};
+}
+
+/// Candidates with shapes or memory among effects, each once.
+std::vector<Candidate> special_forms(const std::vector<FittedEffect>& effects) {
+  std::vector<Candidate> result;
+  for (const FittedEffect& effect : effects) {
+    const Candidate& candidate = effect.candidate;
+    const bool is_new = std::none_of(result.begin(), result.end(), [&](const Candidate& other) {
+      return are_one_form(other, candidate);
+    });
+    if (candidate.intricacy() > 0 && is_new) result.push_back(candidate);
+  }
+  return result;
+}
+
+}  // namespace
+
+SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
+                         const std::vector<Stage<Effect>>& effects) {
+  const EffectSearch search{problem, *base, effects};
+  return account_of(search, std::move(base), search_effects(search));
+}
+
+Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) const {
+  const EffectSearch search{problem, *best.base, problem.options.effects};
+  return proposed(search, best, search_effects(search), 0.0);
+}
+
+Proposals OtherChoices::do_propose(const Problem& problem, const Account& best) const {
+  const DecisionOptions& decision = problem.options.decision;
+  if (best.named.empty() || !is_anything_left(best.left, decision)) return {};
+  const EffectSearch search{problem, *best.base, problem.options.effects};
+  std::vector<Rival> trail;
+  std::optional<FoundEffects> most;
+  double least = criterion_of(problem, *best.base, best.explanation);
+  double lead = 0.0;
+  for (Candidate& doubted : special_forms(best.explanation.effects)) {
+    EffectSearch other = search;
+    other.without.push_back(std::move(doubted));
+    FoundEffects next = search_effects(other);
+    std::move(next.rivals.begin(), next.rivals.end(), std::back_inserter(trail));
+    next.rivals.clear();
+    const bool is_plainer = next.explanation.parameters() < best.explanation.parameters();
+    const double needed = is_plainer ? -decision.undecided : decision.undecided;
+    const double value = criterion_of(problem, *best.base, next.explanation) + needed;
+    if (next.named.empty() || !(value < least)) continue;
+    least = value;
+    lead = needed;
+    most = std::move(next);
+    if (!is_anything_left(most->left, decision)) break;
+  }
+  if (!most) return {{}, std::move(trail)};
+  Proposals result = proposed(search, best, std::move(*most), lead);
+  std::move(result.trail.begin(), result.trail.end(), std::back_inserter(trail));
+  result.trail = std::move(trail);
+  return result;
 }
 
 }  // namespace lacuna

@@ -321,8 +321,9 @@ void settle_names(const EffectSearch& search, FoundEffects& found) {
   }
 }
 
-/// One search from nothing.
-FoundEffects search_once(const EffectSearch& search) {
+}  // namespace
+
+FoundEffects search_effects(const EffectSearch& search) {
   const EffectSize size(search.problem, search.base);
   FoundEffects found{{{}, search.base.fitted}};
   do {
@@ -332,43 +333,6 @@ FoundEffects search_once(const EffectSearch& search) {
   settle_names(search, found);
   update_numbers(found.explanation, found.named);
   return found;
-}
-
-/// Whether one search came to more than another: its effects explain the records better beyond
-/// doubt, or as well with fewer parameters.
-bool came_to_more(const EffectSearch& search, const FoundEffects& one,
-                  const FoundEffects& other) {
-  if (one.named.empty()) return false;
-  const double undecided = decision_of(search).undecided;
-  const bool plainer = one.explanation.parameters() < other.explanation.parameters();
-  return criterion_of(search, one.explanation) <
-         criterion_of(search, other.explanation) + (plainer ? undecided : -undecided);
-}
-
-/// What is a minor part of an effect counts too: it may be what special forms cannot take up.
-bool is_anything_left(const FoundEffects& found, const DecisionOptions& decision) {
-  DecisionOptions smaller = decision;
-  smaller.effect_size *= decision.minor;
-  return is_left_in(found.left, smaller);
-}
-
-}  // namespace
-
-FoundEffects search_effects(const EffectSearch& search) {
-  FoundEffects best = search_once(search);
-  if (!is_anything_left(best, decision_of(search))) return best;
-  const std::vector<FittedEffect> doubted = best.explanation.effects;
-  for (const FittedEffect& effect : doubted) {
-    if (effect.candidate.intricacy() == 0) continue;
-    EffectSearch other = search;
-    other.without.push_back(effect.candidate);
-    FoundEffects next = search_once(other);
-    std::vector<Rival> rivals = std::move(best.rivals);
-    rivals.insert(rivals.end(), next.rivals.begin(), next.rivals.end());
-    if (came_to_more(search, next, best)) best = std::move(next);
-    best.rivals = std::move(rivals);
-  }
-  return best;
 }
 
 std::vector<std::string> rivals_elsewhere(const EffectSearch& search,

@@ -26,9 +26,6 @@ struct FoundEffects {
 /// effects that later ones make superfluous are taken out again. Where structure is left in the
 /// end special forms give way to plain ones that leave hardly more. Names are those of the
 /// numbers that the effects have in the end.
-/// Where anything significant is left, however small, the first choices may have been wrong:
-/// the search is repeated without each of the forms with shapes or memory in turn, and the best
-/// is what counts.
 FoundEffects search_effects(const EffectSearch& search);
 
 /// What explains the records as well in another place, a sentence each; DecisionOptions::

@@ -62,7 +62,9 @@ bool is_plausible(const FittedEffect& effect) {
 }
 
 /// The channels that may be it, fitted; the best first.
+/// @param explained deviance that the best account explains: a channel has to show most of it.
 std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
+                                    double explained,
                                     const std::vector<ScreenedCandidate>& screened) {
   const DecisionOptions& decision = problem.options.decision;
   const auto tried = static_cast<double>(screened.size());
@@ -71,7 +73,8 @@ std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& give
   for (const ScreenedCandidate& one : screened) {
     const double freedom = 1.0 + static_cast<double>(one.shapes.size());
     if (sigma_of_gain(one.gain, freedom, tried) < decision.significance ||
-        one.gain < decision.worth_fitting * screened.front().gain)
+        one.gain < decision.worth_fitting * screened.front().gain ||
+        one.gain < decision.major * explained)
       continue;
     if (++fits > decision.rough_fits) break;
     Explanation found = explain_on(problem, given, given.fitted,
@@ -243,16 +246,20 @@ Proposals against_peers(const Problem& problem, const Account& best, const Basel
 }  // namespace
 
 Proposals SensorCalibration::do_propose(const Problem& problem, const Account& best) const {
-  problem.context.report("calibrating channels", 0.0);
   const DecisionOptions& decision = problem.options.decision;
   const Baseline given = as_given(*best.base);
+  const double explained = given.fitted.deviance - best.explanation.fit.deviance;
+  if (sigma_of_gain(explained, 1.0, 1.0) < decision.significance &&
+      !is_anything_left(best.left, decision))
+    return {};
+  problem.context.report("calibrating channels", 0.0);
   const Screening screening(given.fitted);
   const double shape_price = problem.options.criterion->penalty(
       {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
   const std::vector<ScreenedCandidate> screened =
       screen(candidates_of(problem, given), screening, {shape_price, decision.worth_shaping},
              problem.context);
-  std::vector<Fitted> fitted = fitted_channels(problem, given, screened);
+  std::vector<Fitted> fitted = fitted_channels(problem, given, explained, screened);
   const auto chosen = sound_one(problem, fitted);
   if (!chosen) return {};
   NamedEffect fault =

@@ -112,6 +112,7 @@ struct Candidate {
 std::vector<Candidate> candidates(const Trial& trial, const std::vector<Slip>& slips,
                                   const HintOptions& options) {
   std::vector<Candidate> result;
+  if (trial.before.maxCoeff() <= options.slip_misfit * options.slip_misfit) return result;
   for (std::size_t i = 0; i < slips.size(); ++i) {
     Comparison fit = compare(trial, slips[i]);
     if (log_remainder(fit) > std::log(options.slip_remainder)) continue;

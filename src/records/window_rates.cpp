@@ -127,15 +127,22 @@ Matrix window_rates(const Dataset& data, const RateWindows& windows) {
 
 Matrix window_means(const Dataset& data, const RateWindows& windows, Index functions,
                     const SampleValues& values) {
-  Matrix means = Matrix::Zero(windows.count(), functions);
-  std::vector<double> sample(static_cast<std::size_t>(functions));
+  Matrix means(windows.count(), functions);
+  // Windows overlap and stand in order: each sample is evaluated once.
+  Matrix samples;  // functions x n
+  const Trajectory* of = nullptr;
+  Index known = 0;
   for_each_window(data, windows,
                   [&](Index i, const Trajectory& record, Index first, const Weights& weights) {
-                    for (Index j = 0; j < windows.samples(); ++j) {
-                      values(record, first + j, sample.data());
-                      for (Index k = 0; k < functions; ++k)
-                        means(i, k) += weights.value[j] * sample[static_cast<std::size_t>(k)];
+                    if (&record != of) {
+                      samples.resize(functions, record.samples());
+                      of = &record;
+                      known = 0;
                     }
+                    const Index end = first + windows.samples();
+                    for (known = std::max(known, first); known < end; ++known)
+                      values(record, known, samples.col(known).data());
+                    means.row(i) = samples.middleCols(first, windows.samples()) * weights.value;
                   });
   return means;
 }

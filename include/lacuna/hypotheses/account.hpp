@@ -109,6 +109,11 @@ bool is_substantial(const EquationStructure& structure, const DecisionOptions& d
 /// Whether some equation has substantial structure left.
 bool leaves_structure(const Account& account, const DecisionOptions& decision);
 
+/// Whether anything significant is left, be it a minor part of an effect: special forms that
+/// stand for another thing leave that much.
+bool is_anything_left(const std::vector<EquationStructure>& left,
+                      const DecisionOptions& decision);
+
 /// Whether the effects take away most of the variance of the disturbances, or show the motion;
 /// less is no explanation.
 bool closes_most(const Account& account, const Problem& problem);

@@ -35,6 +35,7 @@ class Hypothesis : public StageInterface {
   /// What a hypothesis changes, in the order in which hypotheses are judged.
   enum class Phase {
     Effects,      ///< what is missing under given assumptions
+    Revision,     ///< what else may be in the place of what was found
     Assumptions,  ///< what is assumed of the records; effects are sought again on top
     Residual,     ///< what is left when nothing more gets a name
   };

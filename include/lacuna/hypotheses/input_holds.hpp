@@ -33,12 +33,12 @@ ChosenHolds choose_holds(const Problem& problem);
 
 /// Models with another hold of an open input under which effects should be sought anew. None
 /// without effects; else those under which the effects that were found fit decidedly better. A
-/// wrong hold makes effects necessary that the right one does without: where there are several,
-/// where one is of that input (half a step of delay may be all there is to it) or where
-/// structure is left, also
-/// - those under which they do not fit decidedly worse;
-/// - the second one where the lead of the first was not most of what the effects explain:
-///   a model that lacks so much is no judge of half a step.
+/// wrong hold makes effects necessary that the right one does without, so also
+/// - those under which the effects do not fit decidedly worse, where there are several, where
+///   one is of that input (half a step of delay may be all there is to it) or where structure
+///   is left;
+/// - the second one, where anything is left and the lead of the first was not most of what the
+///   effects explain: a model that lacks so much is no judge of half a step.
 /// @param problem its model has the chosen holds.
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
                                   const Account& best);

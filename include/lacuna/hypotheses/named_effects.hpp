@@ -20,13 +20,31 @@ class NamedEffects final : public Configured<Hypothesis, HypothesisOptions<kName
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
 
+inline constexpr StageInfo kOtherChoices{
+    "other-choices", "Effects that are found when a special form is not there to be chosen",
+    ""};
+
+/// Where anything is left beside the effects (is_anything_left()) their first choices may have
+/// been wrong: they are sought again without each of the forms with shapes or memory in turn.
+/// The best of these searches takes the place of the first when the records are explained
+/// better beyond doubt, or as well with fewer parameters.
+class OtherChoices final : public Configured<Hypothesis, HypothesisOptions<kOtherChoices>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Revision; }
+  int do_order() const override { return -1; }
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
 /// What a search over effects came to.
 struct SearchedAccount {
   Account account;
   std::vector<Rival> rivals;  ///< candidates of all rounds, taken or not
 };
 
-/// The account of a baseline with the effects that a search finds on top.
+/// The account of a baseline with the effects that one search finds on top.
 /// @param effects that are tried.
 SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
                          const std::vector<Stage<Effect>>& effects);

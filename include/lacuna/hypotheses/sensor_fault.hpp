@@ -16,7 +16,7 @@ class SensorFault final : public Configured<Hypothesis, HypothesisOptions<kSenso
   using Configured::Configured;
 
  private:
-  Phase do_phase() const override { return Phase::Effects; }
+  Phase do_phase() const override { return Phase::Revision; }
   int do_order() const override { return 1; }
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
@@ -39,7 +39,7 @@ class SensorCalibration final
   using Configured::Configured;
 
  private:
-  Phase do_phase() const override { return Phase::Effects; }
+  Phase do_phase() const override { return Phase::Revision; }
   int do_order() const override { return 2; }
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };

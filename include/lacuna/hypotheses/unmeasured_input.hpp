@@ -21,7 +21,7 @@ class UnmeasuredInput final
   using Configured::Configured;
 
  private:
-  Phase do_phase() const override { return Phase::Effects; }
+  Phase do_phase() const override { return Phase::Revision; }
   int do_order() const override { return 2; }
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };

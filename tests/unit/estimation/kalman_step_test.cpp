@@ -54,7 +54,28 @@ TEST(KalmanStep, DevianceOfAnInnovationIsItsLogDensity) {
       KalmanStep<Eigen::Dynamic>(made.record, made.noise, map).update(0, 0.7);
   const double density = std::exp(-0.5 * seen.value * seen.value / seen.variance) /
                          std::sqrt(2.0 * M_PI * seen.variance);
-  EXPECT_NEAR(seen.deviance, -2.0 * std::log(density) - std::log(2.0 * M_PI), 1e-12);
+  EXPECT_NEAR(seen.deviance + std::log(seen.scale),
+              -2.0 * std::log(density) - std::log(2.0 * M_PI), 1e-12);
+}
+
+TEST(DevianceSum, IsTheSumOfWhatEachInnovationAdds) {
+  DevianceSum sum;
+  double expected = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const Innovation one{0.0, 1.0, 0.01 * i, std::pow(10.0, i % 7 - 8)};
+    sum.add(one);
+    expected += one.deviance + std::log(one.scale);
+  }
+  EXPECT_NEAR(sum.value(), expected, 1e-9 * std::abs(expected));
+}
+
+TEST(DevianceSum, HoldsScalesOfAnySize) {
+  DevianceSum sum;
+  for (const double scale : {1e-300, 1e300, 1e-90, 1e-90, 1e90, 1e90, 1e90})
+    sum.add({0.0, 1.0, 0.0, scale});
+  EXPECT_NEAR(sum.value(), 90.0 * std::log(10.0), 1e-9);
+  sum.add({0.0, INFINITY, 0.5, 1.0});
+  EXPECT_NEAR(sum.value(), 0.5 + 90.0 * std::log(10.0), 1e-9) << "a sample that says nothing";
 }
 
 /// Mean and covariance carried by full matrices: x+ = F x + b, P+ = F P F' + Q.

@@ -60,5 +60,44 @@ TEST(NamedEffects, OnlyTheEffectsThatAreGivenAreTried) {
   EXPECT_TRUE(leaves_structure(found.account, asked.options.decision));
 }
 
+/// The account that a form with a shape was chosen first, which does a little of dry friction.
+Account wrong_choice(const support::Asked& asked) {
+  Candidate special = support::plain_candidate("v*abs(v)/(s+abs(v))");
+  special.shapes = {{"s", "m/s", 0.1, 10.0, false}};
+  special.starts = {Vector::Constant(1, 1.0)};
+  Account account = asked.bare();
+  account.explanation = explain_on(asked.problem(), *account.base, account.base->fitted,
+                                   {{special, special.starts.front(), -0.1, 0.0}});
+  account.named = {{.equation = 1, .name = "special"}};
+  account.left = test_disturbances(account.explanation.fit, asked.context);
+  return account;
+}
+
+TEST(OtherChoices, TakeThePlaceOfAFirstChoiceThatLeavesSomething) {
+  const support::Asked asked = asked_of(support::dry_friction);
+  Account first = wrong_choice(asked);
+  first.notes = {"a note"};
+  ASSERT_TRUE(is_anything_left(first.left, asked.options.decision));
+  const Proposals made = OtherChoices().propose(asked.problem(), first);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Proposal& proposal = made.accounts[0];
+  ASSERT_EQ(proposal.account.named.size(), 1u);
+  EXPECT_EQ(proposal.account.named[0].name, "dry");
+  EXPECT_EQ(proposal.account.notes, first.notes);
+  EXPECT_EQ(proposal.lead, -asked.options.decision.undecided) << "it has fewer parameters";
+  EXPECT_FALSE(made.trail.empty());
+}
+
+TEST(OtherChoices, AreNotSoughtWhereNothingIsLeftOrNoFormIsSpecial) {
+  const support::Asked asked = asked_of(support::dry_friction);
+  Account first = wrong_choice(asked);
+  Account done = first;
+  done.left.clear();
+  EXPECT_TRUE(OtherChoices().propose(asked.problem(), done).accounts.empty());
+  first.explanation.effects[0].candidate.shapes.clear();
+  const Proposals plain = OtherChoices().propose(asked.problem(), first);
+  EXPECT_TRUE(plain.accounts.empty() && plain.trail.empty());
+}
+
 }  // namespace
 }  // namespace lacuna
