@@ -112,8 +112,7 @@ std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
   return moved;
 }
 
-double acting_share(const FittedEffect& effect, const Assimilation& fit) {
-  constexpr double kNothing = 0.01;
+double acting_share(const FittedEffect& effect, const Assimilation& fit, double of_largest) {
   std::vector<Vector> all;
   double largest = 0.0, acting = 0.0, samples = 0.0;
   for (const LinearisedRecord& record : fit.records) {
@@ -121,7 +120,7 @@ double acting_share(const FittedEffect& effect, const Assimilation& fit) {
     largest = std::max(largest, all.back().maxCoeff());
   }
   for (const Vector& values : all) {
-    acting += static_cast<double>((values.array() > kNothing * largest).count());
+    acting += static_cast<double>((values.array() > of_largest * largest).count());
     samples += static_cast<double>(values.size());
   }
   return acting / samples;

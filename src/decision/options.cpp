@@ -66,9 +66,14 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
           o.out_of_scale);
   v.field({"acting", "",
            "An effect that acts in a smaller share of the samples is known from too few of "
-           "them to pass as an explanation.",
+           "them to pass as an explanation; it acts where it is more than this share of its "
+           "largest value.",
            0.0, 1.0},
           o.acting);
+  v.field({"filter_gain", "",
+           "A filter in front of a sensor passes on the whole of the state, up to this share.",
+           0.0, 1.0},
+          o.filter_gain);
 }
 
 }  // namespace

@@ -70,8 +70,9 @@ void add_idle(const Problem& problem, const Account& account, Sentences& said) {
   for (std::size_t e = 0; e < account.named.size(); ++e) {
     const FittedEffect& effect = account.explanation.effects[e];
     if (effect.candidate.place != Place::Rate || effect.candidate.is_driven()) continue;
-    const double share = acting_share(effect, account.explanation.fit);
-    if (share < problem.options.decision.acting)
+    const double least = problem.options.decision.acting;
+    const double share = acting_share(effect, account.explanation.fit, least);
+    if (share < least)
       said.push_back(account.named[e].name + " acts in " + format_number(100.0 * share, 2) +
                      " % of the samples only");
   }

@@ -56,9 +56,9 @@ double size_of(const FittedEffect& effect, const Assimilation& fit) {
 }
 
 /// A filter shows the whole of the state behind it.
-bool is_plausible(const FittedEffect& effect) {
-  constexpr double kPart = 0.3;
-  return effect.candidate.memory.empty() || std::abs(effect.coefficient - 1.0) < kPart;
+bool is_plausible(const FittedEffect& effect, const DecisionOptions& decision) {
+  return effect.candidate.memory.empty() ||
+         std::abs(effect.coefficient - 1.0) < decision.filter_gain;
 }
 
 /// The channels that may be it, fitted; the best first.
@@ -80,7 +80,7 @@ std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& give
     Explanation found = explain_on(problem, given, given.fitted,
                                    {{one.candidate, one.shapes, one.coefficient, 0.0}});
     const FittedEffect& effect = found.effects.front();
-    if (!std::isfinite(found.fit.deviance) || !is_plausible(effect) ||
+    if (!std::isfinite(found.fit.deviance) || !is_plausible(effect, decision) ||
         size_of(effect, found.fit) < decision.effect_size)
       continue;
     const double value = criterion_of(problem, given, found);
@@ -249,9 +249,6 @@ Proposals SensorCalibration::do_propose(const Problem& problem, const Account& b
   const DecisionOptions& decision = problem.options.decision;
   const Baseline given = as_given(*best.base);
   const double explained = given.fitted.deviance - best.explanation.fit.deviance;
-  if (sigma_of_gain(explained, 1.0, 1.0) < decision.significance &&
-      !is_anything_left(best.left, decision))
-    return {};
   problem.context.report("calibrating channels", 0.0);
   const Screening screening(given.fitted);
   const double shape_price = problem.options.criterion->penalty(

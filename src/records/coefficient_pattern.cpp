@@ -13,9 +13,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTold = 5.0;      // standard errors from which on a coefficient is told
-constexpr double kLarge = 30.0;    // factor that no effect makes of two coefficients
-constexpr double kAlike = 1.5;     // ratio up to which slips are not told apart
 constexpr double kSharedBy = 2.0;  // by which overlapping windows make errors look smaller
 
 /// What a slip makes of the coefficients; nothing for terms that are no powers of a channel
@@ -42,13 +39,13 @@ double distance(double ratio) { return std::abs(std::log(std::complex<double>(ra
 
 /// Share of the distances that a slip leaves; infinite where it has no say.
 double share_left(const OdeModel& model, const std::vector<CoefficientRatio>& ratios,
-                  const Slip& slip) {
+                  const Slip& slip, double slip_factor) {
   double before = 0.0, after = 0.0;
   int changed = 0;
   for (const CoefficientRatio& one : ratios) {
     const auto made = made_by(model, slip, one.equation, one.summand);
     if (!made) return std::numeric_limits<double>::infinity();
-    if (std::abs(std::log(*made)) >= std::log(kLarge)) ++changed;
+    if (std::abs(std::log(*made)) >= std::log(slip_factor)) ++changed;
     before += distance(one.ratio);
     after += distance(one.ratio / *made);
   }
@@ -58,7 +55,7 @@ double share_left(const OdeModel& model, const std::vector<CoefficientRatio>& ra
 }  // namespace
 
 std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Dataset& data,
-                                                 const RateWindows& windows) {
+                                                 const RateWindows& windows, double told) {
   const Matrix measured = window_rates(data, windows);
   std::vector<CoefficientRatio> ratios;
   for (Index k = 0; k < model.dimension(); ++k) {
@@ -76,7 +73,7 @@ std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Da
           model.equations()[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)]
               .coefficient;
       const double error = kSharedBy * std::sqrt(variances[j]);
-      if (nominal != 0.0 && std::abs(said[j]) > kTold * error)
+      if (nominal != 0.0 && std::abs(said[j]) > told * error)
         ratios.push_back({k, j, said[j] / scales[j] / nominal});
     }
   }
@@ -86,11 +83,12 @@ std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Da
 std::optional<FoundSlip> slip_of_coefficients(const OdeModel& model, const Dataset& data,
                                               const RateWindows& windows,
                                               const HintOptions& options) {
-  const std::vector<CoefficientRatio> ratios = coefficient_ratios(model, data, windows);
+  const std::vector<CoefficientRatio> ratios =
+      coefficient_ratios(model, data, windows, options.told);
   std::vector<std::pair<double, Slip>> candidates;
   for (const Slip& slip : possible_slips(model, data)) {
     if (slip.kind != HintKind::TimeUnit && slip.kind != HintKind::ChannelUnit) continue;
-    const double left = share_left(model, ratios, slip);
+    const double left = share_left(model, ratios, slip, options.slip_factor);
     if (left <= options.slip_remainder) candidates.emplace_back(left, slip);
   }
   if (candidates.empty()) return std::nullopt;
@@ -98,7 +96,8 @@ std::optional<FoundSlip> slip_of_coefficients(const OdeModel& model, const Datas
       std::min_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return a.first < b.first;
       })->first;
-  std::erase_if(candidates, [&](const auto& one) { return one.first > kAlike * least; });
+  std::erase_if(candidates,
+                [&](const auto& one) { return one.first > options.slip_alike * least; });
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::pair(a.second.channels.size(), a.first) <
            std::pair(b.second.channels.size(), b.first);

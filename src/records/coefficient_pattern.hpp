@@ -12,10 +12,10 @@ struct CoefficientRatio {
   double ratio = 1.0;  ///< said over nominal
 };
 
-/// The coefficients that the records tell (five standard errors), each as a ratio to the
-/// nominal one.
+/// The coefficients that the records tell, each as a ratio to the nominal one.
+/// @param told standard errors from which on they do.
 std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Dataset& data,
-                                                 const RateWindows& windows);
+                                                 const RateWindows& windows, double told);
 
 /// The slip of a unit whose pattern the coefficients show, for records in which a large effect
 /// hides it from find_slip(): effects bend coefficients, but do not make several of them wrong
@@ -23,7 +23,7 @@ std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Da
 ///
 /// With the ratios r_i and those p_i that a slip makes of the coefficients it has to leave
 /// sum |log(r_i / p_i)| a small share of sum |log r_i|, and to change two of them or more, by a
-/// factor of 30 or more.
+/// large factor (HintOptions::slip_factor).
 std::optional<FoundSlip> slip_of_coefficients(const OdeModel& model, const Dataset& data,
                                               const RateWindows& windows,
                                               const HintOptions& options);

@@ -70,6 +70,21 @@ void HintOptions::describe(OptionVisitor& v) {
            "rates have no slip.",
            0.0, 1.0},
           slip_misfit);
+  v.field({"slip_alike", "",
+           "Slips that leave misfits (or changes of coefficients) within this ratio are not "
+           "told apart: the plainest is named.",
+           1.0},
+          slip_alike);
+  v.field({"slip_harm", "",
+           "An equation may gain this much misfit (rms, as a share of its rates) by undoing a "
+           "slip.",
+           0.0, 1.0},
+          slip_harm);
+  v.field({"slip_factor", "",
+           "Two coefficients that are off by a larger factor each are so by a unit: effects "
+           "that are missing bend them less.",
+           1.0},
+          slip_factor);
   v.field(
       {"round_factor", "",
        "A factor is that of a unit where the records say it to this share of its logarithm.",
@@ -80,14 +95,30 @@ void HintOptions::describe(OptionVisitor& v) {
            "is a gain of a sensor.",
            1.0},
           identity_factor);
+  v.field({"identity_match", "",
+           "The factor of an identity means something where the two sides correlate by more.",
+           0.0, 1.0},
+          identity_match);
   v.field({"column_share", "",
            "A column that the model does not know is an input where it explains a larger share "
            "of what an equation lacks.",
            0.0, 1.0},
           column_share);
-  v.field({"column_sigma", "standard deviations",
-           "What such a column explains is chance where it is less significant.", 0.0},
-          column_sigma);
+  v.field(
+      {"column_own", "",
+       "Such a column has something of its own where the terms of the model make up all but "
+       "this share of it.",
+       0.0, 1.0},
+      column_own);
+  v.field({"column_rate", "",
+           "A column that is apart from the rate of a state by a smaller share is that rate.",
+           0.0, 1.0},
+          column_rate);
+  v.field({"told", "standard deviations",
+           "What such a column explains, or what the records say of a coefficient, is chance "
+           "where it is less significant.",
+           0.0},
+          told);
   v.field(
       {"feedback", "",
        "An input of which the states make up a larger share is in a closed loop.", 0.0, 1.0},
@@ -95,9 +126,17 @@ void HintOptions::describe(OptionVisitor& v) {
   v.field({"samples_per_period", "samples",
            "Less in a mean period of the fastest state is few.", 2.0},
           samples_per_period);
+  v.field(
+      {"periods", "mean periods", "A record with fewer says little of what comes back.", 0.0},
+      periods);
   v.field({"barely_moving", "standard deviations",
            "A state that deviates from its mean by fewer of its noise hardly moves.", 0.0},
           barely_moving);
+  v.field({"alike_terms", "",
+           "Terms of which a combination is a smaller share of them have coefficients that the "
+           "records do not tell apart.",
+           0.0, 1.0},
+          alike_terms);
 }
 
 std::vector<Hint> look_at(const OdeModel& model, const BoundRecords& records,

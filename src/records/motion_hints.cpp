@@ -14,9 +14,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kFewPeriods = 2.0;  // in a record; less says little of what comes back
-constexpr double kGoAlong = 1e-4;    // least eigenvalue of the terms' correlations: 1 per cent
-
 /// All values of one column, one record after the other.
 Vector values_of(const Dataset& data, Matrix Trajectory::*block, Index column) {
   Vector all(data.samples());
@@ -107,22 +104,23 @@ void add_state_hints(const OdeModel& model, const BoundRecords& records,
                          " samples: what happens between them is guessed",
                      "sample at least " + format_number(options.samples_per_period, 2) +
                          " times in a period"});
-  if (static_cast<double>(longest_record(records.data).samples()) < kFewPeriods * fastest)
+  if (static_cast<double>(longest_record(records.data).samples()) < options.periods * fastest)
     hints.push_back({HintKind::Sampling,
-                     "the longest record has less than " + format_number(kFewPeriods, 2) +
+                     "the longest record has less than " + format_number(options.periods, 2) +
                          " mean periods of " + name,
                      "record for longer"});
 }
 
 /// Terms of an equation whose coefficients the records do not tell apart.
-std::optional<Hint> alike_terms(const OdeModel& model, Index equation, Matrix terms) {
+std::optional<Hint> alike_terms(const OdeModel& model, Index equation, Matrix terms,
+                                double alike) {
   if (terms.cols() < 2 || !terms.allFinite()) return std::nullopt;
   for (Index j = 0; j < terms.cols(); ++j) {
     if (terms.col(j).norm() == 0.0) return std::nullopt;
     terms.col(j).normalize();
   }
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(terms.transpose() * terms);
-  if (solver.eigenvalues()[0] > kGoAlong) return std::nullopt;
+  if (solver.eigenvalues()[0] > alike * alike) return std::nullopt;
   const Vector together = solver.eigenvectors().col(0).cwiseAbs();
   std::vector<std::string> names;
   for (Index j = 0; j < terms.cols(); ++j)
@@ -160,7 +158,8 @@ std::vector<Hint> motion_hints(const OdeModel& model, const BoundRecords& record
   add_input_hints(model, records.data, options, hints);
   add_state_hints(model, records, options, hints);
   for (Index k = 0; k < model.dimension(); ++k)
-    if (auto hint = alike_terms(model, k, term_means(model, k, records.data, windows)))
+    if (auto hint = alike_terms(model, k, term_means(model, k, records.data, windows),
+                                options.alike_terms))
       hints.push_back(std::move(*hint));
   return hints;
 }

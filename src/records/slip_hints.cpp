@@ -10,8 +10,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kGoesAlong = 0.9;  // correlation from which on a factor means something
-
 bool is_near(double a, double b) { return std::abs(a / b - 1.0) < 1e-6; }
 
 /// "1000 times too large" of what has to be multiplied by 0.001.
@@ -112,7 +110,7 @@ std::vector<Hint> identity_hints(const OdeModel& model, const Dataset& data,
     const Vector y = measured.col(k).array() - measured.col(k).mean();
     const Vector v = modelled.col(k).array() - modelled.col(k).mean();
     const double correlation = y.dot(v) / (y.norm() * v.norm());
-    if (!(std::abs(correlation) >= kGoesAlong)) continue;
+    if (!(std::abs(correlation) >= options.identity_match)) continue;
     const double factor = std::copysign(y.norm() / v.norm(), correlation);
     if (factor > 1.0 / options.identity_factor && factor < options.identity_factor) continue;
     const std::string &q = channel_name(model, k), &p = channel_name(model, *rate);

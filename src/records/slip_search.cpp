@@ -9,8 +9,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kAlike = 1.5;  // ratio of misfits (rms) up to which slips are not told apart
-constexpr double kNoWorse = 0.05;    // misfit (rms) that an equation may gain
 constexpr double kUnchanged = 1e-9;  // relative difference of a misfit that was not touched
 constexpr double kProbe = 0.1;       // step of the logarithm of a factor, for its estimate
 
@@ -63,8 +61,8 @@ bool is_plain(const Comparison& fit, double slip_misfit) {
   return false;
 }
 
-bool fits_no_worse(const Comparison& fit) {
-  return (fit.after.array().sqrt() <= fit.before.array().sqrt() + kNoWorse).all();
+bool fits_no_worse(const Comparison& fit, double slip_harm) {
+  return (fit.after.array().sqrt() <= fit.before.array().sqrt() + slip_harm).all();
 }
 
 /// Whether the factor that the records say, from the parabola through the logarithms of three
@@ -116,7 +114,7 @@ std::vector<Candidate> candidates(const Trial& trial, const std::vector<Slip>& s
   for (std::size_t i = 0; i < slips.size(); ++i) {
     Comparison fit = compare(trial, slips[i]);
     if (log_remainder(fit) > std::log(options.slip_remainder)) continue;
-    if (!is_plain(fit, options.slip_misfit) || !fits_no_worse(fit)) continue;
+    if (!is_plain(fit, options.slip_misfit) || !fits_no_worse(fit, options.slip_harm)) continue;
     if (!is_said(trial, slips[i], fit, options.round_factor)) continue;
     const double level = 0.5 * fit.after.array().log().mean();
     result.push_back({i, level, std::move(fit.after)});
@@ -145,8 +143,9 @@ std::optional<FoundSlip> find_slip(const OdeModel& model, const Dataset& data,
       std::min_element(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
         return a.level < b.level;
       })->level;
-  std::erase_if(all,
-                [&](const Candidate& one) { return one.level > least + std::log(kAlike); });
+  std::erase_if(all, [&](const Candidate& one) {
+    return one.level > least + std::log(options.slip_alike);
+  });
   // Of the same channels the plainest factor.
   std::vector<Candidate> plain;
   for (Candidate& one : all)

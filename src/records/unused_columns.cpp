@@ -12,9 +12,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSameAsRate = 0.05;  // misfit (rms) up to which a column is the rate itself
-constexpr double kOwn = 0.1;          // part of a column's deviation that nothing else makes up
-
 Matrix input_means(const Dataset& data, const RateWindows& windows) {
   return window_means(data, windows, data.input_count(),
                       [](const Trajectory& record, Index i, double* out) {
@@ -92,9 +89,9 @@ double deviation(const Vector& values) {
 }
 
 /// Whether a column is the measured rate, as an acceleration recorded beside the speed is.
-bool is_rate_itself(const Vector& column, const Vector& rate) {
+bool is_rate_itself(const Vector& column, const Vector& rate, double apart) {
   const double size = column.squaredNorm() + rate.squaredNorm();
-  return (column - rate).squaredNorm() < kSameAsRate * kSameAsRate * size;
+  return (column - rate).squaredNorm() < apart * apart * size;
 }
 
 }  // namespace
@@ -118,12 +115,12 @@ std::vector<Hint> unused_column_hints(const OdeModel& model, const BoundRecords&
     Matrix left = without(known, columns);
     for (Index j = 0; j < left.cols(); ++j)
       // A reference that the states follow, or the rate itself, is no input of its own.
-      if (left.col(j).norm() <= kOwn * deviation(columns.col(j)) ||
-          is_rate_itself(columns.col(j), measured.col(k)))
+      if (left.col(j).norm() <= options.column_own * deviation(columns.col(j)) ||
+          is_rate_itself(columns.col(j), measured.col(k), options.column_rate))
         left.col(j).setZero();
     const Finding best = best_column(without(known, lacking.col(k)), left, noise[k],
                                      static_cast<double>(columns.cols() * model.dimension()));
-    if (best.share < options.column_share || best.sigma < options.column_sigma) continue;
+    if (best.share < options.column_share || best.sigma < options.told) continue;
     const std::string& name = unused.inputs[static_cast<std::size_t>(best.column)].name;
     const std::string& state = model.states()[static_cast<std::size_t>(k)].name;
     hints.push_back({HintKind::UnusedColumn,

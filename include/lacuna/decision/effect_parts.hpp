@@ -51,8 +51,8 @@ std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
                                                  const OdeModel& nominal, std::size_t free,
                                                  const DecisionOptions& decision);
 
-/// Share of the samples in which an effect acts: in which it is more than a hundredth of the
+/// Share of the samples in which an effect acts: in which it is more than a share of the
 /// largest it ever is.
-double acting_share(const FittedEffect& effect, const Assimilation& fit);
+double acting_share(const FittedEffect& effect, const Assimilation& fit, double of_largest);
 
 }  // namespace lacuna

@@ -38,6 +38,7 @@ struct DecisionOptions {
   double cancelling = 0.1;
   double out_of_scale = 10.0;
   double acting = 0.01;
+  double filter_gain = 0.3;
 
   GapOptions gaps = {};  ///< these three are listed with the others
   NamingOptions naming = {};

@@ -46,13 +46,21 @@ struct Hint {
 struct HintOptions {
   double slip_remainder = 0.2;
   double slip_misfit = 0.1;
+  double slip_alike = 1.5;
+  double slip_harm = 0.05;
+  double slip_factor = 30.0;
   double round_factor = 0.02;
   double identity_factor = 2.0;
+  double identity_match = 0.9;
   double column_share = 0.5;
-  double column_sigma = 5.0;
+  double column_own = 0.1;
+  double column_rate = 0.05;
+  double told = 5.0;
   double feedback = 0.95;
   double samples_per_period = 8.0;
+  double periods = 2.0;
   double barely_moving = 3.0;
+  double alike_terms = 0.01;
 
   void describe(OptionVisitor& visitor);
 };

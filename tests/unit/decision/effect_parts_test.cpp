@@ -89,7 +89,7 @@ TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
   const double expected =
       static_cast<double>((slots.col(0).array() < -0.1 - 0.01 * deepest).count()) /
       static_cast<double>(slots.rows());
-  EXPECT_NEAR(acting_share(stop, fit), expected, 1e-12);
+  EXPECT_NEAR(acting_share(stop, fit, 0.01), expected, 1e-12);
   EXPECT_GT(expected, 0.1);
   EXPECT_LT(expected, 0.9);
 }
