@@ -62,7 +62,8 @@ bool is_plausible(const FittedEffect& effect, const DecisionOptions& decision) {
 }
 
 /// The channels that may be it, fitted; the best first.
-/// @param explained deviance that the best account explains: a channel has to show most of it.
+/// @param explained deviance that the best account explains: a channel has to show more than a
+/// minor part of it at first sight.
 std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
                                     double explained,
                                     const std::vector<ScreenedCandidate>& screened) {
@@ -74,7 +75,7 @@ std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& give
     const double freedom = 1.0 + static_cast<double>(one.shapes.size());
     if (sigma_of_gain(one.gain, freedom, tried) < decision.significance ||
         one.gain < decision.worth_fitting * screened.front().gain ||
-        one.gain < decision.major * explained)
+        one.gain < decision.minor * explained)
       continue;
     if (++fits > decision.rough_fits) break;
     Explanation found = explain_on(problem, given, given.fitted,

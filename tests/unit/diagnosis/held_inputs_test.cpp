@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lacuna/config/diagnosis_configuration.hpp"
+#include "lacuna/config/registry.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "support/asked.hpp"
@@ -72,8 +74,9 @@ Dataset element_record(double noise) {
 /// The nominal model lacks so much that it takes the smooth input for a held one; under that
 /// hold no effect explains the records.
 TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
-  support::Asked asked{.records = observed(element_record(0.003)),
-                       .nominal = without_element()};
+  const support::Asked asked{.records = observed(element_record(0.003)),
+                             .options = diagnosis_options({}, default_registry()),
+                             .nominal = without_element()};
   const JudgedModel found = judge_holds(asked.problem(), standard_hypotheses());
   EXPECT_EQ(found.model->inputs()[0].hold, Hold::Smooth);
   EXPECT_TRUE(found.notes.empty());
