@@ -12,6 +12,7 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/model/ode_text.hpp"
 #include "operations.hpp"
 #include "strict_json.hpp"
 
@@ -19,6 +20,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::string_view kFormat = "lacuna.model/1";
+constexpr std::string_view kTextExtension = ".ode";
 
 void check_format(const JsonPlace& root) {
   const JsonPlace format = root.at("format");
@@ -176,11 +178,13 @@ OdeModel read_model(const std::filesystem::path& path) {
   const std::string text{std::istreambuf_iterator<char>(file),
                          std::istreambuf_iterator<char>()};
   if (file.bad()) throw FileError(path.string(), "reading failed", "check the disk");
+  if (path.extension() == kTextExtension) return parse_ode(text, path.string());
   return parse_model(text, path.string());
 }
 
 void write_model(const std::filesystem::path& path, const OdeModel& model) {
-  write_file_atomically(path, format_model(model));
+  const bool as_text = path.extension() == kTextExtension;
+  write_file_atomically(path, as_text ? format_ode(model) : format_model(model));
 }
 
 }  // namespace lacuna

@@ -16,13 +16,15 @@ namespace lacuna {
 ///   unknown name in a term.
 OdeModel parse_model(std::string_view json, const std::string& source);
 
-/// Reads a model file. @throws FileError when it cannot be read; ModelError as parse_model.
+/// Reads a model file, as text (parse_ode()) where it ends in ".ode", else as JSON.
+/// @throws FileError when it cannot be read; ModelError as parse_model() and parse_ode().
 OdeModel read_model(const std::filesystem::path& path);
 
 /// The model as JSON text; parse_model gives the same model back, to the last bit.
 std::string format_model(const OdeModel& model);
 
-/// Writes the model, whole or not at all. @throws FileError when it cannot be written.
+/// Writes the model, whole or not at all; as text where the name ends in ".ode". @throws
+/// FileError when it cannot be written.
 void write_model(const std::filesystem::path& path, const OdeModel& model);
 
 }  // namespace lacuna

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lacuna/model/ode_model.hpp"
+
+namespace lacuna {
+
+/// Reads a model from text with one statement a line (`#` starts a comment):
+///
+///     time s
+///     input u [V] hold zero
+///     state x1 [V]
+///     param k = 1/20 [1/s]
+///     dx1/dt = -k*sqrt(x1) + 0.5*u
+///
+/// States are those that have an equation, in the order in which they are named first; `state`
+/// gives a unit. A parameter is a number with a name. Formulas become sums of coefficients
+/// times terms: products are multiplied out over sums (x*(28-z) is 28 x - x*z), numbers in
+/// front of a term are its coefficient.
+/// @param source name for messages.
+/// @throws ModelError with source, line and column: a statement that is none, an unknown or
+///   repeated name, a formula that cannot be read, outputs and initial values (a model has
+///   states and inputs only).
+OdeModel parse_ode(std::string_view text, const std::string& source);
+
+/// The model as such text; parse_ode() gives a model with the same right-hand sides. Errors and
+/// intervals of coefficients are left out.
+std::string format_ode(const OdeModel& model);
+
+}  // namespace lacuna

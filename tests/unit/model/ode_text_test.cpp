@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/model/ode_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/model/model_file.hpp"
+#include "lacuna/systems/test_systems.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr const char* kTanks = R"(# two tanks
+time min
+input u [V] hold zero
+
+state x2 [V]      # named first
+param k1 = 0.05 [1/s] in 0..1
+param k4 = k1*2/4 fixed
+param T = 0.5
+dx1/dt = -k1*sqrt(x1) + k4*u
+dx2/dt = k1*sqrt(x1) - 0.05*sqrt(x2) + delay(u,2*T)
+)";
+
+TEST(OdeText, StatementsMakeAModel) {
+  const OdeModel model = parse_ode(kTanks, "tanks.ode");
+  EXPECT_EQ(model.time_unit(), "min");
+  ASSERT_EQ(model.dimension(), 2);
+  EXPECT_EQ(model.states()[0].name, "x2");
+  EXPECT_EQ(model.states()[0].unit, "V");
+  EXPECT_EQ(model.states()[1].name, "x1");
+  ASSERT_EQ(model.inputs().size(), 1u);
+  EXPECT_EQ(model.inputs()[0].unit, "V");
+  EXPECT_EQ(model.inputs()[0].hold, Hold::Zero);
+  EXPECT_EQ(model.coefficient(1, "sqrt(x1)"), -0.05);
+  EXPECT_EQ(model.coefficient(1, "u"), 0.025);
+  EXPECT_EQ(model.coefficient(0, "delay(u,1)"), 1.0);
+}
+
+TEST(OdeText, WindowsLineEndsAreReadToo) {
+  EXPECT_EQ(parse_ode("state x [m]\r\ndx/dt = -x\r\n", "a.ode").coefficient(0, "x"), -1.0);
+}
+
+TEST(OdeText, EveryTestSystemComesBackFromItsText) {
+  for (const TestSystem& system : test_systems()) {
+    const OdeModel& model = system.model;
+    const std::string& name = system.name;
+    const OdeModel again = parse_ode(format_ode(model), name);
+    EXPECT_EQ(format_model(again), format_model(parse_model(format_model(again), name)));
+    EXPECT_EQ(to_text(again), to_text(model)) << name;
+    EXPECT_EQ(again.time_unit(), model.time_unit());
+    for (std::size_t k = 0; k < model.states().size(); ++k)
+      EXPECT_EQ(again.states()[k].unit, model.states()[k].unit);
+  }
+}
+
+TEST(OdeText, FilesThatEndInOdeAreText) {
+  const testing::TemporaryFolder place;
+  const std::string path = place.write("tanks.ode", kTanks);
+  const OdeModel model = read_model(path);
+  write_model(place.file("again.ode"), model);
+  write_model(place.file("again.json"), model);
+  EXPECT_EQ(format_ode(read_model(place.file("again.ode"))), format_ode(model));
+  EXPECT_EQ(format_model(read_model(place.file("again.json"))), format_model(model));
+}
+
+struct Wrong {
+  const char* text;
+  const char* place;
+  const char* problem;
+};
+
+class OdeTextErrors : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(OdeTextErrors, HaveLineAndColumn) {
+  try {
+    parse_ode(GetParam().text, "m.ode");
+    FAIL() << "read without an error";
+  } catch (const ModelError& error) {
+    EXPECT_EQ(error.where(), GetParam().place);
+    EXPECT_THAT(error.problem(), ::testing::HasSubstr(GetParam().problem));
+    EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, OdeTextErrors,
+    ::testing::Values(Wrong{"", "m.ode", "no equations"},
+                      Wrong{"dx/dt = -x +", "m.ode:1:13", "ends too early"},
+                      Wrong{"\ndx/dt = -x\ndy/dt = 2*q*x", "m.ode:3:11", "unknown name 'q'"},
+                      Wrong{"param k = q\ndx/dt = k", "m.ode:1:11", "unknown name 'q'"},
+                      Wrong{"param k = t\ndx/dt = k", "m.ode:1:11", "no finite number"},
+                      Wrong{"dx/dt = 1\ndx/dt = 2", "m.ode:2:10", "two equations"},
+                      Wrong{"input x\ndx/dt = 1", "m.ode:2:6", "given twice"},
+                      Wrong{"state x\ndy/dt = 1", "m.ode", "'x' has no equation"},
+                      Wrong{"input u hold firmly\ndx/dt = u", "m.ode:1:20", "'firmly'"},
+                      Wrong{"input u [V\ndx/dt = u", "m.ode:1:9", "the unit has no end"},
+                      Wrong{"input u V\ndx/dt = u", "m.ode:1:9", "nothing more belongs"},
+                      Wrong{"dx/dt -x", "m.ode:1:7", "'=' is missing"},
+                      Wrong{"y = x\ndx/dt = 1", "m.ode:1:4", "output"},
+                      Wrong{"initial x = 0 fixed\ndx/dt = 1", "m.ode:1:8", "initial"},
+                      Wrong{"hello\ndx/dt = 1", "m.ode:1:6", "begins no statement"},
+                      Wrong{"state sin\ndx/dt = 1", "m.ode:1:7", "word of the formula"},
+                      Wrong{"param k = 1 in 3\ndx/dt = k", "m.ode:1:17", "no '..'"},
+                      Wrong{"dx/dt = x/0", "m.ode:1:9", "not finite"}));
+
+}  // namespace
+}  // namespace lacuna
