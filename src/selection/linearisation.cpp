@@ -33,7 +33,7 @@ Matrix eliminate_start(SensitivityRows& window, RowFold& fold) {
 
 /// @return false when the folding cannot resolve the rows.
 bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
-                  Linearisation& result) {
+                  Linearisation& result, const RunContext& context) {
   const Index dimension = rates.equations().dimension();
   const std::vector<Index> terms = terms_of(result.columns);
   rates.choose(terms, result.h0);
@@ -43,6 +43,7 @@ bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
   result.rows = 0;
   result.heads.clear();
   for (const SampleWindow& window : path.windows) {
+    context.check_stop();
     const PathRecord& record = path.records[window.record];
     rates.evaluate(record, window);
     integrate_rows(rates, blocks, record, window, rows);
@@ -56,18 +57,19 @@ bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
 
 }  // namespace
 
-Linearisation linearise(WindowRates& rates, const WindowedPath& path, const Matrix& h0,
-                        const std::vector<Coefficient>& columns, Folding& folding) {
+Linearisation linearise(WindowRates& rates, const WindowedPath& path,
+                        const LinearisationPoint& point, Folding& folding,
+                        const RunContext& context) {
   // So few columns are folded orthogonally in no time.
   constexpr std::size_t kFewColumns = 32;
   Linearisation result;
-  result.h0 = h0;
-  result.columns = columns;
-  if (folding == Folding::Gram && columns.size() > kFewColumns) {
-    if (fold_windows(rates, path, Folding::Gram, result)) return result;
+  result.h0 = point.h0;
+  result.columns = point.columns;
+  if (folding == Folding::Gram && point.columns.size() > kFewColumns) {
+    if (fold_windows(rates, path, Folding::Gram, result, context)) return result;
     folding = Folding::Orthogonal;
   }
-  fold_windows(rates, path, Folding::Orthogonal, result);
+  fold_windows(rates, path, Folding::Orthogonal, result, context);
   return result;
 }
 

@@ -8,7 +8,7 @@
 #include "lacuna/pruners/minor_terms.hpp"
 #include "lacuna/report/stage_json.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
-#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/solvers/irls.hpp"
-#include "lacuna/solvers/l1_ceres.hpp"
-#include "lacuna/solvers/l1_coordinate_descent.hpp"
-#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/l1/l1_ceres.hpp"
+#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
 #include "support/sparse_problem.hpp"
 #include "support/stage_invariance.hpp"
 
