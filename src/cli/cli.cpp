@@ -153,7 +153,11 @@ int with_output_checked(int status, const CliStreams& streams) {
 }  // namespace
 
 int run_cli(int argc, const char* const* argv) {
-  return run_cli(argc, argv, default_registry());
+  try {
+    return run_cli(argc, argv, default_registry());
+  } catch (const std::bad_alloc&) {  // before there is a command
+    return fail({std::cout, std::cerr}, "lacuna: not enough memory to start; raise the limit");
+  }
 }
 
 int run_cli(int argc, const char* const* argv, const Registry& registry) {

@@ -28,6 +28,21 @@ std::string check_seed(const std::string& text) {
   return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
 
+/// Bytes of "4G", "500M", "200k" or plain digits, as digits. @throws CLI::ValidationError.
+std::string bytes_of(std::string text) {
+  constexpr std::string_view kUnits = "kMGT";
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const std::size_t unit = stop == end ? std::string::npos : kUnits.find(*stop);
+  const unsigned shift = stop == end ? 0U : 10U * (static_cast<unsigned>(unit) + 1U);
+  const bool known = stop == end || (unit != std::string::npos && stop + 1 == end);
+  if (error != std::errc() || !known || value > (std::uint64_t{1} << 62U) >> shift ||
+      value << shift < kLeastMemory)
+    throw CLI::ValidationError("'" + text + "' is not a size from 16M on, such as 500M or 4G");
+  return std::to_string(value << shift);
+}
+
 /// Pipes and devices hold nothing that could be replaced.
 bool is_stream(const fs::path& path) {
   std::error_code none;
@@ -61,8 +76,7 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
   app.add_option("--max-memory", options.max_memory,
                  "Memory that the run may take, e.g. 4G, in bytes [default: three quarters of "
                  "the machine's]")
-      ->transform(CLI::AsSizeValue(false))
-      ->check(CLI::Range(kLeastMemory, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(bytes_of, "")
       ->type_name("SIZE");
   app.add_option("--progress", options.progress,
                  "Progress on standard error: always, never, auto (where it is a terminal)")

@@ -21,13 +21,18 @@ std::vector<Index> terms_of(const std::vector<Coefficient>& columns) {
 
 /// Turns the rows of a window so that only the first m know of the initial state; folds the
 /// others. @return the first m, nothing when the rows determine no more than the initial state.
-Matrix eliminate_start(SensitivityRows& window, RowFold& fold) {
+Matrix eliminate_start(SensitivityRows& window, RowFold& fold, const RunContext& context) {
+  constexpr Index kFoldedAtOnce = 64;  // thousands of columns take a tenth of a second
   const Index m = window.now.cols(), rest = window.used - m;
   auto rows = window.rows.leftCols(window.used);
   if (rest <= 0 || !rows.allFinite()) return {};
   const Eigen::HouseholderQR<Matrix> factor(rows.topRows(m).transpose());
   rows.applyOnTheRight(factor.householderQ());
-  fold.add(rows.bottomRightCorner(rows.rows() - m, rest));
+  const auto free = rows.bottomRightCorner(rows.rows() - m, rest);
+  for (Index done = 0; done < rest; done += kFoldedAtOnce) {
+    context.check_stop();
+    fold.add(free.middleCols(done, std::min(kFoldedAtOnce, rest - done)));
+  }
   return rows.leftCols(m).transpose();
 }
 
@@ -43,11 +48,10 @@ bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
   result.rows = 0;
   result.heads.clear();
   for (const SampleWindow& window : path.windows) {
-    context.check_stop();
     const PathRecord& record = path.records[window.record];
     rates.evaluate(record, window);
     integrate_rows(rates, blocks, record, window, rows);
-    result.heads.push_back(eliminate_start(rows, fold));
+    result.heads.push_back(eliminate_start(rows, fold, context));
     if (result.heads.back().size() > 0) result.rows += rows.used - dimension;
   }
   std::optional<Matrix> triangle = fold.finish();

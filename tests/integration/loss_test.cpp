@@ -104,7 +104,8 @@ TEST(Memory, IsBoundedForWhatAnInputExpandsTo) {
                          {source, "memory", "--max-memory"});
   expect_program_error("simulate lorenz --x0 1,1,1 --t-end 1e8 --dt 1 --max-memory 200M", 2,
                        {"simulate lorenz", "memory", "--max-memory"});
-  expect_program_error("list --max-memory 1", 2, {"--max-memory"});
+  for (const char* size : {"1", "-1", "x", "1e9", "99999999999T"})
+    expect_program_error("identify " + zeros + " --max-memory " + size, 2, {"--max-memory"});
 }
 
 TEST(Threads, AreNotNeeded) {
@@ -137,6 +138,42 @@ TEST(Interrupt, EndsAReadThatBlocks) {
   }
 }
 
+/// Oscillators in a row, each coupled to its neighbours; cubic springs.
+std::string chain_model(int n) {
+  std::string states, equations;
+  for (int i = 0; i < n; ++i) {
+    const std::string q = "q" + std::to_string(i), v = "v" + std::to_string(i);
+    states += (i > 0 ? ", " : "") + ("{\"name\": \"" + q + "\"}, {\"name\": \"" + v + "\"}");
+    equations +=
+        (i > 0 ? ", " : "") +
+        ("{\"state\": \"" + q + "\", \"terms\": [{\"term\": \"" + v +
+         "\", \"coefficient\": 1}]}, {\"state\": \"" + v + "\", \"terms\": [{\"term\": \"" + q +
+         "\", \"coefficient\": -2}, {\"term\": \"" + q + "^3\", \"coefficient\": -0.5}");
+    for (const int k : {i - 1, i + 1})
+      if (k >= 0 && k < n)
+        equations += ", {\"term\": \"q" + std::to_string(k) + "\", \"coefficient\": 0.7}";
+    equations += "]}";
+  }
+  return "{\"format\": \"lacuna.model/1\", \"states\": [" + states + "], \"equations\": [" +
+         equations + "]}";
+}
+
+TEST(Interrupt, EndsALongSearchAtOnce) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("m.json", chain_model(5));
+  const std::string orbit = folder.file("o.csv");
+  ASSERT_EQ(run_program("simulate " + model + " --x0 .5,0,-.6,.1,.8,0,-.9,.2,1,0 --t-end 60" +
+                        " --dt 0.02 -o " + orbit)
+                .status,
+            0);
+  const auto begin = std::chrono::steady_clock::now();
+  const CommandResult result =
+      run_program("identify " + orbit, "timeout --preserve-status -s INT 7");
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_LT(taken.count(), 10.0);
+}
+
 TEST(Configuration, DeepNestingIsAnErrorNotACrash) {
   const TemporaryFolder folder;
   const std::string record = folder.write("r.csv", oscillation(300));
@@ -155,7 +192,7 @@ TEST(Configuration, ErrorsOfTheJsonLibraryHaveAPlace) {
   const std::string config =
       folder.write("c.json", "{\n \"regressor\": {\"threshold\": 1e999}}");
   expect_program_error("identify " + record + " --config " + config, 2,
-                       {"c.json:2:30", "out of the range", "; "});
+                       {"c.json:2:29", "out of the range", "; "});
   expect_program_error("identify " + record + " --set 'regressor.type=\xff'", 2,
                        {"--set regressor.type=\\xff", "not UTF-8", "; "});
 }
@@ -208,23 +245,22 @@ TEST(Time, GrowsNoFasterThanTheInput) {
   const TemporaryFolder folder;
   std::string header = "t", row = "0", terms;
   for (int i = 0; i < 100000; ++i) {
-    header += ",a" + std::to_string(i);
+    const std::string number = std::to_string(i);
+    header += ",a" + number;
     row += ",1";
-    terms +=
-        (i > 0 ? "," : "") + std::string(R"({"term": "sin()") + std::to_string(i) + R"(*x)",
-        "coefficient" : 1
-  })";
-}
-const std::string record = folder.write("r.csv", header + "\n" + row + "\n" + row + "\n");
-const std::string model = folder.write(
-    "m.json", R"({"format": "lacuna.model/1", "states": [{"name": "x"}], "equations": [
+    terms.append(i > 0 ? "," : "").append(R"x({"term": "sin()x").append(number);
+    terms += R"x(*x)", "coefficient": 1})x";
+  }
+  const std::string record = folder.write("r.csv", header + "\n" + row + "\n" + row + "\n");
+  const std::string model = folder.write(
+      "m.json", R"({"format": "lacuna.model/1", "states": [{"name": "x"}], "equations": [
           {"state": "x", "terms": [)" +
-                  terms + "]}]}");
-const auto begin = std::chrono::steady_clock::now();
-run_program("identify " + record);
-run_program("simulate " + model + " --x0 1 --t-end 0.1 --dt 0.1 --integrator rk4");
-const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-EXPECT_LT(taken.count(), 20.0);
+                    terms + "]}]}");
+  const auto begin = std::chrono::steady_clock::now();
+  run_program("identify " + record);
+  run_program("simulate " + model + " --x0 1 --t-end 0.1 --dt 0.1 --integrator rk4");
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(taken.count(), 20.0);
 }
 
 }  // namespace
