@@ -23,7 +23,7 @@ struct Options {
 
 void declare_pipeline_options(CLI::App& app, Options& options) {
   app.add_option("--preset", options.preset,
-                 "Composition of stages to start from: algorithm1, robust, sindy "
+                 "Composition of stages to start from: algorithm1, paper, robust, sindy "
                  "[default: algorithm1]")
       ->type_name("NAME");
   app.add_option("--config", options.config, "JSON file that overrides the preset by stages")

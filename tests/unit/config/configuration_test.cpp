@@ -46,7 +46,7 @@ TEST(Configuration, EmptyIsAlgorithm1) {
 }
 
 TEST(Configuration, AFormattedPipelineGivesItselfBack) {
-  for (const char* preset : {"algorithm1", "sindy", "robust"}) {
+  for (const char* preset : {"algorithm1", "paper", "sindy", "robust"}) {
     const std::string whole =
         format_pipeline(build(std::string(R"({"preset": ")") + preset + "\"}"));
     EXPECT_EQ(format_pipeline(build(whole)), whole);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 
 #include "support/stage_invariance.hpp"
 
@@ -61,6 +61,26 @@ TEST(Abm, PaperTolerancesHoldTheSmallestEigenvalueOfRawDataAgainstEps) {
     EXPECT_NEAR(gone.value, other.eigenvalues()[0], 1e-4 * gone.value);
     EXPECT_LT(gone.value, 1e-5);
   }
+}
+
+TEST(Abm, TermsThatHardlyDifferHaveTheSingularValueOfTheirOwn) {
+  // The second column brings a direction of size 1e-7, known to nine digits only after one
+  // pass of orthogonalisation: as much as the third brings.
+  Random random(4);
+  Matrix q(200, 3);
+  for (double& entry : q.reshaped()) entry = random.normal();
+  const Matrix basis = q.householderQr().householderQ() * Matrix::Identity(200, 3);
+  Matrix theta(200, 3);
+  theta << basis.col(0), basis.col(0) + 1e-7 * basis.col(1),
+      basis.col(0) + basis.col(1) + 1e-9 * basis.col(2);
+  const LeastSquaresSystem system(make_row_source(theta, Matrix::Ones(200, 1)), {"a", "b", "c"},
+                                  {"y"});
+  const FilterResult result = Abm({.eps = 1e-16}).filter(system);
+  ASSERT_EQ(result.kept, (TermSet{0, 1}));
+  const Vector singular =
+      system.factor().triangle.topLeftCorner(3, 3).jacobiSvd().singularValues();
+  EXPECT_NEAR(result.removed[0].value, singular[2] * singular[2],
+              1e-3 * singular[2] * singular[2]);
 }
 
 TEST(Abm, RemovesEverythingThatIsZero) {
