@@ -30,6 +30,7 @@ TEST(Ensemble, FindsTheTermsWithTheCoefficientsOfAllRows) {
     EnsembleOptions options;
     options.threshold = 0.05;
     options.left_out = left_out;
+    options.inclusion = 0.95;  // of the resamples that offered the term
     const Regression fit = fit_with(system, options);
     ASSERT_EQ(fit.active, (TermSet{1, 4, 7})) << left_out;
     EXPECT_TRUE(fit.coefficients.isApprox(system.subproblem(0, {1, 4, 7}).solve(), 1e-10));
