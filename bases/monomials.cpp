@@ -79,12 +79,14 @@ std::vector<std::size_t> used_slots(const Variables& variables,
 std::vector<Term> monomial_terms(const Variables& variables, const MonomialsOptions& options) {
   const std::vector<std::size_t> slots = used_slots(variables, options);
   ExponentLister lister(slots.size(), options.min_degree, options.max_degree);
-  std::vector<Exponents> list = lister.list();
+  std::vector<std::pair<std::vector<int>, Exponents>> list;
+  std::vector<Exponents> found = lister.list();
+  for (Exponents& exponents : found) list.emplace_back(rank(exponents), std::move(exponents));
   std::sort(list.begin(), list.end(),
-            [](const Exponents& a, const Exponents& b) { return rank(a) < rank(b); });
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Term> terms;
   terms.reserve(list.size());
-  for (const Exponents& exponents : list) {
+  for (const auto& [ranked, exponents] : list) {
     Exponents all(static_cast<std::size_t>(variables.count()), 0);
     for (std::size_t i = 0; i < slots.size(); ++i) all[slots[i]] = exponents[i];
     terms.push_back(Term::monomial(all, variables));

@@ -1,4 +1,4 @@
-# Installs the library, its headers, the command and the CMake package lacuna::lacuna.
+# Installs the library, its headers, the command, its man page, the licence and the CMake package lacuna::lacuna.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS lacuna EXPORT lacuna-targets
@@ -7,6 +7,9 @@ install(TARGETS lacuna EXPORT lacuna-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS lacuna-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/lacuna DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/docs/man/lacuna.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lacuna)
 install(EXPORT lacuna-targets NAMESPACE lacuna:: DESTINATION ${package_dir})

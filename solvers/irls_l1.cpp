@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "lacuna/solvers/l1_optimality.hpp"
+#include "lacuna/solvers/l1/l1_optimality.hpp"
 #include "lacuna/solvers/reweighting.hpp"
 
 namespace lacuna {

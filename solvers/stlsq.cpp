@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/solvers/stlsq.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
+
+#include "subset_fit.hpp"
 
 namespace lacuna {
 namespace {
 
 using Scale = StlsqOptions::Scale;
-
-/// Coefficients of unit-norm columns that minimise |c - R z|^2 + sum_j penalty_j z_j^2.
-Vector ridge(const Subproblem& problem, const Vector& penalty) {
-  const Index k = problem.size();
-  Matrix stacked(2 * k, k);
-  stacked << problem.triangle(), Matrix(penalty.cwiseSqrt().asDiagonal());
-  Vector target = Vector::Zero(2 * k);
-  target.head(k) = problem.projected_target();
-  return stacked.colPivHouseholderQr().solve(target);
-}
 
 Vector inverse_or_zero(const Vector& norms) {
   return (norms.array() > 0.0).select(norms.array().inverse(), 0.0);
@@ -39,7 +30,8 @@ Vector Stlsq::measures(const Subproblem& problem) const {
   if (options().alpha.value_or(0.0) > 0.0) {
     const Vector weight =
         contribution ? Vector(Vector::Ones(norms.size())) : inverse_or_zero(norms);
-    h = ridge(problem, *options().alpha * weight.cwiseAbs2())
+    h = ridge_solution(problem.triangle(), problem.projected_target(),
+                       *options().alpha * weight.cwiseAbs2())
             .cwiseProduct(inverse_or_zero(norms));
   } else {
     h = problem.solve();

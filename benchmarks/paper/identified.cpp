@@ -19,6 +19,7 @@ namespace {
 
 Identified identify_one(const Source& source) {
   return {&source, identify(source.record, preset("algorithm1", Tolerances::Paper)).model,
+          identify(source.record, preset("paper")).model,
           identify(source.record, preset("algorithm1")).model};
 }
 

@@ -12,6 +12,7 @@ namespace lacuna::benchmarks {
 struct Identified {
   const Source* source;
   OdeModel paper_mode;  ///< preset algorithm1 with the tolerances of the paper
+  OdeModel with_irls;   ///< preset paper: the same with IRLS while minor terms are deleted
   OdeModel standard;    ///< preset algorithm1 as it is
 };
 

@@ -2,11 +2,15 @@
 #include "lacuna/cli/cli.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
+#include <stdexcept>
 
 #include "command.hpp"
+#include "core/utf8.hpp"
 #include "interrupt.hpp"
 #include "lacuna/core/text.hpp"
+#include "memory_limit.hpp"
 
 namespace lacuna {
 namespace {
@@ -17,7 +21,7 @@ constexpr int kInterrupted = 130;
 std::string one_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  return printable(text);
 }
 
 int fail(const CliStreams& streams, const std::string& text) {
@@ -63,12 +67,23 @@ std::string hint(CLI::App& app, CLI::App& command) {
   return "";
 }
 
+/// An empty text is no value; CLI11 takes it for one. @return the option that has it.
+std::optional<std::string> empty_option(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& text : option->results())
+      if (text.empty()) return option->get_name();
+  return std::nullopt;
+}
+
 /// Reads the arguments. @return exit status when there is nothing more to do.
 std::optional<int> parse(CLI::App& app, int argc, const char* const* argv,
                          const CliStreams& streams) {
   try {
     app.parse(argc, argv);
-    return std::nullopt;
+    const auto empty = empty_option(*app.get_subcommands().front());
+    if (!empty) return std::nullopt;
+    return fail(streams, "command line: " + *empty +
+                             ": the value is empty; give one or leave " + "the option out");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error, streams.out, streams.err);
     const auto chosen = app.get_subcommands();
@@ -79,16 +94,70 @@ std::optional<int> parse(CLI::App& app, int argc, const char* const* argv,
   }
 }
 
-int run_chosen(const std::vector<cli::Command>& commands, const cli::Session& session) {
-  const auto chosen = std::find_if(commands.begin(), commands.end(),
-                                   [](const auto& command) { return command.app->parsed(); });
-  return chosen->run(session);
+/// What the run may take, in bytes.
+std::uint64_t memory_of(const CLI::App& command) {
+  const CLI::Option* option = command.get_option_no_throw("--max-memory");
+  return option != nullptr && option->count() > 0 ? option->as<std::uint64_t>()
+                                                  : cli::default_memory();
+}
+
+/// The command with what it works on: "identify record.csv".
+std::string place_of(const CLI::App& command) {
+  std::string place = command.get_name();
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_positional())
+      for (const std::string& text : option->results()) place += " " + text;
+  return place;
+}
+
+int fail_of_memory(const CliStreams& streams, const CLI::App& command) {
+  return fail(streams, place_of(command) + ": not enough memory (" +
+                           std::to_string(memory_of(command) >> 20U) +
+                           " MB); use fewer samples or terms, or raise --max-memory");
+}
+
+/// Runs a command; what goes wrong becomes one line and a status.
+int run_chosen(const cli::Command& command, const cli::Session& session) {
+  const CliStreams& streams = session.streams;
+  const auto interrupted = [&] {
+    streams.err << "lacuna: interrupted; nothing was written\n";
+    return kInterrupted;
+  };
+  try {
+    const cli::MemoryLimit limit(memory_of(*command.app));
+    return command.run(session);
+  } catch (const Cancelled&) {
+    return interrupted();
+  } catch (const Error& error) {
+    // A read that was broken into by an interrupt has failed too.
+    return session.stop.stop_requested() ? interrupted() : fail(streams, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail_of_memory(streams, *command.app);
+  } catch (const std::length_error&) {  // more than any container can hold
+    return fail_of_memory(streams, *command.app);
+  } catch (const std::exception& error) {
+    return fail(streams, place_of(*command.app) + ": " + error.what() +
+                             "; this is an error of lacuna, please report it");
+  }
+}
+
+/// The status, unless what was to be shown is lost.
+int with_output_checked(int status, const CliStreams& streams) {
+  streams.out.flush();
+  if (streams.out) return status;
+  return fail(streams,
+              "standard output: the result could not be written in full; check that "
+              "there is space, or give a file (-o, --json)");
 }
 
 }  // namespace
 
 int run_cli(int argc, const char* const* argv) {
-  return run_cli(argc, argv, default_registry());
+  try {
+    return run_cli(argc, argv, default_registry());
+  } catch (const std::bad_alloc&) {  // before there is a command
+    return fail({std::cout, std::cerr}, "lacuna: not enough memory to start; raise the limit");
+  }
 }
 
 int run_cli(int argc, const char* const* argv, const Registry& registry) {
@@ -102,21 +171,15 @@ int run_cli(int argc, const char* const* argv, const Registry& registry, CliStre
       cli::declare_identify(app), cli::declare_simulate(app), cli::declare_sync(app),
       cli::declare_diagnose(app), cli::declare_model(app),    cli::declare_list(app),
       cli::declare_describe(app)};
-  if (const auto status = parse(app, argc, argv, streams)) return *status;
+  if (const auto status = parse(app, argc, argv, streams))
+    return with_output_checked(*status, streams);
 
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
+  const auto chosen = std::find_if(commands.begin(), commands.end(),
+                                   [](const auto& command) { return command.app->parsed(); });
   const cli::InterruptGuard interrupt;
-  try {
-    return run_chosen(commands, {registry, streams, interrupt.token()});
-  } catch (const Cancelled&) {
-    streams.err << "lacuna: interrupted; nothing was written\n";
-    return kInterrupted;
-  } catch (const Error& error) {
-    return fail(streams, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(streams, "not enough memory; use fewer samples or fewer terms");
-  } catch (const std::exception& error) {
-    return fail(streams, error.what());
-  }
+  return with_output_checked(run_chosen(*chosen, {registry, streams, interrupt.token()}),
+                             streams);
 }
 
 }  // namespace lacuna

@@ -3,15 +3,60 @@
 
 #include <unistd.h>
 
+#include <charconv>
 #include <filesystem>
 #include <iostream>
 
+#include "core/utf8.hpp"
 #include "lacuna/core/atomic_file.hpp"
+#include "lacuna/data/read.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/systems/test_systems.hpp"
+#include "memory_limit.hpp"
 
 namespace lacuna::cli {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Digits and nothing else, as strtoull takes "-1" for 2^64 - 1. @return what is wrong.
+std::string check_seed(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && stop == end) return "";
+  return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
+}
+
+/// Bytes of "4G", "500M", "200k" or plain digits, as digits. @throws CLI::ValidationError.
+std::string bytes_of(std::string text) {
+  constexpr std::string_view kUnits = "kMGT";
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const std::size_t unit = stop == end ? std::string::npos : kUnits.find(*stop);
+  const unsigned shift = stop == end ? 0U : 10U * (static_cast<unsigned>(unit) + 1U);
+  const bool known = stop == end || (unit != std::string::npos && stop + 1 == end);
+  if (error != std::errc() || !known || value > (std::uint64_t{1} << 62U) >> shift ||
+      value << shift < kLeastMemory)
+    throw CLI::ValidationError("'" + text + "' is not a size from 16M on, such as 500M or 4G");
+  return std::to_string(value << shift);
+}
+
+/// Pipes and devices hold nothing that could be replaced.
+bool is_stream(const fs::path& path) {
+  std::error_code none;
+  const fs::file_status status = fs::status(path, none);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  if (is_stream(a) || is_stream(b)) return false;
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+  return !error && first == fs::weakly_canonical(fs::absolute(b, error), error) && !error;
+}
 
 bool shows_progress(const Session& session, const RunOptions& options) {
   if (options.progress != "auto") return options.progress == "always";
@@ -22,10 +67,17 @@ bool shows_progress(const Session& session, const RunOptions& options) {
 
 void declare_run_options(CLI::App& app, RunOptions& options) {
   app.add_option("--seed", options.seed, "Start of everything random in the run")
+      ->check(check_seed, "whole number", "seed")
       ->capture_default_str();
   app.add_option("--threads", options.threads, "Threads; the result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  options.max_memory = default_memory();
+  app.add_option("--max-memory", options.max_memory,
+                 "Memory that the run may take, e.g. 4G, in bytes [default: three quarters of "
+                 "the machine's]")
+      ->transform(bytes_of, "")
+      ->type_name("SIZE");
   app.add_option("--progress", options.progress,
                  "Progress on standard error: always, never, auto (where it is a terminal)")
       ->check(CLI::IsMember({"always", "never", "auto"}))
@@ -57,8 +109,31 @@ void write_output(const Session& session, const std::string& path, const std::st
     write_file_atomically(path, text);
 }
 
+void show(const Session& session, const std::string& text) {
+  session.streams.out << printable(text);
+}
+
+void check_outputs(const std::vector<std::string>& inputs,
+                   const std::vector<OutputFile>& outputs) {
+  const std::vector<std::string> files = expand_patterns(inputs);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!outputs[i].path) continue;
+    const std::string& path = *outputs[i].path;
+    const std::string place = outputs[i].option + " " + path;
+    for (const std::string& file : files)
+      if (same_file(path, file))
+        throw ConfigError(place, "this would replace '" + file + "', which is read",
+                          "give the result a file of its own");
+    for (std::size_t k = 0; k < i; ++k)
+      if (outputs[k].path && (*outputs[k].path == path || same_file(*outputs[k].path, path)))
+        throw ConfigError(place, outputs[k].option + " goes there too",
+                          "give each result a place of its own");
+  }
+}
+
 OdeModel load_model(const std::string& path) {
-  if (!std::filesystem::exists(path))
+  std::error_code unreadable;
+  if (!fs::exists(path, unreadable))
     for (const TestSystem& system : test_systems())
       if (system.name == path) return system.model;
   return read_model(path);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "lacuna/cli/cli.hpp"
 #include "lacuna/core/run_context.hpp"
@@ -38,6 +39,7 @@ Command declare_describe(CLI::App& root);
 struct RunOptions {
   std::uint64_t seed = 1;
   int threads = 1;
+  std::uint64_t max_memory = 0;  ///< bytes
   std::string progress = "auto";
 };
 
@@ -51,6 +53,21 @@ void finish_progress(const Session& session, const RunOptions& options);
 
 /// Writes text to a file, whole or not at all, or to standard output for "-".
 void write_output(const Session& session, const std::string& path, const std::string& text);
+
+/// Shows text for people; nothing in it (a column's name) can act on the terminal.
+void show(const Session& session, const std::string& text);
+
+/// A file that a command is going to write; without a path it is not asked for.
+struct OutputFile {
+  std::string option;
+  std::optional<std::string> path;
+};
+
+/// Keeps apart what is read and what is written.
+/// @throws ConfigError when a file would replace one that is read, two results would go to one
+///   file, or two to standard output.
+void check_outputs(const std::vector<std::string>& inputs,
+                   const std::vector<OutputFile>& outputs);
 
 /// A model file, or a test system by its name when there is no such file.
 OdeModel load_model(const std::string& path);

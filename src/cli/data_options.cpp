@@ -92,6 +92,13 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
       ->type_name("q=N");
 }
 
+std::vector<std::string> files_read(const DataOptions& options,
+                                    const std::vector<std::string>& others) {
+  std::vector<std::string> files = options.paths;
+  files.insert(files.end(), others.begin(), others.end());
+  return files;
+}
+
 ColumnRoles common_roles(const DataOptions& options) {
   ColumnRoles roles;
   roles.time = options.time;

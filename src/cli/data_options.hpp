@@ -29,6 +29,10 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
 /// The option `--hold`, which the column options have among them.
 void declare_hold_option(CLI::App& app, DataOptions& options);
 
+/// Everything that a command reads: its data and `others`.
+std::vector<std::string> files_read(const DataOptions& options,
+                                    const std::vector<std::string>& others);
+
 /// The roles that the options give to columns in every command: time, step, number of the
 /// record.
 ColumnRoles common_roles(const DataOptions& options);

@@ -43,7 +43,7 @@ int describe_command(const Session& session, const std::string& name) {
   if (found.empty())
     throw ConfigError("describe " + name, "there is no part called '" + name + "'",
                       suggestion(name, all_names(session.registry)));
-  session.streams.out << join(found, "\n");
+  show(session, join(found, "\n"));
   return 0;
 }
 

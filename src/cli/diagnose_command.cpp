@@ -90,7 +90,17 @@ Dataset read_held_out(const OdeModel& model, const Options& options,
       read_records(model, options.held_out, roles_of(options), differentiator), options.limits);
 }
 
+/// The model, the records, held-out ones and the configuration.
+std::vector<std::string> inputs_of(const Options& options) {
+  std::vector<std::string> files = files_read(options.data, options.held_out);
+  files.push_back(options.model);
+  if (options.config) files.push_back(*options.config);
+  return files;
+}
+
 int diagnose_command(const Session& session, const Options& options) {
+  check_outputs(inputs_of(options),
+                {{"--model-out", options.model_out}, {"--json", options.json}});
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
@@ -105,9 +115,9 @@ int diagnose_command(const Session& session, const Options& options) {
   if (options.model_out)
     write_output(session, *options.model_out, format_model(diagnosis.augmented));
   if (options.json) write_output(session, *options.json, format_json(diagnosis));
-  if (options.json != "-") {
-    session.streams.out << format_text(diagnosis);
-    if (options.explain) session.streams.out << "\n" << format_trail(diagnosis);
+  if (options.json != "-" && options.model_out != "-") {
+    show(session, format_text(diagnosis));
+    if (options.explain) show(session, "\n" + format_trail(diagnosis));
   }
   return 0;
 }

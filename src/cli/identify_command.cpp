@@ -23,7 +23,7 @@ struct Options {
 
 void declare_pipeline_options(CLI::App& app, Options& options) {
   app.add_option("--preset", options.preset,
-                 "Composition of stages to start from: algorithm1, robust, sindy "
+                 "Composition of stages to start from: algorithm1, paper, robust, sindy "
                  "[default: algorithm1]")
       ->type_name("NAME");
   app.add_option("--config", options.config, "JSON file that overrides the preset by stages")
@@ -38,8 +38,9 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
 }
 
 void declare_output_options(CLI::App& app, Options& options) {
-  app.add_option("--model-out", options.model_out, "Save the model (lacuna.model/1)")
-      ->type_name("FILE");
+  app.add_option("--model-out", options.model_out,
+                 "Save the model (lacuna.model/1); - for standard output")
+      ->type_name("FILE|-");
   app.add_option("--json", options.json,
                  "Write the whole result as JSON; - for standard output")
       ->type_name("FILE|-");
@@ -90,12 +91,16 @@ bool found_a_model(const IdentificationResult& result) {
 
 void write_results(const Session& session, const Options& options,
                    const IdentificationReport& report) {
-  if (options.model_out) write_model(*options.model_out, report.result.model);
+  if (options.model_out)
+    write_output(session, *options.model_out, format_model(report.result.model));
   if (options.json) write_output(session, *options.json, format_json(report));
-  if (options.json != "-") session.streams.out << format_text(report);
+  if (options.json != "-" && options.model_out != "-") show(session, format_text(report));
 }
 
 int identify_command(const Session& session, const Options& options) {
+  check_outputs(files_read(options.data, options.config ? std::vector{*options.config}
+                                                        : std::vector<std::string>{}),
+                {{"--model-out", options.model_out}, {"--json", options.json}});
   const Configuration configuration = make_configuration(options);
   const Pipeline pipeline = configuration.build(session.registry);
   const auto integrator = session.registry.make<Integrator>(options.integrator);

@@ -43,14 +43,14 @@ int list_command(const Session& session, const std::string& kind) {
   if (!kind.empty()) check_kind(lines, kind);
   std::size_t width = 0;
   for (const Line& line : lines) width = std::max(width, line.name.size() + 2);
-  std::string heading;
+  std::string heading, text;
   for (const Line& line : lines) {
     if (!kind.empty() && line.kind != kind) continue;
-    if (line.kind != heading) session.streams.out << line.kind << "\n";
+    if (line.kind != heading) text += line.kind + "\n";
     heading = line.kind;
-    session.streams.out << "  " << line.name << std::string(width - line.name.size(), ' ')
-                        << line.text << "\n";
+    text += "  " + line.name + std::string(width - line.name.size(), ' ') + line.text + "\n";
   }
+  show(session, text);
   return 0;
 }
 

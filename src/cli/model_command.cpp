@@ -20,6 +20,7 @@ bool is_ode(const std::string& path) {
 
 /// To standard output goes the format that the model does not have yet.
 int model_command(const Session& session, const Options& options) {
+  check_outputs({options.model}, {{"--output", options.output}});
   const OdeModel model = load_model(options.model);
   const bool as_text = options.output == "-" ? !is_ode(options.model) : is_ode(options.output);
   write_output(session, options.output, as_text ? format_ode(model) : format_model(model));

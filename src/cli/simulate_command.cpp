@@ -89,6 +89,9 @@ Dataset as_dataset(const OdeModel& model, Solution orbit) {
 }
 
 int simulate_command(const Session& session, const Options& options) {
+  std::vector<std::string> inputs{options.model};
+  if (options.input_data) inputs.push_back(*options.input_data);
+  check_outputs(inputs, {{"--output", options.output}});
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);

@@ -40,6 +40,7 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
 }
 
 int sync_command(const Session& session, const Options& options) {
+  check_outputs(files_read(options.data, {options.model}), {{"--json", options.json}});
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
@@ -54,7 +55,7 @@ int sync_command(const Session& session, const Options& options) {
                     model.states(), data.time_unit, coupling.has_value(), options.integrator};
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(report));
-  if (options.json != "-") session.streams.out << format_text(report);
+  if (options.json != "-") show(session, format_text(report));
   if (report.result.status == IntegrationStatus::Completed) return 0;
   session.streams.err << "lacuna: error: " << report.result.message
                       << "; try a stronger --coupling\n";

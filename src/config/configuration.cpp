@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/json_text.hpp"
+#include "core/utf8.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "option_reader.hpp"
@@ -27,22 +29,28 @@ bool is_stage_key(const std::string& key) {
          std::find(kStageKeys.begin(), kStageKeys.end(), key) != kStageKeys.end();
 }
 
-/// "line 3, column 7" of a byte position (from 1) in a text.
-std::string position_text(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t start = before.rfind('\n');
-  const std::size_t column =
-      before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
-  return std::to_string(line) + ":" + std::to_string(column);
+/// Levels of objects and lists; a stage in a stage in a stage has five.
+constexpr int kDeepest = 32;
+
+[[noreturn]] void fail_too_deep(const std::string& source) {
+  throw ConfigError(source, "nested deeper than " + std::to_string(kDeepest) + " levels",
+                    "a configuration has a few: stage, option, value");
 }
 
 Json parse_document(std::string_view text, const std::string& source) {
+  const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth > kDeepest) fail_too_deep(source);
+    return true;
+  };
   try {
-    return Json::parse(text);
+    return Json::parse(text, check_depth);
   } catch (const Json::parse_error& error) {
-    throw ConfigError(source + ":" + position_text(text, error.byte), "this is not JSON",
+    throw ConfigError(source + ":" + line_and_column(text, error.byte), "this is not JSON",
                       "check quotes, commas and brackets up to this place");
+  } catch (const Json::exception&) {
+    const std::size_t byte = overflowing_number(text).value_or(1);
+    throw ConfigError(source + ":" + line_and_column(text, byte),
+                      "a number is out of the range of a double", "use a smaller exponent");
   }
 }
 
@@ -77,9 +85,9 @@ Json nested_value(std::string_view path, Json value) {
 }
 
 /// The value of an assignment: JSON where it is some, else text.
-Json value_of(std::string_view text) {
-  Json value = Json::parse(text, nullptr, false);
-  return value.is_discarded() ? Json(std::string(text)) : value;
+Json value_of(std::string_view text, const std::string& source) {
+  if (!Json::accept(text)) return std::string(text);
+  return parse_document(text, source);
 }
 
 /// A stage given by its name alone becomes the object with that type.
@@ -167,13 +175,19 @@ void Configuration::merge_file(const std::string& path) {
 }
 
 void Configuration::set(std::string_view assignment) {
+  constexpr std::size_t kShown = 60;
+  const std::string source = "--set " + std::string(assignment.substr(0, kShown)) +
+                             (assignment.size() > kShown ? "..." : "");
+  if (!is_utf8(assignment))
+    throw ConfigError(source, "this is not UTF-8", "write it in UTF-8 or plain letters");
   const std::size_t equals = assignment.find('=');
   const std::string_view path = trim(assignment.substr(0, equals));
   if (equals == std::string_view::npos || path.empty())
-    throw ConfigError("--set " + std::string(assignment), "this is not PATH=VALUE",
+    throw ConfigError(source, "this is not PATH=VALUE",
                       "write e.g. --set regressor.threshold=0.05");
-  const Json value = value_of(trim(assignment.substr(equals + 1)));
-  merge_text(nested_value(path, value).dump(), "--set " + std::string(assignment));
+  if (std::count(path.begin(), path.end(), '.') >= kDeepest) fail_too_deep(source);
+  const Json value = value_of(trim(assignment.substr(equals + 1)), source);
+  merge_into(document_->root, with_stage_objects(nested_value(path, value)));
 }
 
 void Configuration::set_preset(const std::string& name) { document_->root["preset"] = name; }
@@ -187,7 +201,9 @@ void Configuration::set_terms(std::string_view list) {
   document_->root["basis"] = Json{{"type", "expressions"}, {"terms", split_list(list)}};
 }
 
-std::string Configuration::text() const { return document_->root.dump(); }
+std::string Configuration::text() const {
+  return document_->root.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 Pipeline Configuration::build(const Registry& registry) const {
   check_keys(document_->root);

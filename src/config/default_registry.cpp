@@ -26,12 +26,18 @@
 #include "lacuna/pruners/sequential_thresholding.hpp"
 #include "lacuna/selection/no_refiner.hpp"
 #include "lacuna/selection/trajectory_selection.hpp"
+#include "lacuna/solvers/best_subset.hpp"
+#include "lacuna/solvers/elastic_net.hpp"
+#include "lacuna/solvers/ensemble.hpp"
+#include "lacuna/solvers/frols.hpp"
 #include "lacuna/solvers/irls.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
-#include "lacuna/solvers/l1_ceres.hpp"
-#include "lacuna/solvers/l1_coordinate_descent.hpp"
-#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/l1/l1_ceres.hpp"
+#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
 #include "lacuna/solvers/ols.hpp"
+#include "lacuna/solvers/ridge.hpp"
+#include "lacuna/solvers/sr3.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 
 namespace lacuna {
@@ -69,6 +75,12 @@ void add_solvers(Registry& registry) {
   registry.add<Irls>();
   registry.add<IrlsL1>({.inner = CoordinateDescent{}});
   registry.add<Stlsq>();
+  registry.add<Ridge>();
+  registry.add<BestSubset>();
+  registry.add<ElasticNet>();
+  registry.add<Frols>();
+  registry.add<Sr3>();
+  registry.add<Ensemble>();
 }
 
 void add_integrators(Registry& registry) {

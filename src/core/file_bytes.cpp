@@ -138,8 +138,13 @@ std::string gzip(std::string_view content) {
 }
 
 FileBytes read_bytes(const fs::path& path) {
-  FileBytes content = read_raw(path);
-  return is_gzip(content.view()) ? gunzip(content.view(), path.string()) : std::move(content);
+  try {
+    FileBytes content = read_raw(path);
+    return is_gzip(content.view()) ? gunzip(content.view(), path.string()) : std::move(content);
+  } catch (const std::bad_alloc&) {
+    throw DataError(path.string(), "what is in it does not fit into the memory of this run",
+                    "check that it is a record; split it, or raise --max-memory");
+  }
 }
 
 }  // namespace lacuna

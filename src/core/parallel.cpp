@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -57,7 +58,12 @@ void parallel_for(std::size_t count, int threads, FunctionRef<void(std::size_t)>
       std::min(count, static_cast<std::size_t>(std::max(threads, 1))) - (count > 0 ? 1 : 0);
   {
     std::vector<std::jthread> pool;
-    for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back([&] { queue.serve(); });
+    pool.reserve(helpers);
+    try {
+      for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back([&] { queue.serve(); });
+    } catch (const std::system_error&) {
+      // The machine gives no more threads: those that are there do the work.
+    }
     queue.serve();
   }
   queue.rethrow();

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <unordered_map>
 #include <utility>
 
+#include "core/utf8.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
@@ -68,15 +70,18 @@ std::string header_place(const Table& table, std::optional<std::size_t> line,
   return table.source + ":" + std::to_string(*line) + ":" + number;
 }
 
-void check_distinct(const Table& table, std::size_t column, std::optional<std::size_t> line) {
+/// Columns by their names.
+using Places = std::unordered_map<std::string, std::size_t>;
+
+void check_distinct(const Table& table, std::size_t column, std::optional<std::size_t> line,
+                    Places& places) {
   const std::string& name = table.columns[column].name;
-  for (std::size_t other = 0; other < column; ++other) {
-    if (table.columns[other].name != name) continue;
-    throw DataError(header_place(table, line, column),
-                    "columns " + std::to_string(other + 1) + " and " +
-                        std::to_string(column + 1) + " are both named '" + name + "'",
-                    "give every column a name of its own in the header");
-  }
+  const auto [other, is_new] = places.emplace(name, column);
+  if (is_new) return;
+  throw DataError(header_place(table, line, column),
+                  "columns " + std::to_string(other->second + 1) + " and " +
+                      std::to_string(column + 1) + " are both named '" + name + "'",
+                  "give every column a name of its own in the header");
 }
 
 }  // namespace
@@ -118,11 +123,12 @@ void name_columns(Table& table, const std::vector<Quantity>& headers,
                   std::optional<std::size_t> line) {
   table.columns.clear();
   table.headers.clear();
+  Places places;
   for (std::size_t i = 0; i < headers.size(); ++i) {
-    const std::string& header = headers[i].name;
+    const std::string header = to_utf8(headers[i].name);
     table.headers.push_back(header);
-    table.columns.push_back({usable_name(header, i), headers[i].unit});
-    check_distinct(table, i, line);
+    table.columns.push_back({usable_name(header, i), printable(to_utf8(headers[i].unit))});
+    check_distinct(table, i, line, places);
     const std::string& name = table.columns.back().name;
     if (header.empty() || name == header) continue;
     table.notes.push_back(header_place(table, line, i) + ": column '" + header +

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "core/utf8.hpp"
 #include "formula_error.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
@@ -49,6 +50,16 @@ Hold read_hold(const JsonPlace& place) {
   return *hold;
 }
 
+/// A unit is shown wherever its quantity is: nothing in it may act on a terminal.
+std::optional<std::string> read_unit(const JsonPlace& entry, const std::string& key) {
+  const std::optional<JsonPlace> unit = entry.find(key);
+  if (!unit) return std::nullopt;
+  std::string text = unit->text();
+  if (printable(text) != text || text.find('\n') != std::string::npos)
+    unit->fail("a unit has control characters", "remove them");
+  return text;
+}
+
 /// @param driven whether they are inputs, which may have a hold.
 std::vector<Quantity> read_quantities(const JsonPlace& list, std::set<std::string>& taken,
                                       bool driven) {
@@ -61,8 +72,7 @@ std::vector<Quantity> read_quantities(const JsonPlace& list, std::set<std::strin
       entry.expect_keys({"name", "unit"});
     const JsonPlace name = entry.at("name");
     check_quantity_name(name, name.text(), taken);
-    const std::optional<JsonPlace> unit = entry.find("unit");
-    quantities.push_back({name.text(), unit ? unit->text() : std::string()});
+    quantities.push_back({name.text(), read_unit(entry, "unit").value_or("")});
     if (!driven) continue;
     if (const auto hold = entry.find("hold")) quantities.back().hold = read_hold(*hold);
   }
@@ -103,13 +113,13 @@ WeightedTerm read_summand(const JsonPlace& place, const Variables& variables) {
 
 Equation read_terms(const JsonPlace& list, const Variables& variables) {
   Equation equation;
+  std::set<std::string> taken;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace place = list.at(i);
     WeightedTerm summand = read_summand(place, variables);
-    for (const WeightedTerm& earlier : equation)
-      if (earlier.term == summand.term)
-        place.at("term").fail("the term '" + summand.term.name() + "' stands twice",
-                              "add the coefficients up in one term");
+    if (!taken.insert(summand.term.name()).second)
+      place.at("term").fail("the term '" + summand.term.name() + "' stands twice",
+                            "add the coefficients up in one term");
     equation.push_back(std::move(summand));
   }
   return equation;
@@ -156,11 +166,11 @@ OdeModel read_document(const JsonPlace& root) {
   if (states.empty()) state_list.fail("there are no states", "name at least one");
   std::vector<Quantity> inputs;
   if (const auto list = root.find("inputs")) inputs = read_quantities(*list, taken, true);
-  const auto unit = root.find("time_unit");
+  const auto unit = read_unit(root, "time_unit");
   std::vector<Equation> equations =
       read_equations(root.at("equations"), {names_of(states), names_of(inputs)});
   return OdeModel(std::move(states), std::move(inputs), std::move(equations),
-                  unit ? unit->text() : "s");
+                  unit.value_or("s"));
 }
 
 }  // namespace
@@ -172,7 +182,8 @@ OdeModel parse_model(std::string_view json, const std::string& source) {
 
 OdeModel read_model(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
+  std::error_code unreadable;
+  if (!file || std::filesystem::is_directory(path, unreadable))
     throw FileError(path.string(), "the model file cannot be read",
                     "check that it exists and that it may be read");
   const std::string text{std::istreambuf_iterator<char>(file),

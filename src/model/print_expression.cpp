@@ -74,9 +74,10 @@ Printed print_delay(const Expression& e) {
   return {std::move(text), kAtom};
 }
 
+/// A row of signs stays a row: parentheses would nest deeper than what was written.
 Printed print_negated(const Expression& e) {
   std::string text(1, '-');
-  text += operand_text(e.operands()[0], kPower);
+  text += operand_text(e.operands()[0], kSign);
   return {std::move(text), kSign};
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/json_text.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 
@@ -73,16 +74,9 @@ class KeyWatcher {
   std::optional<std::string> repeated_;
 };
 
-/// "source:line:column" of a byte, counted from 1; the parser gives the last one of a bad
-/// token.
+/// "source:line:column" of a byte; the parser gives the last one of a bad token.
 std::string position_text(std::string_view text, std::size_t byte, const std::string& source) {
-  const std::string_view before =
-      text.substr(0, std::min(text.size(), byte > 0 ? byte - 1 : 0));
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  const std::size_t line_start = before.rfind('\n');
-  const std::size_t column =
-      before.size() - (line_start == std::string_view::npos ? 0 : line_start + 1) + 1;
-  return source + ":" + std::to_string(line) + ":" + std::to_string(column);
+  return source + ":" + line_and_column(text, byte);
 }
 
 std::string syntax_problem(std::string_view text, std::size_t byte) {
@@ -109,8 +103,8 @@ json parse_strict_json(std::string_view text, const std::string& source) {
     throw ModelError(position_text(text, error.byte, source), syntax_problem(text, error.byte),
                      "check quotes, commas and brackets there");
   } catch (const json::exception&) {
-    throw ModelError(source, "a number is out of the range of a double",
-                     "use a smaller exponent");
+    throw ModelError(position_text(text, overflowing_number(text).value_or(1), source),
+                     "a number is out of the range of a double", "use a smaller exponent");
   }
   if (watcher.repeated())
     throw ModelError(source + ": " + *watcher.repeated(), "the key stands twice in its object",

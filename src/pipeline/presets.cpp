@@ -11,6 +11,7 @@
 #include "lacuna/pruners/minor_terms.hpp"
 #include "lacuna/selection/no_refiner.hpp"
 #include "lacuna/selection/trajectory_selection.hpp"
+#include "lacuna/solvers/irls.hpp"
 #include "lacuna/solvers/ols.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 
@@ -18,11 +19,11 @@ namespace lacuna {
 namespace {
 
 /// Algorithm 1 with its tolerances as published.
-Pipeline published_algorithm1() {
+Pipeline published_algorithm1(Stage<Regressor> regressor) {
   return {.basis = Monomials{},
           .formulation = StrongForm{{.differentiator = FiniteDifferences{{.order = 4}}}},
           .filter = Abm{{.tolerances = AbmOptions::Tolerances::Paper, .eps = 1e-5}},
-          .regressor = Ols{},
+          .regressor = std::move(regressor),
           .pruner = MinorTerms{{.tolerances = MinorTermsOptions::Tolerances::Paper,
                                 .criterion = MinorTermsOptions::Criterion::Contribution,
                                 .eta = 1e-5}},
@@ -37,7 +38,7 @@ Stage<Formulation> fitted_differences() {
 }  // namespace
 
 Pipeline algorithm1(Tolerances tolerances) {
-  if (tolerances == Tolerances::Paper) return published_algorithm1();
+  if (tolerances == Tolerances::Paper) return published_algorithm1(Ols{});
   return {.basis = Monomials{},
           .formulation = fitted_differences(),
           .filter = Abm{},
@@ -72,6 +73,12 @@ const std::vector<Preset>& presets() {
        "the "
        "trajectories where they are noisy.",
        "Karimov et al., Nonlinear Dynamics 111 (2023) 871, Algorithm 1", algorithm1, true},
+      {"paper", "Algorithm 1 as published: minor terms deleted with IRLS, all tolerances raw.",
+       "Karimov et al., Nonlinear Dynamics 111 (2023) 871, Algorithm 1, eq. (8)",
+       [](Tolerances) {
+         return published_algorithm1(Irls{{.tolerances = IrlsOptions::Tolerances::Paper}});
+       },
+       true},
       {"robust",
        "Terms chosen and coefficients fitted on the trajectories themselves, for noisy "
        "records.",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/pruners/cross_validation.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,36 +8,10 @@
 
 #include "lacuna/numerics/serial_correlation.hpp"
 #include "lacuna/pruners/elimination.hpp"
+#include "linear/gathered_rows.hpp"
 
 namespace lacuna {
 namespace {
-
-/// [Theta_A y]. A system gives out residuals only: y is that of no term, and y - c theta_j that
-/// of one, with c of a size at which nothing cancels.
-Matrix rows_of(const LeastSquaresSystem& system, Index target, const TermSet& active,
-               const RunContext& context) {
-  const auto terms = static_cast<Index>(active.size());
-  Matrix rows(system.rows(), terms + 1);
-  rows.col(terms) = system.residuals(target, {}, Vector(), context);
-  const double size = system.factor().target_norms[target];
-  for (Index j = 0; j < terms; ++j) {
-    const Index term = active[static_cast<std::size_t>(j)];
-    const double norm = system.factor().column_norms[term];
-    const double c = size > 0.0 && norm > 0.0 ? size / norm : 1.0;
-    const Vector rest = system.residuals(target, {term}, Vector::Constant(1, c), context);
-    rows.col(j) = (rows.col(terms) - rest) / c;
-  }
-  return rows;
-}
-
-/// R of the rows, or the rows where they are fewer.
-Matrix triangle(const Eigen::Ref<const Matrix>& rows) {
-  if (rows.rows() <= rows.cols()) return rows;
-  return Eigen::HouseholderQR<Matrix>(rows)
-      .matrixQR()
-      .topRows(rows.cols())
-      .triangularView<Eigen::Upper>();
-}
 
 /// Triangles R of the blocks. The rows near either end of a block are kept apart, so that they
 /// can be left out when the neighbour is.
@@ -51,7 +24,8 @@ class Blocks {
       const Index edge = std::min(gap, (end - begin) / 2);
       const Index cuts[] = {begin, begin + edge, end - edge, end};
       for (int part = 0; part < 3; ++part)
-        parts_.push_back(triangle(rows.middleRows(cuts[part], cuts[part + 1] - cuts[part])));
+        parts_.push_back(
+            row_triangle(rows.middleRows(cuts[part], cuts[part + 1] - cuts[part])));
     }
   }
 
@@ -127,7 +101,7 @@ PruneResult CrossValidation::do_prune(const LeastSquaresSystem& system, Index ta
   Elimination state(system, target, active, regressor, context);
   const Index count = std::min<Index>(options().blocks, system.rows() / 2);
   if (active.empty() || count < 2) return {active, {}};
-  const Matrix rows = rows_of(system, target, active, context);
+  const Matrix rows = gathered_rows(system, target, active, context);
   const Vector residuals =
       rows.col(state.size()) - rows.leftCols(state.size()) * state.coefficients();
   const Index gap = serial_correlation(residuals).reach;

@@ -163,7 +163,7 @@ std::string format_json(const Diagnosis& diagnosis) {
   json["rounds"] = rounds_json(diagnosis);
   json["rivals"] = rivals_json(diagnosis);
   json["notes"] = diagnosis.notes;
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace lacuna

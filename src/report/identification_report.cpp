@@ -80,7 +80,7 @@ std::string format_json(const IdentificationReport& report) {
                               [&](const PathStep& step) { return step_to_json(result, step); });
   json["sync"] = report.sync ? sync_to_json(*report.sync) : Json(nullptr);
   json["warnings"] = result.warnings;
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace lacuna

@@ -57,7 +57,9 @@ Json stage_to_json(const StageInterface& stage) {
 
 }  // namespace
 
-std::string format_stage(const StageInterface& stage) { return stage_to_json(stage).dump(); }
+std::string format_stage(const StageInterface& stage) {
+  return stage_to_json(stage).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::string format_pipeline(const Pipeline& pipeline) {
   Json object;
@@ -67,7 +69,7 @@ std::string format_pipeline(const Pipeline& pipeline) {
   object["regressor"] = stage_to_json(*pipeline.regressor);
   object["pruner"] = stage_to_json(*pipeline.pruner);
   object["refiner"] = stage_to_json(*pipeline.refiner);
-  return object.dump();
+  return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace lacuna

@@ -70,7 +70,7 @@ std::string format_json(const SyncReport& report) {
   nlohmann::ordered_json json;
   json["format"] = "lacuna.sync/1";
   json.update(sync_to_json(report));
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string format_text(const SyncReport& report) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lacuna/core/run_context.hpp"
 #include "lacuna/linear/factor.hpp"
 #include "sensitivity_rows.hpp"
 #include "window_rates.hpp"
@@ -32,11 +33,18 @@ struct Linearisation {
   std::vector<Matrix> heads;  ///< of each window, m x (m + q + 1): what determines s
 };
 
-/// Linearises at coefficients h0 (m x L) about the path.
+/// Where and in what is linearised.
+struct LinearisationPoint {
+  const Matrix& h0;  ///< m x L
+  const std::vector<Coefficient>& columns;
+};
+
+/// Linearises about the path.
 /// @param rates of the equations.
 /// @param folding Gram: tried first where there are many columns; becomes Orthogonal when it
 ///   could not resolve them.
-Linearisation linearise(WindowRates& rates, const WindowedPath& path, const Matrix& h0,
-                        const std::vector<Coefficient>& columns, Folding& folding);
+Linearisation linearise(WindowRates& rates, const WindowedPath& path,
+                        const LinearisationPoint& point, Folding& folding,
+                        const RunContext& context);
 
 }  // namespace lacuna

@@ -12,10 +12,10 @@ namespace lacuna {
 namespace {
 
 /// Linearises in all candidates, chooses, moves the path. @return whether nothing changed.
-bool choose(const SearchTask& task, WindowSearch& search) {
+bool choose(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   WindowFit& fit = search.fit;
-  const Linearisation linearised =
-      linearise(search.rates, search.path, fit.coefficients, task.candidates, search.folding);
+  const Linearisation linearised = linearise(
+      search.rates, search.path, {fit.coefficients, task.candidates}, search.folding, context);
   fit.triangle = linearised.triangle;
   fit.rows = linearised.rows;
   if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
@@ -27,9 +27,9 @@ bool choose(const SearchTask& task, WindowSearch& search) {
   fit.price = task.price.value_or(std::log(n) + std::log(q));
   const SubsetProblem problem = problem_of(fit);
   const std::vector<Index> before = fit.subset;
-  fit.subset = best_subset(problem, fit.price, {before}, Exchange::Single).columns;
+  fit.subset = best_subset(problem, fit.price, {before}, Exchange::Single, context).columns;
   if (fit.subset == before)
-    fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs).columns;
+    fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs, context).columns;
   const std::optional<double> moved =
       move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
   return moved && *moved < kSmallMove && fit.subset == before;
@@ -62,8 +62,8 @@ double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext
   double last = 0.0;
   for (int i = 0; i < limits.iterations && !active.empty(); ++i) {
     context.check_stop();
-    const Linearisation linearised =
-        linearise(search.rates, search.path, fit.coefficients, active, search.folding);
+    const Linearisation linearised = linearise(
+        search.rates, search.path, {fit.coefficients, active}, search.folding, context);
     const Vector h = solution_of(subset_problem(linearised.triangle), all);
     if (!h.allFinite()) break;
     for (std::size_t c = 0; c < active.size(); ++c)
@@ -82,7 +82,7 @@ void converge(const SearchTask& task, WindowSearch& search, const RunContext& co
   settle(search, {}, context);
   for (int i = 0; i < kRounds && !search.fit.settled; ++i) {
     context.report("searching the structure", static_cast<double>(i) / kRounds);
-    search.fit.settled = choose(task, search);
+    search.fit.settled = choose(task, search, context);
     if (!search.fit.settled) settle(search, {}, context);
   }
   summarise(search);

@@ -99,9 +99,9 @@ std::vector<Index> simplest(const WindowFit& fit, const SubsetProblem& problem, 
   }
 }
 
-Linearisation linearise_all(WindowSearch& search) {
-  return linearise(search.rates, search.path, search.fit.coefficients, search.fit.columns,
-                   search.folding);
+Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
+  return linearise(search.rates, search.path, {search.fit.coefficients, search.fit.columns},
+                   search.folding, context);
 }
 
 }  // namespace
@@ -156,7 +156,7 @@ void finish(WindowSearch& search, const RunContext& context) {
 void simplify(const SearchTask& task, WindowSearch& search, double slack,
               const RunContext& context) {
   if (search.fit.subset.empty() || task.price) return;
-  const Linearisation linearised = linearise_all(search);
+  const Linearisation linearised = linearise_all(search, context);
   if (!linearised.triangle.allFinite()) return;
   const WindowFit found = search.fit;
   WindowFit& fit = search.fit;
@@ -167,7 +167,7 @@ void simplify(const SearchTask& task, WindowSearch& search, double slack,
   fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
   move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
   finish(search, context);
-  fit.triangle = linearise_all(search).triangle;
+  fit.triangle = linearise_all(search, context).triangle;
   if (!fit.coefficients.allFinite() || !fit.triangle.allFinite()) fit = found;
 }
 

@@ -65,11 +65,12 @@ void check_state_moves(const Dataset& data, Index state) {
                   "give '" + name + "' as an input, leave it out, or check the derivatives");
 }
 
-void check_row_count(const LeastSquaresSystem& system) {
-  if (system.rows() >= system.terms()) return;
+/// Rows are combinations of the samples, so neither may be fewer than the terms.
+void check_count(Index count, const std::string& what, Index terms) {
+  if (count >= terms) return;
   throw DataError("data",
-                  std::to_string(system.rows()) + " rows do not determine " +
-                      std::to_string(system.terms()) + " candidate terms",
+                  std::to_string(count) + " " + what + " do not determine " +
+                      std::to_string(terms) + " candidate terms",
                   "give a longer record or fewer terms, e.g. a lower degree");
 }
 
@@ -84,8 +85,9 @@ LeastSquaresSystem Formulation::assemble(const Dataset& data, const TermLibrary&
     check_state_varies(data, state);
     check_state_moves(data, state);
   }
+  check_count(data.samples(), "samples", library.size());  // before L x L numbers are made
   LeastSquaresSystem system = do_assemble(data, library, context);
-  check_row_count(system);
+  check_count(system.rows(), "rows", system.terms());
   return system;
 }
 

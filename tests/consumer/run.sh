@@ -11,4 +11,5 @@ cmake -S "$source" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build "$work/build" >/dev/null
 "$work/build/consumer" | grep -q 'dx/dt = -2\*x'
-"$work/prefix/bin/lacuna" --version
+[ -f "$work"/prefix/share/doc/lacuna/LICENSE ] && [ -f "$work"/prefix/share/man/man1/lacuna.1 ]
+LD_LIBRARY_PATH="$work/prefix/lib" "$work/prefix/bin/lacuna" --version

@@ -54,7 +54,11 @@ TEST(BadInput, DuplicateNames) {
 }
 
 TEST(BadInput, FewerRowsThanTerms) {
-  expect_bad_record(good_rows(25), {"rows", "28", "; "}, "--degree 6");
+  expect_bad_record(good_rows(28), {"rows", "28", "; "}, "--degree 6");
+}
+
+TEST(BadInput, FewerSamplesThanTerms) {
+  expect_bad_record(good_rows(25), {"25 samples", "66", "; "}, "--degree 10");
 }
 
 TEST(BadInput, ConstantColumn) {

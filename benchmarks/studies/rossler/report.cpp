@@ -8,6 +8,7 @@
 
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/pipeline/presets.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -90,6 +91,62 @@ Summary summarise(const std::vector<Cell>& cells) {
   return summary;
 }
 
+/// "irls-l1 + minor-terms" of "irls-l1[ceres] + minor-terms".
+std::string without_inner(std::string row) {
+  const std::size_t open = row.find('['), close = row.find(']');
+  return open == std::string::npos ? row : row.erase(open, close - open + 1);
+}
+
+bool same_rates(const Summary& summary, const std::string& a, const std::string& b) {
+  return std::all_of(summary.columns.begin(), summary.columns.end(), [&](const auto& column) {
+    return summary.rates.at({a, column}) == summary.rates.at({b, column});
+  });
+}
+
+void append(std::vector<double>& values, const std::vector<double>& more) {
+  values.insert(values.end(), more.begin(), more.end());
+}
+
+/// Inner solvers that find the same structures in every cell share a row, "irls-l1[any]".
+Summary folded(Summary all) {
+  Summary result{{}, all.columns, all.rates, {}, {}, {}};
+  for (const std::string& row : all.rows) {
+    const std::string base = without_inner(row);
+    const bool alike = std::all_of(all.rows.begin(), all.rows.end(), [&](const auto& other) {
+      return without_inner(other) != base || same_rates(all, row, other);
+    });
+    std::string name = row;
+    if (alike && base != row)
+      name.replace(row.find('['), row.find(']') - row.find('[') + 1, "[any]");
+    for (const std::string& column : all.columns)
+      result.rates[{name, column}] = all.rates.at({row, column});
+    add_once(result.rows, name);
+    append(result.milliseconds[name], all.milliseconds.at(row));
+    append(result.coefficient_errors[name], all.coefficient_errors.at(row));
+    append(result.sync_errors[name], all.sync_errors.at(row));
+  }
+  return result;
+}
+
+/// The row of the default's stages.
+std::string default_row() {
+  const Pipeline pipeline = algorithm1();
+  return std::string(pipeline.regressor->info().name) + " + " +
+         std::string(pipeline.pruner->info().name);
+}
+
+/// The best numbers of a column stand out; all of them where they are the same.
+void mark_best(ResultTable& table, std::size_t column, bool largest) {
+  const auto value = [&](const auto& row) { return *parse_number(row[column]); };
+  const auto [low, high] =
+      std::minmax_element(table.rows.begin(), table.rows.end(),
+                          [&](const auto& a, const auto& b) { return value(a) < value(b); });
+  const double worst = value(largest ? *low : *high), best = value(largest ? *high : *low);
+  if (worst == best) return;
+  for (auto& row : table.rows)
+    if (value(row) == best) row[column] = "**" + row[column] + "**";
+}
+
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
   for (double value : values) sum += value;
@@ -102,7 +159,7 @@ ResultTable summary_table(const Summary& summary) {
   for (const char* name : {"coefficient error", "sync error %", "time ms"})
     table.header.push_back(name);
   for (const std::string& row : summary.rows) {
-    std::vector<std::string> cells{row};
+    std::vector<std::string> cells{row == default_row() ? row + " (default)" : row};
     for (const std::string& column : summary.columns)
       cells.push_back(format_number(100.0 * mean(summary.rates.at({row, column})), 3));
     for (const auto* values :
@@ -110,6 +167,8 @@ ResultTable summary_table(const Summary& summary) {
       cells.push_back(format_number(median(values->at(row)), 3));
     table.rows.push_back(std::move(cells));
   }
+  for (std::size_t column = 1; column < table.header.size(); ++column)
+    mark_best(table, column, column <= summary.columns.size());
   return table;
 }
 
@@ -160,7 +219,7 @@ std::string heat_map_script(const Summary& summary) {
 
 void write_report(const std::filesystem::path& folder, const std::vector<Cell>& cells,
                   double seconds) {
-  const Summary summary = summarise(cells);
+  const Summary summary = folded(summarise(cells));
   write_file_atomically(folder / "rossler.csv", full_table(cells).csv());
   write_file_atomically(folder / "rossler.dat", heat_map_data(summary));
   write_file_atomically(folder / "rossler.gp", heat_map_script(summary));
@@ -169,7 +228,8 @@ void write_report(const std::filesystem::path& folder, const std::vector<Cell>& 
       "Share of runs (%) with exactly the true terms; Rossler (a = b = 0.2, c = 5.7), h = "
       "0.05, 20 "
       "candidate terms.\nColumns: derivative and noise; filters and numbers of samples (1000, "
-      "4000) are pooled. Errors and time: medians over all runs of a row.\n\nMade by "
+      "4000) are pooled. Errors and time: medians over all runs of a row. "
+      "The best of a column is bold; [any]: inner solvers that find the same.\n\nMade by "
       "`study_rossler` on " +
           today() + ", " + machine_description() + ", in " + format_number(seconds, 3) +
           " s.\n\n" + summary_table(summary).markdown());

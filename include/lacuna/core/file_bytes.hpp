@@ -38,7 +38,8 @@ class FileBytes {
 
 /// The whole content of a file, unpacked when it is compressed by gzip (seen by its first
 /// bytes, whatever its name).
-/// @throws FileError when it cannot be opened or read; DataError when the packing is damaged.
+/// @throws FileError when it cannot be opened or read; DataError when the packing is damaged or
+///   the memory does not hold what is in it.
 FileBytes read_bytes(const std::filesystem::path& path);
 
 /// Unpacks gzip data; several members one after the other are joined.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lacuna/core/run_context.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 
 namespace lacuna {
@@ -27,6 +28,7 @@ enum class Exchange {
 /// until nothing helps. The best of all starts is returned. Columns that depend on those chosen
 /// (a share below 1e-9 of them is new) are not added.
 Subset best_subset(const SubsetProblem& problem, double price,
-                   const std::vector<std::vector<Index>>& starts, Exchange exchange);
+                   const std::vector<std::vector<Index>>& starts, Exchange exchange,
+                   const RunContext& context = {});
 
 }  // namespace lacuna

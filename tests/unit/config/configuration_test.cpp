@@ -8,7 +8,7 @@
 #include "lacuna/pruners/minor_terms.hpp"
 #include "lacuna/report/stage_json.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
-#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
@@ -46,7 +46,7 @@ TEST(Configuration, EmptyIsAlgorithm1) {
 }
 
 TEST(Configuration, AFormattedPipelineGivesItselfBack) {
-  for (const char* preset : {"algorithm1", "sindy", "robust"}) {
+  for (const char* preset : {"algorithm1", "paper", "sindy", "robust"}) {
     const std::string whole =
         format_pipeline(build(std::string(R"({"preset": ")") + preset + "\"}"));
     EXPECT_EQ(format_pipeline(build(whole)), whole);

@@ -39,6 +39,36 @@ TEST(AtomicFile, FollowsALink) {
   EXPECT_EQ(folder.read("target.txt"), "new");
 }
 
+TEST(AtomicFile, KeepsThePermissionsOfTheFileItReplaces) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const std::string path = folder.write("secret.txt", "old");
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  write_file_atomically(path, "new");
+  EXPECT_EQ(fs::status(path).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(folder.read("secret.txt"), "new");
+}
+
+TEST(AtomicFile, ALinkToNothingBringsItsTargetIntoBeing) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("sub"));
+  std::filesystem::create_symlink("sub/target.txt", folder.file("first"));
+  std::filesystem::create_symlink("first", folder.file("second"));
+  write_file_atomically(folder.file("second"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("first")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("second")));
+  EXPECT_EQ(folder.read("sub/target.txt"), "new");
+}
+
+TEST(AtomicFile, ACircleOfLinksIsAnError) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.file("a"));
+  std::filesystem::create_symlink("a", folder.file("b"));
+  expect_error<FileError>([&] { write_file_atomically(folder.file("a"), "x"); },
+                          folder.file("a"), "circle", "");
+  EXPECT_EQ(folder.count(), 2);
+}
+
 TEST(AtomicFile, WritesToADevice) {
   EXPECT_NO_THROW(write_file_atomically("/dev/null", "gone"));
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));

@@ -66,6 +66,20 @@ TEST(RemoveDependentColumns, KeepsTheEarlierOfTwo) {
   EXPECT_NEAR(problem.residual, least_squares_residual(a, y), 1e-13);
 }
 
+TEST(RankTolerance, LiesBetweenRoundingAndWhatRowsCanTell) {
+  for (const Index rows : {30, 3000}) {
+    for (int draw = 0; draw < 20; ++draw) {
+      Matrix a = Matrix::Random(rows, 8);
+      a.col(7) = a.leftCols(7) * Vector::Random(7);
+      a.colwise().normalize();
+      const auto last = [&] { return std::abs(a.householderQr().matrixQR()(7, 7)); };
+      EXPECT_LT(last(), rank_tolerance(8, rows));
+      a.col(7) += 1e-11 * Vector::Random(rows).normalized();
+      EXPECT_GT(last(), rank_tolerance(8, rows));
+    }
+  }
+}
+
 TEST(RemoveDependentColumns, TakesAllColumnsOfAZeroProblem) {
   TriangularProblem problem{Matrix::Zero(3, 3), Vector::Zero(3), 1.0};
   EXPECT_EQ(remove_dependent_columns(problem, 1e-12), (TermSet{0, 1, 2}));

@@ -34,7 +34,7 @@ TEST(FormatModel, LayoutIsOneTermPerLine) {
 }
 
 TEST(FormatModel, TextThatNeedsEscapesSurvives) {
-  const OdeModel model({{"x", "\"\\ \xc2\xb5V\n"}}, {}, {{}}, "\t");
+  const OdeModel model({{"x", "\"\\ \xc2\xb5V"}}, {}, {{}}, "\t");
   const OdeModel again = parse_model(format_model(model), "m");
   EXPECT_EQ(again.states(), model.states());
   EXPECT_EQ(again.time_unit(), "\t");

@@ -17,7 +17,7 @@ TEST(PrintExpression, CanonicalTextIsAFixedPoint) {
       "x^-y",     "-x^2",         "(-2)^2",       "(-x)^2",       "-(x+y)",
       "-(x*y)",   "x-(y-z)",      "x-y-z",        "x/(y*z)",      "x/y*z",
       "x^y^z",    "(x^y)^z",      "x*(-y)",       "x-(-2)",       "x+(-y*z)",
-      "-(-x)",    "max(x,-1)",    "clip(x,-1,1)", "delay(x,0.1)", "1e-300*x",
+      "--x",      "max(x,-1)",    "clip(x,-1,1)", "delay(x,0.1)", "1e-300*x",
       "abs(x)*x", "(x*y)^0.5",    "x^(y+1)",      "sign(x-y)",    "x*(y*z)",
       "x^-2",     "x^(-y/z)",     "5e-324",       "1e+300*x",     "-2*x",
       "x^-y^2",   "min(x+1,y*z)", "tanh(x/0.02)", "(x+y)*(x-y)",  "exp(-x)"};
@@ -35,13 +35,20 @@ TEST(PrintExpression, DropsBlanksAndSuperfluousParentheses) {
                                                                {"x^(-1)", "x^-1"},
                                                                {"0.10", "0.1"},
                                                                {"x--2", "x-(-2)"},
-                                                               {"--x", "-(-x)"},
+                                                               {"-(-x)", "--x"},
                                                                {".5*x", "0.5*x"},
                                                                {"x\t+\n1", "x+1"},
                                                                {"- 2", "-2"},
                                                                {"(-x)*y", "-x*y"}};
   for (const auto& [written, printed] : pairs)
     EXPECT_EQ(parse_expression(written).to_string(), printed);
+}
+
+TEST(PrintExpression, ARowOfSignsReadsBack) {
+  for (const std::size_t signs : {2u, 3u, 150u, 198u}) {
+    const Expression e = parse_expression(std::string(signs, '-') + "x*y");
+    EXPECT_EQ(parse_expression(e.to_string()), e) << signs;
+  }
 }
 
 TEST(PrintExpression, WhatIsPrintedReadsBackTheSame) {

@@ -51,6 +51,27 @@ TEST(MinorTerms, SaysWhenAndWhyTermsLeft) {
   }
 }
 
+TEST(MinorTerms, LimitsAreThoseOfTheExcessOverTheFullFit) {
+  // Orthonormal columns: r_k^2 = e^2 + the squares of the k smallest coefficients.
+  const Vector a = (Vector(4) << 1e-3, 2e-3, 1.0, 2.0).finished();
+  const double e = 1e-2;
+  Matrix theta = Matrix::Identity(5, 4), y(5, 1);
+  y << a, e;
+  const LeastSquaresSystem system(make_row_source(theta, y), {"p", "q", "r", "s"}, {"y"});
+  const MinorTermsOptions options{.stop = MinorTermsOptions::Stop::Jump, .eta = 1e-4};
+  const PruneResult result = MinorTerms(options).prune(system, 0, {0, 1, 2, 3}, Ols());
+  ASSERT_EQ(result.kept, (TermSet{2, 3}));
+  std::vector<double> excess{1e-4 * (2.0 + 1e-4)};
+  for (Index k = 1; k <= 4; ++k) excess.push_back(a.head(k).squaredNorm() / (e * e));
+  double largest = 0.0;
+  for (std::size_t k = 0; k < 4; ++k)
+    largest = std::max(largest, std::log(excess[k + 1] / excess[k]));
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double limit = e * std::sqrt(1.0 + excess[k] * std::exp(0.4 * largest));
+    EXPECT_NEAR(result.removed[k].threshold, limit, 1e-6 * limit) << k;
+  }
+}
+
 TEST(MinorTerms, WithoutJumpEveryGrowthBeyondEtaCounts) {
   const auto& data = rossler_10000();
   const auto system =

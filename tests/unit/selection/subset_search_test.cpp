@@ -88,5 +88,14 @@ TEST(SubsetSearch, NothingIsChosenWhereNothingPays) {
           .columns.empty());
 }
 
+TEST(SubsetSearch, HonoursAStopRequest) {
+  std::stop_source source;
+  source.request_stop();
+  RunContext context;
+  context.stop = source.get_token();
+  const SubsetProblem problem = subset_problem(triangle_of(correlated_rows(1.0)));
+  EXPECT_THROW(best_subset(problem, 12.0, {}, Exchange::Pairs, context), Cancelled);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/solvers/irls.hpp"
-#include "lacuna/solvers/l1_ceres.hpp"
-#include "lacuna/solvers/l1_coordinate_descent.hpp"
-#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/l1/l1_ceres.hpp"
+#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
 #include "support/sparse_problem.hpp"
 #include "support/stage_invariance.hpp"
 
@@ -52,6 +52,52 @@ TEST(IrlsL1, InnerSolversAgree) {
     EXPECT_TRUE(fit.coefficients.isApprox(reference.coefficients, 1e-6));
   }
 }
+
+/// An inner solver that counts how often it is asked.
+template <class Inner>
+class Counted final : public L1Solver {
+ public:
+  explicit Counted(int& calls) : calls_(calls) {}
+  const StageInfo& info() const override { return inner_.info(); }
+  void visit_options(OptionVisitor&) const override {}
+
+ private:
+  L1Solution do_solve(const L1Problem& problem, const RunContext& context) const override {
+    ++calls_;
+    return inner_.solve(problem, context);
+  }
+
+  Inner inner_;
+  int& calls_;
+};
+
+/// Calls of the inner solver and passes over the rows of one fit among outliers.
+template <class Inner>
+std::pair<int, int> calls_and_passes(double alpha) {
+  const auto system = testing::sparse_problem(500, 0.05, 0.1);
+  int calls = 0;
+  const Regression fit = fit_with(system, {.inner = Counted<Inner>(calls), .alpha = alpha});
+  EXPECT_TRUE(fit.converged);
+  return {calls, fit.iterations};
+}
+
+/// The inner solver is asked in passes in which zeros or signs change, and only there: in the
+/// others the optimality conditions accept the exact solve. Without a penalty that is always
+/// so.
+template <class Inner>
+void expect_asked_where_zeros_change() {
+  if (!Inner::unavailable().empty()) GTEST_SKIP() << Inner::unavailable();
+  EXPECT_EQ(calls_and_passes<Inner>(0.0).first, 0);
+  for (const double alpha : {IrlsL1Options{.inner = Inner()}.alpha, 0.05}) {
+    const auto [calls, passes] = calls_and_passes<Inner>(alpha);
+    EXPECT_GT(calls, 0) << alpha;
+    EXPECT_LT(calls, passes) << alpha;
+  }
+}
+
+TEST(IrlsL1, AsksCeresWhereZerosChange) { expect_asked_where_zeros_change<CeresL1>(); }
+
+TEST(IrlsL1, AsksNloptWhereZerosChange) { expect_asked_where_zeros_change<NloptL1>(); }
 
 TEST(IrlsL1, PaperPenaltyIsRaw) {
   // One column of ones, all residuals below delta: the weights are 1 / delta and

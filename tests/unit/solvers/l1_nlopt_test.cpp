@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
 
 #include <gtest/gtest.h>
 
-#include "lacuna/solvers/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
 #include "support/l1_problems.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1_nlopt.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lacuna/solvers/l1_optimality.hpp"
+#include "lacuna/solvers/l1/l1_optimality.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/solvers/l1_optimality.hpp"
+#include "lacuna/solvers/l1/l1_optimality.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1_ceres.hpp"
+#include "lacuna/solvers/l1/l1_ceres.hpp"
 
 #include <ceres/ceres.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/solvers/l1_optimality.hpp"
+#include "lacuna/solvers/l1/l1_optimality.hpp"
 
 namespace lacuna {
 namespace {

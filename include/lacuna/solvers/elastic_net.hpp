@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/core/options.hpp"
+#include "lacuna/stages/regressor.hpp"
+
+namespace lacuna {
+
+/// Options of ElasticNet.
+struct ElasticNetOptions {
+  static constexpr StageInfo kInfo{
+      "elastic-net",
+      "Path of l1 and l2 penalties; least squares on the best set of terms on it.",
+      "Zou & Hastie, J. R. Statist. Soc. B 67 (2005) 301; Friedman, Hastie & Tibshirani 2010; "
+      "Meinshausen, Comput. Stat. Data Anal. 52 (2007) 374"};
+
+  double mix = 0.9;
+  int points = 60;
+  double range = 1e-6;
+  double penalty = 1.0;
+
+  void describe(OptionVisitor& v) {
+    v.field({"mix", "", "Share of the l1 penalty; 1 is the lasso.", 1e-3, 1.0}, mix);
+    v.field({"points", "", "Penalties on the path, equally far apart in their logarithm.", 2.0,
+             1e5},
+            points);
+    v.field({"range", "", "Smallest penalty, as a share of the one that leaves no term.", 1e-15,
+             0.99},
+            range);
+    v.field(
+        {"penalty", "", "Price of a term in the score, in log n; 1 is that of the BIC.", 0.0},
+        penalty);
+  }
+};
+
+/// The penalties of an elastic net.
+struct ElasticPenalty {
+  double l1 = 0.0, l2 = 0.0;
+};
+
+/// argmin_z |c - R z|^2 + l1 sum_j |z_j| + l2 / 2 sum_j z_j^2 by coordinate descent from
+/// `start`.
+/// @param triangle R, k x k; @param target c, k.
+Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty penalty,
+                   Vector start, const RunContext& context = {});
+
+/// The elastic net, relaxed: the path of
+///
+///   min_z |c - R z|^2 / |y|^2 + lambda (mix |z|_1 + (1 - mix) / 2 |z|_2^2),
+///
+/// columns of unit norm, from the smallest lambda that leaves no term down by `range` gives
+/// sets of terms; the one with the least score of SubsetScore (BIC) after least squares is
+/// taken, with the coefficients of least squares.
+class ElasticNet final : public Configured<Regressor, ElasticNetOptions> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Regression do_fit(const LeastSquaresSystem& system, const Subproblem& problem, Effort effort,
+                    const RunContext& context) const override;
+};
+
+}  // namespace lacuna

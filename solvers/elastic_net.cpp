@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/solvers/elastic_net.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "subset_fit.hpp"
+
+namespace lacuna {
+namespace {
+
+double soft_threshold(double value, double threshold) {
+  return std::copysign(std::max(std::abs(value) - threshold, 0.0), value);
+}
+
+/// One pass over the coefficients; `slope` is R'(c - R z) and is kept up to date.
+/// @return the largest change.
+double sweep(const Matrix& gram, ElasticPenalty penalty, Vector& z, Vector& slope) {
+  double largest = 0.0;
+  for (Index j = 0; j < z.size(); ++j) {
+    const double curvature = gram(j, j);
+    if (curvature == 0.0) continue;
+    const double next = soft_threshold(z[j] * curvature + slope[j], 0.5 * penalty.l1) /
+                        (curvature + 0.5 * penalty.l2);
+    if (next == z[j]) continue;
+    slope -= gram.col(j) * (next - z[j]);
+    largest = std::max(largest, std::abs(next - z[j]));
+    z[j] = next;
+  }
+  return largest;
+}
+
+/// Terms that are not zero.
+TermSet support(const Vector& z) {
+  TermSet positions;
+  for (Index i = 0; i < z.size(); ++i)
+    if (z[i] != 0.0) positions.push_back(i);
+  return positions;
+}
+
+}  // namespace
+
+Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty penalty,
+                   Vector start, const RunContext& context) {
+  constexpr int kMostSweeps = 2000;
+  constexpr double kTolerance = 1e-9;  // of the target
+  const Matrix gram = triangle.transpose() * triangle;
+  const Vector correlation = triangle.transpose() * target;
+  Vector z = std::move(start);
+  Vector slope = correlation - gram * z;
+  for (int done = 0; done < kMostSweeps; ++done) {
+    context.check_stop();
+    if (sweep(gram, penalty, z, slope) <= kTolerance * target.norm()) break;
+  }
+  return z;
+}
+
+Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem& problem,
+                              Effort effort, const RunContext& context) const {
+  const SubsetScore score(problem, options().penalty);
+  const Matrix& triangle = problem.triangle();
+  const double size = problem.target_norm();
+  const Vector target = problem.projected_target() / (size > 0.0 ? size : 1.0);
+  const double largest = 2.0 * (triangle.transpose() * target).cwiseAbs().maxCoeff();
+  const double factor = std::pow(options().range, 1.0 / (options().points - 1.0));
+
+  SubsetFit fit = fit_subset(problem, {});
+  SubsetChoice choice{.quantity = "|residual|^2 that the term takes off, of |y|^2",
+                      .values = fit.gains,
+                      .threshold = score.least_gain(fit.residual)};
+  double least = score(fit.residual, 0);
+  std::set<TermSet> seen{{}};
+  Vector z = Vector::Zero(problem.size());
+  double lambda = largest / options().mix;
+  for (int point = 0; point < options().points; ++point, lambda *= factor) {
+    z = elastic_net(triangle, target, {lambda * options().mix, lambda * (1.0 - options().mix)},
+                    std::move(z), context);
+    ++choice.iterations;
+    const TermSet positions = support(z);
+    if (!seen.insert(positions).second) continue;
+    fit = fit_subset(problem, positions);
+    const double now = score(fit.residual, static_cast<Index>(positions.size()));
+    if (!(now < least)) continue;
+    least = now;
+    choice.positions = positions;
+    choice.values = fit.gains;
+    choice.threshold = score.least_gain(fit.residual);
+  }
+  const double share = size > 0.0 ? 1.0 / (size * size) : 0.0;
+  choice.values *= share;
+  choice.threshold *= share;
+  return regression_on(system, problem, choice, effort, context);
+}
+
+}  // namespace lacuna

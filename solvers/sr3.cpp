@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/solvers/sr3.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "subset_fit.hpp"
+
+namespace lacuna {
+namespace {
+
+Vector thresholded(const Vector& z, double limit) {
+  return (z.array().abs() >= limit && z.array() != 0.0).select(z.array(), 0.0);
+}
+
+TermSet support(const Vector& w) {
+  TermSet positions;
+  for (Index i = 0; i < w.size(); ++i)
+    if (w[i] != 0.0) positions.push_back(i);
+  return positions;
+}
+
+}  // namespace
+
+Regression Sr3::do_fit(const LeastSquaresSystem& system, const Subproblem& problem,
+                       Effort effort, const RunContext& context) const {
+  const double stiffness = 1.0 / options().relaxation;
+  const double scale = problem.target_norm();
+  Matrix normal = problem.triangle().transpose() * problem.triangle();
+  normal.diagonal().array() += stiffness;
+  const Eigen::LLT<Matrix> factor(normal);
+  const Vector right = problem.triangle().transpose() * problem.projected_target();
+  Vector z = problem.solve().cwiseProduct(problem.column_norms());
+  Vector w = thresholded(z, options().threshold * scale);
+  SubsetChoice choice{.quantity = "|h theta| / |y| of the relaxed fit",
+                      .threshold = options().threshold,
+                      .converged = false};
+  while (!choice.converged && choice.iterations < options().max_iterations) {
+    context.check_stop();
+    z = factor.solve(right + stiffness * w);
+    const Vector next = thresholded(z, options().threshold * scale);
+    choice.converged = (next - w).cwiseAbs().maxCoeff() <= 1e-10 * scale;
+    w = next;
+    ++choice.iterations;
+  }
+  choice.positions = support(w);
+  choice.values = z.cwiseAbs() * (scale > 0.0 ? 1.0 / scale : 0.0);
+  return regression_on(system, problem, choice, effort, context);
+}
+
+}  // namespace lacuna

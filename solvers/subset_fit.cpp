@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "subset_fit.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/linear/triangular.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The problem without the terms that are not in `positions`.
+Subproblem restricted(Subproblem problem, const TermSet& positions) {
+  for (Index i = problem.size() - 1; i >= 0; --i)
+    if (!std::binary_search(positions.begin(), positions.end(), i)) problem.remove(i);
+  return problem;
+}
+
+}  // namespace
+
+SubsetFit fit_subset(const Subproblem& problem, const TermSet& positions) {
+  const Index k = problem.size(), s = static_cast<Index>(positions.size());
+  const double tolerance = rank_tolerance(k, problem.rows());
+  const Eigen::HouseholderQR<Matrix> qr(problem.triangle()(Eigen::all, positions));
+  Matrix rest(k, k + 1);
+  rest << problem.triangle(), problem.projected_target();
+  if (s > 0) rest = (qr.householderQ().transpose() * rest).bottomRows(k - s).eval();
+  const Vector residual = rest.col(k);
+  SubsetFit fit{0.0, Vector::Zero(k)};
+  fit.residual = std::hypot(unexplained(problem), residual.norm());
+  for (Index j = 0; j < k; ++j) {
+    const double size = rest.col(j).norm();
+    if (size > tolerance) fit.gains[j] = std::pow(rest.col(j).dot(residual) / size, 2);
+  }
+  for (const Index member : positions) fit.gains[member] = 0.0;
+  return fit;
+}
+
+double unexplained(const Subproblem& problem) {
+  const Vector h = problem.solve();
+  const Vector fitted = problem.triangle() * h.cwiseProduct(problem.column_norms());
+  const double inside = (problem.projected_target() - fitted).norm();
+  const double all = problem.residual_norm(h);
+  return std::sqrt(std::max(all * all - inside * inside, 0.0));
+}
+
+SubsetScore::SubsetScore(const Subproblem& problem, double penalty)
+    : rows_(static_cast<double>(problem.rows())),
+      price_(penalty * std::log(rows_)),
+      target_norm_(problem.target_norm()) {}
+
+double SubsetScore::operator()(double residual, Index terms) const {
+  constexpr double kRounding = 1e-12;
+  const double share = target_norm_ > 0.0 ? residual / target_norm_ : 1.0;
+  return 2.0 * rows_ * std::log(std::max(share, kRounding)) +
+         price_ * static_cast<double>(terms);
+}
+
+double SubsetScore::least_gain(double residual) const {
+  return residual * residual * -std::expm1(-price_ / rows_);
+}
+
+Regression regression_on(const LeastSquaresSystem& system, const Subproblem& problem,
+                         const SubsetChoice& choice, Effort effort, const RunContext& context) {
+  const Subproblem chosen = restricted(problem, choice.positions);
+  Regression result;
+  result.active = chosen.active();
+  result.coefficients = chosen.solve();
+  result.residual_norm = chosen.residual_norm();
+  result.converged = choice.converged;
+  result.iterations = choice.iterations;
+  if (effort == Effort::Final && chosen.size() > 0)
+    result.coefficients = system.refined(chosen, result.coefficients, context);
+  for (Index i = 0; i < problem.size(); ++i)
+    if (!std::binary_search(choice.positions.begin(), choice.positions.end(), i))
+      result.removed.push_back({problem.active()[static_cast<std::size_t>(i)], choice.quantity,
+                                choice.values[i], choice.threshold, 1});
+  return result;
+}
+
+Vector ridge_solution(const Matrix& triangle, const Vector& target, const Vector& penalty) {
+  const Index k = triangle.cols();
+  Matrix stacked(triangle.rows() + k, k);
+  stacked << triangle, Matrix(penalty.cwiseSqrt().asDiagonal());
+  Vector extended = Vector::Zero(stacked.rows());
+  extended.head(triangle.rows()) = target;
+  return stacked.colPivHouseholderQr().solve(extended);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "memory_limit.hpp"
+
+#include <unistd.h>
+
+namespace lacuna::cli {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kBounded = false;
+#else
+constexpr bool kBounded = true;
+#endif
+
+}  // namespace
+
+std::uint64_t default_memory() {
+  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
+}
+
+MemoryLimit::MemoryLimit(std::uint64_t bytes) {
+  rlimit limit{};
+  if (!kBounded || getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= bytes) return;
+  before_ = limit;
+  limit.rlim_cur = bytes;
+  if (setrlimit(RLIMIT_DATA, &limit) != 0) before_.reset();
+}
+
+MemoryLimit::~MemoryLimit() {
+  if (before_) setrlimit(RLIMIT_DATA, &*before_);
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "gathered_rows.hpp"
+
+#include <Eigen/QR>
+
+namespace lacuna {
+
+/// A system gives out residuals only: y is that of no term, and y - c theta_j that of one, with
+/// c of a size at which nothing cancels.
+Matrix gathered_rows(const LeastSquaresSystem& system, Index target, const TermSet& active,
+                     const RunContext& context) {
+  const auto terms = static_cast<Index>(active.size());
+  Matrix rows(system.rows(), terms + 1);
+  rows.col(terms) = system.residuals(target, {}, Vector(), context);
+  const double size = system.factor().target_norms[target];
+  for (Index j = 0; j < terms; ++j) {
+    const Index term = active[static_cast<std::size_t>(j)];
+    const double norm = system.factor().column_norms[term];
+    const double c = size > 0.0 && norm > 0.0 ? size / norm : 1.0;
+    const Vector rest = system.residuals(target, {term}, Vector::Constant(1, c), context);
+    rows.col(j) = (rows.col(terms) - rest) / c;
+  }
+  return rows;
+}
+
+Matrix row_triangle(const Eigen::Ref<const Matrix>& rows) {
+  if (rows.rows() <= rows.cols()) return rows;
+  return Eigen::HouseholderQR<Matrix>(rows)
+      .matrixQR()
+      .topRows(rows.cols())
+      .triangularView<Eigen::Upper>();
+}
+
+}  // namespace lacuna

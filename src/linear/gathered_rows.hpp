@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/linear/least_squares_system.hpp"
+
+namespace lacuna {
+
+/// [Theta_A y], n x (|A| + 1), in memory: for methods that leave rows out or repeat them.
+Matrix gathered_rows(const LeastSquaresSystem& system, Index target, const TermSet& active,
+                     const RunContext& context);
+
+/// R of the QR decomposition of some rows, or the rows themselves where they are fewer than
+/// columns.
+Matrix row_triangle(const Eigen::Ref<const Matrix>& rows);
+
+}  // namespace lacuna

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Drives a fuzz target. With libFuzzer: its entry point. Without: random changes of the seeds.
+// Usage: fuzz_NAME [SECONDS [SEED]]
+#include "fuzz/target.hpp"
+
+#ifdef LACUNA_LIBFUZZER
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  lacuna::fuzz::take({reinterpret_cast<const char*>(data), size});
+  return 0;
+}
+
+#else
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "unit/data/mutate.hpp"
+
+int main(int argc, char** argv) {
+  using Clock = std::chrono::steady_clock;
+  const double seconds = argc > 1 ? std::atof(argv[1]) : 10.0;
+  lacuna::Random random(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1);
+  const std::vector<std::string> good = lacuna::fuzz::seeds();
+  std::string alphabet = "0123456789.,;eE+-*/^()[]{}\"': \t\n\rnaixyt";
+  for (int byte = 0; byte < 256; byte += 5) alphabet += static_cast<char>(byte);
+  long runs = 0;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  for (std::string input; Clock::now() < end; ++runs) {
+    if (runs % 50 == 0 || input.empty()) input = good[random.below(good.size())];
+    input = lacuna::testing::mutated(input, alphabet, random);
+    lacuna::fuzz::take(input);
+  }
+  std::printf("%ld inputs\n", runs);
+}
+
+#endif

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// Nothing is lost, nothing hangs: full disks, no memory, no threads, pipes, links, odd bytes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "integration/program.hpp"
+
+namespace lacuna::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// `lacuna` behind a shell's preparation ("ulimit -f 1"); standard output may go elsewhere.
+CommandResult run_in_shell(const std::string& before, const std::string& arguments,
+                           const std::string& out = "") {
+  const TemporaryFolder folder;
+  const std::string command = before + "; '" + LACUNA_COMMAND + "' " + arguments + " > '" +
+                              (out.empty() ? folder.file("out") : out) + "' 2> '" +
+                              folder.file("err") + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};
+}
+
+void expect_one_error(const CommandResult& result, const std::vector<std::string>& parts) {
+  EXPECT_EQ(result.status, 2) << result.err;
+  EXPECT_EQ(result.err.rfind("lacuna: error: ", 0), 0u) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  for (const std::string& part : parts) EXPECT_THAT(result.err, HasSubstr(part));
+}
+
+/// n samples of an oscillation under a header.
+std::string oscillation(int n, const std::string& header = "t,x,y") {
+  std::string text = header + "\n";
+  for (int i = 0; i < n; ++i)
+    text += std::to_string(0.01 * i) + "," + std::to_string(std::cos(0.01 * i)) + "," +
+            std::to_string(-std::sin(0.01 * i)) + "\n";
+  return text;
+}
+
+TEST(Output, AFullStandardOutputIsAnError) {
+  const TemporaryFolder folder;
+  const std::string record = folder.write("r.csv", oscillation(300));
+  for (const std::string& arguments :
+       {std::string("simulate lorenz --x0 1,1,1 --t-end 10 --dt .1"), "identify " + record,
+        "identify " + record + " --json -", std::string("list"), std::string("--help"),
+        std::string("describe stlsq")})
+    expect_one_error(run_in_shell("true", arguments, "/dev/full"), {"standard output", "; "});
+}
+
+TEST(Output, AFileThatGrowsTooLargeLeavesNothing) {
+  const TemporaryFolder folder;
+  const std::string orbit = folder.file("o.csv");
+  expect_one_error(run_in_shell("ulimit -f 1",
+                                "simulate lorenz --x0 1,1,1 --t-end 10 --dt .01"
+                                " -o " +
+                                    orbit),
+                   {"o.csv", "cannot be written"});
+  EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(Output, ReplacesNoInputAndNoOtherResult) {
+  const TemporaryFolder folder;
+  const std::string text = oscillation(300), record = folder.write("r.csv", text);
+  std::filesystem::create_symlink("r.csv", folder.file("link.csv"));
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    expect_program_error(arguments, 2, {part, "; "});
+    EXPECT_EQ(folder.read("r.csv"), text);
+  };
+  refused("identify " + record + " --json " + record, "--json");
+  refused("identify " + record + " --model-out " + folder.file("link.csv"), "--model-out");
+  refused("identify '" + folder.file("*.csv") + "' --json " + record, "--json");
+  refused("identify " + record + " --json - --model-out -", "--model-out");
+  refused("identify " + record + " --json " + folder.file("new") + " --model-out " +
+              folder.file("./new"),
+          "--model-out");
+  refused(
+      "simulate lorenz --x0 1,1,1 --t-end 1 --dt .1 --input-data " + record + " -o " + record,
+      "--output");
+}
+
+TEST(Memory, EndsWithAnErrorWhereverItRunsOut) {
+  if (run_in_shell("ulimit -v 100000", "list").status != 0)
+    GTEST_SKIP() << "this build needs more memory to start";
+  const TemporaryFolder folder;
+  const std::string record = folder.write("r.csv", oscillation(20000));
+  for (int kilobytes = 20000; kilobytes <= 80000; kilobytes += 3000) {
+    const CommandResult result =
+        run_in_shell("ulimit -v " + std::to_string(kilobytes), "identify " + record);
+    if (result.status != 0 && result.err.find("shared libraries") == std::string::npos)
+      expect_one_error(result, {"memory"});
+  }
+}
+
+TEST(Memory, IsBoundedForWhatAnInputExpandsTo) {
+  const TemporaryFolder folder;
+  const std::string zeros = folder.file("zeros.gz");
+  ASSERT_EQ(std::system(("head -c 400000000 /dev/zero | gzip -1 > " + zeros).c_str()), 0);
+  for (const std::string& source : {zeros, std::string("/dev/zero")})
+    expect_program_error("identify " + source + " --max-memory 200M", 2,
+                         {source, "memory", "--max-memory"});
+  expect_program_error("simulate lorenz --x0 1,1,1 --t-end 1e8 --dt 1 --max-memory 200M", 2,
+                       {"simulate lorenz", "memory", "--max-memory"});
+  for (const char* size : {"1", "-1", "x", "1e9", "99999999999T"})
+    expect_program_error("identify " + zeros + " --max-memory " + size, 2, {"--max-memory"});
+}
+
+TEST(Threads, AreNotNeeded) {
+  // Stacks of 4 GB do not fit into an address space of 3 GB: no thread can be started.
+  const std::string none = "ulimit -s 4194304; ulimit -v 3000000";
+  const CommandResult list = run_in_shell(none, "list");
+  EXPECT_EQ(list.status, 0) << list.err;
+  const TemporaryFolder folder;
+  const std::string record = folder.write("r.csv", oscillation(300));
+  const std::string expected = run_program("identify " + record + " --json -").out;
+  const CommandResult alone =
+      run_in_shell(none, "identify " + record + " --json - --threads 4");
+  EXPECT_EQ(alone.status, 0) << alone.err;
+  EXPECT_EQ(alone.out, expected);
+}
+
+TEST(Interrupt, EndsAReadThatBlocks) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string record = folder.write("r.csv", oscillation(300));
+  for (const std::string& arguments :
+       {"identify " + pipe, "sync " + pipe + " " + record,
+        "identify " + record + " --config " + pipe,
+        "simulate lorenz --x0 1,1,1 --t-end 1 --dt .1 -o " + pipe}) {
+    const CommandResult result =
+        run_program(arguments, "timeout --preserve-status -k 5 -s INT 0.3");
+    EXPECT_EQ(result.status, 130) << arguments << ": " << result.err;
+    EXPECT_THAT(result.err, HasSubstr("interrupted"));
+  }
+}
+
+/// Oscillators in a row, each coupled to its neighbours; cubic springs.
+std::string chain_model(int n) {
+  std::string states, equations;
+  for (int i = 0; i < n; ++i) {
+    const std::string q = "q" + std::to_string(i), v = "v" + std::to_string(i);
+    states += (i > 0 ? ", " : "") + ("{\"name\": \"" + q + "\"}, {\"name\": \"" + v + "\"}");
+    equations +=
+        (i > 0 ? ", " : "") +
+        ("{\"state\": \"" + q + "\", \"terms\": [{\"term\": \"" + v +
+         "\", \"coefficient\": 1}]}, {\"state\": \"" + v + "\", \"terms\": [{\"term\": \"" + q +
+         "\", \"coefficient\": -2}, {\"term\": \"" + q + "^3\", \"coefficient\": -0.5}");
+    for (const int k : {i - 1, i + 1})
+      if (k >= 0 && k < n)
+        equations += ", {\"term\": \"q" + std::to_string(k) + "\", \"coefficient\": 0.7}";
+    equations += "]}";
+  }
+  return "{\"format\": \"lacuna.model/1\", \"states\": [" + states + "], \"equations\": [" +
+         equations + "]}";
+}
+
+TEST(Interrupt, EndsALongSearchAtOnce) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("m.json", chain_model(5));
+  const std::string orbit = folder.file("o.csv");
+  ASSERT_EQ(run_program("simulate " + model + " --x0 .5,0,-.6,.1,.8,0,-.9,.2,1,0 --t-end 60" +
+                        " --dt 0.02 -o " + orbit)
+                .status,
+            0);
+  const auto begin = std::chrono::steady_clock::now();
+  const CommandResult result =
+      run_program("identify " + orbit, "timeout --preserve-status -s INT 7");
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_LT(taken.count(), 10.0);
+}
+
+TEST(Configuration, DeepNestingIsAnErrorNotACrash) {
+  const TemporaryFolder folder;
+  const std::string record = folder.write("r.csv", oscillation(300));
+  const std::string open(100000, '['), close(100000, ']');
+  const std::string config = folder.write("c.json", "{\"a\":" + open + close + "}");
+  expect_program_error("identify " + record + " --config " + config, 2, {"c.json", "nested"});
+  std::string path;
+  for (int i = 0; i < 50000; ++i) path += "a.";
+  expect_program_error("identify " + record + " --set " + path + "a=1", 2,
+                       {"--set a.a.a", "nested"});
+}
+
+TEST(Configuration, ErrorsOfTheJsonLibraryHaveAPlace) {
+  const TemporaryFolder folder;
+  const std::string record = folder.write("r.csv", oscillation(300));
+  const std::string config =
+      folder.write("c.json", "{\n \"regressor\": {\"threshold\": 1e999}}");
+  expect_program_error("identify " + record + " --config " + config, 2,
+                       {"c.json:2:29", "out of the range", "; "});
+  expect_program_error("identify " + record + " --set 'regressor.type=\xff'", 2,
+                       {"--set regressor.type=\\xff", "not UTF-8", "; "});
+}
+
+TEST(Names, OfOtherEncodingsAreRead) {
+  const TemporaryFolder folder;
+  const std::string record = folder.write("r\xe4.csv", oscillation(300,
+                                                                   "t [s],\xfc"
+                                                                   "ber [\xb0"
+                                                                   "C],y"));
+  const CommandResult result = run_program("identify " + record + " --json -");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\"unit\": \"\xc2\xb0"
+                                    "C\""));
+}
+
+TEST(Names, CannotActOnTheTerminal) {
+  const TemporaryFolder folder;
+  const std::string record =
+      folder.write("r.csv", oscillation(300, "t,x [\x1b[31mV],y\x1b]0;gone\x07 [V\x9b]"));
+  const CommandResult result = run_program("identify " + record);
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const char* code : {"\x1b", "\x07", "\x9b"})
+    EXPECT_EQ((result.out + result.err).find(code), std::string::npos);
+  const std::string absent = folder.file("a\x1b[31m.csv");
+  EXPECT_EQ(run_program("identify '" + absent + "'").err.find('\x1b'), std::string::npos);
+}
+
+TEST(Options, EmptyAndWrappedValuesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string identify = "identify " + folder.write("r.csv", oscillation(300));
+  for (const std::string option : {"--seed -1", "--seed 18446744073709551616", "--seed ''",
+                                   "--dt ''", "--states ''", "--threads ''"})
+    expect_program_error(identify + " " + option, 2, {option.substr(0, option.find(' '))});
+  EXPECT_EQ(run_program(identify + " --seed 18446744073709551615").status, 0);
+}
+
+TEST(Links, ALoopOfThemIsOneError) {
+  const TemporaryFolder folder;
+  const std::string loop = folder.file("a");
+  std::filesystem::create_symlink("b", loop);
+  std::filesystem::create_symlink("a", folder.file("b"));
+  expect_program_error("simulate " + loop + " --x0 1 --t-end 1 --dt .1", 2, {loop, "; "});
+  expect_program_error("identify " + loop, 2, {loop, "; "});
+  expect_program_error("simulate lorenz --x0 1,1,1 --t-end 1 --dt .1 -o " + loop, 2,
+                       {loop, "circle"});
+}
+
+TEST(Time, GrowsNoFasterThanTheInput) {
+  const TemporaryFolder folder;
+  std::string header = "t", row = "0", terms;
+  for (int i = 0; i < 100000; ++i) {
+    const std::string number = std::to_string(i);
+    header += ",a" + number;
+    row += ",1";
+    terms.append(i > 0 ? "," : "").append(R"x({"term": "sin()x").append(number);
+    terms += R"x(*x)", "coefficient": 1})x";
+  }
+  const std::string record = folder.write("r.csv", header + "\n" + row + "\n" + row + "\n");
+  const std::string model = folder.write(
+      "m.json", R"({"format": "lacuna.model/1", "states": [{"name": "x"}], "equations": [
+          {"state": "x", "terms": [)" +
+                    terms + "]}]}");
+  const auto begin = std::chrono::steady_clock::now();
+  run_program("identify " + record);
+  run_program("simulate " + model + " --x0 1 --t-end 0.1 --dt 0.1 --integrator rk4");
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(taken.count(), 20.0);
+}
+
+}  // namespace
+}  // namespace lacuna::testing

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/solvers/best_subset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+
+#include "support/sparse_problem.hpp"
+#include "unit/solvers/random_rows.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::random_rows;
+using testing::RandomRows;
+
+double score_of(const RandomRows& data, const std::vector<Index>& terms, double penalty) {
+  const auto n = static_cast<double>(data.y.size());
+  return 2.0 * n * std::log(std::max(data.residual(terms) / data.y.norm(), 1e-12)) +
+         penalty * std::log(n) * static_cast<double>(terms.size());
+}
+
+/// The least score of all sets of at most `most` terms, each fitted to the rows.
+double least_of_all(const RandomRows& data, Index most, double penalty) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto sets = 1u << static_cast<unsigned>(data.theta.cols());
+  for (unsigned set = 0; set < sets; ++set) {
+    std::vector<Index> terms;
+    for (Index j = 0; j < data.theta.cols(); ++j)
+      if ((set >> static_cast<unsigned>(j) & 1u) != 0) terms.push_back(j);
+    if (static_cast<Index>(terms.size()) <= most)
+      least = std::min(least, score_of(data, terms, penalty));
+  }
+  return least;
+}
+
+TEST(BestSubset, IsTheBestOfAllSets) {
+  Random random(17);
+  for (int draw = 0; draw < 200; ++draw) {
+    const Index terms = draw % 20 == 0 ? 14 : 3 + static_cast<Index>(random.below(8));
+    const auto truth = static_cast<Index>(random.below(6));
+    const double noise = draw % 7 == 0 ? 0.0 : std::pow(10.0, random.uniform(-4.0, 1.0));
+    RandomRows data = random_rows(30, terms, truth + (noise > 0.0 ? 0 : 1), noise, random);
+    if (draw % 5 == 0) data.theta.col(2) = data.theta.col(0) - 3.0 * data.theta.col(1);
+    BestSubsetOptions options;
+    options.penalty = draw % 3 == 0 ? 0.0 : random.uniform(0.2, 2.0);
+    options.max_terms = 1 + static_cast<int>(random.below(6));
+    const LeastSquaresSystem system = data.system();
+    const Regression found =
+        BestSubset(options).fit(system, system.subproblem(0, system.all_terms()));
+    EXPECT_TRUE(found.converged);
+    EXPECT_LE(static_cast<int>(found.active.size()), options.max_terms);
+    EXPECT_NEAR(score_of(data, found.active, options.penalty),
+                least_of_all(data, options.max_terms, options.penalty), 1e-6)
+        << "draw " << draw << ", " << terms << " terms";
+  }
+}
+
+TEST(BestSubset, Proves8Of56TermsInSeconds) {
+  Random random(4);
+  const RandomRows data = random_rows(2000, 56, 6, 1.0, random);
+  const LeastSquaresSystem system = data.system();
+  for (const double penalty : {1.0, 0.0}) {
+    BestSubsetOptions options;
+    options.penalty = penalty;
+    const auto begin = std::chrono::steady_clock::now();
+    const Regression found =
+        BestSubset(options).fit(system, system.subproblem(0, system.all_terms()));
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    EXPECT_TRUE(found.converged) << penalty;
+    EXPECT_LT(taken.count(), 10.0) << penalty << ": " << found.iterations << " branches";
+    if (penalty == 0.0) {
+      EXPECT_EQ(found.active.size(), 8u);
+    }
+  }
+}
+
+TEST(BestSubset, SaysWhenItIsNotProved) {
+  Random random(5);
+  const RandomRows data = random_rows(200, 30, 12, 3.0, random);
+  const LeastSquaresSystem system = data.system();
+  BestSubsetOptions options;
+  options.penalty = 0.0;
+  options.most_operations = 1e4;
+  EXPECT_FALSE(
+      BestSubset(options).fit(system, system.subproblem(0, system.all_terms())).converged);
+}
+
+TEST(BestSubset, TermsLeftOutHaveTheScoreTheyWouldBring) {
+  const LeastSquaresSystem system = testing::sparse_problem(300, 0.1, 0.0);
+  const Regression found = BestSubset().fit(system, system.subproblem(0, system.all_terms()));
+  ASSERT_EQ(found.active, (TermSet{1, 4, 7}));
+  const double n = 300.0, y = system.factor().target_norms[0];
+  for (const Removal& gone : found.removed) {
+    TermSet with = found.active;
+    with.insert(std::upper_bound(with.begin(), with.end(), gone.term), gone.term);
+    const double residual = system.subproblem(0, with).residual_norm();
+    EXPECT_NEAR(gone.value, 2.0 * n * std::log(residual / y) + 4.0 * std::log(n), 1e-6);
+    EXPECT_GT(gone.value, gone.threshold);
+  }
+}
+
+}  // namespace
+}  // namespace lacuna
