@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/estimation/disturbance_test.hpp"
 
 namespace lacuna {
 namespace {
@@ -110,6 +112,21 @@ std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
     if (given > 0.0 && out && now >= decision.significance * error) moved.push_back(one);
   }
   return moved;
+}
+
+double apart(const Explanation& one, const Explanation& other, const OdeModel& nominal,
+             Index equation) {
+  for (const Explanation* each : {&one, &other})
+    for (const FittedEffect& effect : each->effects)
+      if (!effect.candidate.memory.empty()) return std::numeric_limits<double>::infinity();
+  double sum = 0.0, samples = 0.0;
+  for (const LinearisedRecord& record : other.fit.records) {
+    const Vector difference = parts_along(one, nominal, equation, record).rowwise().sum() -
+                              parts_along(other, nominal, equation, record).rowwise().sum();
+    sum += difference.squaredNorm();
+    samples += static_cast<double>(difference.size());
+  }
+  return std::sqrt(sum / samples) / rate_rms(other.fit)[equation];
 }
 
 double acting_share(const FittedEffect& effect, const Assimilation& fit, double of_largest) {

@@ -243,18 +243,27 @@ std::pair<bool, Index> intricacy_of(const RankedEffect& ranked, const EffectSear
           candidate.intricacy()};
 }
 
-/// Of those in the same equation that the data cannot tell from the best, the least intricate
-/// goes first.
+/// Whether the records do not tell an explanation from the best one: by
+/// DecisionOptions::undecided, or because what the two add to the equation along the record is
+/// apart by less than the size of an effect.
+bool does_as_well(const RankedEffect& ranked, const RankedEffect& best,
+                  const EffectSearch& search) {
+  const DecisionOptions& decision = search.problem.options.decision;
+  if (ranked.criterion <= best.criterion + decision.undecided) return true;
+  return apart(ranked.explanation, best.explanation, search.problem.nominal,
+               best.effect().candidate.equation) < decision.effect_size;
+}
+
+/// Of those in the same equation that do as well as the best, the least intricate goes first.
 void put_least_intricate_first(std::vector<RankedEffect>& effects, const EffectSearch& search) {
   if (effects.empty()) return;
-  const double limit = effects.front().criterion + search.problem.options.decision.undecided;
   const Index equation = effects.front().effect().candidate.equation;
   auto place = effects.begin();
   auto least = intricacy_of(effects.front(), search);
   for (auto other = effects.begin() + 1; other != effects.end(); ++other) {
-    if (other->criterion > limit || other->effect().candidate.equation != equation) continue;
+    if (other->effect().candidate.equation != equation) continue;
     const auto intricacy = intricacy_of(*other, search);
-    if (!(intricacy < least)) continue;
+    if (!(intricacy < least) || !does_as_well(*other, effects.front(), search)) continue;
     place = other;
     least = intricacy;
   }

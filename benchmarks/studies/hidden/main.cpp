@@ -59,11 +59,13 @@ Results results_of(const Arguments& given) {
   return {std::move(trials), std::move(outcomes)};
 }
 
-/// Writes the cases at 1 % noise as files, one folder each.
-int export_cases(const std::filesystem::path& folder, const std::string& part) {
+/// Writes the cases at a noise level (1 % where none is given) as files, one folder each.
+int export_cases(const std::filesystem::path& folder, const std::string& part,
+                 const std::string& level) {
+  const double noise = level.empty() ? 0.01 : std::stod(level);
   for (const hidden::HiddenCase& hidden : hidden::all_cases()) {
     if (hidden.name.find(part) == std::string::npos) continue;
-    const hidden::Records records = hidden::make_records(hidden, 0.01, 1);
+    const hidden::Records records = hidden::make_records(hidden, noise, 1);
     const std::filesystem::path place = folder / hidden.name;
     std::filesystem::create_directories(place);
     write_file_atomically(place / "model.json", format_model(hidden.nominal));
@@ -75,7 +77,7 @@ int export_cases(const std::filesystem::path& folder, const std::string& part) {
 
 int run(const Arguments& given) {
   if (given.name == "decisions") return run_decisions(given.folder, given.part);
-  if (given.name == "export") return export_cases(given.folder, given.part);
+  if (given.name == "export") return export_cases(given.folder, given.part, given.level);
   const auto start = std::chrono::steady_clock::now();
   const auto [trials, outcomes] = results_of(given);
   if (trials.empty()) {

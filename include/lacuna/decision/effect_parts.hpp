@@ -51,6 +51,11 @@ std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
                                                  const OdeModel& nominal, std::size_t free,
                                                  const DecisionOptions& decision);
 
+/// rms of the difference between what two explanations add to an equation, along the path of the
+/// second, over the rms of the state's rate. Infinite where an effect has a memory.
+double apart(const Explanation& one, const Explanation& other, const OdeModel& nominal,
+             Index equation);
+
 /// Share of the samples in which an effect acts: in which it is more than a share of the
 /// largest it ever is.
 double acting_share(const FittedEffect& effect, const Assimilation& fit, double of_largest);

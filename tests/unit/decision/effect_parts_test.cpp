@@ -81,6 +81,21 @@ TEST(EffectParts, CoefficientsMoveOutOfScale) {
   EXPECT_TRUE(moved_from(-1.0, {.significance = 1e6}).empty()) << "not told from 0";
 }
 
+TEST(EffectParts, ExplanationsAreApartByWhatTheyAddAlongThePath) {
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const auto with = [&](const std::string& form, double coefficient) {
+    return Explanation{{{support::plain_candidate(form), Vector(0), coefficient, 0.0}}, fit};
+  };
+  const OdeModel nominal = support::oscillator();
+  const auto v = fit.records[0].slots.col(1).array();
+  const double rms = std::sqrt(v.square().mean()) / rate_rms(fit)[1];
+  EXPECT_NEAR(apart(with("v", 0.5), with("v", 0.2), nominal, 1), 0.3 * rms, 1e-9);
+  EXPECT_EQ(apart(with("v", 0.5), with("clip(v,-100,100)", 0.5), nominal, 1), 0.0);
+  Explanation remembers = with("v", 0.5);
+  remembers.effects[0].candidate.memory = {MemoryState{}};
+  EXPECT_TRUE(std::isinf(apart(remembers, with("v", 0.5), nominal, 1)));
+}
+
 TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
   const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
   const auto& slots = fit.records[0].slots;
