@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lacuna/estimation/disturbance_test.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
