@@ -113,7 +113,8 @@ int diagnose_command(const Session& session, const Options& options) {
       diagnose(model, data, held_out, make_options(session, model, options), context);
   finish_progress(session, options.run);
   if (options.model_out)
-    write_output(session, *options.model_out, format_model(diagnosis.augmented));
+    write_output(session, *options.model_out,
+                 format_model_for(*options.model_out, diagnosis.augmented));
   if (options.json) write_output(session, *options.json, format_json(diagnosis));
   if (options.json != "-" && options.model_out != "-") {
     show(session, format_text(diagnosis));

@@ -92,7 +92,8 @@ bool found_a_model(const IdentificationResult& result) {
 void write_results(const Session& session, const Options& options,
                    const IdentificationReport& report) {
   if (options.model_out)
-    write_output(session, *options.model_out, format_model(report.result.model));
+    write_output(session, *options.model_out,
+                 format_model_for(*options.model_out, report.result.model));
   if (options.json) write_output(session, *options.json, format_json(report));
   if (options.json != "-" && options.model_out != "-") show(session, format_text(report));
 }

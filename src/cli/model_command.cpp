@@ -4,7 +4,6 @@
 
 #include "command.hpp"
 #include "lacuna/model/model_file.hpp"
-#include "lacuna/model/ode_text.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -14,16 +13,14 @@ struct Options {
   std::string output = "-";
 };
 
-bool is_ode(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".ode";
-}
-
 /// To standard output goes the format that the model does not have yet.
 int model_command(const Session& session, const Options& options) {
   check_outputs({options.model}, {{"--output", options.output}});
   const OdeModel model = load_model(options.model);
-  const bool as_text = options.output == "-" ? !is_ode(options.model) : is_ode(options.output);
-  write_output(session, options.output, as_text ? format_ode(model) : format_model(model));
+  const bool was_text = std::filesystem::path(options.model).extension() == ".ode";
+  const std::string other = was_text ? "out.json" : "out.ode";
+  write_output(session, options.output,
+               format_model_for(options.output == "-" ? other : options.output, model));
   return 0;
 }
 

@@ -193,9 +193,12 @@ OdeModel read_model(const std::filesystem::path& path) {
   return parse_model(text, path.string());
 }
 
+std::string format_model_for(const std::filesystem::path& path, const OdeModel& model) {
+  return path.extension() == kTextExtension ? format_ode(model) : format_model(model);
+}
+
 void write_model(const std::filesystem::path& path, const OdeModel& model) {
-  const bool as_text = path.extension() == kTextExtension;
-  write_file_atomically(path, as_text ? format_ode(model) : format_model(model));
+  write_file_atomically(path, format_model_for(path, model));
 }
 
 }  // namespace lacuna

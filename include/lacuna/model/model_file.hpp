@@ -23,7 +23,11 @@ OdeModel read_model(const std::filesystem::path& path);
 /// The model as JSON text; parse_model gives the same model back, to the last bit.
 std::string format_model(const OdeModel& model);
 
-/// Writes the model, whole or not at all; as text where the name ends in ".ode". @throws
+/// The model as a file of that name holds it: as text (format_ode()) where the name ends in
+/// ".ode", else as JSON.
+std::string format_model_for(const std::filesystem::path& path, const OdeModel& model);
+
+/// Writes the model so, whole or not at all. @throws
 /// FileError when it cannot be written.
 void write_model(const std::filesystem::path& path, const OdeModel& model);
 
