@@ -11,6 +11,18 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/docs/man/lacuna.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
+set(lacuna_private_libraries "-lz")
+if(Ceres_FOUND)
+  string(APPEND lacuna_private_libraries " -lceres -lglog")
+endif()
+if(NLopt_FOUND)
+  string(APPEND lacuna_private_libraries " -lnlopt")
+endif()
+file(RELATIVE_PATH lacuna_prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/lacuna.pc.in ${PROJECT_BINARY_DIR}/lacuna.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/lacuna.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lacuna)
 install(EXPORT lacuna-targets NAMESPACE lacuna:: DESTINATION ${package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/lacuna-config.cmake.in

@@ -33,21 +33,6 @@ Matrix resampled(const std::vector<Matrix>& blocks, Random& random) {
   return rows;
 }
 
-/// Some rows of [Theta y] as the factor of a system of so many rows.
-Factor factor_of(Matrix rows, Index count) {
-  const Index terms = rows.cols() - 1;
-  Factor factor;
-  factor.rows = count;
-  factor.column_norms = rows.leftCols(terms).colwise().norm();
-  factor.target_norms = Vector::Constant(1, rows.col(terms).norm());
-  for (Index j = 0; j < terms; ++j)
-    if (factor.column_norms[j] > 0.0) rows.col(j) /= factor.column_norms[j];
-  factor.triangle = Matrix::Zero(terms + 1, terms + 1);
-  const Matrix triangle = row_triangle(rows);
-  factor.triangle.topRows(triangle.rows()) = triangle;
-  return factor;
-}
-
 /// All but `left_out` of the positions 0..k-1, at least one.
 TermSet offered_terms(Index k, int left_out, Random& random) {
   TermSet positions(static_cast<std::size_t>(k));
@@ -81,7 +66,7 @@ Vector inclusion_probabilities(const Matrix& rows, const EnsembleOptions& option
   Vector offered = Vector::Zero(terms), kept = offered;
   for (int bag = 0; bag < options.bags; ++bag) {
     context.check_stop();
-    const Factor factor = factor_of(resampled(blocks, random), rows.rows());
+    const Factor factor = factor_of_rows(resampled(blocks, random), rows.rows());
     const TermSet positions = offered_terms(terms, options.left_out, random);
     offered(positions).array() += 1.0;
     kept(thresholded(Subproblem(factor, 0, positions), options.threshold)).array() += 1.0;

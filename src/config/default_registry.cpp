@@ -30,6 +30,7 @@
 #include "lacuna/solvers/elastic_net.hpp"
 #include "lacuna/solvers/ensemble.hpp"
 #include "lacuna/solvers/frols.hpp"
+#include "lacuna/solvers/gls.hpp"
 #include "lacuna/solvers/irls.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
 #include "lacuna/solvers/l1/l1_ceres.hpp"
@@ -81,6 +82,7 @@ void add_solvers(Registry& registry) {
   registry.add<Frols>();
   registry.add<Sr3>();
   registry.add<Ensemble>();
+  registry.add<Gls>();
 }
 
 void add_integrators(Registry& registry) {

@@ -31,4 +31,18 @@ Matrix row_triangle(const Eigen::Ref<const Matrix>& rows) {
       .triangularView<Eigen::Upper>();
 }
 
+Factor factor_of_rows(Matrix rows, Index count) {
+  const Index terms = rows.cols() - 1;
+  Factor factor;
+  factor.rows = count;
+  factor.column_norms = rows.leftCols(terms).colwise().norm();
+  factor.target_norms = Vector::Constant(1, rows.col(terms).norm());
+  for (Index j = 0; j < terms; ++j)
+    if (factor.column_norms[j] > 0.0) rows.col(j) /= factor.column_norms[j];
+  factor.triangle = Matrix::Zero(terms + 1, terms + 1);
+  const Matrix triangle = row_triangle(rows);
+  factor.triangle.topRows(triangle.rows()) = triangle;
+  return factor;
+}
+
 }  // namespace lacuna

@@ -13,4 +13,7 @@ Matrix gathered_rows(const LeastSquaresSystem& system, Index target, const TermS
 /// columns.
 Matrix row_triangle(const Eigen::Ref<const Matrix>& rows);
 
+/// Some rows of [Theta y] as the factor of a system of so many rows.
+Factor factor_of_rows(Matrix rows, Index count);
+
 }  // namespace lacuna

@@ -66,9 +66,9 @@ void check_state_moves(const Dataset& data, Index state) {
 }
 
 /// Rows are combinations of the samples, so neither may be fewer than the terms.
-void check_count(Index count, const std::string& what, Index terms) {
+void check_count(const Dataset& data, Index count, const std::string& what, Index terms) {
   if (count >= terms) return;
-  throw DataError("data",
+  throw DataError(data.trajectories.size() == 1 ? data.trajectories[0].source : "data",
                   std::to_string(count) + " " + what + " do not determine " +
                       std::to_string(terms) + " candidate terms",
                   "give a longer record or fewer terms, e.g. a lower degree");
@@ -85,9 +85,10 @@ LeastSquaresSystem Formulation::assemble(const Dataset& data, const TermLibrary&
     check_state_varies(data, state);
     check_state_moves(data, state);
   }
-  check_count(data.samples(), "samples", library.size());  // before L x L numbers are made
+  check_count(data, data.samples(), "samples",
+              library.size());  // before L x L numbers are made
   LeastSquaresSystem system = do_assemble(data, library, context);
-  check_count(system.rows(), "rows", system.terms());
+  check_count(data, system.rows(), "rows", system.terms());
   return system;
 }
 

@@ -46,8 +46,7 @@ void* realloc(void* old, std::size_t size) {
 __attribute__((destructor)) static void show_count() {
   if (std::getenv("FAIL_COUNT") == nullptr) return;
   char text[64];
-  const int length =
-      std::snprintf(text, sizeof text, "LARGE %ld\n", large_allocations.load());
+  const int length = std::snprintf(text, sizeof text, "LARGE %ld\n", large_allocations.load());
   if (write(STDERR_FILENO, text, static_cast<std::size_t>(length)) < 0) _exit(1);
 }
 

@@ -138,7 +138,8 @@ TEST(Layers, NoConcreteStageIncludesAnother) {
       const std::string header = included_header(line);
       if (!stage_headers.contains(header)) continue;
       std::string own = header_of(file.path);
-      if (const auto absent = own.find("no_"); absent != std::string::npos) own.erase(absent, 3);
+      if (const auto absent = own.find("no_"); absent != std::string::npos)
+        own.erase(absent, 3);
       EXPECT_EQ(header, own) << file.path;
     }
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/random.hpp"
+#include "lacuna/linear/subproblem.hpp"
 
 namespace lacuna {
 namespace {
@@ -27,6 +28,17 @@ TEST(RowTriangle, HasTheSameGram) {
   EXPECT_EQ(r.rows(), 4);
   EXPECT_TRUE((r.transpose() * r).isApprox(rows.transpose() * rows, 1e-12));
   EXPECT_EQ(row_triangle(rows.topRows(3)), rows.topRows(3));
+}
+
+TEST(FactorOfRows, IsThatOfTheSystem) {
+  const Matrix rows = Matrix::Random(40, 4);
+  const LeastSquaresSystem system(make_row_source(rows.leftCols(3), rows.rightCols(1)),
+                                  {"a", "b", "c"}, {"y"});
+  const Factor factor = factor_of_rows(rows, 40);
+  EXPECT_TRUE(factor.column_norms.isApprox(system.factor().column_norms, 1e-12));
+  EXPECT_TRUE(Subproblem(factor, 0, {0, 2})
+                  .solve()
+                  .isApprox(system.subproblem(0, {0, 2}).solve(), 1e-10));
 }
 
 }  // namespace

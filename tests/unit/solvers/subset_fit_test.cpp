@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "../solvers/subset_fit.hpp"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+
+#include <Eigen/Dense>
 
 #include "unit/solvers/random_rows.hpp"
 

@@ -1,13 +1,13 @@
-set terminal svg size 1420,836 font 'sans,12' background 'white'
+set terminal svg size 1420,1460 font 'sans,12' background 'white'
 set output 'rossler.svg'
 set title 'Rossler, 20 candidate terms: runs with exactly the true terms (%)'
 set lmargin at screen 0.274648
 set rmargin at screen 1-0.070423
-set bmargin at screen 0.239234
-set tmargin at screen 1-0.047847
+set bmargin at screen 0.136986
+set tmargin at screen 1-0.027397
 set xtics rotate by 35 right ("exact 0 %%" 0, "exact 0.1 %%" 1, "exact 1 %%" 2, "integral 0 %%" 3, "integral 0.1 %%" 4, "integral 1 %%" 5, "strong[finite-differences] 0 %%" 6, "strong[finite-differences] 0.1 %%" 7, "strong[finite-differences] 1 %%" 8, "strong[savitzky-golay] 0 %%" 9, "strong[savitzky-golay] 0.1 %%" 10, "strong[savitzky-golay] 1 %%" 11, "weak 0 %%" 12, "weak 0.1 %%" 13, "weak 1 %%" 14)
-set ytics ("irls + information-criterion" 0, "irls + keep-all" 1, "irls + minor-terms" 2, "irls + sequential-thresholding" 3, "irls-l1[ceres] + information-criterion" 4, "irls-l1[ceres] + keep-all" 5, "irls-l1[ceres] + minor-terms" 6, "irls-l1[ceres] + sequential-thresholding" 7, "irls-l1[coordinate-descent] + information-criterion" 8, "irls-l1[coordinate-descent] + keep-all" 9, "irls-l1[coordinate-descent] + minor-terms" 10, "irls-l1[coordinate-descent] + sequential-thresholding" 11, "irls-l1[nlopt] + information-criterion" 12, "irls-l1[nlopt] + keep-all" 13, "irls-l1[nlopt] + minor-terms" 14, "irls-l1[nlopt] + sequential-thresholding" 15, "ols + information-criterion" 16, "ols + keep-all" 17, "ols + minor-terms" 18, "ols + sequential-thresholding" 19, "stlsq + information-criterion" 20, "stlsq + keep-all" 21, "stlsq + minor-terms" 22, "stlsq + sequential-thresholding" 23)
-set yrange [24-0.5:-0.5]
+set ytics ("best-subset + cross-validation" 0, "best-subset + information-criterion" 1, "best-subset + keep-all" 2, "best-subset + minor-terms" 3, "best-subset + sequential-thresholding" 4, "elastic-net + cross-validation" 5, "elastic-net + information-criterion" 6, "elastic-net + keep-all" 7, "elastic-net + minor-terms" 8, "elastic-net + sequential-thresholding" 9, "ensemble + cross-validation" 10, "ensemble + information-criterion" 11, "ensemble + keep-all" 12, "ensemble + minor-terms" 13, "ensemble + sequential-thresholding" 14, "frols + cross-validation" 15, "frols + information-criterion" 16, "frols + keep-all" 17, "frols + minor-terms" 18, "frols + sequential-thresholding" 19, "irls + cross-validation" 20, "irls + information-criterion" 21, "irls + keep-all" 22, "irls + minor-terms" 23, "irls + sequential-thresholding" 24, "irls-l1[any] + cross-validation" 25, "irls-l1[any] + information-criterion" 26, "irls-l1[any] + keep-all" 27, "irls-l1[any] + minor-terms" 28, "irls-l1[any] + sequential-thresholding" 29, "ols + cross-validation" 30, "ols + information-criterion" 31, "ols + keep-all" 32, "ols + minor-terms" 33, "ols + sequential-thresholding" 34, "ridge + cross-validation" 35, "ridge + information-criterion" 36, "ridge + keep-all" 37, "ridge + minor-terms" 38, "ridge + sequential-thresholding" 39, "sr3 + cross-validation" 40, "sr3 + information-criterion" 41, "sr3 + keep-all" 42, "sr3 + minor-terms" 43, "sr3 + sequential-thresholding" 44, "stlsq + cross-validation" 45, "stlsq + information-criterion" 46, "stlsq + keep-all" 47, "stlsq + minor-terms" 48, "stlsq + sequential-thresholding" 49)
+set yrange [50-0.5:-0.5]
 set xrange [-0.5:15-0.5]
 set cbrange [0:100]
 set palette defined (0 '#f7f7f7', 50 '#92c5de', 100 '#4393c3')
