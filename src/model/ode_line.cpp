@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/utf8.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
@@ -68,6 +69,7 @@ std::string OdeLine::unit() {
   const std::size_t end = text_.find(']', position_);
   if (end == std::string_view::npos) fail("the unit has no end", "write e.g. [V]");
   const std::string_view unit = trim(text_.substr(position_ + 1, end - position_ - 1));
+  if (printable(unit) != unit) fail("the unit has control characters", "remove them");
   position_ = end + 1;
   return std::string(unit);
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/utf8.hpp"
 #include "formula_error.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
@@ -32,6 +33,7 @@ struct Statements {
   std::vector<Quantity> states = {}, inputs = {};
   std::map<std::string, Expression> parameters = {};
   std::map<std::string, WrittenEquation> equations = {};
+  std::map<std::string, std::size_t> number_of_state = {};
   std::set<std::string> taken = {};  ///< names of states, inputs and parameters
 };
 
@@ -48,16 +50,20 @@ void take_name(const OdeLine& line, const std::string& name, Statements& said) {
               "give every state, input and parameter a name of its own");
 }
 
+/// All that a formula may name.
+std::vector<std::string> all_names(std::vector<std::string> names, const Statements& said) {
+  for (const auto& [name, value] : said.parameters) names.push_back(name);
+  return names;
+}
+
 /// A formula with numbers for parameters; delays may have parameters.
 Expression read_formula(std::string_view text, const std::string& place,
                         const std::vector<std::string>& variables, const Statements& said) {
-  std::vector<std::string> known = variables;
-  for (const auto& [name, value] : said.parameters) known.push_back(name);
   try {
     const Expression formula = substitute(parse_expression(text), said.parameters);
     for (const std::string& name : formula.variables())
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        return parse_expression(text, known);  // tells where
+      if (std::find(variables.begin(), variables.end(), name) == variables.end())
+        return parse_expression(text, all_names(variables, said));  // tells where
     return formula;
   } catch (const FormulaError& error) {
     throw ModelError(moved_place(place, error.column()), error.problem(), error.remedy());
@@ -98,9 +104,8 @@ void read_input(OdeLine& line, Statements& said) {
 
 /// The state of a name, which becomes one if it is none yet.
 Quantity& state_named(const OdeLine& line, const std::string& name, Statements& said) {
-  const auto found = std::find_if(said.states.begin(), said.states.end(),
-                                  [&](const Quantity& state) { return state.name == name; });
-  if (found != said.states.end()) return *found;
+  const auto [place, is_new] = said.number_of_state.try_emplace(name, said.states.size());
+  if (!is_new) return said.states[place->second];
   take_name(line, name, said);
   return said.states.emplace_back(Quantity{name, ""});
 }
@@ -199,7 +204,8 @@ std::vector<Equation> equations_of(const Statements& said, const Variables& vari
 
 }  // namespace
 
-OdeModel parse_ode(std::string_view text, const std::string& source) {
+OdeModel parse_ode(std::string_view bytes, const std::string& source) {
+  const std::string text = to_utf8(bytes);
   Statements said = read_statements(text, source);
   if (said.states.empty())
     throw ModelError(source, "there are no equations", "write e.g. dx/dt = -0.5*x");

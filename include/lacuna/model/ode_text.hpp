@@ -20,6 +20,7 @@ namespace lacuna {
 /// gives a unit. A parameter is a number with a name. Formulas become sums of coefficients
 /// times terms: products are multiplied out over sums (x*(28-z) is 28 x - x*z), numbers in
 /// front of a term are its coefficient.
+/// @param text UTF-8; what is not is read as Latin-1.
 /// @param source name for messages.
 /// @throws ModelError with source, line and column: a statement that is none, an unknown or
 ///   repeated name, a formula that cannot be read, outputs and initial values (a model has

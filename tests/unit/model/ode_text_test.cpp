@@ -43,6 +43,10 @@ TEST(OdeText, WindowsLineEndsAreReadToo) {
   EXPECT_EQ(parse_ode("state x [m]\r\ndx/dt = -x\r\n", "a.ode").coefficient(0, "x"), -1.0);
 }
 
+TEST(OdeText, LatinLettersInUnitsBecomeUtf8) {
+  EXPECT_EQ(parse_ode("state x [\xb5m]\ndx/dt = 1\n", "a.ode").states()[0].unit, "\xc2\xb5m");
+}
+
 TEST(OdeText, EveryTestSystemComesBackFromItsText) {
   for (const TestSystem& system : test_systems()) {
     const OdeModel& model = system.model;
@@ -97,6 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"state x\ndy/dt = 1", "m.ode", "'x' has no equation"},
                       Wrong{"input u hold firmly\ndx/dt = u", "m.ode:1:20", "'firmly'"},
                       Wrong{"input u [V\ndx/dt = u", "m.ode:1:9", "the unit has no end"},
+                      Wrong{"input u [V\x1b[0m]\ndx/dt = u", "m.ode:1:9", "control"},
                       Wrong{"input u V\ndx/dt = u", "m.ode:1:9", "nothing more belongs"},
                       Wrong{"dx/dt -x", "m.ode:1:7", "'=' is missing"},
                       Wrong{"y = x\ndx/dt = 1", "m.ode:1:4", "output"},
