@@ -8,6 +8,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/selection/subset_problem.hpp"
+#include "negligible_columns.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
 
@@ -239,6 +240,8 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   auto [found, other] = search_windows(search, start, options().second_opinion, context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;
+  const std::vector<LeftOut> left_out =
+      leave_out_negligible(search, found, options().negligible, context);
   RefinedModel result = Outcome(task, found.fit, noise).make();
   const bool is_noise = fits_to_noise(result);
   // A model that breaks down in longer windows is an approximation; no noise does that.
@@ -252,7 +255,15 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   if (!is_noise)
     if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
       result.model = std::move(*model);
-  if (other) note_disputes(task, found.fit, other->fit, result.notes);
+  if (other) {
+    leave_out_negligible(search, *other, options().negligible, context);
+    note_disputes(task, found.fit, other->fit, result.notes);
+  }
+  for (const LeftOut& out : left_out)
+    result.negligible.push_back(
+        {out.column.equation,
+         task.library.terms[static_cast<std::size_t>(out.column.term)].name(), out.effect,
+         options().negligible.effect_size});
   return result;
 }
 
