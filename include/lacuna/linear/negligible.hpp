@@ -33,6 +33,14 @@ struct NegligibleTerms {
            (effect < effect_size && growth < decisive);
   }
 
+  /// The rule where residuals are no noise but a floor that does not average out: there a term
+  /// has to explain more than all that is left (r without it above sqrt(2) r), or a share of
+  /// the rate that such a floor does not reach.
+  NegligibleTerms beside_a_floor() const {
+    constexpr double kHalf = 1.41421356237309505, kCoarse = 10.0;
+    return {kCoarse * effect_size, std::min(decisive, kHalf)};
+  }
+
   void describe(OptionVisitor& v) {
     v.field({"effect_size", "",
              "Share of its equation's rate (rms) that a term must be worth to be kept; 0: any.",
