@@ -32,7 +32,7 @@ void add_of_length(const Scope& scope, const char* pattern, const Expression& x,
   result.push_back(
       shaped_candidate(formula(scope, pattern, {{"x", x}}), x,
                        {scope.free_name("a"), range.unit, 0.02 * size, 20.0 * size, true},
-                       geometric_starts(0.05 * size, 3.0 * size, 5)));
+                       geometric_starts(0.05 * size, 4.0 * size, 9)));
 }
 
 /// 1 / (1 + exp(-(x - middle) / width)).

@@ -12,12 +12,15 @@
 namespace lacuna {
 namespace {
 
+/// Residuals that differ by less are the same.
+constexpr double kSlack = 0.1;
+
 bool reaches_the_noise(const IdentificationResult& result) {
   return std::all_of(result.fit.begin(), result.fit.end(),
                      [](const EquationFit& fit) { return fit.fits_to_noise.value_or(true); });
 }
 
-/// Mean logarithm of the misfits; that of the residuals where there are none.
+/// Sum of the logarithms of the misfits; of the residuals where there are none.
 double misfit_of(const IdentificationResult& result) {
   double sum = 0.0;
   for (const EquationFit& fit : result.fit)
@@ -34,93 +37,104 @@ std::size_t terms_of(const IdentificationResult& result) {
 /// Whether forms have made the model better: it fits now, or leaves less by more than a tenth
 /// with no more terms.
 bool is_better(const IdentificationResult& with, const IdentificationResult& without) {
-  constexpr double kSlack = 0.1;
   if (reaches_the_noise(with)) return true;
   return misfit_of(with) < misfit_of(without) - kSlack && terms_of(with) <= terms_of(without);
 }
 
-/// The library with forms beside its terms, and what came of it.
-struct Extended {
-  std::vector<std::vector<MissingForm>> forms;  ///< of each equation
-  std::optional<IdentificationResult> result;
-};
+/// A run with forms beside the library.
+class ExtendedRun {
+ public:
+  ExtendedRun(const Dataset& data, const Pipeline& pipeline,
+              const std::vector<Stage<Effect>>& effects, const IdentificationResult& alone,
+              const RunContext& context)
+      : data_(data),
+        pipeline_(pipeline),
+        context_(context),
+        library_(pipeline.basis->library(alone.model.variables())),
+        search_(data, alone.noise, context) {
+    const Scope scope = make_scope(alone.model, data, alone.noise);
+    for (Index k = 0; k < data.state_count(); ++k)
+      candidates_.push_back(data.rate_state(k) ? std::vector<Candidate>()
+                                               : function_forms(scope, effects, k));
+  }
 
-Pipeline with_forms(const Pipeline& pipeline, const TermLibrary& library,
-                    const std::vector<std::vector<MissingForm>>& forms) {
-  ExpressionsOptions options;
-  options.terms = library.names();
-  for (const auto& equation : forms)
-    for (const MissingForm& form : equation) {
-      const std::string name = Term(form.expression(), library.variables).name();
-      if (std::find(options.terms.begin(), options.terms.end(), name) == options.terms.end())
-        options.terms.push_back(name);
+  /// Forms that equations lack, and the model that the pipeline makes with them.
+  IdentificationResult result() const {
+    constexpr std::size_t kMostForms = 3;
+    std::vector<EquationForms> equations;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      context_.report("searching forms", double(k) / double(candidates_.size()));
+      equations.push_back({static_cast<Index>(k), library_.terms, {}});
+      if (!candidates_[k].empty())
+        equations[k] =
+            search_.with_missing_forms(std::move(equations[k]), candidates_[k], kMostForms);
     }
-  Pipeline extended = pipeline;
-  extended.basis = Expressions{std::move(options)};
-  return extended;
-}
+    const IdentificationResult found = identified(equations);
+    bool changed = false;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      if (candidates_[k].empty()) continue;
+      const EquationForms kept = kept_in(found, k, equations[k].forms);
+      equations[k] = search_.with_fewer_terms(kept, candidates_[k]);
+      equations[k] = search_.refitted(std::move(equations[k]));
+      changed = changed || !equations[k].forms.empty();
+    }
+    return changed ? plain(std::move(equations)) : found;
+  }
 
-/// The forms that a model has, and the other terms of their equation.
-struct Kept {
-  std::vector<Term> others;
-  std::vector<MissingForm> forms;
+ private:
+  /// The model with these forms, or with plainer ones where they do the same.
+  IdentificationResult plain(std::vector<EquationForms> equations) const {
+    IdentificationResult found = identified(equations);
+    bool changed = false;
+    for (std::size_t k = 0; k < equations.size(); ++k)
+      if (const auto plainer = search_.plainer(equations[k], candidates_[k])) {
+        equations[k] = *plainer;
+        changed = true;
+      }
+    if (!changed) return found;
+    IdentificationResult other = identified(equations);
+    const bool same = misfit_of(other) <= misfit_of(found) + kSlack ||
+                      (reaches_the_noise(other) && reaches_the_noise(found));
+    return same && terms_of(other) <= terms_of(found) ? std::move(other) : std::move(found);
+  }
+
+  IdentificationResult identified(const std::vector<EquationForms>& equations) const {
+    ExpressionsOptions options;
+    options.terms = library_.names();
+    for (const EquationForms& equation : equations)
+      for (const MissingForm& form : equation.forms) {
+        const std::string name = Term(form.expression(), library_.variables).name();
+        if (std::find(options.terms.begin(), options.terms.end(), name) == options.terms.end())
+          options.terms.push_back(name);
+      }
+    Pipeline extended = pipeline_;
+    extended.basis = Expressions{std::move(options)};
+    return identify(data_, extended, context_);
+  }
+
+  /// The terms that a model has in one equation, those that are forms as such.
+  EquationForms kept_in(const IdentificationResult& found, std::size_t equation,
+                        const std::vector<MissingForm>& forms) const {
+    EquationForms kept{static_cast<Index>(equation), {}, {}};
+    for (const WeightedTerm& summand : found.model.equations()[equation]) {
+      const auto form = std::find_if(forms.begin(), forms.end(), [&](const MissingForm& each) {
+        return Term(each.expression(), library_.variables) == summand.term;
+      });
+      if (form == forms.end())
+        kept.terms.push_back(summand.term);
+      else
+        kept.forms.push_back(*form);
+    }
+    return kept;
+  }
+
+  const Dataset& data_;
+  const Pipeline& pipeline_;
+  const RunContext& context_;
+  TermLibrary library_;
+  FormSearch search_;
+  std::vector<std::vector<Candidate>> candidates_;  ///< of each equation
 };
-
-Kept kept_in(const IdentificationResult& found, std::size_t equation,
-             const std::vector<MissingForm>& forms) {
-  const Variables variables = found.model.variables();
-  Kept kept;
-  for (const WeightedTerm& summand : found.model.equations()[equation]) {
-    const auto form = std::find_if(forms.begin(), forms.end(), [&](const MissingForm& each) {
-      return Term(each.expression(), variables) == summand.term;
-    });
-    if (form == forms.end())
-      kept.others.push_back(summand.term);
-    else
-      kept.forms.push_back(*form);
-  }
-  return kept;
-}
-
-/// Looks for forms that replace several terms of a model, and fits the shapes again beside
-/// those terms only that it has. @return whether forms have changed.
-bool settle_forms(const Dataset& data, const IdentificationResult& found, const Scope& scope,
-                  const std::vector<Stage<Effect>>& effects,
-                  std::vector<std::vector<MissingForm>>& forms, const RunContext& context) {
-  bool changed = false;
-  for (std::size_t k = 0; k < forms.size(); ++k) {
-    const auto equation = static_cast<Index>(k);
-    if (data.rate_state(equation)) continue;
-    Kept kept = kept_in(found, k, forms[k]);
-    if (replace_terms(data, kept.others, function_forms(scope, effects, equation), kept.forms,
-                      context))
-      changed = true;
-    else
-      refit_shapes(data, kept.others, kept.forms, context);
-    changed = changed || std::any_of(kept.forms.begin(), kept.forms.end(),
-                                     [](const auto& form) { return form.shapes.size() > 0; });
-    forms[k] = std::move(kept.forms);
-  }
-  return changed;
-}
-
-/// Forms that each equation lacks beside the library.
-std::vector<std::vector<MissingForm>> forms_for(const Dataset& data, const TermLibrary& library,
-                                                const Scope& scope,
-                                                const std::vector<Stage<Effect>>& effects,
-                                                const RunContext& context) {
-  Vector noise(data.state_count());
-  for (Index k = 0; k < noise.size(); ++k) noise[k] = scope.state(k).noise;
-  std::vector<std::vector<MissingForm>> forms(data.states.size());
-  for (Index k = 0; k < data.state_count(); ++k) {
-    context.report("searching forms",
-                   static_cast<double>(k) / static_cast<double>(data.state_count()));
-    if (data.rate_state(k)) continue;
-    forms[static_cast<std::size_t>(k)] =
-        missing_forms({data, library, noise}, function_forms(scope, effects, k), context);
-  }
-  return forms;
-}
 
 }  // namespace
 
@@ -129,12 +143,7 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
                                          const RunContext& context) {
   IdentificationResult alone = identify(data, pipeline, context);
   if (reaches_the_noise(alone)) return alone;
-  const TermLibrary library = pipeline.basis->library(alone.model.variables());
-  const Scope scope = make_scope(alone.model, data, alone.noise);
-  auto forms = forms_for(data, library, scope, effects, context);
-  IdentificationResult extended = identify(data, with_forms(pipeline, library, forms), context);
-  if (settle_forms(data, extended, scope, effects, forms, context))
-    extended = identify(data, with_forms(pipeline, library, forms), context);
+  IdentificationResult extended = ExtendedRun(data, pipeline, effects, alone, context).result();
   if (!is_better(extended, alone)) return alone;
   extended.library_alone = std::move(alone.model);
   return extended;

@@ -4,22 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "candidates/nelder_mead.hpp"
-#include "lacuna/core/error.hpp"
-#include "lacuna/formulations/weak_form.hpp"
-#include "lacuna/linear/least_squares_system.hpp"
-#include "lacuna/linear/subproblem.hpp"
+#include "form_rows.hpp"
 
 namespace lacuna {
 namespace {
 
-/// Sums of squares that differ by less are equal: residuals are known to a tenth.
-constexpr double kSame = 1.21;
-
-/// A value of shape parameters on the unit cube and back.
+/// A value of a shape parameter on the unit interval and back.
 double to_unit(const ShapeParameter& shape, double value) {
   if (shape.logarithmic) return std::log(value / shape.low) / std::log(shape.high / shape.low);
   return (value - shape.low) / (shape.high - shape.low);
@@ -38,150 +31,46 @@ Vector each_shape(const Candidate& candidate, const Vector& values, Function fun
   return result;
 }
 
-/// Test functions as wide as the noise asks for, but not so wide that few rows are left: where
-/// there is no noise a few samples will do.
-WeakForm narrow_form(const Dataset& data) {
-  constexpr double kRows = 400.0, kSamplesOfARow = 4.0;
-  const TestFunction wide = choose_test_function(data);
-  const Trajectory& record = longest_record(data);
-  const double duration = record.time[record.samples() - 1] - record.time[0];
-  const double wanted = std::min(kRows, static_cast<double>(record.samples()) / kSamplesOfARow);
-  const double narrow = duration / wanted * std::sqrt(static_cast<double>(wide.order));
-  return WeakForm{{.radius = std::min(wide.radius, narrow), .order = wide.order}};
-}
-
-/// The rows of one equation beside a library.
-class Residuals {
- public:
-  Residuals(const Dataset& data, std::vector<Term> base, Index equation)
-      : data_(data), base_(std::move(base)), equation_(equation), form_(narrow_form(data)) {
-    for (const Quantity& state : data.states) variables_.states.push_back(state.name);
-    for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
-  }
-
-  /// The library with more terms; those that it has already are not there twice.
-  LeastSquaresSystem system(const std::vector<Expression>& forms,
-                            const RunContext& context) const {
-    TermLibrary library{variables_, base_};
-    for (const Expression& form : forms) library.terms.emplace_back(form, variables_);
-    return form_.assemble(data_, library, context);
-  }
-
-  Index base_size() const { return static_cast<Index>(base_.size()); }
-  Index equation() const { return equation_; }
-
-  /// |residual|^2 beside the library and all of these forms; infinite where a form has no
-  /// value.
-  double left(const std::vector<Expression>& forms, const RunContext& context) const {
-    try {
-      const LeastSquaresSystem rows = system(forms, context);
-      return std::pow(rows.subproblem(equation_, rows.all_terms()).residual_norm(), 2);
-    } catch (const DataError&) {
-      return std::numeric_limits<double>::infinity();
-    }
-  }
-
- private:
-  const Dataset& data_;
-  std::vector<Term> base_;
-  Variables variables_;
-  Index equation_;
-  WeakForm form_;
-};
-
-std::vector<Expression> expressions_of(const std::vector<MissingForm>& forms) {
-  std::vector<Expression> expressions;
-  for (const MissingForm& form : forms) expressions.push_back(form.expression());
-  return expressions;
-}
-
-/// Fits the shapes of forms[place], the others being as they are. @return |residual|^2.
-double polish(const Residuals& rows, std::vector<MissingForm>& forms, std::size_t place,
-              const RunContext& context) {
-  MissingForm& form = forms[place];
-  if (form.shapes.size() == 0) return rows.left(expressions_of(forms), context);
-  const Candidate& candidate = form.candidate;
-  const auto left = [&](const Vector& at) {
-    context.check_stop();
-    form.shapes = each_shape(candidate, at, from_unit);
-    return std::log(std::max(rows.left(expressions_of(forms), context), 1e-300));
-  };
-  const Vector start = each_shape(candidate, form.shapes, to_unit);
-  const Vector best = nelder_mead(left, start, {0.05, 1e-7, 80});
-  return std::exp(left(best));
-}
-
-/// A candidate at one of its starting points beside what is there, by the columns of one
-/// system.
+/// A candidate at one of its starting points.
 struct Start {
+  MissingForm form;
   std::size_t candidate = 0;
-  Vector shapes;
   double left = 0.0;
 };
 
-/// All candidates at all starting points, the best first, each candidate at its best one.
-std::vector<Start> ranked_starts(const Residuals& rows, const std::vector<MissingForm>& chosen,
-                                 const std::vector<Candidate>& candidates,
-                                 const RunContext& context) {
+std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
   std::vector<Start> starts;
-  std::vector<Expression> forms;
-  constexpr std::size_t kTogether = 24;
   for (std::size_t c = 0; c < candidates.size(); ++c)
-    for (const Vector& shapes : candidates[c].starts) {
-      starts.push_back({c, shapes, 0.0});
-      forms.push_back(
-          bind_form(candidates[c], {shapes.data(), static_cast<std::size_t>(shapes.size())}));
-    }
-  const std::size_t fixed = chosen.size() + static_cast<std::size_t>(rows.base_size());
-  for (std::size_t first = 0; first < starts.size(); first += kTogether) {
-    const std::size_t last = std::min(first + kTogether, starts.size());
-    std::vector<Expression> some = expressions_of(chosen);
-    some.insert(some.end(), forms.begin() + static_cast<std::ptrdiff_t>(first),
-                forms.begin() + static_cast<std::ptrdiff_t>(last));
-    const LeastSquaresSystem system = rows.system(some, context);
-    for (std::size_t i = first; i < last; ++i) {
-      TermSet active(fixed);
-      std::iota(active.begin(), active.end(), Index{0});
-      active.push_back(static_cast<Index>(fixed + i - first));
-      starts[i].left =
-          std::pow(system.subproblem(rows.equation(), std::move(active)).residual_norm(), 2);
-    }
-  }
+    for (const Vector& shapes : candidates[c].starts)
+      starts.push_back({{candidates[c], shapes}, c, 0.0});
+  return starts;
+}
+
+/// The first so many, each candidate at its best starting point only.
+std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Start& a, const Start& b) { return a.left < b.left; });
   std::vector<Start> best;
-  for (Start& start : starts)
+  for (Start& start : starts) {
+    if (best.size() == count) break;
     if (std::none_of(best.begin(), best.end(),
                      [&](const Start& other) { return other.candidate == start.candidate; }))
       best.push_back(std::move(start));
+  }
   return best;
 }
 
-/// The forms that leave least with one more, and what they leave: of those that leave the same
-/// to a tenth the plainest.
-std::pair<std::vector<MissingForm>, double> with_best_form(
-    const Residuals& rows, const std::vector<MissingForm>& chosen,
-    const std::vector<Candidate>& candidates, const RunContext& context) {
-  constexpr std::size_t kPolished = 8;
-  std::vector<std::pair<std::vector<MissingForm>, double>> all;
-  for (const Start& start : ranked_starts(rows, chosen, candidates, context)) {
-    if (all.size() == kPolished) break;
-    std::vector<MissingForm> forms = chosen;
-    forms.push_back({candidates[start.candidate], start.shapes});
-    const double left = polish(rows, forms, forms.size() - 1, context);
-    all.emplace_back(std::move(forms), left);
-  }
-  const auto leaves_less = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const double least = std::min_element(all.begin(), all.end(), leaves_less)->second;
-  const auto plainer = [&](const auto& a, const auto& b) {
-    const bool good = a.second <= kSame * least, other = b.second <= kSame * least;
-    if (good != other) return good;
-    const Index intricacy = a.first.back().candidate.intricacy();
-    if (good && intricacy != b.first.back().candidate.intricacy())
-      return intricacy < b.first.back().candidate.intricacy();
-    return a.second < b.second;
-  };
-  return *std::min_element(all.begin(), all.end(), plainer);
+/// Whether a candidate is taken in already: with other numbers it would only cancel itself.
+bool has_form(const EquationForms& equation, const Candidate& candidate) {
+  return std::any_of(
+      equation.forms.begin(), equation.forms.end(),
+      [&](const MissingForm& form) { return are_one_form(form.candidate, candidate); });
+}
+
+template <class T>
+std::vector<T> without(std::vector<T> list, std::size_t place) {
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
+  return list;
 }
 
 }  // namespace
@@ -190,109 +79,213 @@ Expression MissingForm::expression() const {
   return bind_form(candidate, {shapes.data(), static_cast<std::size_t>(shapes.size())});
 }
 
-std::vector<MissingForm> missing_forms(const FormSearch& search,
-                                       const std::vector<Candidate>& candidates,
-                                       const RunContext& context) {
-  constexpr double kNoise = 1.2;
-  if (candidates.empty()) return {};
-  const Index k = candidates.front().equation;
-  const Residuals rows(search.data, search.library.terms, k);
-  const auto samples = static_cast<double>(rows.system({}, context).rows());
-  const double noise = kNoise * samples * search.noise[k] * search.noise[k];
-  std::vector<MissingForm> chosen;
-  double left = rows.left({}, context);
-  for (int i = 0; i < search.most_forms && left > noise; ++i) {
-    auto [forms, now] = with_best_form(rows, chosen, candidates, context);
-    for (std::size_t place = 0; place + 1 < forms.size(); ++place)
-      now = polish(rows, forms, place, context);
-    if (!(left > kSame * now)) break;
-    chosen = std::move(forms);
-    left = now;
-  }
-  return chosen;
+std::size_t EquationForms::parameters() const {
+  std::size_t count = terms.size() + forms.size();
+  for (const MissingForm& form : forms) count += static_cast<std::size_t>(form.shapes.size());
+  return count;
 }
 
-namespace {
+/// Rows, and what is left in them.
+class FormSearch::Problem {
+ public:
+  Problem(const Dataset& data, Vector noise, RunContext context)
+      : rows_(data, noise), noise_(std::move(noise)), context_(std::move(context)) {}
 
-/// What is left of the terms of an equation beside a form: the least valuable ones leave while
-/// the rest does the same.
-struct Replacement {
-  std::vector<MissingForm> forms;  ///< with the new one at the end
-  std::vector<Term> terms;
-  double cost = 0.0, left = 0.0;
+  /// The sum of squares that noise leaves.
+  double noise_left(Index equation) const {
+    return static_cast<double>(rows_.rows()) * noise_[equation] * noise_[equation];
+  }
+
+  /// The largest sum of squares that is the same as another: what is no noise is known to a
+  /// tenth (rms), noise to what chance does for the best of many forms.
+  double same_as(double left, Index equation) const {
+    constexpr double kTenth = 1.21, kMostlyNoise = 2.0;
+    const double noise = noise_left(equation);
+    const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
+    if (left > kMostlyNoise * noise) return kTenth * left;
+    return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
+  }
+
+  /// Columns of an equation: terms, then forms.
+  Matrix columns(const EquationForms& equation) const {
+    std::vector<Expression> all;
+    for (const Term& term : equation.terms) all.push_back(term.expression());
+    for (const MissingForm& form : equation.forms) all.push_back(form.expression());
+    return all.empty() ? Matrix(rows_.rows(), 0) : rows_.columns(all);
+  }
+
+  double left(const EquationForms& equation) const {
+    return squares_left(columns(equation), rows_.target(equation.equation));
+  }
+
+  /// Correlation of two forms in the rows, without their means.
+  double likeness(const MissingForm& a, const MissingForm& b) const {
+    Matrix both = rows_.columns({a.expression(), b.expression()});
+    both.rowwise() -= both.colwise().mean().eval();
+    return std::abs(both.col(0).dot(both.col(1))) / (both.col(0).norm() * both.col(1).norm());
+  }
+
+  /// Fits the shapes of one form. @return what is left.
+  double polish(EquationForms& equation, std::size_t place, int evaluations) const {
+    MissingForm& form = equation.forms[place];
+    const Vector target = rows_.target(equation.equation);
+    Matrix all = columns(equation);
+    const Index column = static_cast<Index>(equation.terms.size() + place);
+    const auto left = [&](const Vector& at) {
+      context_.check_stop();
+      form.shapes = each_shape(form.candidate, at, from_unit);
+      all.col(column) = rows_.columns({form.expression()});
+      return std::log(std::max(squares_left(all, target), 1e-300));
+    };
+    if (form.shapes.size() == 0) return squares_left(all, target);
+    const Vector start = each_shape(form.candidate, form.shapes, to_unit);
+    const int most = evaluations * static_cast<int>(start.size());
+    return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
+  }
+
+  /// What is left with one of the starting points more, and `fewer` of the terms gone, the best
+  /// of them.
+  void rate(const EquationForms& equation, bool without_two, std::vector<Start>& starts) const {
+    const Matrix base = columns(equation);
+    const Vector target = rows_.target(equation.equation);
+    std::vector<Expression> forms;
+    for (const Start& start : starts) forms.push_back(start.form.expression());
+    const Matrix added = rows_.columns(forms);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Matrix all(base.rows(), base.cols() + 1);
+      all << added.col(static_cast<Index>(i)), base;
+      starts[i].left = without_two ? least_without_two(all, target) : squares_left(all, target);
+    }
+  }
+
+ private:
+  /// What is left when the two columns behind the first leave that are missed least.
+  static double least_without_two(const Matrix& all, const Vector& target) {
+    double least = std::numeric_limits<double>::infinity();
+    Matrix fewer(all.rows(), all.cols() - 2);
+    for (Index i = 1; i < all.cols(); ++i)
+      for (Index j = i + 1; j < all.cols(); ++j) {
+        Index place = 0;
+        for (Index c = 0; c < all.cols(); ++c)
+          if (c != i && c != j) fewer.col(place++) = all.col(c);
+        least = std::min(least, squares_left(fewer, target));
+      }
+    return least;
+  }
+
+  FormRows rows_;
+  Vector noise_;
+  RunContext context_;
 };
 
-double cost_of(const std::vector<Term>& terms, const std::vector<MissingForm>& forms) {
-  double cost = static_cast<double>(terms.size() + forms.size());
-  for (const MissingForm& form : forms) cost += static_cast<double>(form.shapes.size());
-  return cost;
-}
+FormSearch::FormSearch(const Dataset& data, Vector noise, RunContext context)
+    : problem_(std::make_unique<const Problem>(data, std::move(noise), std::move(context))) {}
+FormSearch::~FormSearch() = default;
 
-/// Takes terms out beside the form at the end of the list. @param limit of the residual.
-Replacement thinned(const Dataset& data, std::vector<Term> terms,
-                    std::vector<MissingForm> forms, double limit, const RunContext& context) {
-  const Index equation = forms.front().candidate.equation;
-  double left = Residuals(data, terms, equation).left(expressions_of(forms), context);
-  for (;;) {
-    std::optional<std::size_t> out;
+EquationForms FormSearch::with_missing_forms(EquationForms equation,
+                                             const std::vector<Candidate>& candidates,
+                                             std::size_t most_forms) const {
+  constexpr int kRough = 25, kExact = 80;
+  constexpr double kClose = 3.0;
+  const Index k = equation.equation;
+  double left = problem_->left(equation);
+  while (equation.forms.size() < most_forms &&
+         left > problem_->same_as(problem_->noise_left(k), k)) {
+    std::vector<Start> starts = all_starts(candidates);
+    problem_->rate(equation, false, starts);
+    std::vector<std::pair<EquationForms, double>> tried;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-      std::vector<Term> fewer = terms;
-      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-      const double now = Residuals(data, fewer, equation).left(expressions_of(forms), context);
-      if (now < least) {
-        least = now;
-        out = i;
+    for (const Start& start : best_of(std::move(starts), candidates.size())) {
+      if (has_form(equation, start.form.candidate)) continue;
+      EquationForms more = equation;
+      more.forms.push_back(start.form);
+      double now = problem_->polish(more, more.forms.size() - 1, kRough);
+      if (now < kClose * least) now = problem_->polish(more, more.forms.size() - 1, kExact);
+      least = std::min(least, now);
+      tried.emplace_back(std::move(more), now);
+    }
+    if (tried.empty() || !(left > problem_->same_as(least, k))) break;
+    const double same = problem_->same_as(least, k);
+    const auto plainer = [&](const auto& a, const auto& b) {
+      const bool good = a.second <= same, other = b.second <= same;
+      if (good != other) return good;
+      const std::size_t cost = a.first.parameters(), others = b.first.parameters();
+      return good && cost != others ? cost < others : a.second < b.second;
+    };
+    equation = refitted(std::min_element(tried.begin(), tried.end(), plainer)->first);
+    left = problem_->left(equation);
+  }
+  return equation;
+}
+
+EquationForms FormSearch::with_fewer_terms(EquationForms equation,
+                                           const std::vector<Candidate>& candidates) const {
+  constexpr std::size_t kTried = 40;
+  constexpr int kExact = 80;
+  if (equation.terms.size() + equation.forms.size() < 2) return equation;
+  const double limit = problem_->same_as(problem_->left(equation), equation.equation);
+  std::vector<Start> starts = all_starts(candidates);
+  problem_->rate(equation, true, starts);
+  EquationForms best = equation;
+  double least = problem_->left(equation);
+  for (const Start& start : best_of(std::move(starts), kTried)) {
+    EquationForms now = equation;
+    now.forms.push_back(start.form);
+    for (double left = problem_->polish(now, now.forms.size() - 1, kExact); left <= limit;) {
+      if (now.parameters() < best.parameters() ||
+          (now.parameters() == best.parameters() && left < least)) {
+        best = now;
+        least = left;
       }
+      // The next to leave is the one that is missed least.
+      EquationForms next = now;
+      left = std::numeric_limits<double>::infinity();
+      const std::size_t members = now.terms.size() + now.forms.size() - 1;
+      for (std::size_t i = 0; i < members; ++i) {
+        EquationForms fewer = now;
+        if (i < now.terms.size())
+          fewer.terms = without(now.terms, i);
+        else
+          fewer.forms = without(now.forms, i - now.terms.size());
+        const double without_it = problem_->left(fewer);
+        if (without_it >= left) continue;
+        left = without_it;
+        next = std::move(fewer);
+      }
+      if (members == 0) break;
+      if (left > limit) left = problem_->polish(next, next.forms.size() - 1, kExact);
+      now = std::move(next);
     }
-    if (!out) break;
-    std::vector<Term> fewer = terms;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(*out));
-    if (least > limit) {
-      least = polish(Residuals(data, fewer, equation), forms, forms.size() - 1, context);
-      if (least > limit) break;
-    }
-    terms = std::move(fewer);
-    left = least;
   }
-  const double cost = cost_of(terms, forms);
-  return {std::move(forms), std::move(terms), cost, left};
+  return best;
 }
 
-}  // namespace
-
-bool replace_terms(const Dataset& data, const std::vector<Term>& terms,
-                   const std::vector<Candidate>& candidates, std::vector<MissingForm>& forms,
-                   const RunContext& context) {
-  constexpr std::size_t kTried = 12;
-  if (terms.size() < 2 || candidates.empty()) return false;
-  const Residuals rows(data, terms, candidates.front().equation);
-  const double before = rows.left(expressions_of(forms), context);
-  double least = cost_of(terms, forms);
-  std::optional<Replacement> best;
-  std::size_t tried = 0;
-  for (const Start& start : ranked_starts(rows, forms, candidates, context)) {
-    if (tried++ == kTried) break;
-    std::vector<MissingForm> more = forms;
-    more.push_back({candidates[start.candidate], start.shapes});
-    Replacement now = thinned(data, terms, std::move(more), kSame * before, context);
-    if (now.cost > least || (now.cost == least && (!best || now.left >= best->left))) continue;
-    least = now.cost;
-    best = std::move(now);
+std::optional<EquationForms> FormSearch::plainer(
+    const EquationForms& equation, const std::vector<Candidate>& candidates) const {
+  constexpr double kAlike = 0.998;
+  EquationForms result = equation;
+  bool changed = false;
+  for (MissingForm& form : result.forms) {
+    if (form.shapes.size() == 0) continue;
+    for (const Candidate& candidate : candidates) {
+      const MissingForm other{candidate, Vector()};
+      if (!candidate.shapes.empty() || problem_->likeness(form, other) < kAlike) continue;
+      form = other;
+      changed = true;
+      break;
+    }
   }
-  if (!best) return false;
-  forms = std::move(best->forms);
-  return true;
+  if (!changed) return std::nullopt;
+  return result;
 }
 
-void refit_shapes(const Dataset& data, const std::vector<Term>& terms,
-                  std::vector<MissingForm>& forms, const RunContext& context) {
-  if (forms.empty()) return;
-  constexpr int kRounds = 3;
-  const Residuals rows(data, terms, forms.front().candidate.equation);
-  for (int round = 0; round < kRounds; ++round)
-    for (std::size_t place = 0; place < forms.size(); ++place)
-      polish(rows, forms, place, context);
+EquationForms FormSearch::refitted(EquationForms equation) const {
+  constexpr int kRounds = 3, kExact = 80;
+  const bool alone = equation.forms.size() == 1;
+  for (int round = 0; round < (alone ? 1 : kRounds); ++round)
+    for (std::size_t place = 0; place < equation.forms.size(); ++place)
+      problem_->polish(equation, place, kExact);
+  return equation;
 }
 
 }  // namespace lacuna

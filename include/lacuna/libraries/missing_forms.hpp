@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "lacuna/candidates/candidate.hpp"
@@ -18,35 +20,48 @@ struct MissingForm {
   Expression expression() const;
 };
 
-/// What is searched in.
-struct FormSearch {
-  const Dataset& data;
-  const TermLibrary& library;  ///< terms that are there already
-  const Vector& noise;         ///< of each state, state units
-  int most_forms = 3;          ///< in one equation
+/// An equation as far as its structure is known: terms of a library and forms beside them.
+struct EquationForms {
+  Index equation = 0;
+  std::vector<Term> terms;
+  std::vector<MissingForm> forms;
+
+  /// Coefficients and shapes.
+  std::size_t parameters() const;
 };
 
-/// Forward search in the weak form, whose rows are white for white noise: of all candidates of
-/// an equation the one is taken in that leaves least beside the library, its shapes fitted by
-/// variable projection (coefficients are eliminated by least squares for each value of the
-/// shapes); what was taken in before is fitted again. It ends where only noise is left or where
-/// no form takes away a tenth of the residual.
-/// Source: Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413.
-std::vector<MissingForm> missing_forms(const FormSearch& search,
-                                       const std::vector<Candidate>& candidates,
-                                       const RunContext& context = {});
+/// The search for forms in the weak form of a dataset, whose rows are white for white noise.
+/// Shapes are fitted by variable projection: for each of their values coefficients are those of
+/// least squares (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Residuals that differ
+/// by less than a tenth (rms) are the same.
+class FormSearch {
+ public:
+  /// @param noise of each state, state units.
+  FormSearch(const Dataset& data, Vector noise, RunContext context = {});
+  ~FormSearch();
 
-/// Adds a form beside which so many terms of an equation may leave that the whole has fewer
-/// coefficients and shapes than before, and leaves the same to a tenth: sin(x) for x, x^3,
-/// x*y^2.
-/// @param terms of the equation, without the forms. @return whether there is one.
-bool replace_terms(const Dataset& data, const std::vector<Term>& terms,
-                   const std::vector<Candidate>& candidates, std::vector<MissingForm>& forms,
-                   const RunContext& context = {});
+  /// Takes in the candidate that leaves least beside what is there, the plainest of those that
+  /// leave the same, as long as more than noise is left and forms take something away.
+  EquationForms with_missing_forms(EquationForms equation,
+                                   const std::vector<Candidate>& candidates,
+                                   std::size_t most_forms) const;
 
-/// The shapes of forms fitted beside fixed terms of their equation.
-/// @param terms of the equation, without the forms.
-void refit_shapes(const Dataset& data, const std::vector<Term>& terms,
-                  std::vector<MissingForm>& forms, const RunContext& context = {});
+  /// Looks for a form beside which so many terms and forms may leave that fewer parameters say
+  /// the same: sin(x) for x, x^3, x*y^2. @return the equation with the fewest.
+  EquationForms with_fewer_terms(EquationForms equation,
+                                 const std::vector<Candidate>& candidates) const;
+
+  /// The equation with plain forms in the place of shaped ones that are as good as the same:
+  /// sign(w) for tanh(w/width) with a small width. Nothing where there is none.
+  std::optional<EquationForms> plainer(const EquationForms& equation,
+                                       const std::vector<Candidate>& candidates) const;
+
+  /// The equation with its shapes fitted.
+  EquationForms refitted(EquationForms equation) const;
+
+ private:
+  class Problem;
+  std::unique_ptr<const Problem> problem_;
+};
 
 }  // namespace lacuna

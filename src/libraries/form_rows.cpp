@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "form_rows.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lacuna/formulations/weak_form.hpp"
+#include "lacuna/selection/moving_polynomial.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The test function for a dataset, narrower where that leaves too few rows.
+TestFunction narrow_function(const Dataset& data) {
+  constexpr double kRows = 400.0, kSamplesOfARow = 4.0;
+  const TestFunction function = choose_test_function(data);
+  const double samples = static_cast<double>(data.samples());
+  double duration = 0.0;
+  for (const Trajectory& record : data.trajectories) duration += record.duration();
+  const double wanted = std::min(kRows, samples / kSamplesOfARow);
+  const double narrow = duration / wanted * std::sqrt(static_cast<double>(function.order));
+  if (function.radius <= narrow) return function;
+  return choose_test_function(data, {.radius = narrow, .order = {}});
+}
+
+Matrix slots_of(const Trajectory& record, const Vector& noise) {
+  Matrix slots(record.samples(), record.states.cols() + record.inputs.cols() + 1);
+  slots << record.states, record.inputs, record.time;
+  for (Index k = 0; k < noise.size(); ++k)
+    if (noise[k] > 0.0)
+      slots.col(k) = smooth_by_polynomials(record.time, record.states.col(k), noise[k]).col(0);
+  return slots;
+}
+
+}  // namespace
+
+FormRows::FormRows(const Dataset& data, const Vector& noise) {
+  for (const Quantity& state : data.states) variables_.states.push_back(state.name);
+  for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
+  const TestFunction function = narrow_function(data);
+  Index first = 0;
+  states_.resize(data.samples(), data.state_count());
+  slots_.resize(data.samples(), variables_.count());
+  for (const Trajectory& record : data.trajectories) {
+    Part part{first,
+              record.samples(),
+              weak_projection(record, function, test_function_spacing(function)),
+              {}};
+    slots_.middleRows(first, record.samples()) = slots_of(record, noise);
+    states_.middleRows(first, record.samples()) = record.states;
+    first += record.samples();
+    if (part.projection.rows() == 0) continue;
+    part.factor = part.projection.target_factor(0, part.projection.rows());
+    rows_ += part.projection.rows();
+    parts_.push_back(std::move(part));
+  }
+}
+
+template <class Functional>
+Matrix FormRows::projected(const Matrix& samples, Functional functional) const {
+  Matrix result(rows_, samples.cols());
+  Index row = 0;
+  for (const Part& part : parts_) {
+    const Index count = part.projection.rows();
+    auto block = result.middleRows(row, count);
+    block = functional(part.projection) * samples.middleRows(part.first, part.samples);
+    block = part.factor.triangularView<Eigen::Lower>().solve(block).eval();
+    row += count;
+  }
+  return result;
+}
+
+Matrix FormRows::columns(const std::vector<Expression>& forms) const {
+  const Program program(forms, variables_);
+  Program::Workspace workspace;
+  Matrix values(slots_.rows(), static_cast<Index>(forms.size()));
+  program.evaluate(slots_, values, workspace);
+  return projected(values, [](const Projection& p) -> const SparseRows& { return p.values; });
+}
+
+Vector FormRows::target(Index state) const {
+  const Matrix values = states_.col(state);
+  return projected(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
+}
+
+double squares_left(const Matrix& columns, const Vector& target) {
+  if (!columns.allFinite()) return std::numeric_limits<double>::infinity();
+  Matrix scaled = columns;
+  for (Index j = 0; j < scaled.cols(); ++j)
+    scaled.col(j) /= std::max(scaled.col(j).norm(), 1e-300);
+  if (scaled.cols() == 0) return target.squaredNorm();
+  Eigen::ColPivHouseholderQR<Matrix> factor(scaled);
+  factor.setThreshold(1e-11);
+  const Vector rotated = factor.householderQ().adjoint() * target;
+  return rotated.tail(rotated.size() - factor.rank()).squaredNorm();
+}
+
+}  // namespace lacuna
