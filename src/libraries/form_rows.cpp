@@ -72,12 +72,17 @@ Matrix FormRows::projected(const Matrix& samples, Functional functional) const {
   return result;
 }
 
-Matrix FormRows::columns(const std::vector<Expression>& forms) const {
+Matrix FormRows::values(const std::vector<Expression>& forms) const {
   const Program program(forms, variables_);
   Program::Workspace workspace;
   Matrix values(slots_.rows(), static_cast<Index>(forms.size()));
   program.evaluate(slots_, values, workspace);
-  return projected(values, [](const Projection& p) -> const SparseRows& { return p.values; });
+  return values;
+}
+
+Matrix FormRows::columns(const std::vector<Expression>& forms) const {
+  return projected(values(forms),
+                   [](const Projection& p) -> const SparseRows& { return p.values; });
 }
 
 Vector FormRows::target(Index state) const {

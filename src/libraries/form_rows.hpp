@@ -26,6 +26,9 @@ class FormRows {
 
   Vector target(Index state) const;  ///< K
 
+  /// Samples x forms: the values themselves.
+  Matrix values(const std::vector<Expression>& forms) const;
+
  private:
   /// Rows of one record.
   struct Part {

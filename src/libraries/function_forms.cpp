@@ -42,10 +42,11 @@ void add_logistic(const Scope& scope, const Expression& x, std::vector<Candidate
   if (!(size > 0.0)) return;
   Candidate candidate =
       plain_candidate(formula(scope, "1/(1+exp((middle-x)/width))", {{"x", x}}), x);
-  candidate.shapes = {{scope.free_name("middle"), range.unit, range.low, range.high, false},
-                      {scope.free_name("width"), range.unit, 0.005 * size, 2.0 * size, true}};
+  candidate.shapes = {
+      {scope.free_name("middle"), range.unit, range.low - size, range.high + size, false},
+      {scope.free_name("width"), range.unit, 0.005 * size, 2.0 * size, true}};
   candidate.starts.clear();
-  for (const double place : {0.25, 0.5, 0.75})
+  for (const double place : {-0.3, 0.25, 0.5, 0.75, 1.3})
     for (const double width : {0.05, 0.2})
       candidate.starts.push_back(Eigen::Vector2d(range.low + place * size, width * size));
   result.push_back(std::move(candidate));

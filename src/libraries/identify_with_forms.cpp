@@ -82,16 +82,24 @@ class ExtendedRun {
   }
 
  private:
-  /// The model with these forms, or with plainer ones where they do the same.
-  IdentificationResult plain(std::vector<EquationForms> equations) const {
-    IdentificationResult found = identified(equations);
+  /// @return whether something has changed.
+  bool make_plainer(std::vector<EquationForms>& equations, Plainness kind) const {
     bool changed = false;
     for (std::size_t k = 0; k < equations.size(); ++k)
-      if (const auto plainer = search_.plainer(equations[k], candidates_[k])) {
+      if (const auto plainer = search_.plainer(equations[k], candidates_[k], kind)) {
         equations[k] = *plainer;
         changed = true;
       }
-    if (!changed) return found;
+    return changed;
+  }
+
+  /// The model with these forms, or with plainer ones where they do the same.
+  IdentificationResult plain(std::vector<EquationForms> equations) const {
+    // What a solver makes of a jump is worse than what it makes of a steep slope: residuals do
+    // not decide here.
+    make_plainer(equations, Plainness::Jump);
+    IdentificationResult found = identified(equations);
+    if (!make_plainer(equations, Plainness::Any)) return found;
     IdentificationResult other = identified(equations);
     const bool same = misfit_of(other) <= misfit_of(found) + kSlack ||
                       (reaches_the_noise(other) && reaches_the_noise(found));

@@ -12,6 +12,9 @@
 namespace lacuna {
 namespace {
 
+/// Evaluations for each shape when it is fitted to the last digits.
+constexpr int kExact = 80;
+
 /// A value of a shape parameter on the unit interval and back.
 double to_unit(const ShapeParameter& shape, double value) {
   if (shape.logarithmic) return std::log(value / shape.low) / std::log(shape.high / shape.low);
@@ -35,6 +38,17 @@ Vector each_shape(const Candidate& candidate, const Vector& values, Function fun
 struct Start {
   MissingForm form;
   std::size_t candidate = 0;
+  double left = 0.0;
+};
+
+bool jumps(const Expression& form) {
+  return form.operation() == Operation::Sign || form.operation() == Operation::Step ||
+         std::any_of(form.operands().begin(), form.operands().end(), jumps);
+}
+
+/// An equation and what it leaves.
+struct Trial {
+  EquationForms equation;
   double left = 0.0;
 };
 
@@ -91,9 +105,11 @@ class FormSearch::Problem {
   Problem(const Dataset& data, Vector noise, RunContext context)
       : rows_(data, noise), noise_(std::move(noise)), context_(std::move(context)) {}
 
-  /// The sum of squares that noise leaves.
+  /// The sum of squares that noise leaves, or quadrature and rounding where there is none.
   double noise_left(Index equation) const {
-    return static_cast<double>(rows_.rows()) * noise_[equation] * noise_[equation];
+    constexpr double kResolution = 1e-6;  // of the target
+    return static_cast<double>(rows_.rows()) * noise_[equation] * noise_[equation] +
+           kResolution * kResolution * rows_.target(equation).squaredNorm();
   }
 
   /// The largest sum of squares that is the same as another: what is no noise is known to a
@@ -118,9 +134,48 @@ class FormSearch::Problem {
     return squares_left(columns(equation), rows_.target(equation.equation));
   }
 
-  /// Correlation of two forms in the rows, without their means.
+  /// The equation with each of the candidates, shapes fitted, the one that leaves least first.
+  std::vector<Trial> with_each(const EquationForms& equation,
+                               const std::vector<Candidate>& candidates) const {
+    constexpr int kRough = 25;
+    constexpr std::size_t kExactly = 6;
+    std::vector<Start> starts = all_starts(candidates);
+    rate(equation, false, starts);
+    std::vector<Trial> trials;
+    for (const Start& start : best_of(std::move(starts), candidates.size())) {
+      if (has_form(equation, start.form.candidate)) continue;
+      trials.push_back({equation, 0.0});
+      trials.back().equation.forms.push_back(start.form);
+      trials.back().left = polish(trials.back().equation, equation.forms.size(), kRough);
+    }
+    const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
+    std::stable_sort(trials.begin(), trials.end(), leaves_less);
+    for (std::size_t i = 0; i < std::min(kExactly, trials.size()); ++i)
+      trials[i].left = polish(trials[i].equation, equation.forms.size(), kExact);
+    std::stable_sort(trials.begin(), trials.end(), leaves_less);
+    return trials;
+  }
+
+  /// The equation with one form more and without those members that are missed least, as long
+  /// as what is left stays within a limit; infinite where already the form does not.
+  Trial thinned(EquationForms equation, const MissingForm& form, double limit) const {
+    equation.forms.push_back(form);
+    Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
+    now.equation = equation;
+    if (now.left > limit) now.left = std::numeric_limits<double>::infinity();
+    while (now.left <= limit) {
+      Trial next = without_least(now.equation);
+      if (next.left > limit && !next.equation.forms.empty())
+        next.left = polish(next.equation, next.equation.forms.size() - 1, kExact);
+      if (!(next.left <= limit)) break;
+      now = std::move(next);
+    }
+    return now;
+  }
+
+  /// Correlation of two forms over the samples.
   double likeness(const MissingForm& a, const MissingForm& b) const {
-    Matrix both = rows_.columns({a.expression(), b.expression()});
+    Matrix both = rows_.values({a.expression(), b.expression()});
     both.rowwise() -= both.colwise().mean().eval();
     return std::abs(both.col(0).dot(both.col(1))) / (both.col(0).norm() * both.col(1).norm());
   }
@@ -139,7 +194,7 @@ class FormSearch::Problem {
     };
     if (form.shapes.size() == 0) return squares_left(all, target);
     const Vector start = each_shape(form.candidate, form.shapes, to_unit);
-    const int most = evaluations * static_cast<int>(start.size());
+    const int most = evaluations * static_cast<int>(start.size() * start.size());
     return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
   }
 
@@ -159,6 +214,21 @@ class FormSearch::Problem {
   }
 
  private:
+  /// The equation without that member, the last form apart, that is missed least.
+  Trial without_least(const EquationForms& equation) const {
+    Trial best{equation, std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i + 1 < equation.terms.size() + equation.forms.size(); ++i) {
+      EquationForms fewer = equation;
+      if (i < equation.terms.size())
+        fewer.terms = without(equation.terms, i);
+      else
+        fewer.forms = without(equation.forms, i - equation.terms.size());
+      const double without_it = left(fewer);
+      if (without_it < best.left) best = {std::move(fewer), without_it};
+    }
+    return best;
+  }
+
   /// What is left when the two columns behind the first leave that are missed least.
   static double least_without_two(const Matrix& all, const Vector& target) {
     double least = std::numeric_limits<double>::infinity();
@@ -185,34 +255,21 @@ FormSearch::~FormSearch() = default;
 EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              const std::vector<Candidate>& candidates,
                                              std::size_t most_forms) const {
-  constexpr int kRough = 25, kExact = 80;
-  constexpr double kClose = 3.0;
   const Index k = equation.equation;
   double left = problem_->left(equation);
   while (equation.forms.size() < most_forms &&
          left > problem_->same_as(problem_->noise_left(k), k)) {
-    std::vector<Start> starts = all_starts(candidates);
-    problem_->rate(equation, false, starts);
-    std::vector<std::pair<EquationForms, double>> tried;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Start& start : best_of(std::move(starts), candidates.size())) {
-      if (has_form(equation, start.form.candidate)) continue;
-      EquationForms more = equation;
-      more.forms.push_back(start.form);
-      double now = problem_->polish(more, more.forms.size() - 1, kRough);
-      if (now < kClose * least) now = problem_->polish(more, more.forms.size() - 1, kExact);
-      least = std::min(least, now);
-      tried.emplace_back(std::move(more), now);
-    }
-    if (tried.empty() || !(left > problem_->same_as(least, k))) break;
-    const double same = problem_->same_as(least, k);
-    const auto plainer = [&](const auto& a, const auto& b) {
-      const bool good = a.second <= same, other = b.second <= same;
+    const std::vector<Trial> trials = problem_->with_each(equation, candidates);
+    if (trials.empty()) break;
+    const double same = problem_->same_as(trials.front().left, k);
+    if (!(left > same)) break;
+    const auto plainer = [&](const Trial& a, const Trial& b) {
+      const bool good = a.left <= same, other = b.left <= same;
       if (good != other) return good;
-      const std::size_t cost = a.first.parameters(), others = b.first.parameters();
-      return good && cost != others ? cost < others : a.second < b.second;
+      const std::size_t cost = a.equation.parameters(), others = b.equation.parameters();
+      return good && cost != others ? cost < others : a.left < b.left;
     };
-    equation = refitted(std::min_element(tried.begin(), tried.end(), plainer)->first);
+    equation = refitted(std::min_element(trials.begin(), trials.end(), plainer)->equation);
     left = problem_->left(equation);
   }
   return equation;
@@ -221,66 +278,55 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
 EquationForms FormSearch::with_fewer_terms(EquationForms equation,
                                            const std::vector<Candidate>& candidates) const {
   constexpr std::size_t kTried = 40;
-  constexpr int kExact = 80;
   if (equation.terms.size() + equation.forms.size() < 2) return equation;
-  const double limit = problem_->same_as(problem_->left(equation), equation.equation);
+  Trial best{equation, problem_->left(equation)};
+  const double limit = problem_->same_as(best.left, equation.equation);
   std::vector<Start> starts = all_starts(candidates);
   problem_->rate(equation, true, starts);
-  EquationForms best = equation;
-  double least = problem_->left(equation);
   for (const Start& start : best_of(std::move(starts), kTried)) {
-    EquationForms now = equation;
-    now.forms.push_back(start.form);
-    for (double left = problem_->polish(now, now.forms.size() - 1, kExact); left <= limit;) {
-      if (now.parameters() < best.parameters() ||
-          (now.parameters() == best.parameters() && left < least)) {
-        best = now;
-        least = left;
-      }
-      // The next to leave is the one that is missed least.
-      EquationForms next = now;
-      left = std::numeric_limits<double>::infinity();
-      const std::size_t members = now.terms.size() + now.forms.size() - 1;
-      for (std::size_t i = 0; i < members; ++i) {
-        EquationForms fewer = now;
-        if (i < now.terms.size())
-          fewer.terms = without(now.terms, i);
-        else
-          fewer.forms = without(now.forms, i - now.terms.size());
-        const double without_it = problem_->left(fewer);
-        if (without_it >= left) continue;
-        left = without_it;
-        next = std::move(fewer);
-      }
-      if (members == 0) break;
-      if (left > limit) left = problem_->polish(next, next.forms.size() - 1, kExact);
-      now = std::move(next);
-    }
+    const Trial now = problem_->thinned(equation, start.form, limit);
+    const std::size_t cost = now.equation.parameters(), least = best.equation.parameters();
+    const bool replaces = least < equation.parameters() && cost == least;
+    if (std::isfinite(now.left) && (cost < least || (replaces && now.left < best.left)))
+      best = now;
   }
-  return best;
+  // One form may do the work of some terms, another that of others.
+  if (best.equation.parameters() < equation.parameters())
+    return with_fewer_terms(std::move(best.equation), candidates);
+  return best.equation;
 }
 
-std::optional<EquationForms> FormSearch::plainer(
-    const EquationForms& equation, const std::vector<Candidate>& candidates) const {
-  constexpr double kAlike = 0.998;
+std::optional<EquationForms> FormSearch::plainer(const EquationForms& equation,
+                                                 const std::vector<Candidate>& candidates,
+                                                 Plainness kind) const {
+  const double alike = kind == Plainness::Jump ? 0.97 : 0.99;
   EquationForms result = equation;
   bool changed = false;
   for (MissingForm& form : result.forms) {
     if (form.shapes.size() == 0) continue;
     for (const Candidate& candidate : candidates) {
       const MissingForm other{candidate, Vector()};
-      if (!candidate.shapes.empty() || problem_->likeness(form, other) < kAlike) continue;
+      if (!candidate.shapes.empty()) continue;
+      if (kind == Plainness::Jump && !jumps(candidate.form)) continue;
+      if (!(problem_->likeness(form, other) > alike)) continue;
       form = other;
       changed = true;
       break;
     }
   }
   if (!changed) return std::nullopt;
+  // Two forms that were shaped apart may be one.
+  for (std::size_t i = result.forms.size(); i-- > 1;)
+    for (std::size_t j = 0; j < i; ++j)
+      if (result.forms[i].expression() == result.forms[j].expression()) {
+        result.forms = without(std::move(result.forms), i);
+        break;
+      }
   return result;
 }
 
 EquationForms FormSearch::refitted(EquationForms equation) const {
-  constexpr int kRounds = 3, kExact = 80;
+  constexpr int kRounds = 3;
   const bool alone = equation.forms.size() == 1;
   for (int round = 0; round < (alone ? 1 : kRounds); ++round)
     for (std::size_t place = 0; place < equation.forms.size(); ++place)

@@ -30,6 +30,12 @@ struct EquationForms {
   std::size_t parameters() const;
 };
 
+/// Which plain forms may take the place of others.
+enum class Plainness {
+  Jump,  ///< sign(w) for tanh(w/width) of a width that hardly a sample sees
+  Any,   ///< sin(x) for sin(x/1.001)
+};
+
 /// The search for forms in the weak form of a dataset, whose rows are white for white noise.
 /// Shapes are fitted by variable projection: for each of their values coefficients are those of
 /// least squares (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Residuals that differ
@@ -51,10 +57,11 @@ class FormSearch {
   EquationForms with_fewer_terms(EquationForms equation,
                                  const std::vector<Candidate>& candidates) const;
 
-  /// The equation with plain forms in the place of shaped ones that are as good as the same:
-  /// sign(w) for tanh(w/width) with a small width. Nothing where there is none.
+  /// The equation with plain forms in the place of shaped ones that are nearly the same at the
+  /// samples. Nothing where there is none.
   std::optional<EquationForms> plainer(const EquationForms& equation,
-                                       const std::vector<Candidate>& candidates) const;
+                                       const std::vector<Candidate>& candidates,
+                                       Plainness kind) const;
 
   /// The equation with its shapes fitted.
   EquationForms refitted(EquationForms equation) const;
