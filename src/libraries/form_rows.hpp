@@ -19,6 +19,7 @@ class FormRows {
   ///   argument makes bends out of jumps.
   FormRows(const Dataset& data, const Vector& noise);
 
+  const Variables& variables() const { return variables_; }
   Index rows() const { return rows_; }  ///< K
 
   /// K x forms; not finite where a form has no value at a sample.

@@ -30,6 +30,8 @@ struct EquationForms {
   std::size_t parameters() const;
 };
 
+class FormProblem;
+
 /// Which plain forms may take the place of others.
 enum class Plainness {
   Jump,  ///< sign(w) for tanh(w/width) of a width that hardly a sample sees
@@ -67,8 +69,7 @@ class FormSearch {
   EquationForms refitted(EquationForms equation) const;
 
  private:
-  class Problem;
-  std::unique_ptr<const Problem> problem_;
+  std::unique_ptr<const FormProblem> problem_;
 };
 
 }  // namespace lacuna
