@@ -35,6 +35,8 @@ class FormProblem {
  public:
   FormProblem(const Dataset& data, Vector noise, RunContext context);
 
+  Index rows() const { return rows_.rows(); }
+
   /// The sum of squares that noise leaves, or quadrature and rounding where there is none.
   double noise_left(Index equation) const;
 

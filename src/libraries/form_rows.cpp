@@ -12,15 +12,40 @@
 namespace lacuna {
 namespace {
 
+/// More rows than this tell forms no better apart.
+constexpr double kMostRows = 1000.0;
+
+double total_duration(const Dataset& data) {
+  double duration = 0.0;
+  for (const Trajectory& record : data.trajectories) duration += record.duration();
+  return duration;
+}
+
+/// L of the covariance of the rows, which is banded; in blocks, so that it is made in no time.
+SparseRows whitening(const Projection& projection) {
+  constexpr Index kBlock = 128;
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  for (Index first = 0; first < projection.rows(); first += kBlock) {
+    const Matrix factor =
+        projection.target_factor(first, std::min(kBlock, projection.rows() - first));
+    for (Index i = 0; i < factor.rows(); ++i)
+      for (Index j = 0; j <= i; ++j)
+        if (factor(i, j) != 0.0) entries.emplace_back(first + i, first + j, factor(i, j));
+  }
+  SparseRows whole(projection.rows(), projection.rows());
+  whole.setFromTriplets(entries.begin(), entries.end());
+  return whole;
+}
+
 /// The test function for a dataset, narrower where that leaves too few rows.
 TestFunction narrow_function(const Dataset& data) {
   constexpr double kRows = 400.0, kSamplesOfARow = 4.0;
   const TestFunction function = choose_test_function(data);
   const double samples = static_cast<double>(data.samples());
-  double duration = 0.0;
-  for (const Trajectory& record : data.trajectories) duration += record.duration();
+
   const double wanted = std::min(kRows, samples / kSamplesOfARow);
-  const double narrow = duration / wanted * std::sqrt(static_cast<double>(function.order));
+  const double narrow =
+      total_duration(data) / wanted * std::sqrt(static_cast<double>(function.order));
   if (function.radius <= narrow) return function;
   return choose_test_function(data, {.radius = narrow, .order = {}});
 }
@@ -40,19 +65,18 @@ FormRows::FormRows(const Dataset& data, const Vector& noise) {
   for (const Quantity& state : data.states) variables_.states.push_back(state.name);
   for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
   const TestFunction function = narrow_function(data);
+  const double spacing =
+      std::max(test_function_spacing(function), total_duration(data) / kMostRows);
   Index first = 0;
   states_.resize(data.samples(), data.state_count());
   slots_.resize(data.samples(), variables_.count());
   for (const Trajectory& record : data.trajectories) {
-    Part part{first,
-              record.samples(),
-              weak_projection(record, function, test_function_spacing(function)),
-              {}};
+    Part part{first, record.samples(), weak_projection(record, function, spacing), {}};
     slots_.middleRows(first, record.samples()) = slots_of(record, noise);
     states_.middleRows(first, record.samples()) = record.states;
     first += record.samples();
     if (part.projection.rows() == 0) continue;
-    part.factor = part.projection.target_factor(0, part.projection.rows());
+    part.factor = whitening(part.projection);
     rows_ += part.projection.rows();
     parts_.push_back(std::move(part));
   }
@@ -66,7 +90,7 @@ Matrix FormRows::projected(const Matrix& samples, Functional functional) const {
     const Index count = part.projection.rows();
     auto block = result.middleRows(row, count);
     block = functional(part.projection) * samples.middleRows(part.first, part.samples);
-    block = part.factor.triangularView<Eigen::Lower>().solve(block).eval();
+    block = part.factor.triangularView<Eigen::Lower>().solve(block.eval());
     row += count;
   }
   return result;

@@ -35,7 +35,7 @@ class FormRows {
   struct Part {
     Index first = 0, samples = 0;  ///< of the slots
     Projection projection;
-    Matrix factor;  ///< L of the whitening
+    SparseRows factor;  ///< L of the whitening, banded
   };
 
   template <class Functional>

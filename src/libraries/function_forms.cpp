@@ -18,7 +18,7 @@ constexpr const char* kPlainOfAmounts[] = {"sqrt(x)", "log(x)", "x*log(x)"};
 constexpr const char* kOfLength[] = {"sin(x/a)",      "cos(x/a)",      "exp(x/a)",
                                      "exp(-x/a)",     "1/(1+x^2/a^2)", "x/(1+x^2/a^2)",
                                      "x^2/(a^2+x^2)", "tanh(x/a)"};
-constexpr const char* kOfLengthOfAmounts[] = {"x/(a+x)", "1/(a+x)", "x^4/(a^4+x^4)"};
+constexpr const char* kOfLengthOfAmounts[] = {"x/(a+x)", "x^4/(a^4+x^4)"};
 
 void add_plain(const Scope& scope, const char* pattern, const Expression& x,
                std::vector<Candidate>& result) {

@@ -58,6 +58,9 @@ class ExtendedRun {
                                                : function_forms(scope, effects, k));
   }
 
+  /// Whether there are rows enough to tell forms from the library.
+  bool is_possible() const { return search_.rows() > 2 * library_.size(); }
+
   /// Forms that equations lack, and the model that the pipeline makes with them.
   IdentificationResult result() const {
     constexpr std::size_t kMostForms = 3;
@@ -150,8 +153,10 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
                                          const std::vector<Stage<Effect>>& effects,
                                          const RunContext& context) {
   IdentificationResult alone = identify(data, pipeline, context);
-  if (reaches_the_noise(alone)) return alone;
-  IdentificationResult extended = ExtendedRun(data, pipeline, effects, alone, context).result();
+  if (reaches_the_noise(alone) || lacks_input_columns(data)) return alone;
+  const ExtendedRun run(data, pipeline, effects, alone, context);
+  if (!run.is_possible()) return alone;
+  IdentificationResult extended = run.result();
   if (!is_better(extended, alone)) return alone;
   extended.library_alone = std::move(alone.model);
   return extended;

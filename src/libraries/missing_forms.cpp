@@ -43,6 +43,8 @@ FormSearch::FormSearch(const Dataset& data, Vector noise, RunContext context)
           std::make_unique<const FormProblem>(data, std::move(noise), std::move(context))) {}
 FormSearch::~FormSearch() = default;
 
+Index FormSearch::rows() const { return problem_->rows(); }
+
 EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              const std::vector<Candidate>& candidates,
                                              std::size_t most_forms) const {

@@ -8,7 +8,6 @@
 
 #include "lacuna/selection/subset_problem.hpp"
 #include "move_path.hpp"
-#include "rate_effects.hpp"
 #include "window_iterations.hpp"
 
 namespace lacuna {

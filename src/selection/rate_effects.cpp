@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "rate_effects.hpp"
-
 #include <algorithm>
 #include <numeric>
 
 #include "lacuna/linear/row_fold.hpp"
 #include "lacuna/selection/subset_problem.hpp"
+#include "negligible_columns.hpp"
 
 namespace lacuna {
 namespace {

@@ -48,6 +48,9 @@ class FormSearch {
   FormSearch(const Dataset& data, Vector noise, RunContext context = {});
   ~FormSearch();
 
+  /// Rows of the weak form; a search needs more of them than terms.
+  Index rows() const;
+
   /// Takes in the candidate that leaves least beside what is there, the plainest of those that
   /// leave the same, as long as more than noise is left and forms take something away.
   EquationForms with_missing_forms(EquationForms equation,

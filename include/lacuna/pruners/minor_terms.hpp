@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lacuna/core/options.hpp"
-#include "lacuna/linear/negligible.hpp"
+#include "lacuna/numerics/negligible.hpp"
 #include "lacuna/stages/term_pruner.hpp"
 
 namespace lacuna {

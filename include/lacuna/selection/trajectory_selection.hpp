@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lacuna/core/options.hpp"
-#include "lacuna/linear/negligible.hpp"
+#include "lacuna/numerics/negligible.hpp"
 #include "lacuna/stages/refiner.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "selection/rate_effects.hpp"
+#include "selection/negligible_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/linear/negligible.hpp"
+#include "lacuna/numerics/negligible.hpp"
 
 #include <gtest/gtest.h>
 
