@@ -49,9 +49,11 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              const std::vector<Candidate>& candidates,
                                              std::size_t most_forms) const {
   const Index k = equation.equation;
+  // A mean of squares of noise is known to sqrt(2 / rows) of it.
+  const double scatter = 4.0 * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
   double left = problem_->left(equation);
   while (equation.forms.size() < most_forms &&
-         left > problem_->same_as(problem_->noise_left(k), k)) {
+         left > (1.0 + scatter) * problem_->noise_left(k)) {
     const std::vector<Trial> trials = problem_->with_each(equation, candidates);
     if (trials.empty()) break;
     const double same = problem_->same_as(trials.front().left, k);

@@ -62,7 +62,7 @@ struct TrajectorySelectionOptions {
 /// Terms that are significant and negligible (NegligibleTerms) leave before that.
 /// Models that do not fit to the noise are refitted by refine(). Does nothing with records that
 /// bring measured derivatives, nor, starting from a model, with records without noise of which
-/// it explains the derivatives to a thousandth.
+/// it explains the derivatives to 1e-5 of them.
 class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {
  public:
   using Configured::Configured;

@@ -50,7 +50,7 @@ TEST(FormSearch, FindsAFormWithItsShape) {
 }
 
 TEST(FormSearch, TakesNothingInWhereOnlyNoiseIsLeft) {
-  const Oscillator c("x^3", 0.001);
+  const Oscillator c("x", 0.01);
   const FormSearch search(c.data, c.sigma);
   EXPECT_TRUE(search.with_missing_forms(c.bare(), c.candidates(), 3).forms.empty());
 }
