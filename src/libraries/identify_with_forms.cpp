@@ -20,6 +20,14 @@ bool reaches_the_noise(const IdentificationResult& result) {
                      [](const EquationFit& fit) { return fit.fits_to_noise.value_or(true); });
 }
 
+/// Whether what the library leaves of the rates is not worth a form: errors of solvers.
+bool leaves_nothing(const IdentificationResult& result) {
+  constexpr double kNothing = 1e-5;  // of the rate, rms
+  return std::all_of(result.fit.begin(), result.fit.end(), [](const EquationFit& fit) {
+    return fit.identity || fit.residual_rms <= kNothing * fit.target_rms;
+  });
+}
+
 /// Sum of the logarithms of the misfits; of the residuals where there are none.
 double misfit_of(const IdentificationResult& result) {
   double sum = 0.0;
@@ -153,7 +161,8 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
                                          const std::vector<Stage<Effect>>& effects,
                                          const RunContext& context) {
   IdentificationResult alone = identify(data, pipeline, context);
-  if (reaches_the_noise(alone) || lacks_input_columns(data)) return alone;
+  if (reaches_the_noise(alone) || leaves_nothing(alone) || lacks_input_columns(data))
+    return alone;
   const ExtendedRun run(data, pipeline, effects, alone, context);
   if (!run.is_possible()) return alone;
   IdentificationResult extended = run.result();

@@ -108,6 +108,7 @@ std::vector<LeftOut> eliminate(WindowSearch& search, const NegligibleTerms& rule
   move_path(search.rates, elimination.linearised(), values, search.path);
   finish(search, context);
   // What was left out on purpose is not held against the model.
+  fit.sigma = found.sigma;
   for (Index k = 0; k < fit.sigma.size(); ++k)
     if (fit.rms[k] > found.rms[k] && found.rms[k] > 0.0)
       fit.sigma[k] *= fit.rms[k] / found.rms[k];
