@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -21,10 +22,23 @@ std::vector<Coefficient> columns_of(const WindowFit& fit) {
   return columns;
 }
 
+/// How much the residuals may grow. Where they are what the record itself says of its noise
+/// they are no errors of a solver, and the model is to stay at the noise; else as they like.
+double slack_of(const SearchTask& task, const WindowFit& fit) {
+  constexpr double kTenth = 0.1;
+  for (Index k = 0; k < fit.rms.size(); ++k) {
+    const StateNoise& noise = task.noise[static_cast<std::size_t>(k)];
+    if (fit.counts[k] > 0.0 &&
+        (noise.kind == NoiseKind::None || fit.rms[k] > (1.0 + kTenth) * noise.sigma))
+      return std::numeric_limits<double>::infinity();
+  }
+  return kTenth;
+}
+
 /// A model's columns as a problem of their own; members are positions among them.
 class ColumnElimination {
  public:
-  ColumnElimination(WindowSearch& search, const NegligibleTerms& rule)
+  ColumnElimination(WindowSearch& search, const NegligibleTerms& rule, double slack)
       : rule_(rule),
         columns_(columns_of(search.fit)),
         linearised_(linearise(search.rates, search.path, search.fit.coefficients, columns_,
@@ -34,6 +48,7 @@ class ColumnElimination {
     std::iota(members_.begin(), members_.end(), Index{0});
     if (linearised_.rows == 0 || !linearised_.triangle.allFinite()) return;
     problem_ = subset_problem(linearised_.triangle);
+    limit_ = std::pow(1.0 + slack, 2) * fit_subset(problem_, members_).residual;
     while (const std::optional<Index> least = least_negligible())
       members_.erase(members_.begin() + *least);
   }
@@ -69,6 +84,8 @@ class ColumnElimination {
     for (Index i = 0; i < losses.size(); ++i) {
       const double growth = std::sqrt(1.0 + losses[i] / std::max(fit.residual, 1e-300));
       if (!rule_.holds(shares[i], growth)) continue;
+      if (fit.residual + losses[i] > limit_ && shares[i] > NegligibleTerms::kResolution)
+        continue;
       if (is_last(members_[static_cast<std::size_t>(i)])) continue;
       if (!least || losses[i] < losses[*least]) least = i;
     }
@@ -80,6 +97,7 @@ class ColumnElimination {
   }
 
   NegligibleTerms rule_;
+  double limit_ = 0.0;  ///< of the residual
   std::vector<Coefficient> columns_;
   Linearisation linearised_;
   RateEffects effects_;
@@ -90,9 +108,9 @@ class ColumnElimination {
 
 /// One elimination and what follows from it. @return what left; nothing changes where the
 /// smaller model cannot be solved.
-std::vector<LeftOut> eliminate(WindowSearch& search, const NegligibleTerms& rule,
+std::vector<LeftOut> eliminate(WindowSearch& search, const NegligibleTerms& rule, double slack,
                                const RunContext& context) {
-  const ColumnElimination elimination(search, rule);
+  const ColumnElimination elimination(search, rule, slack);
   if (elimination.left_out().empty()) return {};
   const WindowFit found = search.fit;
   WindowFit& fit = search.fit;
@@ -125,10 +143,12 @@ std::vector<LeftOut> leave_out_negligible(const SearchTask& task, WindowSearch& 
   constexpr int kRounds = 5;  // what is negligible beside terms that were not is seen later
   std::vector<LeftOut> all;
   if (task.price || search.fit.subset.empty()) return all;
+  const double slack = slack_of(task, search.fit);
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<LeftOut> more = eliminate(search, rule, context);
+    const std::vector<LeftOut> more = eliminate(search, rule, slack, context);
     if (more.empty()) break;
     all.insert(all.end(), more.begin(), more.end());
+    if (std::isfinite(slack)) break;  // it is spent
   }
   if (all.empty()) return all;
   const Linearisation linearised = linearise(search.rates, search.path, search.fit.coefficients,
