@@ -5,6 +5,7 @@
 #include "data_options.hpp"
 #include "lacuna/config/configuration.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/report/identification_report.hpp"
 
@@ -98,6 +99,16 @@ void write_results(const Session& session, const Options& options,
   if (options.json != "-" && options.model_out != "-") show(session, format_text(report));
 }
 
+/// Forms beside the library enter where the user has not said what the library is.
+IdentificationResult identified(const Session& session, const Options& options,
+                                const Dataset& data, const Pipeline& pipeline,
+                                const RunContext& context) {
+  const bool chosen = options.preset || options.config || options.terms || options.degree ||
+                      !options.assignments.empty();
+  if (chosen) return identify(data, pipeline, context);
+  return identify_with_forms(data, pipeline, session.registry.make_all<Effect>(), context);
+}
+
 int identify_command(const Session& session, const Options& options) {
   check_outputs(files_read(options.data, options.config ? std::vector{*options.config}
                                                         : std::vector<std::string>{}),
@@ -109,7 +120,7 @@ int identify_command(const Session& session, const Options& options) {
   context.report("reading data", 0.0);
   const Dataset data = load(options, pipeline);
 
-  IdentificationReport report{identify(data, pipeline, context), pipeline,
+  IdentificationReport report{identified(session, options, data, pipeline, context), pipeline,
                               configuration.text()};
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());

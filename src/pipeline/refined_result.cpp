@@ -28,6 +28,17 @@ void enter_removal(const RefinedModel& refined, Index equation, const std::strin
   entry.step = 1;
 }
 
+/// A term that was too small to be kept.
+void enter_negligible(const NegligibleTerm& left, const std::string& stage, TrailEntry& entry) {
+  entry = {.equation = entry.equation,
+           .term = entry.term,
+           .stage = stage,
+           .quantity = "share of the rate that the term is worth",
+           .value = left.effect,
+           .threshold = left.threshold,
+           .step = 1};
+}
+
 void enter_kept(double coefficient, TrailEntry& entry) {
   entry = {.equation = entry.equation,
            .term = entry.term,
@@ -41,12 +52,18 @@ void rewrite_trail(const RefinedModel& refined, const std::string& stage,
   for (TrailEntry& entry : result.trail) {
     const Index equation = refined.model.state_index(entry.equation);
     const auto& summands = refined.model.equations()[static_cast<std::size_t>(equation)];
+    const auto left = std::find_if(
+        refined.negligible.begin(), refined.negligible.end(), [&](const NegligibleTerm& term) {
+          return term.equation == equation && term.term == entry.term;
+        });
     const auto found = std::find_if(
         summands.begin(), summands.end(),
         [&](const WeightedTerm& summand) { return summand.term.name() == entry.term; });
     if (result.fit[static_cast<std::size_t>(equation)].identity) continue;
     if (found != summands.end())
       enter_kept(found->coefficient, entry);
+    else if (left != refined.negligible.end())
+      enter_negligible(*left, stage, entry);
     else if (entry.kept)
       enter_removal(refined, equation, stage, entry);
   }

@@ -58,8 +58,24 @@ Path walk(Elimination state, const MinorTermsOptions& options, const RunContext&
   return path;
 }
 
-/// Stops where the residual is more than noise and systematic error explain.
-PruneResult cut_by_errors(const Path& path, double rows, double error) {
+/// Goes on while the next term is negligible. @param floor below it residuals mean nothing.
+void cut_negligible(const Path& path, const NegligibleTerms& rule, double floor,
+                    std::vector<Removal>& removed) {
+  const double rate = std::max(path.residuals.back(), std::numeric_limits<double>::min());
+  for (std::size_t k = removed.size(); k + 1 < path.terms.size(); ++k) {
+    const double before = std::max(path.residuals[k], floor);
+    const double after = std::max(path.residuals[k + 1], before);
+    const double effect = std::sqrt((after - before) * (after + before)) / rate;
+    if (!rule.holds(effect, after / before)) break;
+    removed.push_back({path.terms[k], "share of the rate that the term is worth", effect,
+                       rule.effect_size, static_cast<int>(k) + 1});
+  }
+}
+
+/// Stops where the residual is more than noise and systematic error explain, and what the next
+/// term is worth is not negligible.
+PruneResult cut_by_errors(const Path& path, double rows, double error,
+                          const NegligibleTerms& rule) {
   const double base = std::max(path.residuals.front(), path.rounding);
   PruneResult result;
   std::size_t dropped = 0;
@@ -70,6 +86,8 @@ PruneResult cut_by_errors(const Path& path, double rows, double error) {
     result.removed.push_back(
         removal(path.terms[dropped], path.residuals[dropped + 1], limit, dropped + 1));
   }
+  cut_negligible(path, rule, std::sqrt(base * base + rows * error * error), result.removed);
+  dropped = result.removed.size();
   result.kept.assign(path.terms.begin() + static_cast<std::ptrdiff_t>(dropped),
                      path.terms.end());
   std::sort(result.kept.begin(), result.kept.end());
@@ -138,7 +156,7 @@ PruneResult MinorTerms::do_prune(const LeastSquaresSystem& system, Index target,
     return prune_up_to(options().effective_eta() * rows, std::move(full), context);
   const Path path = walk(std::move(full), options(), context);
   if (options().stop == MinorTermsOptions::Stop::Errors && system.target_error())
-    return cut_by_errors(path, rows, (*system.target_error())[target]);
+    return cut_by_errors(path, rows, (*system.target_error())[target], options().negligible);
   return cut_by_jump(path, options());
 }
 

@@ -119,6 +119,9 @@ std::string format_text(const IdentificationReport& report) {
       << result.model.time_unit() << "]\n"
       << coefficient_table(result.model) << "\nFit\n";
   for (const EquationFit& fit : result.fit) out << fit_line(fit);
+  if (result.library_alone)
+    out << "\nThe library alone does not reach the noise; it gives\n"
+        << indented(to_text(*result.library_alone, 5));
   out << "\nMeasurement noise (standard deviation)\n" << noise_text(result) << "\nTerms\n";
   for (const EquationFit& fit : result.fit)
     if (!fit.identity) out << trail_of(result.trail, fit.equation);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/selection/subset_problem.hpp"
+#include "negligible_columns.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
 
@@ -156,7 +158,7 @@ void note_disputes(const RefinerTask& task, const WindowFit& first, const Window
     const std::string& state = task.data.states[static_cast<std::size_t>(column.equation)].name;
     notes.push_back("d" + state + "/dt: the term " + term + " is in dispute: " +
                     (here ? "in this model, not in" : "not in this model, but in") +
-                    " the one that the preset robust finds");
+                    " the one that another search finds");
   }
 }
 
@@ -167,7 +169,7 @@ std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNois
     return "the record brings derivatives of its own";
   if (!from_model) return "";
   // What differences of a clean record leave; more is for the trajectories to explain.
-  constexpr double kTruncation = 1e-3;
+  constexpr double kTruncation = 1e-5;
   if (task.unexplained <= kTruncation &&
       std::all_of(noise.begin(), noise.end(),
                   [](const StateNoise& state) { return state.kind == NoiseKind::None; }))
@@ -192,14 +194,23 @@ void drop_when_agreed(Searches& searches) {
     searches.second.reset();
 }
 
+bool is_usable(const WindowFit& fit) {
+  return fit.rows > 0 && !fit.subset.empty() && fit.coefficients.allFinite();
+}
+
 /// Searches to the end. The first one's fit has no rows when the records are too short.
 Searches search_windows(const SearchTask& task, const Matrix& start, bool second_opinion,
                         const RunContext& context) {
   const WindowSearch prepared = prepared_search(task);
   Searches searches{begun(task, prepared, start, context), std::nullopt};
-  if (searches.first.fit.rows == 0) return searches;
   if (second_opinion)
     searches.second = begun(task, prepared, Matrix::Zero(start.rows(), start.cols()), context);
+  if (searches.second && !is_usable(searches.first.fit)) {
+    // A model that has no solution in the shortest windows is no start.
+    searches.first = std::move(*searches.second);
+    searches.second.reset();
+  }
+  if (searches.first.fit.rows == 0) return searches;
   for (bool grows = true; grows;) {
     drop_when_agreed(searches);
     grows = grow(task, searches.first, context);
@@ -207,11 +218,17 @@ Searches search_windows(const SearchTask& task, const Matrix& start, bool second
   }
   drop_when_agreed(searches);
   finish(searches.first, context);
+  if (searches.second) finish(*searches.second, context);
   return searches;
 }
 
-bool is_usable(const WindowFit& fit) {
-  return fit.rows > 0 && !fit.subset.empty() && fit.coefficients.allFinite();
+/// Whether another model does the same in windows no shorter, with fewer terms: the rms of a
+/// state's residuals is known to 1 / sqrt(2 n) of it.
+bool is_simpler(const WindowFit& other, const WindowFit& than) {
+  if (!is_usable(other) || other.subset.size() >= than.subset.size()) return false;
+  if (other.samples < than.samples) return false;
+  const double scatter = 4.0 / std::sqrt(2.0 * static_cast<double>(other.rows));
+  return (other.rms.array() <= (1.0 + scatter) * than.rms.array()).all();
 }
 
 /// Half the usual gap: the first path is interpolated where a model would be carried on. With
@@ -239,10 +256,23 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   auto [found, other] = search_windows(search, start, options().second_opinion, context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;
+  std::vector<LeftOut> left_out =
+      leave_out_negligible(search, found, options().negligible, context);
+  if (other) {
+    std::vector<LeftOut> others =
+        leave_out_negligible(search, *other, options().negligible, context);
+    if (is_simpler(other->fit, found.fit)) {
+      std::swap(found, *other);
+      left_out = std::move(others);
+    }
+  }
   RefinedModel result = Outcome(task, found.fit, noise).make();
   const bool is_noise = fits_to_noise(result);
   // A model that breaks down in longer windows is an approximation; no noise does that.
   if (!is_noise && found.limited) {
+    const std::vector<LeftOut> more =
+        leave_out_negligible(search, found, options().negligible.beside_a_floor(), context);
+    left_out.insert(left_out.end(), more.begin(), more.end());
     constexpr double kSlack = 0.1;  // the residuals of an approximation are not known better
     simplify(search, found, kSlack, context);
     result = Outcome(task, found.fit, noise).make();
@@ -253,6 +283,11 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
     if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
       result.model = std::move(*model);
   if (other) note_disputes(task, found.fit, other->fit, result.notes);
+  for (const LeftOut& out : left_out)
+    result.negligible.push_back(
+        {out.column.equation,
+         task.library.terms[static_cast<std::size_t>(out.column.term)].name(), out.effect,
+         options().negligible.effect_size});
   return result;
 }
 

@@ -167,6 +167,7 @@ void simplify(const SearchTask& task, WindowSearch& search, double slack,
   fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
   move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
   finish(search, context);
+  fit.sigma = found.sigma;  // the noise is what it was
   fit.triangle = linearise_all(search, context).triangle;
   if (!fit.coefficients.allFinite() || !fit.triangle.allFinite()) fit = found;
 }

@@ -49,13 +49,15 @@ Allowed allowed_includes() {
                            "records", "estimation", "candidates", "shooting", "decision"};
   allowed["diagnosis"] = {"core",       "numerics",   "data",     "model",     "records",
                           "estimation", "candidates", "decision", "hypotheses"};
+  allowed["libraries"] = allowed["pipeline"];
+  allowed["libraries"].insert({"pipeline", "candidates", "effects"});
   allowed["report"] = allowed["pipeline"];
   allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
                             "decision", "hypotheses", "diagnosis"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
   allowed["cli"] = allowed["config"];
-  allowed["cli"].insert({"config", "records", "systems", "attractor"});
+  allowed["cli"].insert({"config", "libraries", "records", "systems", "attractor"});
   return allowed;
 }
 

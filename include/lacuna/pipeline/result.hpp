@@ -54,6 +54,8 @@ struct IdentificationResult {
   std::vector<TrailEntry> trail;      ///< every candidate term of every equation
   std::vector<PathStep> path;         ///< models of each equation, where the refiner made them
   std::vector<std::string> warnings;  ///< what a user should know: an empty equation, ...
+  /// What the library alone gives, where forms beside it were taken in.
+  std::optional<OdeModel> library_alone = {};
 };
 
 }  // namespace lacuna

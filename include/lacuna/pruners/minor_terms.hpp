@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lacuna/core/options.hpp"
+#include "lacuna/numerics/negligible.hpp"
 #include "lacuna/stages/term_pruner.hpp"
 
 namespace lacuna {
@@ -42,6 +43,7 @@ struct MinorTermsOptions {
   std::optional<double> eta = {};
   double jump = 0.4;
   double resolution = 1e-11;
+  NegligibleTerms negligible = {};
 
   /// eta, or the default of the chosen tolerances.
   double effective_eta() const {
@@ -77,6 +79,7 @@ struct MinorTermsOptions {
              "relative: residuals below this share of |y| and of the terms count as rounding.",
              0.0, 1.0},
             resolution);
+    negligible.describe(v);
   }
 };
 
@@ -93,7 +96,8 @@ struct MinorTermsOptions {
 /// terms can have fitted no more than that error, and of the noise each about one in n. Terms
 /// are dropped while
 ///   r_k^2 <= r^2 (1 + k ln(n) / n) + n T^2,   r = max(r_0, resolution),
-/// with Schwarz' price ln n of a term (Ann. Statist. 6:461-464, 1978).
+/// with Schwarz' price ln n of a term (Ann. Statist. 6:461-464, 1978), and then while they are
+/// negligible beside the rate (NegligibleTerms).
 ///
 /// Stop by jump: noise gives r_0 and
 /// hardly more as spurious terms leave; the truncation error of finite differences, which

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lacuna/core/options.hpp"
+#include "lacuna/numerics/negligible.hpp"
 #include "lacuna/stages/refiner.hpp"
 
 namespace lacuna {
@@ -25,6 +26,7 @@ struct TrajectorySelectionOptions {
   Start start = Start::Nothing;
   bool second_opinion = false;
   std::optional<double> price = {};
+  NegligibleTerms negligible = {};
 
   void describe(OptionVisitor& v) {
     v.field({"start", "",
@@ -39,6 +41,7 @@ struct TrajectorySelectionOptions {
          "given (extended information criterion, gamma = 1/2).",
          0.0},
         price);
+    negligible.describe(v);
   }
 };
 
@@ -56,9 +59,10 @@ struct TrajectorySelectionOptions {
 /// the others. A model that does not fit to the noise and breaks down in longer windows is an
 /// approximation, which any term improves a little: terms leave it, the least valuable first,
 /// as long as the rms of the residuals grows by no more than a tenth, unless a price is given.
+/// Terms that are significant and negligible (NegligibleTerms) leave before that.
 /// Models that do not fit to the noise are refitted by refine(). Does nothing with records that
 /// bring measured derivatives, nor, starting from a model, with records without noise of which
-/// it explains the derivatives to a thousandth.
+/// it explains the derivatives to 1e-5 of them.
 class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {
  public:
   using Configured::Configured;

@@ -23,6 +23,14 @@ struct PathStep {
   double price = 0.0;     ///< the gain from which on a term is worth having
 };
 
+/// A term that was worth too little to be kept, however significant.
+struct NegligibleTerm {
+  Index equation = 0;
+  std::string term;
+  double effect = 0.0;     ///< share of the equation's rate that it was worth
+  double threshold = 0.0;  ///< what it was held against
+};
+
 /// What a refiner is given.
 struct RefinerTask {
   const Dataset& data;
@@ -41,7 +49,8 @@ struct RefinedModel {
   std::vector<double> misfit = {};  ///< rms of the residuals of each state over its noise
   std::vector<std::optional<bool>> fits_to_noise = {};  ///< per equation
   std::vector<PathStep> path = {};
-  std::vector<std::string> notes = {};  ///< what a user should know: terms in dispute
+  std::vector<NegligibleTerm> negligible = {};  ///< in the order in which they left
+  std::vector<std::string> notes = {};          ///< what a user should know: terms in dispute
 };
 
 /// Plug point: fits a model to the trajectories themselves, and tests its structure again.

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lacuna/candidates/candidate.hpp"
+#include "lacuna/core/run_context.hpp"
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/model/term.hpp"
+
+namespace lacuna {
+
+/// A form that a library lacks in one equation, with numbers for its shapes.
+struct MissingForm {
+  Candidate candidate;
+  Vector shapes;
+
+  Expression expression() const;
+};
+
+/// An equation as far as its structure is known: terms of a library and forms beside them.
+struct EquationForms {
+  Index equation = 0;
+  std::vector<Term> terms;
+  std::vector<MissingForm> forms;
+
+  /// Coefficients and shapes.
+  std::size_t parameters() const;
+};
+
+class FormProblem;
+
+/// Which plain forms may take the place of others.
+enum class Plainness {
+  Jump,  ///< sign(w) for tanh(w/width) of a width that hardly a sample sees
+  Any,   ///< sin(x) for sin(x/1.001)
+};
+
+/// The search for forms in the weak form of a dataset, whose rows are white for white noise.
+/// Shapes are fitted by variable projection: for each of their values coefficients are those of
+/// least squares (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Residuals that differ
+/// by less than a tenth (rms) are the same.
+class FormSearch {
+ public:
+  /// @param noise of each state, state units.
+  FormSearch(const Dataset& data, Vector noise, RunContext context = {});
+  ~FormSearch();
+
+  /// Rows of the weak form; a search needs more of them than terms.
+  Index rows() const;
+
+  /// Takes in the candidate that leaves least beside what is there, the plainest of those that
+  /// leave the same, as long as more than noise is left and forms take something away.
+  EquationForms with_missing_forms(EquationForms equation,
+                                   const std::vector<Candidate>& candidates,
+                                   std::size_t most_forms) const;
+
+  /// Looks for a form beside which so many terms and forms may leave that fewer parameters say
+  /// the same: sin(x) for x, x^3, x*y^2. @return the equation with the fewest.
+  EquationForms with_fewer_terms(EquationForms equation,
+                                 const std::vector<Candidate>& candidates) const;
+
+  /// The equation with plain forms in the place of shaped ones that are nearly the same at the
+  /// samples. Nothing where there is none.
+  std::optional<EquationForms> plainer(const EquationForms& equation,
+                                       const std::vector<Candidate>& candidates,
+                                       Plainness kind) const;
+
+  /// The equation with its shapes fitted.
+  EquationForms refitted(EquationForms equation) const;
+
+ private:
+  std::unique_ptr<const FormProblem> problem_;
+};
+
+}  // namespace lacuna

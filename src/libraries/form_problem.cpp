@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "form_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "candidates/nelder_mead.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A value of a shape parameter on the unit interval and back.
+double to_unit(const ShapeParameter& shape, double value) {
+  if (shape.logarithmic) return std::log(value / shape.low) / std::log(shape.high / shape.low);
+  return (value - shape.low) / (shape.high - shape.low);
+}
+
+double from_unit(const ShapeParameter& shape, double place) {
+  if (shape.logarithmic) return shape.low * std::pow(shape.high / shape.low, place);
+  return shape.low + place * (shape.high - shape.low);
+}
+
+template <class Function>
+Vector each_shape(const Candidate& candidate, const Vector& values, Function function) {
+  Vector result(values.size());
+  for (Index i = 0; i < values.size(); ++i)
+    result[i] = function(candidate.shapes[static_cast<std::size_t>(i)], values[i]);
+  return result;
+}
+
+/// Whether a candidate is taken in already: with other numbers it would only cancel itself.
+bool has_form(const EquationForms& equation, const Candidate& candidate) {
+  return std::any_of(
+      equation.forms.begin(), equation.forms.end(),
+      [&](const MissingForm& form) { return are_one_form(form.candidate, candidate); });
+}
+
+template <class T>
+std::vector<T> without(std::vector<T> list, std::size_t place) {
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
+  return list;
+}
+
+}  // namespace
+
+std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
+  std::vector<Start> starts;
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    for (const Vector& shapes : candidates[c].starts)
+      starts.push_back({{candidates[c], shapes}, c, 0.0});
+  return starts;
+}
+
+/// The first so many, each candidate at its best starting point only.
+std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Start& a, const Start& b) { return a.left < b.left; });
+  std::vector<Start> best;
+  for (Start& start : starts) {
+    if (best.size() == count) break;
+    if (std::none_of(best.begin(), best.end(),
+                     [&](const Start& other) { return other.candidate == start.candidate; }))
+      best.push_back(std::move(start));
+  }
+  return best;
+}
+
+FormProblem::FormProblem(const Dataset& data, Vector noise, RunContext context)
+    : rows_(data, noise), noise_(std::move(noise)), context_(std::move(context)) {}
+
+double FormProblem::noise_left(Index equation) const {
+  constexpr double kResolution = 1e-8;  // of the target
+  return static_cast<double>(rows_.rows()) * noise_[equation] * noise_[equation] +
+         kResolution * kResolution * rows_.target(equation).squaredNorm();
+}
+
+double FormProblem::same_as(double left, Index equation) const {
+  constexpr double kTenth = 1.21, kMostlyNoise = 2.0;
+  const double noise = noise_left(equation);
+  const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
+  if (left > kMostlyNoise * noise) return kTenth * left;
+  return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
+}
+
+Matrix FormProblem::columns(const EquationForms& equation) const {
+  std::vector<Expression> all;
+  for (const Term& term : equation.terms) all.push_back(term.expression());
+  for (const MissingForm& form : equation.forms) all.push_back(form.expression());
+  return all.empty() ? Matrix(rows_.rows(), 0) : rows_.columns(all);
+}
+
+double FormProblem::left(const EquationForms& equation) const {
+  return squares_left(columns(equation), rows_.target(equation.equation));
+}
+
+std::vector<Term> FormProblem::linear_terms() const {
+  const Variables& variables = rows_.variables();
+  std::vector<Term> terms{Term(Expression::number(1.0), variables)};
+  for (const std::string& name : variables.names())
+    if (name != "t") terms.emplace_back(Expression::variable(name), variables);
+  return terms;
+}
+
+std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
+                                          const std::vector<Candidate>& candidates) const {
+  constexpr int kRough = 25;
+  constexpr std::size_t kExactly = 6;
+  std::vector<Start> starts = all_starts(candidates);
+  rate(equation, false, starts);
+  std::vector<Trial> trials;
+  for (const Start& start : best_of(std::move(starts), candidates.size())) {
+    if (has_form(equation, start.form.candidate)) continue;
+    trials.push_back({equation, 0.0});
+    trials.back().equation.forms.push_back(start.form);
+    trials.back().left = polish(trials.back().equation, equation.forms.size(), kRough);
+  }
+  const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
+  std::stable_sort(trials.begin(), trials.end(), leaves_less);
+  for (std::size_t i = 0; i < std::min(kExactly, trials.size()); ++i)
+    trials[i].left = polish(trials[i].equation, equation.forms.size(), kExact);
+  std::stable_sort(trials.begin(), trials.end(), leaves_less);
+  return trials;
+}
+
+Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
+                           double limit) const {
+  equation.forms.push_back(form);
+  Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
+  now.equation = equation;
+  if (now.left > limit) now.left = std::numeric_limits<double>::infinity();
+  while (now.left <= limit && now.equation.terms.size() + now.equation.forms.size() > 1) {
+    Trial next = without_least(now.equation);
+    if (next.left > limit && !next.equation.forms.empty())
+      next.left = polish(next.equation, next.equation.forms.size() - 1, kExact);
+    if (!(next.left <= limit)) break;
+    now = std::move(next);
+  }
+  return now;
+}
+
+bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness kind) const {
+  constexpr double kFew = 0.15, kFar = 0.1, kActs = 0.3, kCorrelated = 0.99;
+  const Matrix both = rows_.values({a.expression(), b.expression()});
+  const double factor = both.col(0).dot(both.col(1)) / both.col(1).squaredNorm();
+  const Vector scaled = factor * both.col(1);
+  const double size = std::sqrt(scaled.squaredNorm() / static_cast<double>(scaled.size()));
+  if (kind == Plainness::Any) return likeness(a, b) > kCorrelated;
+  const double spread = std::sqrt((scaled.array() - scaled.mean()).square().mean());
+  return spread > kActs * size &&
+         ((both.col(0) - scaled).array().abs() > kFar * size).cast<double>().mean() < kFew;
+}
+
+double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
+  Matrix both = rows_.values({a.expression(), b.expression()});
+  both.rowwise() -= both.colwise().mean().eval();
+  return std::abs(both.col(0).dot(both.col(1))) / (both.col(0).norm() * both.col(1).norm());
+}
+
+double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations) const {
+  MissingForm& form = equation.forms[place];
+  const Vector target = rows_.target(equation.equation);
+  Matrix all = columns(equation);
+  const Index column = static_cast<Index>(equation.terms.size() + place);
+  const auto left = [&](const Vector& at) {
+    context_.check_stop();
+    form.shapes = each_shape(form.candidate, at, from_unit);
+    all.col(column) = rows_.columns({form.expression()});
+    return std::log(std::max(squares_left(all, target), 1e-300));
+  };
+  if (form.shapes.size() == 0) return squares_left(all, target);
+  const Vector start = each_shape(form.candidate, form.shapes, to_unit);
+  const int most = evaluations * static_cast<int>(start.size() * start.size());
+  return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
+}
+
+void FormProblem::rate(const EquationForms& equation, bool without_two,
+                       std::vector<Start>& starts) const {
+  const Matrix base = columns(equation);
+  const Vector target = rows_.target(equation.equation);
+  std::vector<Expression> forms;
+  for (const Start& start : starts) forms.push_back(start.form.expression());
+  const Matrix added = rows_.columns(forms);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    Matrix all(base.rows(), base.cols() + 1);
+    all << added.col(static_cast<Index>(i)), base;
+    starts[i].left = without_two ? least_without_two(all, target) : squares_left(all, target);
+  }
+}
+
+Trial FormProblem::without_least(const EquationForms& equation) const {
+  Trial best{equation, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i + 1 < equation.terms.size() + equation.forms.size(); ++i) {
+    EquationForms fewer = equation;
+    if (i < equation.terms.size())
+      fewer.terms = without(equation.terms, i);
+    else
+      fewer.forms = without(equation.forms, i - equation.terms.size());
+    const double without_it = left(fewer);
+    if (without_it < best.left) best = {std::move(fewer), without_it};
+  }
+  return best;
+}
+
+double FormProblem::least_without_two(const Matrix& all, const Vector& target) {
+  double least = std::numeric_limits<double>::infinity();
+  Matrix fewer(all.rows(), all.cols() - 2);
+  for (Index i = 1; i < all.cols(); ++i)
+    for (Index j = i + 1; j < all.cols(); ++j) {
+      Index place = 0;
+      for (Index c = 0; c < all.cols(); ++c)
+        if (c != i && c != j) fewer.col(place++) = all.col(c);
+      least = std::min(least, squares_left(fewer, target));
+    }
+  return least;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "form_rows.hpp"
+#include "lacuna/libraries/missing_forms.hpp"
+
+namespace lacuna {
+
+/// Evaluations for a shape when it is fitted to the last digits.
+inline constexpr int kExact = 80;
+
+/// A candidate at one of its starting points.
+struct Start {
+  MissingForm form;
+  std::size_t candidate = 0;
+  double left = 0.0;
+};
+
+/// All candidates at all of their starting points.
+std::vector<Start> all_starts(const std::vector<Candidate>& candidates);
+
+/// The first so many, those that leave least first, each candidate at its best starting point.
+std::vector<Start> best_of(std::vector<Start> starts, std::size_t count);
+
+/// An equation and what it leaves.
+struct Trial {
+  EquationForms equation;
+  double left = 0.0;  ///< sum of squares
+};
+
+/// Rows of the weak form, and what equations leave in them.
+class FormProblem {
+ public:
+  FormProblem(const Dataset& data, Vector noise, RunContext context);
+
+  Index rows() const { return rows_.rows(); }
+
+  /// The sum of squares that noise leaves, or quadrature and rounding where there is none.
+  double noise_left(Index equation) const;
+
+  /// The largest sum of squares that is the same as another: what is no noise is known to a
+  /// tenth (rms), noise to what chance does for the best of many forms.
+  double same_as(double left, Index equation) const;
+
+  /// Columns of an equation: terms, then forms.
+  Matrix columns(const EquationForms& equation) const;
+
+  double left(const EquationForms& equation) const;
+
+  /// The constant and the variables.
+  std::vector<Term> linear_terms() const;
+
+  /// The equation with each of the candidates, shapes fitted, the one that leaves least first.
+  std::vector<Trial> with_each(const EquationForms& equation,
+                               const std::vector<Candidate>& candidates) const;
+
+  /// The equation with one form more and without those members that are missed least, as long
+  /// as what is left stays within a limit; infinite where already the form does not.
+  Trial thinned(EquationForms equation, const MissingForm& form, double limit) const;
+
+  /// Whether two forms are nearly the same at the samples: a jump differs from a slope at few
+  /// of them, other forms hardly differ at all.
+  bool alike(const MissingForm& a, const MissingForm& b, Plainness kind) const;
+
+  /// Correlation of two forms over the samples.
+  double likeness(const MissingForm& a, const MissingForm& b) const;
+
+  /// Fits the shapes of one form. @return what is left.
+  double polish(EquationForms& equation, std::size_t place, int evaluations) const;
+
+  /// What is left with one of the starting points more, and `fewer` of the terms gone, the best
+  /// of them.
+  void rate(const EquationForms& equation, bool without_two, std::vector<Start>& starts) const;
+
+ private:
+  /// The equation without that member, the last form apart, that is missed least.
+  Trial without_least(const EquationForms& equation) const;
+
+  /// What is left when the two columns behind the first leave that are missed least.
+  static double least_without_two(const Matrix& all, const Vector& target);
+
+  FormRows rows_;
+  Vector noise_;
+  RunContext context_;
+};
+
+}  // namespace lacuna

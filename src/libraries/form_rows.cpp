@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "form_rows.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lacuna/formulations/weak_form.hpp"
+#include "lacuna/selection/moving_polynomial.hpp"
+
+namespace lacuna {
+namespace {
+
+/// More rows than this tell forms no better apart.
+constexpr double kMostRows = 1000.0;
+
+double total_duration(const Dataset& data) {
+  double duration = 0.0;
+  for (const Trajectory& record : data.trajectories) duration += record.duration();
+  return duration;
+}
+
+/// L of the covariance of the rows, which is banded; in blocks, so that it is made in no time.
+SparseRows whitening(const Projection& projection) {
+  constexpr Index kBlock = 128;
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  for (Index first = 0; first < projection.rows(); first += kBlock) {
+    const Matrix factor =
+        projection.target_factor(first, std::min(kBlock, projection.rows() - first));
+    for (Index i = 0; i < factor.rows(); ++i)
+      for (Index j = 0; j <= i; ++j)
+        if (factor(i, j) != 0.0) entries.emplace_back(first + i, first + j, factor(i, j));
+  }
+  SparseRows whole(projection.rows(), projection.rows());
+  whole.setFromTriplets(entries.begin(), entries.end());
+  return whole;
+}
+
+/// The test function for a dataset, narrower where that leaves too few rows.
+TestFunction narrow_function(const Dataset& data) {
+  constexpr double kRows = 400.0, kSamplesOfARow = 4.0;
+  const TestFunction function = choose_test_function(data);
+  const double samples = static_cast<double>(data.samples());
+
+  const double wanted = std::min(kRows, samples / kSamplesOfARow);
+  const double narrow =
+      total_duration(data) / wanted * std::sqrt(static_cast<double>(function.order));
+  if (function.radius <= narrow) return function;
+  return choose_test_function(data, {.radius = narrow, .order = {}});
+}
+
+Matrix slots_of(const Trajectory& record, const Vector& noise) {
+  Matrix slots(record.samples(), record.states.cols() + record.inputs.cols() + 1);
+  slots << record.states, record.inputs, record.time;
+  for (Index k = 0; k < noise.size(); ++k)
+    if (noise[k] > 0.0)
+      slots.col(k) = smooth_by_polynomials(record.time, record.states.col(k), noise[k]).col(0);
+  return slots;
+}
+
+}  // namespace
+
+FormRows::FormRows(const Dataset& data, const Vector& noise) {
+  for (const Quantity& state : data.states) variables_.states.push_back(state.name);
+  for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
+  const TestFunction function = narrow_function(data);
+  const double spacing =
+      std::max(test_function_spacing(function), total_duration(data) / kMostRows);
+  Index first = 0;
+  states_.resize(data.samples(), data.state_count());
+  slots_.resize(data.samples(), variables_.count());
+  for (const Trajectory& record : data.trajectories) {
+    Part part{first, record.samples(), weak_projection(record, function, spacing), {}};
+    slots_.middleRows(first, record.samples()) = slots_of(record, noise);
+    states_.middleRows(first, record.samples()) = record.states;
+    first += record.samples();
+    if (part.projection.rows() == 0) continue;
+    part.factor = whitening(part.projection);
+    rows_ += part.projection.rows();
+    parts_.push_back(std::move(part));
+  }
+}
+
+template <class Functional>
+Matrix FormRows::projected(const Matrix& samples, Functional functional) const {
+  Matrix result(rows_, samples.cols());
+  Index row = 0;
+  for (const Part& part : parts_) {
+    const Index count = part.projection.rows();
+    auto block = result.middleRows(row, count);
+    block = functional(part.projection) * samples.middleRows(part.first, part.samples);
+    block = part.factor.triangularView<Eigen::Lower>().solve(block.eval());
+    row += count;
+  }
+  return result;
+}
+
+Matrix FormRows::values(const std::vector<Expression>& forms) const {
+  const Program program(forms, variables_);
+  Program::Workspace workspace;
+  Matrix values(slots_.rows(), static_cast<Index>(forms.size()));
+  program.evaluate(slots_, values, workspace);
+  return values;
+}
+
+Matrix FormRows::columns(const std::vector<Expression>& forms) const {
+  return projected(values(forms),
+                   [](const Projection& p) -> const SparseRows& { return p.values; });
+}
+
+Vector FormRows::target(Index state) const {
+  const Matrix values = states_.col(state);
+  return projected(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
+}
+
+double squares_left(const Matrix& columns, const Vector& target) {
+  if (!columns.allFinite()) return std::numeric_limits<double>::infinity();
+  Matrix scaled = columns;
+  for (Index j = 0; j < scaled.cols(); ++j)
+    scaled.col(j) /= std::max(scaled.col(j).norm(), 1e-300);
+  if (scaled.cols() == 0) return target.squaredNorm();
+  Eigen::ColPivHouseholderQR<Matrix> factor(scaled);
+  factor.setThreshold(1e-11);
+  const Vector rotated = factor.householderQ().adjoint() * target;
+  return rotated.tail(rotated.size() - factor.rank()).squaredNorm();
+}
+
+}  // namespace lacuna

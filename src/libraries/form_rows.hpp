@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/formulations/projection.hpp"
+#include "lacuna/model/term.hpp"
+
+namespace lacuna {
+
+/// The weak form of a dataset with its rows at hand, K x columns, so that one form more costs
+/// one column. Rows are whitened: white noise sigma of a state is white noise sigma of its
+/// target (see WeakForm). Test functions are as wide as the noise asks for, and not so wide
+/// that few rows are left.
+class FormRows {
+ public:
+  /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
+  ///   argument makes bends out of jumps.
+  FormRows(const Dataset& data, const Vector& noise);
+
+  const Variables& variables() const { return variables_; }
+  Index rows() const { return rows_; }  ///< K
+
+  /// K x forms; not finite where a form has no value at a sample.
+  Matrix columns(const std::vector<Expression>& forms) const;
+
+  Vector target(Index state) const;  ///< K
+
+  /// Samples x forms: the values themselves.
+  Matrix values(const std::vector<Expression>& forms) const;
+
+ private:
+  /// Rows of one record.
+  struct Part {
+    Index first = 0, samples = 0;  ///< of the slots
+    Projection projection;
+    SparseRows factor;  ///< L of the whitening, banded
+  };
+
+  template <class Functional>
+  Matrix projected(const Matrix& samples, Functional functional) const;
+
+  Variables variables_;
+  Matrix slots_;   ///< samples x variables, where forms are evaluated
+  Matrix states_;  ///< samples x m, as measured
+  std::vector<Part> parts_;
+  Index rows_ = 0;
+};
+
+/// |y - A h|^2 of the least squares solution; infinite where a column is not finite.
+double squares_left(const Matrix& columns, const Vector& target);
+
+}  // namespace lacuna

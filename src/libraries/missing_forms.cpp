@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/libraries/missing_forms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "form_problem.hpp"
+
+namespace lacuna {
+namespace {
+
+bool jumps(const Expression& form) {
+  return form.operation() == Operation::Sign || form.operation() == Operation::Step ||
+         std::any_of(form.operands().begin(), form.operands().end(), jumps);
+}
+
+/// Without a form that is there twice: two that were shaped apart may have become one.
+std::vector<MissingForm> distinct(const std::vector<MissingForm>& forms) {
+  std::vector<MissingForm> result;
+  for (const MissingForm& form : forms)
+    if (std::none_of(result.begin(), result.end(), [&](const MissingForm& other) {
+          return other.expression() == form.expression();
+        }))
+      result.push_back(form);
+  return result;
+}
+
+}  // namespace
+
+Expression MissingForm::expression() const {
+  return bind_form(candidate, {shapes.data(), static_cast<std::size_t>(shapes.size())});
+}
+
+std::size_t EquationForms::parameters() const {
+  std::size_t count = terms.size() + forms.size();
+  for (const MissingForm& form : forms) count += static_cast<std::size_t>(form.shapes.size());
+  return count;
+}
+
+FormSearch::FormSearch(const Dataset& data, Vector noise, RunContext context)
+    : problem_(
+          std::make_unique<const FormProblem>(data, std::move(noise), std::move(context))) {}
+FormSearch::~FormSearch() = default;
+
+Index FormSearch::rows() const { return problem_->rows(); }
+
+EquationForms FormSearch::with_missing_forms(EquationForms equation,
+                                             const std::vector<Candidate>& candidates,
+                                             std::size_t most_forms) const {
+  const Index k = equation.equation;
+  // A mean of squares of noise is known to sqrt(2 / rows) of it.
+  const double scatter = 4.0 * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
+  double left = problem_->left(equation);
+  while (equation.forms.size() < most_forms &&
+         left > (1.0 + scatter) * problem_->noise_left(k)) {
+    const std::vector<Trial> trials = problem_->with_each(equation, candidates);
+    if (trials.empty()) break;
+    const double same = problem_->same_as(trials.front().left, k);
+    if (!(left > same)) break;
+    const auto plainer = [&](const Trial& a, const Trial& b) {
+      const bool good = a.left <= same, other = b.left <= same;
+      if (good != other) return good;
+      const std::size_t cost = a.equation.parameters(), others = b.equation.parameters();
+      return good && cost != others ? cost < others : a.left < b.left;
+    };
+    equation = refitted(std::min_element(trials.begin(), trials.end(), plainer)->equation);
+    left = problem_->left(equation);
+  }
+  return equation;
+}
+
+EquationForms FormSearch::with_fewer_terms(EquationForms equation,
+                                           const std::vector<Candidate>& candidates) const {
+  constexpr std::size_t kTried = 40;
+  if (equation.terms.size() + equation.forms.size() < 2) return equation;
+  Trial best{equation, problem_->left(equation)};
+  const double limit = problem_->same_as(best.left, equation.equation);
+  const EquationForms linear{equation.equation, problem_->linear_terms(), {}};
+  for (const bool from_all : {true, false}) {
+    const EquationForms& from = from_all ? equation : linear;
+    std::vector<Start> starts = all_starts(candidates);
+    problem_->rate(from, from_all, starts);
+    for (const Start& start :
+         best_of(std::move(starts), from_all ? kTried : candidates.size())) {
+      const Trial now = problem_->thinned(from, start.form, limit);
+      const std::size_t cost = now.equation.parameters(), least = best.equation.parameters();
+      const bool replaces = least < equation.parameters() && cost == least;
+      if (std::isfinite(now.left) && (cost < least || (replaces && now.left < best.left)))
+        best = now;
+    }
+  }
+  // One form may do the work of some terms, another that of others.
+  if (best.equation.parameters() < equation.parameters())
+    return with_fewer_terms(std::move(best.equation), candidates);
+  return best.equation;
+}
+
+std::optional<EquationForms> FormSearch::plainer(const EquationForms& equation,
+                                                 const std::vector<Candidate>& candidates,
+                                                 Plainness kind) const {
+  EquationForms result = equation;
+  bool changed = false;
+  for (MissingForm& form : result.forms) {
+    if (form.shapes.size() == 0) continue;
+    for (const Candidate& candidate : candidates) {
+      const MissingForm other{candidate, Vector()};
+      if (!candidate.shapes.empty()) continue;
+      if (kind == Plainness::Jump && !jumps(candidate.form)) continue;
+      if (!problem_->alike(form, other, kind)) continue;
+      form = other;
+      changed = true;
+      break;
+    }
+  }
+  if (!changed) return std::nullopt;
+  result.forms = distinct(result.forms);
+  return result;
+}
+
+EquationForms FormSearch::refitted(EquationForms equation) const {
+  constexpr int kRounds = 3;
+  const bool alone = equation.forms.size() == 1;
+  for (int round = 0; round < (alone ? 1 : kRounds); ++round)
+    for (std::size_t place = 0; place < equation.forms.size(); ++place)
+      problem_->polish(equation, place, kExact);
+  return equation;
+}
+
+}  // namespace lacuna

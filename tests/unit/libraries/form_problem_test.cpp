@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "libraries/form_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+/// x with dx/dt = -x, exactly.
+Dataset decay() {
+  Dataset data;
+  data.states = {{"x", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(801, 0.0, 4.0);
+  record.states = (-record.time.array()).exp().matrix();
+  record.inputs.resize(801, 0);
+  data.trajectories = {record};
+  return data;
+}
+
+Candidate form_of_x(const std::string& form) {
+  const Expression x = Expression::variable("x");
+  Candidate candidate;
+  candidate.form = parse_expression(form);
+  candidate.argument = x;
+  candidate.starts = {Vector()};
+  return candidate;
+}
+
+TEST(FormProblem, LinearTermsAreTheConstantAndTheVariables) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const std::vector<Term> terms = problem.linear_terms();
+  ASSERT_EQ(terms.size(), 2u);
+  EXPECT_EQ(terms[0].name(), "1");
+  EXPECT_EQ(terms[1].name(), "x");
+  EXPECT_LT(problem.left({0, terms, {}}), problem.noise_left(0) * 1e6);
+}
+
+TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
+  const FormProblem clean(decay(), Vector::Zero(1), {});
+  EXPECT_NEAR(clean.same_as(1.0, 0), 1.21, 1e-12);
+  const FormProblem noisy(decay(), Vector::Constant(1, 0.1), {});
+  const double noise = noisy.noise_left(0);
+  const auto rows = static_cast<double>(noisy.rows());
+  EXPECT_NEAR(noise, 0.01 * rows, 1e-6 * noise);
+  EXPECT_NEAR(noisy.same_as(noise, 0), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
+}
+
+TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms all{0, problem.linear_terms(), {}};
+  const double limit = 1e6 * problem.noise_left(0);
+  const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, limit);
+  EXPECT_LE(thin.left, limit);
+  ASSERT_EQ(thin.equation.terms.size(), 1u);
+  EXPECT_EQ(thin.equation.terms[0].name(), "x");
+  EXPECT_EQ(thin.equation.forms.size(), 1u);
+}
+
+TEST(FormProblem, TriesEachCandidateAndPutsTheBestFirst) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const std::vector<Trial> trials =
+      problem.with_each(constant, {form_of_x("exp(x)"), form_of_x("sin(x)")});
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_EQ(trials[0].equation.forms[0].expression().to_string(), "sin(x)");
+  EXPECT_LT(trials[0].left, trials[1].left);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/libraries/identify_with_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/config/registry.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/systems/measurement.hpp"
+#include "lacuna/systems/test_systems.hpp"
+
+namespace lacuna {
+namespace {
+
+const std::vector<Stage<Effect>> kEffects = default_registry().make_all<Effect>();
+
+std::vector<std::string> terms_of(const OdeModel& model, std::size_t equation) {
+  std::vector<std::string> names;
+  for (const WeightedTerm& summand : model.equations()[equation])
+    names.push_back(summand.term.name());
+  return names;
+}
+
+Dataset record_of_equations(
+    const std::vector<std::vector<std::pair<double, std::string>>>& rows, const Vector& start,
+    double step, Index samples, double noise) {
+  Variables variables;
+  std::vector<Quantity> states;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    states.push_back({std::string(1, "xyz"[k]), ""});
+    variables.states.push_back(states.back().name);
+  }
+  std::vector<Equation> equations;
+  for (const auto& row : rows) {
+    equations.emplace_back();
+    for (const auto& [coefficient, term] : row)
+      equations.back().push_back({Term::parse(term, variables), coefficient});
+  }
+  const Dataset clean =
+      record_of(OdeModel(states, {}, equations), Dopri87{}, start, step, samples);
+  return add_relative_noise(clean, noise, 1);
+}
+
+TEST(IdentifyWithForms, FindsAPendulumAndShowsWhatPolynomialsGive) {
+  const Dataset data = record_of_equations({{{1.0, "y"}}, {{-0.9, "sin(x)"}}},
+                                           Eigen::Vector2d(-1.9, 0.0), 0.02, 512, 0.0);
+  const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
+  EXPECT_EQ(terms_of(found.model, 0), std::vector<std::string>{"y"});
+  EXPECT_EQ(terms_of(found.model, 1), std::vector<std::string>{"sin(x)"});
+  EXPECT_NEAR(found.model.coefficient(1, "sin(x)"), -0.9, 1e-6);
+  ASSERT_TRUE(found.library_alone);
+  EXPECT_GT(terms_of(*found.library_alone, 1).size(), 1u);
+}
+
+TEST(IdentifyWithForms, FindsARateThatSaturates) {
+  const Dataset data = record_of_equations({{{0.6, "1"}, {-1.5, "x/(0.3+x)"}}},
+                                           Vector::Constant(1, 2.0), 0.01, 1000, 0.0);
+  const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
+  const Equation& equation = found.model.equations()[0];
+  ASSERT_EQ(equation.size(), 2u);
+  EXPECT_EQ(equation[0].term.name(), "1");
+  EXPECT_NEAR(equation[0].coefficient, 0.6, 1e-3);
+  EXPECT_NEAR(equation[1].coefficient, -1.5, 1e-3);
+}
+
+TEST(IdentifyWithForms, LeavesWhatPolynomialsReachAsItIs) {
+  const TestSystem& system = test_system("van-der-pol");
+  const Dataset data =
+      add_relative_noise(record_of(system.model, Dopri87{}, system.start, 0.05, 600), 0.01, 1);
+  const IdentificationResult with = identify_with_forms(data, algorithm1(), kEffects);
+  const IdentificationResult without = identify(data, algorithm1());
+  EXPECT_FALSE(with.library_alone);
+  EXPECT_EQ(to_text(with.model), to_text(without.model));
+}
+
+TEST(IdentifyWithForms, TooFewSamplesAreNoReasonToFail) {
+  const Dataset data = record_of_equations({{{1.0, "y"}}, {{-0.9, "sin(x)"}}},
+                                           Eigen::Vector2d(-1.9, 0.0), 0.3, 24, 0.0);
+  EXPECT_NO_THROW(identify_with_forms(data, algorithm1(), kEffects));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/libraries/missing_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/libraries/function_forms.hpp"
+#include "lacuna/systems/measurement.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A record of dx/dt = y, dy/dt = f.
+struct Oscillator {
+  explicit Oscillator(const std::string& force, double noise = 0.0) {
+    const Variables variables{{"x", "y"}, {}};
+    model.emplace(std::vector<Quantity>{{"x", ""}, {"y", ""}}, std::vector<Quantity>{},
+                  std::vector<Equation>{{{Term::parse("y", variables), 1.0}},
+                                        {{Term::parse(force, variables), -1.0}}});
+    data = record_of(*model, Dopri87{}, Eigen::Vector2d(2.0, 0.0), 0.02, 1500);
+    data = add_noise(data, Vector::Constant(2, noise), 1);
+    sigma = Vector::Constant(2, noise);
+    scope = make_scope(*model, data, sigma);
+    library = Monomials{}.library(variables);
+  }
+
+  EquationForms bare() const { return {1, library.terms, {}}; }
+  std::vector<Candidate> candidates() const { return function_forms(*scope, {}, 1); }
+
+  std::optional<OdeModel> model;
+  Dataset data;
+  Vector sigma;
+  std::optional<Scope> scope;
+  TermLibrary library;
+};
+
+TEST(FormSearch, FindsAFormWithItsShape) {
+  const Oscillator c("x/(1+x^2/0.49)");
+  const FormSearch search(c.data, c.sigma);
+  const EquationForms more = search.with_missing_forms(c.bare(), c.candidates(), 3);
+  EXPECT_FALSE(more.forms.empty());
+  const EquationForms found = search.refitted(search.with_fewer_terms(more, c.candidates()));
+  EXPECT_TRUE(found.terms.empty());
+  ASSERT_EQ(found.forms.size(), 1u);
+  EXPECT_EQ(found.forms[0].candidate.form.to_string(), "x/(1+x^2/a^2)");
+  EXPECT_NEAR(found.forms[0].shapes[0], 0.7, 1e-4);
+}
+
+TEST(FormSearch, TakesNothingInWhereOnlyNoiseIsLeft) {
+  const Oscillator c("x", 0.01);
+  const FormSearch search(c.data, c.sigma);
+  EXPECT_TRUE(search.with_missing_forms(c.bare(), c.candidates(), 3).forms.empty());
+}
+
+TEST(FormSearch, OneFormDoesTheWorkOfManyTerms) {
+  const Oscillator c("sin(x)", 0.002);
+  const FormSearch search(c.data, c.sigma);
+  const EquationForms few = search.with_fewer_terms(c.bare(), c.candidates());
+  EXPECT_TRUE(few.terms.empty());
+  ASSERT_EQ(few.forms.size(), 1u);
+  EXPECT_EQ(few.forms[0].expression().to_string(), "sin(x)");
+  EXPECT_EQ(few.parameters(), 1u);
+}
+
+TEST(FormSearch, AJumpTakesThePlaceOfASlopeThatHardlyASampleSees) {
+  const Oscillator c("sin(x)");
+  const FormSearch search(c.data, c.sigma);
+  const auto candidates = c.candidates();
+  const auto form = [&](const std::string& pattern, double shape) {
+    for (const Candidate& candidate : candidates)
+      if (candidate.form.to_string() == pattern)
+        return MissingForm{candidate, Vector::Constant(1, shape)};
+    throw std::runtime_error(pattern);
+  };
+  const auto steep =
+      search.plainer({1, {}, {form("tanh(y/a)", 0.01)}}, candidates, Plainness::Jump);
+  ASSERT_TRUE(steep);
+  EXPECT_EQ(steep->forms[0].expression().to_string(), "sign(y)");
+  EXPECT_FALSE(search.plainer({1, {}, {form("tanh(y/a)", 1.0)}}, candidates, Plainness::Jump));
+  EXPECT_FALSE(search.plainer({1, {}, {form("sin(x/a)", 1.01)}}, candidates, Plainness::Jump));
+  const auto plain =
+      search.plainer({1, {}, {form("sin(x/a)", 1.01)}}, candidates, Plainness::Any);
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->forms[0].expression().to_string(), "sin(x)");
+}
+
+TEST(FormSearch, CountsCoefficientsAndShapes) {
+  const Oscillator c("sin(x)");
+  EquationForms equation = c.bare();
+  EXPECT_EQ(equation.parameters(), 10u);
+  equation.forms.push_back({c.candidates().front(), Vector()});
+  equation.forms.push_back({c.candidates().front(), Vector::Ones(2)});
+  EXPECT_EQ(equation.parameters(), 14u);
+}
+
+}  // namespace
+}  // namespace lacuna
