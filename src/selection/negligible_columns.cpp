@@ -38,11 +38,12 @@ double slack_of(const SearchTask& task, const WindowFit& fit) {
 /// A model's columns as a problem of their own; members are positions among them.
 class ColumnElimination {
  public:
-  ColumnElimination(WindowSearch& search, const NegligibleTerms& rule, double slack)
+  ColumnElimination(WindowSearch& search, const NegligibleTerms& rule, double slack,
+                    const RunContext& context)
       : rule_(rule),
         columns_(columns_of(search.fit)),
-        linearised_(linearise(search.rates, search.path, search.fit.coefficients, columns_,
-                              search.folding)),
+        linearised_(linearise(search.rates, search.path, {search.fit.coefficients, columns_},
+                              search.folding, context)),
         effects_(search, columns_),
         members_(columns_.size()) {
     std::iota(members_.begin(), members_.end(), Index{0});
@@ -110,7 +111,7 @@ class ColumnElimination {
 /// smaller model cannot be solved.
 std::vector<LeftOut> eliminate(WindowSearch& search, const NegligibleTerms& rule, double slack,
                                const RunContext& context) {
-  const ColumnElimination elimination(search, rule, slack);
+  const ColumnElimination elimination(search, rule, slack, context);
   if (elimination.left_out().empty()) return {};
   const WindowFit found = search.fit;
   WindowFit& fit = search.fit;
@@ -151,8 +152,9 @@ std::vector<LeftOut> leave_out_negligible(const SearchTask& task, WindowSearch& 
     if (std::isfinite(slack)) break;  // it is spent
   }
   if (all.empty()) return all;
-  const Linearisation linearised = linearise(search.rates, search.path, search.fit.coefficients,
-                                             search.fit.columns, search.folding);
+  const Linearisation linearised =
+      linearise(search.rates, search.path, {search.fit.coefficients, search.fit.columns},
+                search.folding, context);
   if (linearised.triangle.allFinite()) search.fit.triangle = linearised.triangle;
   return all;
 }
