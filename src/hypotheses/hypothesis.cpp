@@ -14,8 +14,9 @@
 namespace lacuna {
 
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
-  return in_order({NamedEffects{}, OtherChoices{}, SensorFault{}, UnmeasuredInput{}, ColouredNoiseHypothesis{},
-                   BrokenIdentity{}, SensorCalibration{}, ResidualFunction{}});
+  return in_order({NamedEffects{}, OtherChoices{}, SensorFault{}, UnmeasuredInput{},
+                   ColouredNoiseHypothesis{}, BrokenIdentity{}, SensorCalibration{},
+                   ResidualFunction{}});
 }
 
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {

@@ -58,85 +58,104 @@ std::string to_string(HintKind kind) {
   return "";
 }
 
-void HintOptions::describe(OptionVisitor& v) {
+namespace {
+
+/// Slips of units, signs and identities.
+void describe_slips(HintOptions& o, OptionVisitor& v) {
   v.field(
       {"slip_remainder", "",
        "A slip of units, signs or columns is one where, undone, it leaves no more than this "
        "share of the misfit (geometric mean over the equations it changes).",
        0.0, 1.0},
-      slip_remainder);
+      o.slip_remainder);
   v.field({"slip_misfit", "",
            "Equations in which model and records are apart by less than this share of their "
            "rates have no slip.",
            0.0, 1.0},
-          slip_misfit);
+          o.slip_misfit);
   v.field({"slip_alike", "",
            "Slips that leave misfits (or changes of coefficients) within this ratio are not "
            "told apart: the plainest is named.",
            1.0},
-          slip_alike);
+          o.slip_alike);
   v.field({"slip_harm", "",
            "An equation may gain this much misfit (rms, as a share of its rates) by undoing a "
            "slip.",
            0.0, 1.0},
-          slip_harm);
+          o.slip_harm);
   v.field({"slip_factor", "",
            "Two coefficients that are off by a larger factor each are so by a unit: effects "
            "that are missing bend them less.",
            1.0},
-          slip_factor);
+          o.slip_factor);
   v.field(
       {"round_factor", "",
        "A factor is that of a unit where the records say it to this share of its logarithm.",
        0.0, 1.0},
-      round_factor);
+      o.round_factor);
   v.field({"identity_factor", "",
            "An identity dq/dt = v that is off by a larger factor, or by sign, is a slip; less "
            "is a gain of a sensor.",
            1.0},
-          identity_factor);
+          o.identity_factor);
   v.field({"identity_match", "",
            "The factor of an identity means something where the two sides correlate by more.",
            0.0, 1.0},
-          identity_match);
+          o.identity_match);
+}
+
+/// Columns that the model does not know.
+void describe_columns(HintOptions& o, OptionVisitor& v) {
   v.field({"column_share", "",
            "A column that the model does not know is an input where it explains a larger share "
            "of what an equation lacks.",
            0.0, 1.0},
-          column_share);
+          o.column_share);
   v.field(
       {"column_own", "",
        "Such a column has something of its own where the terms of the model make up all but "
        "this share of it.",
        0.0, 1.0},
-      column_own);
+      o.column_own);
   v.field({"column_rate", "",
            "A column that is apart from the rate of a state by a smaller share is that rate.",
            0.0, 1.0},
-          column_rate);
+          o.column_rate);
   v.field({"told", "standard deviations",
            "What such a column explains, or what the records say of a coefficient, is chance "
            "where it is less significant.",
            0.0},
-          told);
+          o.told);
+}
+
+/// What the records cannot say.
+void describe_motion(HintOptions& o, OptionVisitor& v) {
   v.field(
       {"feedback", "",
        "An input of which the states make up a larger share is in a closed loop.", 0.0, 1.0},
-      feedback);
+      o.feedback);
   v.field({"samples_per_period", "samples",
            "Less in a mean period of the fastest state is few.", 2.0},
-          samples_per_period);
+          o.samples_per_period);
   v.field(
       {"periods", "mean periods", "A record with fewer says little of what comes back.", 0.0},
-      periods);
+      o.periods);
   v.field({"barely_moving", "standard deviations",
            "A state that deviates from its mean by fewer of its noise hardly moves.", 0.0},
-          barely_moving);
+          o.barely_moving);
   v.field({"alike_terms", "",
            "Terms of which a combination is a smaller share of them have coefficients that the "
            "records do not tell apart.",
            0.0, 1.0},
-          alike_terms);
+          o.alike_terms);
+}
+
+}  // namespace
+
+void HintOptions::describe(OptionVisitor& v) {
+  describe_slips(*this, v);
+  describe_columns(*this, v);
+  describe_motion(*this, v);
 }
 
 std::vector<Hint> look_at(const OdeModel& model, const BoundRecords& records,

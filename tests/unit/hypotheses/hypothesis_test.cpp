@@ -18,9 +18,9 @@ std::vector<std::string> names_of(const std::vector<Stage<Hypothesis>>& hypothes
 
 TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
   EXPECT_EQ(names_of(standard_hypotheses()),
-            (std::vector<std::string>{"named-effects", "other-choices", "sensor-fault",
-                                      "sensor-calibration", "unmeasured-input", "coloured-noise", "broken-identity",
-                                      "residual-function"}));
+            (std::vector<std::string>{
+                "named-effects", "other-choices", "sensor-fault", "sensor-calibration",
+                "unmeasured-input", "coloured-noise", "broken-identity", "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {
@@ -30,7 +30,8 @@ TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {
 }
 
 TEST(HypothesisOrder, EveryPhaseHasSomebody) {
-  for (const Phase phase : {Phase::Effects, Phase::Revision, Phase::Assumptions, Phase::Residual}) {
+  for (const Phase phase :
+       {Phase::Effects, Phase::Revision, Phase::Assumptions, Phase::Residual}) {
     const auto all = standard_hypotheses();
     EXPECT_TRUE(std::any_of(all.begin(), all.end(),
                             [&](const auto& one) { return one->phase() == phase; }));
