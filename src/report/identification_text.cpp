@@ -26,12 +26,16 @@ std::string error_text(const WeightedTerm& summand) {
 }
 
 std::string coefficient_table(const OdeModel& model) {
-  std::string table = "  " + padded("equation", 12) + padded("term", 20) +
+  std::size_t width = 20;
+  for (const Equation& equation : model.equations())
+    for (const WeightedTerm& summand : equation)
+      width = std::max(width, summand.term.name().size() + 2);
+  std::string table = "  " + padded("equation", 12) + padded("term", width) +
                       padded("coefficient", 16) + "standard error\n";
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k])
       table += "  " + padded("d" + model.states()[k].name + "/dt", 12) +
-               padded(summand.term.name(), 20) +
+               padded(summand.term.name(), width) +
                padded(format_number(summand.coefficient, 8), 16) + error_text(summand) + "\n";
   return table;
 }
