@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Models found in records of ODEBench, solved from the record's start and from another one.
+// usage: study_odebench FILE OUTPUT_FOLDER
+// FILE: systems with two solutions each, as JSON (may be packed by gzip).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "lacuna/config/registry.hpp"
+#include "lacuna/core/atomic_file.hpp"
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/file_bytes.hpp"
+#include "lacuna/core/random.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/libraries/identify_with_forms.hpp"
+#include "lacuna/pipeline/presets.hpp"
+#include "support/parallel.hpp"
+#include "support/table.hpp"
+
+namespace lacuna::odebench {
+namespace {
+
+/// A system with its two solutions.
+struct System {
+  std::string name;
+  Vector time;
+  std::array<Matrix, 2> states;  ///< n x m
+};
+
+/// Noise x (1 + sigma xi), and the share of samples that is dropped.
+struct Cell {
+  double sigma = 0.0, dropped = 0.0;
+};
+
+/// Published protocol.
+constexpr std::array<Cell, 4> kCells = {{{0.0, 0.0}, {0.05, 0.0}, {0.0, 0.5}, {0.05, 0.5}}};
+
+Vector vector_of(const nlohmann::json& list) {
+  const auto values = list.get<std::vector<double>>();
+  return Eigen::Map<const Vector>(values.data(), static_cast<Index>(values.size()));
+}
+
+System system_of(const nlohmann::json& entry) {
+  System system{std::to_string(entry.at("id").get<int>()) + " " +
+                    entry.at("eq_description").get<std::string>(),
+                {},
+                {}};
+  for (std::size_t s = 0; s < 2; ++s) {
+    const nlohmann::json& solution = entry.at("solutions").at(0).at(s);
+    system.time = vector_of(solution.at("t"));
+    const nlohmann::json& states = solution.at("y");
+    system.states[s].resize(system.time.size(), static_cast<Index>(states.size()));
+    for (std::size_t k = 0; k < states.size(); ++k)
+      system.states[s].col(static_cast<Index>(k)) = vector_of(states[k]);
+  }
+  return system;
+}
+
+std::vector<System> read_systems(const std::filesystem::path& path) {
+  std::vector<System> systems;
+  for (const auto& entry : nlohmann::json::parse(read_bytes(path).view()))
+    systems.push_back(system_of(entry));
+  return systems;
+}
+
+/// The first solution as it is measured.
+Dataset record_of(const System& system, const Cell& cell, std::uint64_t seed) {
+  Random random(seed);
+  const Matrix& clean = system.states[0];
+  std::vector<Index> kept;
+  for (Index i = 0; i < clean.rows(); ++i)
+    if (random.uniform() >= cell.dropped) kept.push_back(i);
+  Dataset data;
+  for (Index k = 0; k < clean.cols(); ++k) data.states.push_back({"x" + std::to_string(k), ""});
+  Trajectory& record = data.trajectories.emplace_back();
+  record.source = system.name;
+  record.time.resize(static_cast<Index>(kept.size()));
+  record.states.resize(record.time.size(), clean.cols());
+  record.inputs.resize(record.time.size(), 0);
+  for (Index i = 0; i < record.time.size(); ++i) {
+    const Index from = kept[static_cast<std::size_t>(i)];
+    record.time[i] = system.time[from];
+    for (Index k = 0; k < clean.cols(); ++k)
+      record.states(i, k) = clean(from, k) * (1.0 + cell.sigma * random.normal());
+  }
+  return data;
+}
+
+/// Coefficient of determination of a model's solution from the start of a clean one, states
+/// pooled by variance: 1 - sum |x - x_model|^2 / sum |x - mean|^2.
+double determination(const OdeModel& model, const Vector& time, const Matrix& clean) {
+  const Solution orbit = simulate(model, Dopri8{}, clean.row(0), time);
+  if (orbit.status != IntegrationStatus::Completed || !orbit.states.allFinite()) return -1.0;
+  const double spread = (clean.rowwise() - clean.colwise().mean()).squaredNorm();
+  return 1.0 - (clean - orbit.states).squaredNorm() / spread;
+}
+
+/// What came of one system in one cell.
+struct Outcome {
+  std::array<double, 2> determination{-1.0, -1.0};
+  std::string model;
+  double seconds = 0.0;  ///< CPU time of the fit
+};
+
+Outcome run(const System& system, const Cell& cell, const std::vector<Stage<Effect>>& effects) {
+  const Dataset data = record_of(system, cell, 1);
+  const double begin = benchmarks::thread_seconds();
+  Outcome outcome;
+  try {
+    const OdeModel model = identify_with_forms(data, algorithm1(), effects).model;
+    outcome.seconds = benchmarks::thread_seconds() - begin;
+    outcome.model = to_text(model, 4);
+    std::replace(outcome.model.begin(), outcome.model.end(), '\n', ';');
+    for (std::size_t s = 0; s < 2; ++s)
+      outcome.determination[s] = determination(model, system.time, system.states[s]);
+  } catch (const Error& error) {
+    outcome.model = error.what();
+  }
+  return outcome;
+}
+
+std::string share(const std::vector<Outcome>& outcomes, std::size_t solution) {
+  const auto good = std::count_if(outcomes.begin(), outcomes.end(), [&](const Outcome& one) {
+    return one.determination[solution] > 0.9;
+  });
+  return format_number(100.0 * static_cast<double>(good) / static_cast<double>(outcomes.size()),
+                       3) +
+         " %";
+}
+
+double median_seconds(const std::vector<Outcome>& outcomes) {
+  std::vector<double> seconds;
+  for (const Outcome& one : outcomes) seconds.push_back(one.seconds);
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+int run_study(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const std::vector<System> systems = read_systems(file);
+  const auto effects = default_registry().make_all<Effect>();
+  benchmarks::ResultTable summary{
+      {"sigma, dropped", "systems", "reconstruction", "generalisation", "median CPU s"}, {}};
+  benchmarks::ResultTable details{{"sigma", "dropped", "system", "reconstruction R2",
+                                   "generalisation R2", "CPU seconds", "model"},
+                                  {}};
+  for (const Cell& cell : kCells) {
+    std::vector<Outcome> outcomes(systems.size());
+    benchmarks::for_all(systems.size(),
+                        [&](std::size_t i) { outcomes[i] = run(systems[i], cell, effects); });
+    const std::string sigma = format_number(cell.sigma), dropped = format_number(cell.dropped);
+    summary.rows.push_back({sigma + ", " + dropped, std::to_string(systems.size()),
+                            share(outcomes, 0), share(outcomes, 1),
+                            format_number(median_seconds(outcomes), 2)});
+    for (std::size_t i = 0; i < systems.size(); ++i) {
+      const Outcome& one = outcomes[i];
+      details.rows.push_back(
+          {sigma, dropped, systems[i].name, format_number(one.determination[0], 4),
+           format_number(one.determination[1], 4), format_number(one.seconds, 3), one.model});
+    }
+    std::cout << summary.markdown() << std::flush;
+  }
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "odebench.csv", details.csv());
+  write_file_atomically(
+      folder / "odebench.md",
+      "# ODEBench\n\n`study_odebench FILE FOLDER`, " + benchmarks::today() + ", " +
+          benchmarks::machine_description() +
+          ". Systems of the given part whose model, found by the default in the first solution "
+          "(noise x (1 + sigma xi), a share of the samples dropped), has R2 > 0.9 on the clean "
+          "solution from the same start (reconstruction) and from another one "
+          "(generalisation).\n\n" +
+          summary.markdown());
+  return 0;
+}
+
+}  // namespace
+}  // namespace lacuna::odebench
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: study_odebench FILE OUTPUT_FOLDER\n";
+    return 2;
+  }
+  try {
+    return lacuna::odebench::run_study(argv[1], argv[2]);
+  } catch (const lacuna::Error& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}
