@@ -32,6 +32,7 @@ Command declare_simulate(CLI::App& root);
 Command declare_sync(CLI::App& root);
 Command declare_diagnose(CLI::App& root);
 Command declare_model(CLI::App& root);
+Command declare_export(CLI::App& root);
 Command declare_list(CLI::App& root);
 Command declare_describe(CLI::App& root);
 

@@ -56,8 +56,9 @@ Allowed allowed_includes() {
                             "decision", "hypotheses", "diagnosis"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
+  allowed["codegen"] = {"core", "model"};
   allowed["cli"] = allowed["config"];
-  allowed["cli"].insert({"config", "libraries", "records", "systems", "attractor"});
+  allowed["cli"].insert({"codegen", "config", "libraries", "records", "systems", "attractor"});
   return allowed;
 }
 
