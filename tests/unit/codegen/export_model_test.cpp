@@ -152,21 +152,6 @@ TEST(ExportModel, ModelicaHasUnitsAndDelays) {
   EXPECT_THAT(text, HasSubstr("der(x) = -x + delay(u, 0.5) + (if x >= 0 then 1.0 else 0.0);"));
 }
 
-TEST(ExportModel, LatexIsOneEquationALine) {
-  const std::string text = export_model(
-      parse_ode("dx1/dt = -1e-5*x1*(theta-x1)^2 + 1\ndtheta/dt = sqrt(abs(x1))/x1 - asin(x1)\n",
-                "x.ode"),
-      "latex");
-  EXPECT_EQ(
-      text,
-      "\\begin{align*}\n"
-      "  \\dot{x_{1}} &= -10^{-5}\\,x_{1}\\,\\left(\\mathit{theta} - x_{1}\\right)^{2} + 1 "
-      "\\\\\n"
-      "  \\dot{\\mathit{theta}} &= \\frac{\\sqrt{\\left|x_{1}\\right|}}{x_{1}} - "
-      "\\arcsin\\left(x_{1}\\right)\n"
-      "\\end{align*}\n");
-}
-
 TEST(ExportModel, RefusesWhatALanguageDoesNotHave) {
   const OdeModel delayed = parse_ode("input u\ndx/dt = delay(u,0.5)\n", "x.ode");
   for (const std::string& format : export_formats()) {
