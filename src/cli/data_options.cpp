@@ -78,6 +78,10 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
                  "Column that numbers the records in one file")
       ->type_name("NAME");
   declare_hold_option(app, options);
+  app.add_option("--map", options.names,
+                 "Calls columns (by header or number) what the model or you call them: "
+                 "th=Winkel,u=3")
+      ->type_name("NAME=COLUMN");
   if (!choose_columns) return;
   app.add_option("--states", options.states,
                  "State columns [default: all without another role]")
@@ -105,6 +109,15 @@ ColumnRoles common_roles(const DataOptions& options) {
   roles.time_unit = options.time_unit;
   roles.step = options.step;
   roles.trajectory = options.trajectory;
+  for (const std::string& text : options.names)
+    for (const std::string& part : split_list(text)) {
+      const std::size_t equals = part.find('=');
+      if (equals == std::string::npos)
+        throw ConfigError("--map " + part, "this is not NAME=COLUMN",
+                          "write e.g. --map th=Winkel,u=3");
+      roles.names.emplace_back(trim(std::string_view(part).substr(0, equals)),
+                               trim(std::string_view(part).substr(equals + 1)));
+    }
   return roles;
 }
 

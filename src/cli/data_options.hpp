@@ -20,6 +20,7 @@ struct DataOptions {
   std::string states, inputs, derivatives;
   std::vector<std::string> embed;
   std::vector<std::string> holds;
+  std::vector<std::string> names;
 };
 
 /// Options that name columns. @param choose_columns whether states, inputs and derivatives can

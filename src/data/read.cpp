@@ -139,15 +139,21 @@ Table read_table(const fs::path& path) {
   return parse_text_table(bytes, source);
 }
 
+Table read_table(const fs::path& path, const ColumnRoles& roles) {
+  Table table = read_table(path);
+  for (const auto& [name, column] : roles.names) rename_column(table, name, column);
+  return table;
+}
+
 Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles) {
   const std::vector<std::string> files = expand_patterns(paths);
-  Table first = read_table(files.front());
+  Table first = read_table(files.front(), roles);
   Dataset data = assign_roles(first, roles);
   if (files.size() == 1) return data;
   const ColumnRoles fixed = fixed_roles(first, roles);
   first.values.resize(0, 0);  // only its columns are looked at from here on
   for (std::size_t i = 1; i < files.size(); ++i) {
-    const Table table = read_table(files[i]);
+    const Table table = read_table(files[i], roles);
     check_same_columns(first, table);
     append(data, assign_roles(table, fixed), table.source, first.source);
   }

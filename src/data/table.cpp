@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -134,6 +136,40 @@ void name_columns(Table& table, const std::vector<Quantity>& headers,
     table.notes.push_back(header_place(table, line, i) + ": column '" + header +
                           "' is called '" + name + "'");
   }
+}
+
+namespace {
+
+/// The column of a name, a header or a number from 1.
+std::optional<std::size_t> column_of(const Table& table, const std::string& text) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].name == text) return i;
+  for (std::size_t i = 0; i < table.headers.size(); ++i)
+    if (table.headers[i] == text) return i;
+  const std::optional<double> number = parse_number(text);
+  if (!number || *number != std::floor(*number) || *number < 1.0 ||
+      *number > static_cast<double>(table.columns.size()))
+    return std::nullopt;
+  return static_cast<std::size_t>(*number) - 1;
+}
+
+}  // namespace
+
+void rename_column(Table& table, const std::string& name, const std::string& column) {
+  std::vector<std::string> known;
+  for (const Quantity& one : table.columns) known.push_back(one.name);
+  const auto place = column_of(table, column);
+  if (!place)
+    throw DataError(table.source, "there is no column '" + column + "' to be called " + name,
+                    suggestion(column, known));
+  if (!is_identifier(name))
+    throw DataError(table.source, "'" + name + "' cannot be the name of a column",
+                    "use letters, digits and underscores, a letter first");
+  const auto other = std::find(known.begin(), known.end(), name);
+  if (other != known.end() && other != known.begin() + static_cast<std::ptrdiff_t>(*place))
+    throw DataError(table.source, "another column is called '" + name + "' already",
+                    "give that one another name too");
+  table.columns[*place].name = name;
 }
 
 }  // namespace lacuna

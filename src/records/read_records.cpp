@@ -107,7 +107,8 @@ Dataset read_records(const OdeModel& model, const std::vector<std::string>& path
                      const ColumnRoles& roles, const Differentiator& differentiator,
                      Columns columns) {
   std::vector<Table> tables;
-  for (const std::string& path : expand_patterns(paths)) tables.push_back(read_table(path));
+  for (const std::string& path : expand_patterns(paths))
+    tables.push_back(read_table(path, roles));
   std::vector<std::string> unused;
   if (columns == Columns::All) unused = common_unused(model, tables, roles);
   Dataset all;
@@ -143,7 +144,8 @@ Dataset unused_part(const OdeModel& model, const Dataset& data) {
 Dataset read_inputs(const OdeModel& model, const std::string& path, const ColumnRoles& roles) {
   ColumnRoles as_states = roles;
   for (const Quantity& input : model.inputs()) as_states.states.push_back(input.name);
-  Dataset data = in_time_unit_of(model, assign_roles_for(model, read_table(path), as_states));
+  Dataset data =
+      in_time_unit_of(model, assign_roles_for(model, read_table(path, roles), as_states));
   std::swap(data.inputs, data.states);
   for (Trajectory& record : data.trajectories) {
     std::swap(record.inputs, record.states);

@@ -16,6 +16,9 @@ namespace lacuna {
 /// @throws FileError when it cannot be opened; DataError naming file, line and column.
 Table read_table(const std::filesystem::path& path);
 
+/// The same with columns called as ColumnRoles::names says.
+Table read_table(const std::filesystem::path& path, const ColumnRoles& roles);
+
 /// Paths with each pattern ("run*.csv") replaced by the files that match it, in the order of
 /// their names. What exists as it is written is no pattern.
 /// @throws DataError when a pattern matches no file or no path is given.

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lacuna/data/dataset.hpp"
@@ -29,6 +30,8 @@ struct ColumnRoles {
   std::vector<std::string> derivatives = {};
   std::optional<std::string> trajectory = {};  ///< column that numbers the records in one file
   Blanks blanks = Blanks::Cut;
+  /// Other names for columns, before all else: the new name and the column (rename_column()).
+  std::vector<std::pair<std::string, std::string>> names = {};
 };
 
 /// Numbers of the columns that play the roles.

@@ -29,6 +29,12 @@ struct Table {
   std::vector<std::string> notes;
 };
 
+/// Gives a column another name.
+/// @param name identifier that no other column has.
+/// @param column its name, its header as it stands in the file, or its number from 1.
+/// @throws DataError when there is no such column, or the name cannot be had.
+void rename_column(Table& table, const std::string& name, const std::string& column);
+
 /// Where one value stands: "run.csv:12:3" (line, field) or "run.npy, row 12, column 3", all
 /// counted from 1; row and column count from 0 here.
 std::string place(const Table& table, Index row, Index column);

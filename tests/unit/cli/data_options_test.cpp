@@ -44,6 +44,12 @@ TEST(DataOptions, GiveColumnsTheirRoles) {
   EXPECT_NEAR(term["coefficient"].get<double>(), -1.0, 1e-4);
 }
 
+TEST(DataOptions, MapCallsColumnsByOtherNames) {
+  const auto result = identify({"--map", "q=x,time_of_day=when", "--time", "time_of_day",
+                                "--trajectory", "run", "--states", "q", "--degree", "1"});
+  EXPECT_EQ(result["model"]["states"][0]["name"], "q");
+}
+
 TEST(DataOptions, AStepReplacesTheTimeColumn) {
   const auto result =
       identify({"--dt", "0.1", "--trajectory", "run", "--states", "x", "--degree", "1"});

@@ -80,6 +80,19 @@ TEST(ReadDataset, ColumnsMayStandInAnotherOrder) {
   EXPECT_EQ(data.trajectories[1].states, data.trajectories[0].states.topRows(2));
 }
 
+TEST(ReadDataset, ColumnsAreCalledAsTheRolesSay) {
+  const testing::TemporaryFolder place;
+  const std::string path = place.write("a.csv", "Zeit,Winkel,Drehzahl\n0,1,2\n1,3,4\n2,5,6\n");
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"w", "Drehzahl"}};
+  roles.states = {"w"};
+  const Dataset data = read_dataset({path}, roles);
+  ASSERT_EQ(data.states.size(), 1u);
+  EXPECT_EQ(data.states[0].name, "w");
+  EXPECT_EQ(data.trajectories[0].states(2, 0), 6.0);
+  EXPECT_EQ(data.trajectories[0].time[2], 2.0);
+}
+
 TEST(ReadDataset, RefusesOtherColumns) {
   const TemporaryFolder folder;
   const std::string a = folder.write("a.csv", kRun);

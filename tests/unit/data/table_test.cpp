@@ -76,6 +76,29 @@ TEST(NameColumns, RefusesDuplicates) {
       "a.csv:3:2", "both named 'V'", "name of its own");
 }
 
+TEST(RenameColumn, FindsColumnsByNameHeaderAndNumber) {
+  Table table = named({{"Zeit", "s"}, {"Winkel (roh)", "rad"}, {"u", "V"}});
+  rename_column(table, "t", "Zeit");
+  rename_column(table, "th", "Winkel (roh)");
+  rename_column(table, "force", "3");
+  EXPECT_EQ(table.columns[0].name, "t");
+  EXPECT_EQ(table.columns[1].name, "th");
+  EXPECT_EQ(table.columns[2].name, "force");
+  EXPECT_EQ(table.columns[2].unit, "V");
+}
+
+TEST(RenameColumn, RefusesWhatIsNotThereAndNamesThatAreTaken) {
+  Table table = named({{"t", "s"}, {"Winkel", "rad"}});
+  const auto renamed = [&](const std::string& name, const std::string& column) {
+    return [&table, name, column] { rename_column(table, name, column); };
+  };
+  expect_error<DataError>(renamed("th", "Winkle"), "a.csv", "no column 'Winkle'", "Winkel");
+  expect_error<DataError>(renamed("th", "3"), "a.csv", "no column '3'", "");
+  expect_error<DataError>(renamed("th", "1.5"), "a.csv", "no column '1.5'", "");
+  expect_error<DataError>(renamed("t", "Winkel"), "a.csv", "another column", "name");
+  expect_error<DataError>(renamed("2x", "Winkel"), "a.csv", "cannot be the name", "letters");
+}
+
 TEST(Place, NamesLineOrRow) {
   Table table;
   table.source = "a.csv";
