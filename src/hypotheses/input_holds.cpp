@@ -207,12 +207,7 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
   std::vector<OdeModel> rivals;
   const std::vector<FittedEffect>& effects = best.explanation.effects;
   const DecisionOptions& decision = problem.options.decision;
-  if (effects.empty()) {
-    if (leaves_structure(best, decision))
-      for (const auto& [input, second, lead] : open)
-        rivals.push_back(with_hold(problem.nominal, input, second));
-    return rivals;
-  }
+  if (effects.empty()) return rivals;
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
   for (const auto& [input, second, lead] : open) {
     const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;

@@ -31,10 +31,9 @@ struct ChosenHolds {
 /// smooth input looks like an effect of the dynamics.
 ChosenHolds choose_holds(const Problem& problem);
 
-/// Models with another hold of an open input under which effects should be sought anew. Where
-/// no effect was found but structure is left the second one of each input, else those under
-/// which the effects that were found fit decidedly better. A wrong hold makes effects necessary
-/// that the right one does without, so also
+/// Models with another hold of an open input under which effects should be sought anew. None
+/// without effects; else those under which the effects that were found fit decidedly better. A
+/// wrong hold makes effects necessary that the right one does without, so also
 /// - those under which the effects do not fit decidedly worse, where there are several, where
 ///   one is of that input (half a step of delay may be all there is to it) or where structure
 ///   is left;
