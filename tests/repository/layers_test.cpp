@@ -51,9 +51,11 @@ Allowed allowed_includes() {
                           "estimation", "candidates", "decision", "hypotheses"};
   allowed["libraries"] = allowed["pipeline"];
   allowed["libraries"].insert({"pipeline", "candidates", "effects"});
+  allowed["plot"] = {"core"};
   allowed["report"] = allowed["pipeline"];
   allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
-                            "decision", "hypotheses", "diagnosis"});
+                            "decision", "hypotheses", "diagnosis", "records", "flow",
+                            "attractor", "plot"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
   allowed["codegen"] = {"core", "model"};
