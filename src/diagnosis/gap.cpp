@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
+#include "lacuna/estimation/window_paths.hpp"
 
 namespace lacuna {
 namespace {
@@ -87,6 +89,7 @@ NoiseModel narrowed(NoiseModel noise, Index m) {
 /// The nominal model and the one with effects on the same windows.
 struct Comparison {
   WindowSquares before, after;
+  GapRecord runs = {};
 };
 
 /// On one record.
@@ -99,8 +102,15 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
   constexpr double kExact = 1e-4;  // of a deviation: no error of the integration shows
   const LinearisedRecord bare =
       linearise(nominal, given, Matrix(full.path.leftCols(m)), kExact * scale.head(m));
-  return {window_squares(bare, {given.states, own}, narrowed(fit.noise, m), scale, grid),
-          window_squares(full, {fit.measured[record], omitted}, fit.noise, scale, grid)};
+  const NoiseModel noise = narrowed(fit.noise, m);
+  const Matrix& corrected = fit.measured[record];
+  const Matrix after = window_paths(full, {corrected, omitted}, fit.noise, grid);
+  return {window_squares(bare, {given.states, own}, noise, scale, grid),
+          window_squares(full, {corrected, omitted}, fit.noise, scale, grid),
+          // What the measurement adds stands in what the augmented model says of the samples.
+          {given.source, given.time, given.states,
+           window_paths(bare, {given.states, own}, noise, grid),
+           after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
 }
 
 std::vector<std::string> sources_of(const Dataset& data) {
@@ -125,14 +135,16 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;
+  std::vector<GapRecord> runs;
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
     const Index samples = std::min(length, fit.records[r].samples());
     const Trajectory& given = held_out.given.trajectories[r];
     const Index begin =
         first_known(nominal, explanation.effects, held_out.corrected.trajectories[r], samples);
-    const Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
+    Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
     all.before.add(one.before);
     all.after.add(one.after);
+    runs.push_back(std::move(one.runs));
   }
   const Vector& time = fit.records.front().time;
   const double floor = noise_floor(fit.noise, scale);
@@ -145,7 +157,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
       all.after.above(floor),
       static_cast<double>(length) * (time[1] - time[0]),
       sources_of(held_out.given),
-      all.before.diverged + all.after.diverged};
+      all.before.diverged + all.after.diverged,
+      std::move(runs)};
 }
 
 }  // namespace lacuna

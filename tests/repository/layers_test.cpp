@@ -53,9 +53,11 @@ Allowed allowed_includes() {
   allowed["libraries"].insert({"pipeline", "candidates", "effects"});
   allowed["realisation"] = allowed["pipeline"];
   allowed["realisation"].insert({"pipeline", "records", "shooting"});
+  allowed["plot"] = {"core"};
   allowed["report"] = allowed["pipeline"];
   allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
-                            "decision", "hypotheses", "diagnosis"});
+                            "decision", "hypotheses", "diagnosis", "records", "flow",
+                            "attractor", "plot"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
   allowed["codegen"] = {"core", "model"};
