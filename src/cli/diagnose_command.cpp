@@ -108,7 +108,6 @@ int diagnose_command(const Session& session, const Options& options) {
   const Dataset data = with_given_limits(
       read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All),
       options.limits);
-  check_states_known(model, data);
   const Dataset held_out = read_held_out(model, options, *differentiator);
   const Diagnosis diagnosis =
       diagnose(model, data, held_out, make_options(session, model, options), context);
