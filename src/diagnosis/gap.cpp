@@ -7,6 +7,7 @@
 
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/data/marks.hpp"
+#include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
 #include "lacuna/estimation/window_paths.hpp"
@@ -54,13 +55,15 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
 /// The model on records, with noise of the kind that was found and without the summands that
 /// the measurement has: these are taken on the path, which moves with them. Marked samples that
 /// are outliers are left out.
-Assimilation without_faults(const Assimilation& found, Dataset& data, double outlying,
+Assimilation without_faults(const Assimilation& found, Dataset& data,
+                            const std::vector<bool>& hidden, double outlying,
                             const RunContext& context) {
   AssimilationOptions options;
   options.coloured = found.noise.coloured;
+  options.hidden = hidden;
   std::vector<Matrix> marks;
   for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
-  Assimilation fit = assimilate(found.model, data, marks, options, context);
+  Assimilation fit = assimilate_from_starts(found.model, data, marks, options, context);
   OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
   fit.omitted = std::move(outliers.outliers);
   if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
@@ -131,7 +134,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
   const Assimilation fit =
-      without_faults(explanation.fit, problem.data, held_out.outlying, context);
+      without_faults(explanation.fit, problem.data, hidden_states(nominal, held_out.corrected),
+                     held_out.outlying, context);
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;
