@@ -19,6 +19,7 @@ struct Session {
   const Registry& registry;
   CliStreams streams;
   std::stop_token stop;
+  std::string command_line = {};  ///< as a shell would take it, for reports
 };
 
 /// A declared subcommand and what it does when it is chosen; gives the exit status.

@@ -9,6 +9,7 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/model/formula_channel.hpp"
 #include "operations.hpp"
 
 namespace lacuna {
@@ -189,7 +190,9 @@ OdeModel OdeModel::with_holds(const std::vector<std::optional<Hold>>& holds) con
 
 std::optional<Index> identity_of(const OdeModel& model, Index equation) {
   const Equation& summands = equation_at(model, equation);
-  if (summands.size() != 1 || summands.front().coefficient != 1.0) return std::nullopt;
+  if (summands.size() != 1 || summands.front().coefficient != 1.0 ||
+      is_formula_channel(model.states()[static_cast<std::size_t>(equation)]))
+    return std::nullopt;
   const std::string& name = summands.front().term.name();
   for (Index other = 0; other < model.dimension(); ++other)
     if (other != equation && model.states()[static_cast<std::size_t>(other)].name == name)

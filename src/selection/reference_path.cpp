@@ -12,7 +12,7 @@ namespace lacuna {
 namespace {
 
 /// Samples that are outliers take the value of the straight line between their neighbours.
-Vector without_outliers(const Trajectory& record, Index state, double noise) {
+Vector without_outliers(const Trajectory& record, Index state, const Vector& noise) {
   Vector values = record.states.col(state);
   const Vector& t = record.time;
   for (const Index i : outlying_samples(record, state, noise)) {
@@ -34,25 +34,26 @@ void place_path(PathRecord& record, const Matrix& states, const Program& program
       delayed_slots(variables, record.stride(), program.delays());
 }
 
-Matrix weights_of(const Trajectory& record, const Dataset& data, const Vector& noise) {
+Matrix weights_of(const Trajectory& record, const Dataset& data, const Matrix& noise) {
   Matrix weights = Matrix::Zero(record.samples(), record.states.cols());
   for (Index k = 0; k < weights.cols(); ++k) {
     if (!data.is_measured(k)) continue;
-    weights.col(k).setConstant(1.0 / noise[k]);
-    for (const Index i : outlying_samples(record, k, noise[k])) weights(i, k) = 0.0;
+    weights.col(k) = noise.col(k).cwiseInverse();
+    for (const Index i : outlying_samples(record, k, noise.col(k))) weights(i, k) = 0.0;
   }
   return weights;
 }
 
 }  // namespace
 
-Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise) {
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise) {
   Matrix smooth = record.states;
   std::vector<Matrix> fits(static_cast<std::size_t>(smooth.cols()));
   for (Index k = 0; k < smooth.cols(); ++k) {
     if (!data.is_measured(k)) continue;
     auto& fit = fits[static_cast<std::size_t>(k)];
-    fit = smooth_by_polynomials(record.time, without_outliers(record, k, noise[k]), noise[k]);
+    const Vector sigma = noise.col(k);
+    fit = smooth_by_polynomials(record.time, without_outliers(record, k, sigma), sigma);
     smooth.col(k) = fit.col(0);
   }
   for (Index k = 0; k < smooth.cols(); ++k) {
@@ -63,12 +64,13 @@ Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vect
   return smooth;
 }
 
-std::vector<PathRecord> make_paths(const Dataset& data, const Vector& noise,
+std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix>& noise,
                                    const Program& program) {
   std::vector<PathRecord> paths;
-  for (const Trajectory& record : data.trajectories) {
-    PathRecord path{record, weights_of(record, data, noise), 1, {}, {}};
-    place_path(path, smoothed_states(record, data, noise), program);
+  for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
+    const Trajectory& record = data.trajectories[r];
+    PathRecord path{record, weights_of(record, data, noise[r]), 1, {}, {}};
+    place_path(path, smoothed_states(record, data, noise[r]), program);
     paths.push_back(std::move(path));
   }
   return paths;
