@@ -43,14 +43,15 @@ FitMinimum continued(FitEngine& engine, const FitUnknowns& unknowns, FitPoint po
   constexpr int kRounds = 2, kIterations = 8;
   const double samples = std::sqrt(engine.records.valid.sum());
   FitPath path = follow(engine, point, {});
-  for (const double share : kShares)
+  for (std::size_t level = options.first_level; level < kShares.size(); ++level)
     for (int round = 0; round < kRounds; ++round) {
+      const double share = kShares[level];
       context.check_stop();
       const Disturbances disturbances = disturbances_of(engine, path, share);
       FitPath filtered;
       const Gains gains = filter_gains(engine, point, disturbances, filtered);
       if (!gains.allFinite() || !std::isfinite(filtered.cost)) continue;
-      if (share == kShares.front()) choose_substeps(engine, point, gains, 0.1 * samples);
+      if (level == options.first_level) choose_substeps(engine, point, gains, 0.1 * samples);
       FitMinimum found = minimise(engine, unknowns, point, gains, kIterations, context);
       if (!std::isfinite(found.path.cost)) continue;
       point = std::move(found.point);
@@ -184,6 +185,11 @@ FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
                               const FitPoint& start, const FitSearchOptions& options,
                               const RunContext& context) {
   constexpr double kAlike = 1.01, kSame = 1.0001;
+  constexpr int kEnough = 4;
+  constexpr double kCheap = 2e4;  // entries of the rows, below which all starts are tried
+  const bool cheap = static_cast<double>(engine.states() + engine.parameters()) *
+                         static_cast<double>(engine.records.samples()) <
+                     kCheap;
   FitSearch search{continued(engine, unknowns, start, options, context)};
   const auto take = [&](FitMinimum found) {
     ++search.starts;
@@ -203,13 +209,16 @@ FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
   take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
   Random random(context.seed);
   for (int i = 0; i < options.restarts; ++i) {
-    const bool sure = search.agreeing >= 3 && std::isfinite(cost_of(unknowns, search.best));
+    const bool sure =
+        !cheap && search.agreeing >= kEnough && std::isfinite(cost_of(unknowns, search.best));
     if (sure || good()) break;
     context.report("trying other starts",
                    static_cast<double>(i) / static_cast<double>(options.restarts));
-    take(continued(engine, unknowns,
-                   other_start(engine, unknowns, start, options.spread, random), options,
-                   context));
+    FitSearchOptions other = options;  // some with less disturbance from the first on
+    other.first_level = static_cast<std::size_t>(2 * (i % 3));
+    const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;
+    take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
+                   other, context));
   }
   if (changed_a_sign(search.best.point, start))
     take(minimise(engine, unknowns, mirrored(search.best.point, start), {},

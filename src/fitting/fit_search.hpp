@@ -15,10 +15,11 @@ struct FitSearch {
 
 /// How the search is made.
 struct FitSearchOptions {
-  int restarts = 6;          ///< at most so many other starts
-  double spread = 3.0;       ///< by which factor they differ from the first
-  double good = 1.5;         ///< residuals over noise that need no other start
-  int most_iterations = 60;  ///< of each minimisation
+  int restarts = 8;             ///< at most so many other starts
+  double spread = 3.0;          ///< by which factor they differ from the first, or its square
+  double good = 1.5;            ///< residuals over noise that need no other start
+  int most_iterations = 60;     ///< of each minimisation
+  std::size_t first_level = 0;  ///< of the falling disturbances, from which it begins
 };
 
 /// Finds the least sum of squares of a free run.

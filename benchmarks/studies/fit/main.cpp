@@ -40,6 +40,7 @@ SystemModel off_by(const SystemModel& system, Random& random) {
     if (parameter.free) {
       parameter.value *= random.uniform() < 0.5 ? kOff : 1.0 / kOff;
       if (parameter.max) parameter.value = std::min(parameter.value, *parameter.max);
+      if (parameter.min) parameter.value = std::max(parameter.value, *parameter.min);
     }
   return {system.symbolic(), std::move(parameters)};
 }
@@ -107,8 +108,13 @@ ResultTable table_of(const std::vector<Cell>& cells) {
 /// The record of the first draw of each problem, for another program.
 void write_records(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
+  std::string starts;
   for (const GreyBox& box : grey_boxes()) {
     const OdeModel truth = parse_ode(box.text, box.name);
+    std::vector<std::string> numbers;
+    for (const double value : box.start) numbers.push_back(format_number(value));
+    starts += (starts.empty() ? "{" : ",\n") + ("\"" + box.name + "\": [") +
+              join(numbers, ", ") + "]";
     write_file_atomically(folder / (box.name + ".ode"), box.text);
     write_csv(folder / (box.name + ".csv"),
               support::grey_box_columns(
@@ -119,6 +125,7 @@ void write_records(const std::filesystem::path& folder) {
                           .noise = kNoise,
                           .seed = 1}));
   }
+  write_file_atomically(folder / "starts.json", starts + "}\n");
 }
 
 int run(const std::filesystem::path& folder, int draws) {

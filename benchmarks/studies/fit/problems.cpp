@@ -105,7 +105,7 @@ std::vector<GreyBox> more_hidden() {
   return {
       {"ladder",
        "input u hold linear\nparam a = 2\nparam b = 0.7\ndv1/dt = -a*v1 + a*u - b*v1 + b*v2\n"
-       "dv2/dt = b*v1 - b*v2\ny = v2\n",
+       "dv2/dt = b*v1 - b*v2\ny = v1\n",
        {0.0, 0.0},
        0.05,
        600,
@@ -119,7 +119,8 @@ std::vector<GreyBox> more_hidden() {
        600,
        true},
       {"oven",
-       "input q hold linear\nparam h = 0.8\nparam l = 0.3\nparam s = 1.5\ndT/dt = h*q - l*T\n"
+       "input q hold linear\nparam h = 0.8\nparam l = 0.3 in 0..0.7\nparam s = 1.5 in "
+       "0.9..20\ndT/dt = h*q - l*T\n"
        "dM/dt = s*T - s*M\ny = M\n",
        {0.5, 0.5},
        0.1,

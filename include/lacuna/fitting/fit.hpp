@@ -14,7 +14,7 @@ namespace lacuna {
 
 /// How a model of known structure is fitted.
 struct FitOptions {
-  int restarts = 6;       ///< at most so many other starts where residuals are above the noise
+  int restarts = 8;       ///< at most so many other starts where residuals are above the noise
   double spread = 3.0;    ///< by which factor they differ from the model's numbers
   Index window = 50;      ///< first samples of a held-out record that give its initial state
   Index prediction = 10;  ///< samples ahead of the error of prediction

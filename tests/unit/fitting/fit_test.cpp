@@ -129,12 +129,17 @@ TEST(Fit, AStateThatNothingShowsIsNamed) {
 }
 
 TEST(Fit, ABoundIsSaidAndHasNoInterval) {
-  std::string text = kTanks;
-  text.replace(text.find("0.8 in 0..20"), 12, "0.6 in 0..0.7");
-  const Fit found = fit(parse_ode_system(text, "t.ode"), tanks_record(), {});
-  EXPECT_EQ(number(found, "k2").bound, "max");
-  EXPECT_EQ(number(found, "k2").value, 0.7);
-  EXPECT_FALSE(number(found, "k2").ci95);
+  const std::string model =
+      "input u hold linear\nparam k = 0.3 in 0..0.4\n"
+      "dx/dt = -k*x + 0.7*u\ny = x\n";
+  const OdeModel truth =
+      parse_ode("input u hold linear\ndx/dt = -0.5*x + 0.7*u\ny = x\n", "t.ode");
+  const Dataset data = support::grey_box(truth, {.start = Vector::Constant(1, 2.0)});
+  const Fit found = fit(parse_ode_system(model, "m.ode"), data, {});
+  EXPECT_EQ(number(found, "k").bound, "max");
+  EXPECT_EQ(number(found, "k").value, 0.4);
+  EXPECT_FALSE(number(found, "k").ci95);
+  EXPECT_TRUE(number(found, "x: u").ci95);
   EXPECT_FALSE(found.notes.empty());
 }
 
