@@ -135,6 +135,7 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
 }
 
 std::vector<std::string> notes_of(const Fit& fit) {
+  constexpr double kExact = 99.999;  // per cent; what is left is rounding of the file
   std::vector<std::string> notes;
   if (!fit.converged)
     notes.push_back("the fit did not converge: the numbers are the last ones");
@@ -142,7 +143,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
     if (number.bound)
       notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
   for (const FitQuality& quality : fit.quality)
-    if (!quality.white)
+    if (!quality.white && quality.fit_percent < kExact)
       notes.push_back("the residuals of " + quality.channel +
                       " are not white: the model lacks something (see `lacuna diagnose`), and "
                       "intervals hold for this model only");
