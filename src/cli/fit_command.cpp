@@ -9,6 +9,8 @@
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/records/shown_holds.hpp"
 #include "lacuna/report/fit_report.hpp"
+#include "lacuna/report/pages.hpp"
+#include "report_options.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -20,6 +22,7 @@ struct Options {
   FitOptions fit;
   std::vector<std::string> held_out;
   std::optional<std::string> model_out, json;
+  ReportOptions report;
 };
 
 /// A sample that one channel lacks says something of the others.
@@ -43,7 +46,9 @@ SystemModel with_all_holds(const SystemModel& system, const OdeModel& plain) {
 int fit_command(const Session& session, const Options& options) {
   std::vector<std::string> files = files_read(options.data, options.held_out);
   files.push_back(options.model);
-  check_outputs(files, {{"--model-out", options.model_out}, {"--json", options.json}});
+  check_outputs(files,
+                with_report({{"--model-out", options.model_out}, {"--json", options.json}},
+                            options.report));
   const SystemModel system = load_system(options.model);
   const OdeModel given = with_holds(system.model(), options.data);
   const RunContext context = make_context(session, options.run);
@@ -58,7 +63,9 @@ int fit_command(const Session& session, const Options& options) {
     write_output(session, *options.model_out,
                  format_model_for(*options.model_out, found.model));
   if (options.json) write_output(session, *options.json, format_json(found));
-  if (options.json != "-" && options.model_out != "-") show(session, format_text(found));
+  write_report(session, options.report, [&] { return fit_page(found); });
+  if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
+    show(session, format_text(found));
   return found.converged ? 0 : 1;
 }
 
@@ -91,6 +98,7 @@ Command declare_fit(CLI::App& root) {
       ->type_name("FILE|-");
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
       ->type_name("FILE|-");
+  declare_report_options(*app, options->report);
   declare_run_options(*app, options->run);
   return {app, [options](const Session& session) { return fit_command(session, *options); }};
 }

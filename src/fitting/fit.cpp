@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "fit_errors.hpp"
@@ -164,6 +165,24 @@ Matrix usual_states(const FitPath& path) {
   return usual;
 }
 
+std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<FitRun> runs;
+  for (Index r = 0; r < engine.records.records(); ++r) {
+    const Index first = engine.records.first(r), n = engine.records.end(r) - first;
+    FitRun run{engine.records.sources[static_cast<std::size_t>(r)],
+               engine.records.series.time.segment(first, n),
+               engine.records.values.middleRows(first, n), Matrix()};
+    run.model = run.measured - path.residuals.middleRows(first, n);
+    for (Index c = 0; c < engine.count(); ++c)
+      for (Index i = 0; i < n; ++i)
+        if (engine.records.valid(first + i, c) == 0.0)
+          run.measured(i, c) = run.model(i, c) = kNone;
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
 }  // namespace
 
 Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
@@ -207,6 +226,7 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options);
   result.notes = notes_of(result);
+  result.runs = runs_of(engine, best.path);
   return result;
 }
 

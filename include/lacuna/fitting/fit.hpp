@@ -72,6 +72,13 @@ struct FitCombination {
   std::string message;  ///< "k1 and k4 only as k1*k4"
 };
 
+/// A record beside the free run of the fitted model.
+struct FitRun {
+  std::string record;
+  Vector time;             ///< n
+  Matrix measured, model;  ///< n x channels; NaN where there is no value
+};
+
 /// A model fitted to records.
 struct Fit {
   SystemModel model;  ///< with estimates and their intervals
@@ -88,6 +95,7 @@ struct Fit {
   Index prediction = 10;         ///< samples ahead of FitQuality::prediction
   double degrees_of_freedom = 0.0;
   std::vector<std::string> notes = {};
+  std::vector<FitRun> runs = {};  ///< one for each record
 };
 
 /// Fits free coefficients and parameters of a model, and the initial states, to records by the

@@ -3,6 +3,7 @@
 
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/diagnosis/diagnosis.hpp"
+#include "lacuna/fitting/fit.hpp"
 #include "lacuna/report/identification_report.hpp"
 #include "lacuna/report/page.hpp"
 #include "lacuna/report/sync_report.hpp"
@@ -21,5 +22,8 @@ Page diagnosis_page(const Diagnosis& diagnosis);
 /// A synchronisation as a page: verdict, the record beside the slave, the error over time.
 /// @param data the record, in the states of the model.
 Page sync_page(const SyncReport& report, const Dataset& data);
+
+/// A fit as a page: numbers with intervals, what is not determined, records beside free runs.
+Page fit_page(const Fit& fit);
 
 }  // namespace lacuna

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lacuna/model/ode_text.hpp"
+#include "lacuna/report/pages.hpp"
 
 namespace lacuna {
 namespace {
@@ -74,6 +75,22 @@ TEST(FitReport, TextSaysWhatIsNotDetermined) {
   EXPECT_THAT(text, HasSubstr("y: rmse 0.5 V, fit 90 %"));
   EXPECT_THAT(text, HasSubstr("gap 1 -> 0.5"));
   EXPECT_THAT(text, HasSubstr("Note: look here"));
+}
+
+TEST(FitReport, ThePageShowsNumbersAndRuns) {
+  Fit fit = example();
+  const Vector time = Vector::LinSpaced(50, 0.0, 1.0);
+  fit.runs = {{"r.csv", time, time, 1.1 * time}};
+  const Page page = fit_page(fit);
+  EXPECT_EQ(page.tone, Tone::Doubtful) << "residuals are not white";
+  EXPECT_THAT(page.headline, HasSubstr("structure"));
+  const std::string html = format_html(page);
+  EXPECT_THAT(html, HasSubstr("a and b only as a*b"));
+  EXPECT_THAT(html, HasSubstr("[1.8, 2.2]"));
+  EXPECT_THAT(html, HasSubstr("not determined by itself"));
+  EXPECT_FALSE(pictures_of(page).empty());
+  fit.converged = false;
+  EXPECT_EQ(fit_page(fit).tone, Tone::Bad);
 }
 
 }  // namespace
