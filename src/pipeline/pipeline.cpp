@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/pipeline/pipeline.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "equation_terms.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/numerics/interval.hpp"
@@ -20,6 +22,7 @@ struct Run {
   const LeastSquaresSystem& system;
   const FilterResult& filtered;
   const Vector& noise;  ///< of the states, as the record itself tells it
+  const EquationLibraries& libraries;
 };
 
 /// What is found out about one equation.
@@ -101,6 +104,20 @@ EquationFit summarise(const Run& run, Index state, const Regression& regression)
   return fit;
 }
 
+/// The terms that are tried in an equation: those that it was given, or what the filter leaves.
+TermSet candidates_of(const Run& run, Index state, TrailWriter& trail) {
+  const auto k = static_cast<std::size_t>(state);
+  const EquationLibraries& libraries = run.libraries;
+  const bool own = !libraries.own.empty() && libraries.own[k];
+  if (!own)
+    trail.removed(run.filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
+  if (libraries.allowed.empty()) return run.filtered.kept;
+  for (Index l = 0; l < run.library.size(); ++l)
+    if (!std::binary_search(libraries.allowed[k].begin(), libraries.allowed[k].end(), l))
+      trail.removed({{.term = l, .quantity = "not in the equation's library"}}, "library");
+  return own ? libraries.allowed[k] : common_terms(run.filtered.kept, libraries.allowed[k]);
+}
+
 /// Variance of each coefficient; empty where there are no rows left to estimate it from.
 Vector coefficient_variances(const Run& run, Index state, const Regression& regression) {
   const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
@@ -150,10 +167,8 @@ EquationOutcome fit_equation(const Run& run, Index state) {
   const TermPruner& pruner = *run.pipeline.pruner;
   const std::string name = run.data.states[static_cast<std::size_t>(state)].name;
   TrailWriter trail(run, name);
-  trail.removed(run.filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
-
   const PruneResult pruned =
-      pruner.prune(run.system, state, run.filtered.kept, regressor, run.context);
+      pruner.prune(run.system, state, candidates_of(run, state, trail), regressor, run.context);
   trail.removed(pruned.removed, stage_name(pruner, TermPruner::kKind));
 
   const Regression regression = regressor.fit(
@@ -250,7 +265,7 @@ IdentificationResult run_equations(const Run& run) {
     append(result.warnings, std::move(outcome.warnings));
   }
   note_noise_floors(run, result);
-  if (apply_refiner(*run.pipeline.refiner, run.data, run.library, result, run.context))
+  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result, run.context))
     measure_residuals(run, result);
   else
     judge_fits(result);
@@ -263,7 +278,9 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
                               const RunContext& context) {
   if (lacks_input_columns(data)) return identify(with_input_columns(data), pipeline, context);
   check_dataset(data);
-  const TermLibrary library = pipeline.basis->library(variables_of(data));
+  const EquationLibraries libraries =
+      equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline.equations);
+  const TermLibrary& library = libraries.library;
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
   const Vector noise = estimate_noise(data);
@@ -272,7 +289,7 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   context.report("filtering terms", 0.0);
   const FilterResult filtered = fitted.filter->filter(system, context);
   IdentificationResult result =
-      run_equations({data, fitted, context, library, system, filtered, noise});
+      run_equations({data, fitted, context, library, system, filtered, noise, libraries});
   context.report("fitting equations", 1.0);
   return result;
 }

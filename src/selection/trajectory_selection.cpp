@@ -260,7 +260,8 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   }
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
-  const SearchTask search = search_task(std::move(data), task.library, noise, options().price);
+  const SearchTask search =
+      search_task(std::move(data), task.library, task.allowed, noise, options().price);
   auto [found, other] = search_windows(search, start, options().second_opinion, context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;

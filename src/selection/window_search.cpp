@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "lacuna/formulations/weak_form.hpp"
@@ -106,7 +107,8 @@ Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
 
 }  // namespace
 
-SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<StateNoise> noise,
+SearchTask search_task(Dataset data, const TermLibrary& library,
+                       const std::vector<TermSet>& allowed, std::vector<StateNoise> noise,
                        std::optional<double> price) {
   SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise);
   for (std::size_t k = 0; k < noise.size(); ++k)
@@ -115,8 +117,11 @@ SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<Sta
                   std::move(noise), std::move(sample_noise),          price};
   for (Index k = 0; k < task.data.state_count(); ++k) {
     task.equations.exact.push_back(task.data.rate_state(k));
-    for (Index l = 0; l < library.size() && !task.equations.exact.back(); ++l)
-      task.candidates.push_back({k, l});
+    if (task.equations.exact.back()) continue;
+    TermSet terms(static_cast<std::size_t>(library.size()));
+    std::iota(terms.begin(), terms.end(), Index{0});
+    if (!allowed.empty()) terms = allowed[static_cast<std::size_t>(k)];
+    for (const Index l : terms) task.candidates.push_back({k, l});
   }
   return task;
 }

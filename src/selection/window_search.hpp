@@ -21,7 +21,9 @@ struct SearchTask {
   std::optional<double> price;          ///< of a term
 };
 
-SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<StateNoise> noise,
+/// @param allowed terms of each equation; empty: all.
+SearchTask search_task(Dataset data, const TermLibrary& library,
+                       const std::vector<TermSet>& allowed, std::vector<StateNoise> noise,
                        std::optional<double> price);
 
 /// A structure with its coefficients at one length of windows.
