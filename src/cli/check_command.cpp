@@ -17,6 +17,14 @@ struct Options {
   RunOptions run;
 };
 
+/// Whether every state has a column, or is made from one, and no channel is a formula.
+bool is_all_measured(const OdeModel& model, const Dataset& data) {
+  if (data.states.size() != model.states().size()) return false;
+  for (Index k = 0; k < data.state_count(); ++k)
+    if (is_hidden(data, k)) return false;
+  return true;
+}
+
 /// The records in the variables of a model, with what is odd about the two together.
 DataSummary summary_for(const Session& session, const Options& options) {
   const OdeModel model = with_holds(load_model(*options.model), options.data);
@@ -26,6 +34,7 @@ DataSummary summary_for(const Session& session, const Options& options) {
   const Dataset data =
       read_records(model, options.data.paths, roles, *differentiator, Columns::All);
   DataSummary summary = summarise(data, static_cast<Index>(model.inputs().size()));
+  if (!is_all_measured(model, data)) return summary;  // slips are looked for where all is seen
   const UsableRecords usable = usable_records(data);
   summary.hints = look_at(model, observed(used_part(model, usable.data)),
                           unused_part(model, usable.data), HintOptions{});

@@ -7,6 +7,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
+#include "lacuna/realisation/identify_hidden.hpp"
 #include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/pages.hpp"
 #include "report_options.hpp"
@@ -18,7 +19,7 @@ struct Options {
   DataOptions data;
   RunOptions run;
   std::optional<std::string> preset, config, terms;
-  std::optional<int> degree;
+  std::optional<int> degree, hidden;
   std::vector<std::string> assignments;
   std::optional<std::string> model_out, json;
   ReportOptions report;
@@ -37,6 +38,9 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
       ->type_name("D");
   app.add_option("--terms", options.terms, "Candidate terms outright, e.g. \"sign(q_d1),1,F\"")
       ->type_name("LIST");
+  app.add_option("--hidden", options.hidden,
+                 "States that nobody measured: 1, found by the derivative of a measured one")
+      ->type_name("N");
   app.add_option("--set", options.assignments,
                  "One value of the configuration, e.g. regressor.threshold=0.05; repeatable")
       ->type_name("PATH=VALUE");
@@ -114,9 +118,14 @@ void write_results(const Session& session, const Options& options,
 }
 
 /// Forms beside the library enter where the user has not said what the library is.
-IdentificationResult identified(const Session& session, const Options& options,
-                                const Dataset& data, const Pipeline& pipeline,
-                                const RunContext& context) {
+IdentificationResult identified(const Session& session, const Options& options, Dataset& data,
+                                const Pipeline& pipeline, const RunContext& context) {
+  if (options.hidden) {
+    HiddenIdentification found = identify_hidden(
+        data, pipeline, *differentiator_of(*pipeline.formulation), "h1", context);
+    data = std::move(found.data);
+    return std::move(found.result);
+  }
   const bool chosen = options.preset || options.config || options.terms || options.degree ||
                       !options.assignments.empty();
   if (chosen) return identify(data, pipeline, context);
@@ -128,12 +137,15 @@ int identify_command(const Session& session, const Options& options) {
                                                         : std::vector<std::string>{}),
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
+  if (options.hidden && *options.hidden != 1)
+    throw ConfigError("--hidden", "only one hidden state can be identified",
+                      "give 1, or measure more");
   const Configuration configuration = make_configuration(options);
   const Pipeline pipeline = configuration.build(session.registry);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data = load(options, pipeline);
+  Dataset data = load(options, pipeline);
 
   IdentificationReport report{identified(session, options, data, pipeline, context), pipeline,
                               configuration.text()};

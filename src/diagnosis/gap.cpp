@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/data/marks.hpp"
+#include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
 #include "lacuna/estimation/window_paths.hpp"
@@ -54,13 +56,15 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
 /// The model on records, with noise of the kind that was found and without the summands that
 /// the measurement has: these are taken on the path, which moves with them. Marked samples that
 /// are outliers are left out.
-Assimilation without_faults(const Assimilation& found, Dataset& data, double outlying,
+Assimilation without_faults(const Assimilation& found, Dataset& data,
+                            const std::vector<bool>& hidden, double outlying,
                             const RunContext& context) {
   AssimilationOptions options;
   options.coloured = found.noise.coloured;
+  options.hidden = hidden;
   std::vector<Matrix> marks;
   for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
-  Assimilation fit = assimilate(found.model, data, marks, options, context);
+  Assimilation fit = assimilate_from_starts(found.model, data, marks, options, context);
   OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
   fit.omitted = std::move(outliers.outliers);
   if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
@@ -92,6 +96,16 @@ struct Comparison {
   GapRecord runs = {};
 };
 
+/// The samples that say something; NaN for the others.
+Matrix said_by(const Trajectory& record) {
+  Matrix values = record.states;
+  for (Index k = 0; k < values.cols(); ++k)
+    for (Index i = 0; i < values.rows(); ++i)
+      if (!says_something(mark_of(record.marks, i, k)))
+        values(i, k) = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
 /// On one record.
 Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
                       const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
@@ -108,7 +122,7 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
   return {window_squares(bare, {given.states, own}, noise, scale, grid),
           window_squares(full, {corrected, omitted}, fit.noise, scale, grid),
           // What the measurement adds stands in what the augmented model says of the samples.
-          {given.source, given.time, given.states,
+          {given.source, given.time, said_by(given),
            window_paths(bare, {given.states, own}, noise, grid),
            after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
 }
@@ -131,7 +145,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
   const Assimilation fit =
-      without_faults(explanation.fit, problem.data, held_out.outlying, context);
+      without_faults(explanation.fit, problem.data, hidden_states(nominal, held_out.corrected),
+                     held_out.outlying, context);
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;

@@ -57,6 +57,10 @@ DataSummary summarise(const Dataset& data, Index known) {
     summary.records.push_back(summary_of(record));
   for (Index k = 0; k < data.state_count(); ++k) {
     const Channel& channel = bound.channels[static_cast<std::size_t>(k)];
+    if (is_hidden(data, k)) {
+      summary.channels.push_back({data.states[static_cast<std::size_t>(k)], "not measured"});
+      continue;
+    }
     ChannelSummary state{data.states[static_cast<std::size_t>(k)], "state", 0.0, 0.0, channel};
     if (channel.noise.kind != NoiseKind::None)
       state.signal_until = signal_until(bound.data, k, channel.noise.sigma);

@@ -11,6 +11,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+bool is_measured(const ChannelSummary& column) { return column.role != "not measured"; }
+
+std::string range_text(const ChannelSummary& column) {
+  if (!is_measured(column)) return "-";
+  return format_number(column.least, 4) + " .. " + format_number(column.largest, 4);
+}
+
 std::string noise_text(const ChannelSummary& column) {
   if (!column.channel) return "";
   if (!column.channel->measured) return "made from others";
@@ -28,7 +35,7 @@ std::string remark_text(const ChannelSummary& column, const std::string& time_un
   if (column.hold)
     parts.push_back(*column.hold == Hold::Zero ? "held between samples"
                                                : to_string(*column.hold) + " between samples");
-  else if (!column.channel && column.least == column.largest)
+  else if (is_measured(column) && !column.channel && column.least == column.largest)
     parts.push_back("never moves");
   if (column.signal_until)
     parts.push_back("signal up to " + format_number(*column.signal_until, 3) + " 1/" +
@@ -52,10 +59,9 @@ std::string record_line(const RecordSummary& record, const std::string& unit) {
 }
 
 Json to_json(const ChannelSummary& column) {
-  Json json{{"name", column.quantity.name},
-            {"unit", column.quantity.unit},
-            {"role", column.role},
-            {"range", {column.least, column.largest}}};
+  Json json{
+      {"name", column.quantity.name}, {"unit", column.quantity.unit}, {"role", column.role}};
+  if (is_measured(column)) json["range"] = {column.least, column.largest};
   if (column.hold) json["hold"] = to_string(*column.hold);
   if (!column.channel) return json;
   const Channel& channel = *column.channel;
@@ -99,8 +105,8 @@ std::string format_text(const DataSummary& summary) {
   std::vector<std::vector<std::string>> rows{{"column", "role", "range", "noise", ""}};
   for (const ChannelSummary& column : summary.channels)
     rows.push_back({with_unit(column.quantity.name, column.quantity.unit), column.role,
-                    format_number(column.least, 4) + " .. " + format_number(column.largest, 4),
-                    noise_text(column), remark_text(column, summary.time_unit)});
+                    range_text(column), noise_text(column),
+                    remark_text(column, summary.time_unit)});
   text += "\nColumns\n" + text_table(rows);
   if (!summary.hints.empty()) text += "\nHints\n";
   for (const Hint& hint : summary.hints)
@@ -142,8 +148,12 @@ std::string data_line(const Dataset& data, Index known) {
       files.size() > 2 ? files.front() + " and " + std::to_string(files.size() - 1) + " more"
                        : join(files, ", ");
   const auto inputs = static_cast<std::size_t>(std::min(known, data.input_count()));
-  std::string line = first + ": " + size_text(data) + "; states " +
-                     columns_text(data.states, 0, data.states.size());
+  std::vector<Quantity> seen, hidden;
+  for (std::size_t k = 0; k < data.states.size(); ++k)
+    (is_hidden(data, static_cast<Index>(k)) ? hidden : seen).push_back(data.states[k]);
+  std::string line =
+      first + ": " + size_text(data) + "; states " + columns_text(seen, 0, seen.size());
+  if (!hidden.empty()) line += "; not measured " + columns_text(hidden, 0, hidden.size());
   if (inputs > 0) line += "; inputs " + columns_text(data.inputs, 0, inputs);
   if (inputs < data.inputs.size())
     line += "; not used " + columns_text(data.inputs, inputs, data.inputs.size());

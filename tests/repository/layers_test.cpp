@@ -51,6 +51,8 @@ Allowed allowed_includes() {
                           "estimation", "candidates", "decision", "hypotheses"};
   allowed["libraries"] = allowed["pipeline"];
   allowed["libraries"].insert({"pipeline", "candidates", "effects"});
+  allowed["realisation"] = allowed["pipeline"];
+  allowed["realisation"].insert({"pipeline", "records", "shooting"});
   allowed["plot"] = {"core"};
   allowed["report"] = allowed["pipeline"];
   allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
@@ -60,7 +62,8 @@ Allowed allowed_includes() {
   allowed["config"].insert({"report", "effects"});
   allowed["codegen"] = {"core", "model"};
   allowed["cli"] = allowed["config"];
-  allowed["cli"].insert({"codegen", "config", "libraries", "records", "systems", "attractor"});
+  allowed["cli"].insert(
+      {"codegen", "config", "libraries", "realisation", "records", "systems", "attractor"});
   return allowed;
 }
 

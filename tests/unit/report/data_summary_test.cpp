@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "lacuna/data/marks.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -67,6 +69,19 @@ TEST(DataSummary, TextAndJsonAgree) {
   EXPECT_EQ(json["columns"][1]["hold"], "zero");
   EXPECT_EQ(json["records"][0]["rows"], 4000);
   EXPECT_FALSE(json["columns"][2].contains("noise"));
+}
+
+TEST(DataSummary, AStateThatNobodyMeasuredIsSaidToBeOne) {
+  Dataset data = tone();
+  Trajectory& record = data.trajectories[0];
+  data.states.push_back({"h", "m"});
+  data.reconstructed = {false, true};
+  record.states.conservativeResize(Eigen::NoChange, 2);
+  record.states.col(1).setZero();
+  record.marks = Matrix::Zero(record.samples(), 2);
+  record.marks.col(1).setConstant(number_of(Mark::Missing));
+  EXPECT_EQ(summarise(data, 1).channels[1].role, "not measured");
+  EXPECT_THAT(data_line(data, 1), HasSubstr("states x [V]; not measured h [m]; inputs"));
 }
 
 TEST(DataSummary, OneLineSaysTheSameShortly) {
