@@ -124,7 +124,9 @@ std::vector<Picture> comparison_pictures(const RunView& view) {
   for (Index k = 0; k < shown_states(view); ++k) {
     LineFigure figure{
         file_name("comparison", view, k),
-        state_label(view, k) + ": measured and modelled, " + short_name(run.source),
+        state_label(view, k) +
+            (is_seen(run, k) ? ": measured and modelled, " : ": not measured, modelled, ") +
+            short_name(run.source),
         time_label(view),
         state_label(view, k),
         {}};
