@@ -8,6 +8,7 @@
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/realisation/identify_hidden.hpp"
+#include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/pages.hpp"
 #include "report_options.hpp"
 
@@ -119,7 +120,8 @@ void write_results(const Session& session, const Options& options,
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return identification_page(report, data); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
-    show(session, format_text(report, options.full));
+    show(session,
+         data_line(data, data.input_count()) + "\n\n" + format_text(report, options.full));
 }
 
 /// Forms beside the library enter where the user has not said what the library is.
