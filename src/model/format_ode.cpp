@@ -4,6 +4,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/model/ode_text.hpp"
+#include "linear_terms.hpp"
 
 namespace lacuna {
 namespace {
@@ -39,6 +40,15 @@ std::string choices_text(const SystemModel& system) {
   return text;
 }
 
+/// The equations; a sum that is one term is to be read as one term again.
+std::string equations_text(const OdeModel& model) {
+  std::vector<Equation> equations = model.equations();
+  for (Equation& equation : equations)
+    for (WeightedTerm& summand : equation)
+      summand.term = Term(kept_together(summand.term.expression()), model.variables());
+  return to_text(model.with_equations(std::move(equations))) + "\n";
+}
+
 std::string initial_text(const std::string& state, const InitialValue& initial) {
   return "initial " + state + " = " + format_number(initial.value) +
          (initial.deviation ? " deviation " + format_number(*initial.deviation) : "") +
@@ -57,7 +67,7 @@ std::string format_ode(const SystemModel& system) {
   for (const Quantity& state : model.states())
     text += "state " + with_unit(state.name, state.unit) + "\n";
   for (const Parameter& parameter : system.parameters()) text += parameter_text(parameter);
-  text += to_text(model) + "\n" + choices_text(system);
+  text += equations_text(model) + choices_text(system);
   for (const Output& output : model.outputs())
     text += output.name + " = " + with_unit(output.formula.to_string(), output.unit) + "\n";
   for (std::size_t k = 0; k < model.states().size(); ++k)

@@ -52,6 +52,16 @@ Sum multiplied(const Sum& a, const Sum& b) {
   return result;
 }
 
+bool is_sum(const Expression& e) {
+  return e.operation() == Operation::Add || e.operation() == Operation::Subtract;
+}
+
+/// (a+b)^1, which says that the sum is to stay together.
+bool is_whole(const Expression& e) {
+  return e.operation() == Operation::Power && is_sum(e.operands()[0]) &&
+         e.operands()[1] == Expression::number(1.0);
+}
+
 Sum expanded(const Expression& e);
 
 /// One over an expression; a sum stays a divisor as a whole.
@@ -75,6 +85,9 @@ Sum expanded(const Expression& e) {
       return multiplied(expanded(operand(0)), expanded(operand(1)));
     case Operation::Divide:
       return multiplied(expanded(operand(0)), {reciprocal(operand(1))});
+    case Operation::Power:
+      if (is_whole(e)) return {{1.0, {operand(0)}}};
+      return {{1.0, {e}}};
     default:
       return {{1.0, {e}}};
   }
@@ -112,6 +125,17 @@ Equation linear_terms(const Expression& formula, const Variables& variables) {
   }
   std::erase_if(equation, [](const auto& summand) { return summand.coefficient == 0.0; });
   return equation;
+}
+
+Expression kept_together(const Expression& term) {
+  if (is_sum(term)) return Expression::make(Operation::Power, {term, Expression::number(1.0)});
+  const bool is_product = term.operation() == Operation::Multiply ||
+                          term.operation() == Operation::Divide ||
+                          term.operation() == Operation::Negate;
+  if (!is_product) return term;
+  std::vector<Expression> operands;
+  for (const Expression& operand : term.operands()) operands.push_back(kept_together(operand));
+  return Expression::make(term.operation(), std::move(operands));
 }
 
 }  // namespace lacuna

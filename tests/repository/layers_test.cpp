@@ -40,6 +40,8 @@ Allowed allowed_includes() {
   allowed["flow"] = {"core", "numerics", "data", "model", "dynamics"};
   allowed["shooting"] = {"core",   "numerics", "data",     "model",
                          "linear", "records",  "dynamics", "flow"};
+  allowed["fitting"] = {"core",    "numerics", "data", "model",   "linear",
+                        "records", "dynamics", "flow", "shooting"};
   allowed["estimation"] = {"core", "numerics", "data", "model", "records", "flow"};
   allowed["candidates"] = {"core", "numerics", "data", "model", "estimation"};
   allowed["effects"] = {"core", "data", "model", "candidates"};
@@ -55,9 +57,9 @@ Allowed allowed_includes() {
   allowed["realisation"].insert({"pipeline", "records", "shooting"});
   allowed["plot"] = {"core"};
   allowed["report"] = allowed["pipeline"];
-  allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
-                            "decision", "hypotheses", "diagnosis", "records", "flow",
-                            "attractor", "plot"});
+  allowed["report"].insert({"pipeline", "dynamics", "shooting", "fitting", "estimation",
+                            "candidates", "decision", "hypotheses", "diagnosis", "records",
+                            "flow", "attractor", "plot"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
   allowed["codegen"] = {"core", "model"};

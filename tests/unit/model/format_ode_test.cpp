@@ -16,7 +16,7 @@ param m = 2 in 1.. per_record
 param w = 3 in ..4 fixed
 param j = -1e-09 fixed
 dx/dt = -2*sqrt(x)*k + 4*u + sin(w*x) - z
-dz/dt = x*z - z
+dz/dt = x*z - z + 3*(x-z)^1 - 2*u*(x+1)^1
 fixed dx/dt: u
 free dz/dt: z
 y = abs(x)+m [V]

@@ -41,6 +41,17 @@ TEST(LinearTerms, PowersDivisorsAndArgumentsStayAsTheyAre) {
   EXPECT_EQ(terms_of("2*sin(3*x+1)"), (Terms{{"sin(3*x+1)", 2.0}}));
 }
 
+TEST(LinearTerms, SumsToThePowerOfOneStayTogether) {
+  EXPECT_EQ(terms_of("520*(x-y)^1 - x"), (Terms{{"x-y", 520.0}, {"x", -1.0}}));
+  EXPECT_EQ(terms_of("u*(2*x-y)^1"), (Terms{{"u*(2*x-y)", 1.0}}));
+  for (const char* term : {"x-y", "u*(2*x-y)", "(x+y)*(x-1)/(z+2)", "x^2*y", "sin(x-y)"}) {
+    const Expression written = kept_together(parse_expression(term));
+    EXPECT_EQ(terms_of(written.to_string()),
+              (Terms{{Term::parse(term, kVariables).name(), 1.0}}))
+        << written.to_string();
+  }
+}
+
 TEST(LinearTerms, WhatIsThereTwiceIsJoinedAndWhatCancelsGoes) {
   EXPECT_EQ(terms_of("x*y + 2*y*x"), (Terms{{"x*y", 3.0}}));
   EXPECT_TRUE(terms_of("x - x").empty());

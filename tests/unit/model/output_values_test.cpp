@@ -12,8 +12,8 @@ namespace {
 
 OdeModel model() {
   return OdeModel({{"x", ""}, {"v", ""}}, {{"u", ""}}, {{}, {}})
-      .with_outputs({{"y", "", parse_expression("abs(v)*u+t")},
-                     {"z", "", parse_expression("exp(x)")}});
+      .with_outputs(
+          {{"y", "", parse_expression("abs(v)*u+t")}, {"z", "", parse_expression("exp(x)")}});
 }
 
 TEST(OutputValues, AreTheFormulasAlongTheOrbit) {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "channels.hpp"
+
+namespace lacuna {
+namespace {
+
+bool is_zero(const Expression& e) {
+  return e.operation() == Operation::Number && e.value() == 0.0;
+}
+
+}  // namespace
+
+Channels::Channels(const ParametrisedModel& model, const std::vector<Expression>& formulas)
+    : values_(formulas, model.symbolic().variables()),
+      derivatives_({}, model.symbolic().variables()) {
+  std::vector<Expression> entries;
+  const auto add = [&](std::size_t channel, const std::string& name, Index column,
+                       bool is_state) {
+    Expression entry = differentiate(formulas[channel], name);
+    if (is_zero(entry)) return;
+    entries.push_back(std::move(entry));
+    places_.push_back({static_cast<Index>(channel), column, is_state});
+  };
+  for (std::size_t c = 0; c < formulas.size(); ++c) {
+    for (Index k = 0; k < model.symbolic().dimension(); ++k)
+      add(c, model.symbolic().states()[static_cast<std::size_t>(k)].name, k, true);
+    auto column = static_cast<Index>(model.coefficients().size());
+    for (const FreeShape& shape : model.shapes()) add(c, shape.name, column++, false);
+  }
+  derivatives_ = Program(entries, model.symbolic().variables());
+  entries_.resize(entries.size());
+}
+
+void Channels::derivatives(const double* slots, Matrix& by_state, Matrix& by_parameter) {
+  by_state.setZero();
+  by_parameter.setZero();
+  derivatives_.evaluate(slots, entries_.data(), workspace_);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const auto& [channel, column, is_state] = places_[i];
+    (is_state ? by_state : by_parameter)(channel, column) = entries_[i];
+  }
+}
+
+}  // namespace lacuna

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The way from first guesses to the best fit.
+#pragma once
+
+#include "fit_solver.hpp"
+
+namespace lacuna {
+
+/// What a search came to.
+struct FitSearch {
+  FitMinimum best;
+  int starts = 1;    ///< from how many starts it was looked for
+  int agreeing = 1;  ///< how many came to the best
+};
+
+/// How the search is made.
+struct FitSearchOptions {
+  int restarts = 8;             ///< at most so many other starts
+  double spread = 3.0;          ///< by which factor they differ from the first, or its square
+  double good = 1.5;            ///< residuals over noise that need no other start
+  int most_iterations = 60;     ///< of each minimisation
+  std::size_t first_level = 0;  ///< of the falling disturbances, from which it begins
+};
+
+/// Finds the least sum of squares of a free run.
+///
+/// A free run from wrong parameters is far from the record, and its sum of squares has many
+/// minima. A filter keeps the model on the record: with a large disturbance its errors of
+/// prediction are nearly linear in the parameters, with none they are those of the free run.
+/// Gains are held while parameters are fitted, and the disturbance is taken away step by step
+/// (continuation in the gain of an observer: Ljung, System Identification (1999), Sect. 7.2;
+/// Abarbanel et al., SIAM J. Appl. Dyn. Syst. 8:1341, 2009). The free run from the guess itself
+/// is tried too; where residuals stay above the noise, seeded other starts.
+FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                     const FitSearchOptions& options, const RunContext& context);
+
+/// Root mean square of the residuals of each channel, with degrees of freedom taken evenly.
+Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
+
+/// Disturbances for a filter along a path. @param share see Disturbances.
+Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, double share);
+
+}  // namespace lacuna

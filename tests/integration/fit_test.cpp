@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// `lacuna fit` and models with outputs, given to the built program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "integration/program.hpp"
+
+namespace lacuna::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kTruth = R"(input u hold linear
+dx1/dt = -0.5*x1 + 0.4*u
+dx2/dt = 0.5*x1 - 0.8*x2
+y = x2
+)";
+
+/// A folder with a record of the lower of two linear tanks.
+class FitProgram : public ::testing::Test {
+ protected:
+  FitProgram() {
+    std::string inputs = "t,u\n";
+    for (int i = 0; i <= 400; ++i)
+      inputs += std::to_string(0.1 * i) + "," +
+                std::to_string(1.0 + std::sin(0.07 * i) + 0.5 * std::cos(0.31 * i)) + "\n";
+    const std::string truth = folder_.write("truth.ode", kTruth);
+    const std::string u = folder_.write("u.csv", inputs);
+    const CommandResult run =
+        run_program("simulate " + truth + " --x0 0.3,0.1 --t-end 40 --dt 0.1 --input-data " +
+                    u + " -o " + folder_.file("all.csv"));
+    EXPECT_EQ(run.status, 0) << run.err;
+    std::istringstream lines(folder_.read("all.csv"));
+    std::istringstream drive(inputs);
+    std::string record = "t,u,y\n", line, other;
+    for (int row = 0; std::getline(lines, line) && std::getline(drive, other);) {
+      if (line.front() == '#') {
+        std::getline(lines, line);
+      }
+      if (row++ == 0) continue;
+      const double y = std::stod(line.substr(line.rfind(',') + 1));
+      record += other + "," + std::to_string(y + 0.002 * std::sin(12.9898 * row * row)) + "\n";
+    }
+    data_ = folder_.write("run.csv", record);
+  }
+
+  std::string model(const std::string& text) { return folder_.write("m.ode", text); }
+
+  TemporaryFolder folder_;
+  std::string data_;
+};
+
+TEST_F(FitProgram, FitsAHiddenStateFromAFactorOfThree) {
+  const std::string path = model(R"(input u hold linear
+param a = 1.5 in 0..10
+param b = 0.3 in 0..10
+dx1/dt = -a*x1 + 0.4*u
+dx2/dt = a*x1 - b*x2
+y = x2
+fixed dx1/dt: u
+)");
+  const CommandResult result = run_program("fit " + path + " " + data_ + " --json -");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["identifiable"], true);
+  ASSERT_EQ(json["parameters"].size(), 2u);
+  EXPECT_NEAR(json["parameters"][0]["value"].get<double>(), 0.5, 0.02);
+  EXPECT_NEAR(json["parameters"][1]["value"].get<double>(), 0.8, 0.02);
+  EXPECT_EQ(result.out, run_program("fit " + path + " " + data_ + " --json - --threads 2").out);
+}
+
+TEST_F(FitProgram, SaysThatAHiddenStateIsNotDetermined) {
+  const CommandResult result =
+      run_program("fit " + model(std::string(kTruth) + "dz/dt = -z + x1\n") + " " + data_);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("the state z cannot be told from what is measured"));
+}
+
+TEST_F(FitProgram, WhatDoesNotFitIsOneLine) {
+  const std::string rest = " " + data_;
+  expect_program_error("fit " + model("dx/dt = -x\ny = 2*q\n") + rest, 2,
+                       {"m.ode:2:7", "unknown name 'q'"});
+  expect_program_error("fit " + model("param k = 2 in 3..4\ndx/dt = -k*x\ny = 2*x\n") + rest, 2,
+                       {"m.ode:1:10", "its value 2 is not in its range 3..4"});
+  expect_program_error("fit " + model("dx/dt = -0.5*x\nz = 2*x\n") + rest, 2,
+                       {"run.csv", "no column for the output 'z'"});
+  expect_program_error("fit " + model("dx/dt = -0.5*x\n") + rest, 2,
+                       {"run.csv", "no column for the state 'x', nor for any other"});
+  expect_program_error("fit " + model("input F\ndx/dt = -0.5*x+F\ny = x\n") + rest, 2,
+                       {"run.csv", "no column for the input 'F'"});
+  const std::string few = folder_.write("few.csv", "t,u,y\n0,1,2\n1,2,1\n2,1,3\n3,1,2\n");
+  expect_program_error("fit " + model(kTruth) + " " + few, 2,
+                       {"6 unknowns (parameters and initial states) for 4 measured values"});
+  const std::string json =
+      folder_.write("m.json", R"({"format": "lacuna.model/1", "states": [{"name": "x"}],
+        "equations": [{"state": "x", "terms": [{"term": "k*x", "coefficient": 1}]}],
+        "parameters": [{"name": "k", "value": 5, "max": 1}],
+        "outputs": [{"name": "y", "expression": "x"}]})");
+  expect_program_error("fit " + json + rest, 2,
+                       {"m.json: $.parameters[0]", "its value 5 is not in its range ..1"});
+}
+
+}  // namespace
+}  // namespace lacuna::testing
