@@ -149,17 +149,16 @@ class Outcome {
 /// Names the terms that only one of two searches has.
 void note_disputes(const RefinerTask& task, const WindowFit& first, const WindowFit& second,
                    std::vector<std::string>& notes) {
-  for (std::size_t c = 0; c < first.columns.size(); ++c) {
-    const Coefficient column = first.columns[c];
-    const bool here = first.coefficients(column.equation, column.term) != 0.0;
-    const bool there = second.coefficients(column.equation, column.term) != 0.0;
-    if (here == there) continue;
-    const std::string& term = task.library.terms[static_cast<std::size_t>(column.term)].name();
-    const std::string& state = task.data.states[static_cast<std::size_t>(column.equation)].name;
-    notes.push_back("d" + state + "/dt: the term " + term + " is in dispute: " +
-                    (here ? "in this model, not in" : "not in this model, but in") +
-                    " the one that another search finds");
-  }
+  for (Index k = 0; k < first.coefficients.rows(); ++k)
+    for (Index l = 0; l < first.coefficients.cols(); ++l) {
+      const bool here = first.coefficients(k, l) != 0.0;
+      if (here == (second.coefficients(k, l) != 0.0)) continue;
+      const std::string& term = task.library.terms[static_cast<std::size_t>(l)].name();
+      const std::string& state = task.data.states[static_cast<std::size_t>(k)].name;
+      notes.push_back("d" + state + "/dt: the term " + term + " is in dispute: " +
+                      (here ? "in this model, not in" : "not in this model, but in") +
+                      " the one that another search finds");
+    }
 }
 
 /// Why a record cannot be fitted, or, when a model is already there, why that needs no fit.
@@ -188,9 +187,13 @@ struct Searches {
   std::optional<WindowSearch> second;  ///< as long as the two do not agree
 };
 
+bool have_same_terms(const WindowFit& one, const WindowFit& other) {
+  return ((one.coefficients.array() != 0.0) == (other.coefficients.array() != 0.0)).all();
+}
+
 /// Searches of the same structure in the same windows will not part any more.
 void drop_when_agreed(Searches& searches) {
-  if (searches.second && searches.second->fit.subset == searches.first.fit.subset)
+  if (searches.second && have_same_terms(searches.second->fit, searches.first.fit))
     searches.second.reset();
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "candidate_screening.hpp"
 #include "lacuna/formulations/weak_form.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 #include "move_path.hpp"
@@ -33,14 +34,13 @@ Index first_window(const Dataset& data) {
   return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
 }
 
-/// The candidates with a coefficient.
-std::vector<Index> present(const std::vector<Coefficient>& candidates,
-                           const Matrix& coefficients) {
-  std::vector<Index> columns;
-  for (std::size_t c = 0; c < candidates.size(); ++c)
-    if (coefficients(candidates[c].equation, candidates[c].term) != 0.0)
-      columns.push_back(static_cast<Index>(c));
-  return columns;
+/// Coefficients of what is no column are 0.
+void drop_others(WindowFit& fit) {
+  Matrix kept = Matrix::Zero(fit.coefficients.rows(), fit.coefficients.cols());
+  for (const Coefficient& column : fit.columns)
+    kept(column.equation, column.term) = fit.coefficients(column.equation, column.term);
+  fit.coefficients = std::move(kept);
+  fit.subset = present_columns(fit);
 }
 
 /// Fits windows of so many samples.
@@ -52,9 +52,10 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
   search.path.windows = windows_of(search.path.records, samples);
   search.fit = WindowFit();
   search.fit.coefficients = coefficients;
-  search.fit.columns = task.candidates;
-  search.fit.subset = present(task.candidates, coefficients);
   search.fit.samples = samples;
+  search.fit.columns =
+      is_wide(task) ? screen_candidates(task, search, context).plausible : task.candidates;
+  drop_others(search.fit);
   for (int pass = 0; pass < kPasses; ++pass) {
     converge(task, search, context);
     const bool quieter = learn_noise(task, search);
