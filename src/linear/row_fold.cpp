@@ -71,6 +71,15 @@ void RowFold::add_triangle(const Eigen::Ref<const Matrix>& triangle) {
   fold();
 }
 
+void RowFold::merge(RowFold& other) {
+  other.fold();
+  if (folding_ == Folding::Gram)
+    folded_ += other.folded_;
+  else
+    add_triangle(other.folded_);
+  other.folded_.setZero();
+}
+
 void RowFold::fold() {
   if (rows_ == 0) return;
   const Index all = padded(rows_);

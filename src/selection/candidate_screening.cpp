@@ -4,8 +4,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/linear/forward_order.hpp"
 #include "lacuna/linear/row_fold.hpp"
 #include "lacuna/selection/subset_problem.hpp"
@@ -49,27 +51,57 @@ struct IntegralRows {
   Index rows = 0;
 };
 
+/// A window in pieces of so many samples; a rest joins the last one.
+std::vector<SampleWindow> pieces_of(const SampleWindow& window, Index samples) {
+  const Index count = std::max<Index>(1, window.samples / samples);
+  std::vector<SampleWindow> pieces;
+  for (Index p = 0; p < count; ++p) {
+    const Index first = p * window.samples / count, last = (p + 1) * window.samples / count;
+    pieces.push_back({window.record, window.first + first, last - first});
+  }
+  return pieces;
+}
+
+/// Folds a window. @return how many rows.
+Index fold_window(WindowRates& rates, const PathRecord& record, const SampleWindow& window,
+                  RowFold& fold) {
+  rates.evaluate(record, window);
+  Matrix rows(fold.columns(), window.samples);
+  rows << running_integrals(rates.theta(), record, window), samples_of(record, window);
+  rows.colwise() -= rows.rowwise().mean().eval();
+  if (!rows.allFinite()) return 0;
+  fold.add(rows);
+  return window.samples - 1;
+}
+
+/// Folds some windows in pieces of so many samples. @return how many rows.
+Index fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk& chunk,
+                 Index samples, RowFold& fold, const RunContext& context) {
+  Index count = 0;
+  for (std::size_t w = chunk.first; w < chunk.last; ++w)
+    for (const SampleWindow& piece : pieces_of(path.windows[w], samples)) {
+      context.check_stop();
+      count += fold_window(rates, path.records[piece.record], piece, fold);
+    }
+  return count;
+}
+
 IntegralRows fold_integrals(const SearchTask& task, WindowSearch& search,
                             const RunContext& context) {
   const Index terms = task.equations.library.size(), m = task.equations.dimension();
   std::vector<Index> all(static_cast<std::size_t>(terms));
   std::iota(all.begin(), all.end(), Index{0});
   search.rates.choose(all, Matrix::Zero(m, terms));
-  RowFold fold(terms + m);
-  IntegralRows result;
-  for (const SampleWindow& window : search.path.windows) {
-    context.check_stop();
-    const PathRecord& record = search.path.records[window.record];
-    search.rates.evaluate(record, window);
-    Matrix rows(terms + m, window.samples);
-    rows << running_integrals(search.rates.theta(), record, window), samples_of(record, window);
-    rows.colwise() -= rows.rowwise().mean().eval();
-    if (!rows.allFinite()) continue;
-    fold.add(rows);
-    result.rows += window.samples - 1;
-  }
-  result.triangle = *fold.finish();
-  return result;
+  const std::vector<WindowChunk> chunks = window_chunks(search.path.windows.size());
+  std::vector<RowFold> folds;
+  for (std::size_t c = 0; c < chunks.size(); ++c) folds.emplace_back(terms + m);
+  std::vector<Index> counts(chunks.size());
+  parallel_for(chunks.size(), context.threads, [&](std::size_t c) {
+    counts[c] =
+        fold_chunk(search.rates, search.path, chunks[c], search.shortest, folds[c], context);
+  });
+  for (std::size_t c = 1; c < folds.size(); ++c) folds[0].merge(folds[c]);
+  return {*folds[0].finish(), std::accumulate(counts.begin(), counts.end(), Index{0})};
 }
 
 /// The triangle of some columns and a target.
@@ -114,19 +146,18 @@ std::vector<Index> members_of(const WindowSearch& search, Index equation) {
 
 /// Screens one equation.
 /// @param rows white, of unit variance where the noise is known and the path right.
-void screen_equation(const SearchTask& task, const WindowSearch& search, Index equation,
-                     const IntegralRows& rows, Screening& result, const RunContext& context) {
+Screening screen_equation(const SearchTask& task, const WindowSearch& search, Index equation,
+                          const IntegralRows& rows, const RunContext& context) {
   constexpr Index kTaken = 40;
   constexpr std::size_t kTimes = 2, kMore = 4;
   const Index terms = task.equations.library.size();
   const auto columns = rows.triangle.leftCols(terms);
-  const Vector target = rows.triangle.col(terms + equation).topRows(rows.triangle.rows()) /
-                        search.sigma[equation];
+  const Vector target = rows.triangle.col(terms + equation) / search.sigma[equation];
   std::vector<Index> members = members_of(search, equation);
   // A model with so many terms says nothing of what is needed.
   if (static_cast<Index>(members.size()) > kTaken / 2) members.clear();
-  const double all = std::numeric_limits<double>::infinity();
-  const ForwardOrder order = forward_order(columns, target, {members, kTaken, all}, context);
+  const ForwardOrder order = forward_order(
+      columns, target, {members, kTaken, std::numeric_limits<double>::infinity()}, context);
   const SubsetProblem problem = problem_in(columns, order.columns, target);
   const auto n = static_cast<double>(rows.rows);
   const double scale =
@@ -134,14 +165,22 @@ void screen_equation(const SearchTask& task, const WindowSearch& search, Index e
   const double price =
       task.price.value_or(std::log(n) + std::log(static_cast<double>(task.candidates.size())));
   const Elimination left = eliminated(problem, scale * price, context);
-  const std::size_t size = left.order.size(), worth = size - left.worth;
-  const std::size_t plausible = std::min(size, kTimes * worth + kMore);
+  const std::size_t size = left.order.size();
+  const std::size_t plausible = std::min(size, kTimes * (size - left.worth) + kMore);
+  Screening result;
   for (std::size_t i = 0; i < size; ++i) {
     const auto place = static_cast<std::size_t>(left.order[i]);
     const Coefficient column{equation, order.columns[place]};
     if (i >= left.worth) result.worth.push_back(column);
     if (i + plausible >= size || place < members.size()) result.plausible.push_back(column);
   }
+  std::sort(result.worth.begin(), result.worth.end());
+  std::sort(result.plausible.begin(), result.plausible.end());
+  return result;
+}
+
+void append(std::vector<Coefficient>& all, const std::vector<Coefficient>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -154,12 +193,17 @@ bool is_wide(const SearchTask& task) {
 Screening screen_candidates(const SearchTask& task, WindowSearch& search,
                             const RunContext& context) {
   const IntegralRows rows = fold_integrals(task, search, context);
+  const auto m = static_cast<std::size_t>(task.equations.dimension());
+  std::vector<Screening> equations(m);
+  parallel_for(m, context.threads, [&](std::size_t k) {
+    if (!task.equations.exact[k])
+      equations[k] = screen_equation(task, search, static_cast<Index>(k), rows, context);
+  });
   Screening result;
-  for (Index k = 0; k < task.equations.dimension(); ++k)
-    if (!task.equations.exact[static_cast<std::size_t>(k)])
-      screen_equation(task, search, k, rows, result, context);
-  std::sort(result.worth.begin(), result.worth.end());
-  std::sort(result.plausible.begin(), result.plausible.end());
+  for (const Screening& equation : equations) {
+    append(result.worth, equation.worth);
+    append(result.plausible, equation.plausible);
+  }
   return result;
 }
 

@@ -220,6 +220,9 @@ Searches search_windows(const SearchTask& task, const Matrix& start, bool second
     if (searches.second && grow(task, *searches.second, context)) grows = true;
   }
   drop_when_agreed(searches);
+  take_all_windows(task, searches.first, context);
+  if (searches.second) take_all_windows(task, *searches.second, context);
+  drop_when_agreed(searches);
   finish(searches.first, context);
   if (searches.second) finish(*searches.second, context);
   return searches;

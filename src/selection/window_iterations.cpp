@@ -34,7 +34,7 @@ bool choose(const SearchTask& task, WindowSearch& search, const RunContext& cont
   if (fit.subset == before)
     fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs, context).columns;
   const std::optional<double> moved =
-      move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
+      move_path(search.rates, linearised, solve_subset(problem, fit), search.path, context);
   return moved && *moved < kSmallMove && fit.subset == before;
 }
 
@@ -93,7 +93,8 @@ double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext
     if (!h.allFinite()) break;
     for (std::size_t c = 0; c < active.size(); ++c)
       fit.coefficients(active[c].equation, active[c].term) = h[static_cast<Index>(c)];
-    const std::optional<double> moved = move_path(search.rates, linearised, h, search.path);
+    const std::optional<double> moved =
+        move_path(search.rates, linearised, h, search.path, context);
     if (!moved) break;
     last = *moved;
     if (last < limits.move) break;

@@ -49,7 +49,7 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
   constexpr int kPasses = 5;
   // Residuals beyond so many sigma are not noise of a normal distribution in any record.
   constexpr double kOutlier = 7.0;
-  search.path.windows = windows_of(search.path.records, samples);
+  search.path.windows = windows_of(search.path.records, samples, search.most);
   search.fit = WindowFit();
   search.fit.coefficients = coefficients;
   search.fit.samples = samples;
@@ -63,6 +63,14 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
     if (!quieter && !finer) break;
   }
   mask_beyond(search.path, kOutlier * std::sqrt(std::max(1.0, search.fit.misfit)));
+}
+
+/// Samples that a choice among many candidates takes: four for each candidate of an equation,
+/// and values enough to tell terms from noise.
+Index samples_of_a_choice(const SearchTask& task) {
+  constexpr Index kValues = 30000, kOfCandidate = 4;
+  return std::min(kMostSamples, std::max(kValues / task.equations.dimension(),
+                                         kOfCandidate * task.equations.library.size()));
 }
 
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
@@ -125,21 +133,24 @@ WindowSearch prepared_search(const SearchTask& task) {
   return {.rates = WindowRates(task.equations),
           .path = std::move(path),
           .sigma = sigma,
-          .floor = rounding_floor(task.data)};
+          .floor = rounding_floor(task.data),
+          .most = is_wide(task) ? samples_of_a_choice(task) : kMostSamples};
 }
 
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
                    const RunContext& context) {
   const Index longest = longest_record(task.data).samples();
-  if (longest >= 4)
-    fit_windows(task, prepared, coefficients, std::min(first_window(task.data), longest),
-                context);
+  prepared.shortest = std::min(first_window(task.data), longest);
+  if (longest >= 4) fit_windows(task, prepared, coefficients, prepared.shortest, context);
   return prepared;
 }
 
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   const Index samples = 2 * search.fit.samples;
   if (search.limited || samples > longest_record(task.data).samples()) return false;
+  // Fewer windows do not stand for a record.
+  constexpr Index kFewestWindows = 16;
+  if (is_wide(task) && samples * kFewestWindows > search.most) return false;
   WindowSearch longer = search;
   fit_windows(task, longer, search.fit.coefficients, samples, context);
   search.limited = !acceptable(search.fit, longer.fit);
@@ -147,9 +158,18 @@ bool grow(const SearchTask& task, WindowSearch& search, const RunContext& contex
   return !search.limited;
 }
 
+void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  if (search.most >= std::min(kMostSamples, task.data.samples())) return;
+  WindowSearch all = search;
+  all.most = kMostSamples;
+  fit_windows(task, all, search.fit.coefficients, search.fit.samples, context);
+  all.limited = search.limited;
+  if (acceptable(search.fit, all.fit)) search = std::move(all);
+}
+
 /// A path that moves by a thousandth of sigma leaves the coefficients where they are.
 void finish(WindowSearch& search, const RunContext& context) {
-  search.path.windows = windows_of(search.path.records, search.fit.samples);
+  search.path.windows = windows_of(search.path.records, search.fit.samples, search.most);
   settle(search, {.move = 1e-3, .iterations = 8}, context);
   summarise(search);
 }
@@ -166,7 +186,7 @@ void simplify(const SearchTask& task, WindowSearch& search, double slack,
   const double limit = std::pow(1.0 + slack, 2) * fit_subset(problem, fit.subset).residual;
   fit.subset = simplest(fit, problem, limit);
   fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
-  move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
+  move_path(search.rates, linearised, solve_subset(problem, fit), search.path, context);
   finish(search, context);
   fit.sigma = found.sigma;  // the noise is what it was
   fit.triangle = linearise_all(search, context).triangle;

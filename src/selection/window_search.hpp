@@ -47,6 +47,8 @@ struct WindowSearch {
   Vector sigma;  ///< of the noise of each state, as far as it is known
   Vector floor;  ///< what sigma is at least where the noise cannot be told from the signal
   Folding folding = Folding::Gram;  ///< as long as no Gram has failed
+  Index most = kMostSamples;        ///< samples of the windows that are fitted, in all
+  Index shortest = 0;               ///< samples of the first windows
   WindowFit fit = {};
   bool limited = false;  ///< longer windows were tried and the model fits them worse
 };
@@ -62,6 +64,10 @@ WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& 
 /// Tries windows of twice the length. @return false when they are too long, or fit worse: the
 /// fit is then as it was.
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context);
+
+/// Fits a wide problem, which is searched in as many windows as its candidates ask for, in as
+/// many as there are: weak terms show in these. The fit stays as it was where that is worse.
+void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context);
 
 /// The last iterations, after which coefficients no longer change.
 void finish(WindowSearch& search, const RunContext& context);

@@ -30,6 +30,9 @@ class RowFold {
   /// Rows of an upper triangle, columns x columns.
   void add_triangle(const Eigen::Ref<const Matrix>& triangle);
 
+  /// The rows of another fold of the same kind, which starts anew.
+  void merge(RowFold& other);
+
   /// R of all rows, columns x columns; nothing when a Gram cannot resolve it: its relative
   /// rounding eps must be small beside the squared share of a column that is new (condition up
   /// to 1e6: 1e-4) and of the target that is not explained (1e-5: 1e-6). Starts anew after it.
