@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "candidate_screening.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +8,8 @@
 
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/linear/forward_order.hpp"
-#include "lacuna/linear/row_fold.hpp"
+#include "lacuna/linear/gram.hpp"
+#include "lacuna/linear/tile_kernels.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 
 namespace lacuna {
@@ -45,9 +45,9 @@ Matrix samples_of(const PathRecord& record, const SampleWindow& window) {
   return samples;
 }
 
-/// Triangle of [integrals of Theta | samples] and the number of its rows.
+/// Gram matrix of [integrals of Theta | samples] and the number of its rows.
 struct IntegralRows {
-  Matrix triangle;
+  Matrix gram;
   Index rows = 0;
 };
 
@@ -62,9 +62,35 @@ std::vector<SampleWindow> pieces_of(const SampleWindow& window, Index samples) {
   return pieces;
 }
 
+/// The Gram matrix of rows as they come.
+class GramFold {
+ public:
+  explicit GramFold(Index columns)
+      : scratch_(kRows, columns),
+        sum_(Matrix::Zero(scratch_.padded_columns(), scratch_.padded_columns())) {}
+
+  /// @param rows one in each column, of mean 0.
+  void add(const Matrix& rows) {
+    for (Index done = 0; done < rows.cols(); done += kRows) {
+      const Index count = std::min(kRows, rows.cols() - done);
+      scratch_.block(kRows, 0, rows.rows()).bottomRows(kRows - count).setZero();
+      scratch_.block(count, 0, rows.rows()) = rows.middleCols(done, count).transpose();
+      add_gram(scratch_, count, sum_);
+    }
+  }
+
+  Index columns() const { return scratch_.columns(); }
+  const Matrix& sum() const { return sum_; }  ///< upper triangle, padded
+
+ private:
+  static constexpr Index kRows = 64;
+  Scratch scratch_;
+  Matrix sum_;
+};
+
 /// Folds a window. @return how many rows.
 Index fold_window(WindowRates& rates, const PathRecord& record, const SampleWindow& window,
-                  RowFold& fold) {
+                  GramFold& fold) {
   rates.evaluate(record, window);
   Matrix rows(fold.columns(), window.samples);
   rows << running_integrals(rates.theta(), record, window), samples_of(record, window);
@@ -76,7 +102,7 @@ Index fold_window(WindowRates& rates, const PathRecord& record, const SampleWind
 
 /// Folds some windows in pieces of so many samples. @return how many rows.
 Index fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk& chunk,
-                 Index samples, RowFold& fold, const RunContext& context) {
+                 Index samples, GramFold& fold, const RunContext& context) {
   Index count = 0;
   for (std::size_t w = chunk.first; w < chunk.last; ++w)
     for (const SampleWindow& piece : pieces_of(path.windows[w], samples)) {
@@ -92,27 +118,30 @@ IntegralRows fold_integrals(const SearchTask& task, WindowSearch& search,
   std::vector<Index> all(static_cast<std::size_t>(terms));
   std::iota(all.begin(), all.end(), Index{0});
   search.rates.choose(all, Matrix::Zero(m, terms));
-  const std::vector<WindowChunk> chunks = window_chunks(search.path.windows.size());
-  std::vector<RowFold> folds;
+  const std::vector<WindowChunk> chunks = window_chunks(search.path.windows.size(), terms + m);
+  std::vector<GramFold> folds;
   for (std::size_t c = 0; c < chunks.size(); ++c) folds.emplace_back(terms + m);
   std::vector<Index> counts(chunks.size());
   parallel_for(chunks.size(), context.threads, [&](std::size_t c) {
     counts[c] =
         fold_chunk(search.rates, search.path, chunks[c], search.shortest, folds[c], context);
   });
-  for (std::size_t c = 1; c < folds.size(); ++c) folds[0].merge(folds[c]);
-  return {*folds[0].finish(), std::accumulate(counts.begin(), counts.end(), Index{0})};
+  Matrix sum = folds[0].sum();
+  for (std::size_t c = 1; c < folds.size(); ++c) sum += folds[c].sum();
+  return {sum.topLeftCorner(terms + m, terms + m).selfadjointView<Eigen::Upper>(),
+          std::accumulate(counts.begin(), counts.end(), Index{0})};
 }
 
-/// The triangle of some columns and a target.
-SubsetProblem problem_in(const Matrix& columns, const std::vector<Index>& chosen,
-                         const Vector& target) {
+/// The problem of some columns and a target.
+/// @param gram of all. @param sigma of the target.
+SubsetProblem problem_in(const Matrix& gram, std::vector<Index> chosen, Index target,
+                         double sigma) {
   const auto count = static_cast<Index>(chosen.size());
-  Matrix part(columns.rows(), count + 1);
-  part << columns(Eigen::all, chosen), target;
-  const Matrix folded = Eigen::HouseholderQR<Matrix>(part).matrixQR();
-  const Index height = std::min(folded.rows(), count + 1);
-  return subset_problem(folded.topRows(height).triangularView<Eigen::Upper>());
+  chosen.push_back(target);
+  const Matrix part = gram(chosen, chosen);
+  Vector norms = part.diagonal().cwiseSqrt();
+  norms[count] /= sigma;
+  return subset_problem(factor_gram(part, count).triangle * norms.asDiagonal());
 }
 
 /// Members of a problem in the order in which they leave, and from where on they are worth it.
@@ -151,17 +180,18 @@ Screening screen_equation(const SearchTask& task, const WindowSearch& search, In
   constexpr Index kTaken = 40;
   constexpr std::size_t kTimes = 2, kMore = 4;
   const Index terms = task.equations.library.size();
-  const auto columns = rows.triangle.leftCols(terms);
-  const Vector target = rows.triangle.col(terms + equation) / search.sigma[equation];
+  const double sigma = search.sigma[equation];
   std::vector<Index> members = members_of(search, equation);
   // A model with so many terms says nothing of what is needed.
   if (static_cast<Index>(members.size()) > kTaken / 2) members.clear();
-  const ForwardOrder order = forward_order(
-      columns, target, {members, kTaken, std::numeric_limits<double>::infinity()}, context);
-  const SubsetProblem problem = problem_in(columns, order.columns, target);
+  const ForwardOrder order = forward_order_in_gram(
+      rows.gram, terms, terms + equation,
+      {members, kTaken, std::numeric_limits<double>::infinity()}, context);
+  const SubsetProblem problem = problem_in(rows.gram, order.columns, terms + equation, sigma);
   const auto n = static_cast<double>(rows.rows);
   const double scale =
-      std::max(1.0, order.left / std::max(1.0, n - static_cast<double>(problem.columns())));
+      std::max(1.0, order.left / (sigma * sigma) /
+                        std::max(1.0, n - static_cast<double>(problem.columns())));
   const double price =
       task.price.value_or(std::log(n) + std::log(static_cast<double>(task.candidates.size())));
   const Elimination left = eliminated(problem, scale * price, context);

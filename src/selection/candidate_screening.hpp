@@ -25,7 +25,7 @@ struct Screening {
 ///   x_k(t_i) - mean = sum_l h_l (int^t_i theta_l(x(t)) dt - mean)      in each window,
 ///
 /// windows being the shortest ones, in which errors of the path have no time to grow. Theta is
-/// the same for all equations: one triangle of L + m columns. Columns are taken by
+/// the same for all equations: one Gram matrix of L + m columns. Columns are taken by
 /// orthogonal least squares, those of the model as it is first, and then left out, the one that
 /// is worth least first. Errors of the path bias this a little; the joint problem of the
 /// plausible columns decides. About the path of a fitted model the residuals are its own, so

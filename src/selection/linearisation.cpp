@@ -77,7 +77,8 @@ bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
   const std::vector<Index> terms = terms_of(result.columns);
   rates.choose(terms, result.h0);
   const auto blocks = column_blocks(result.columns, terms, dimension);
-  const std::vector<WindowChunk> chunks = window_chunks(path.windows.size());
+  const std::vector<WindowChunk> chunks =
+      window_chunks(path.windows.size(), static_cast<Index>(result.columns.size()) + 1);
   std::vector<RowFold> folds;
   for (std::size_t c = 0; c < chunks.size(); ++c)
     folds.emplace_back(static_cast<Index>(result.columns.size()) + 1, folding);

@@ -65,12 +65,18 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
   mask_beyond(search.path, kOutlier * std::sqrt(std::max(1.0, search.fit.misfit)));
 }
 
+/// Samples that are fitted in all.
+Index most_samples(const SearchTask& task) {
+  constexpr Index kMostValues = 200000;
+  return std::min(kMostSamples, kMostValues / task.equations.dimension());
+}
+
 /// Samples that a choice among many candidates takes: four for each candidate of an equation,
 /// and values enough to tell terms from noise.
 Index samples_of_a_choice(const SearchTask& task) {
   constexpr Index kValues = 30000, kOfCandidate = 4;
-  return std::min(kMostSamples, std::max(kValues / task.equations.dimension(),
-                                         kOfCandidate * task.equations.library.size()));
+  return std::min(most_samples(task), std::max(kValues / task.equations.dimension(),
+                                               kOfCandidate * task.equations.library.size()));
 }
 
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
@@ -134,7 +140,7 @@ WindowSearch prepared_search(const SearchTask& task) {
           .path = std::move(path),
           .sigma = sigma,
           .floor = rounding_floor(task.data),
-          .most = is_wide(task) ? samples_of_a_choice(task) : kMostSamples};
+          .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task)};
 }
 
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
@@ -159,9 +165,9 @@ bool grow(const SearchTask& task, WindowSearch& search, const RunContext& contex
 }
 
 void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context) {
-  if (search.most >= std::min(kMostSamples, task.data.samples())) return;
+  if (search.most >= std::min(most_samples(task), task.data.samples())) return;
   WindowSearch all = search;
-  all.most = kMostSamples;
+  all.most = most_samples(task);
   fit_windows(task, all, search.fit.coefficients, search.fit.samples, context);
   all.limited = search.limited;
   if (acceptable(search.fit, all.fit)) search = std::move(all);

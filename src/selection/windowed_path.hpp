@@ -35,9 +35,9 @@ struct WindowChunk {
   std::size_t first = 0, last = 0;
 };
 
-/// Divides windows into at most 16 chunks. Depends on their number only, so that sums over
-/// chunks do not depend on who works on which when.
-std::vector<WindowChunk> window_chunks(std::size_t windows);
+/// Divides windows into at most 16 chunks, or fewer where each of them has a square matrix of
+/// so many columns. Does not depend on threads, so that sums over chunks do not.
+std::vector<WindowChunk> window_chunks(std::size_t windows, Index columns = 1);
 
 /// Sums of squared weighted residuals of the path, and how many there are, per state.
 Vector misfits_of(const WindowedPath& path);

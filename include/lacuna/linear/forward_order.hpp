@@ -27,4 +27,11 @@ struct ForwardLimits {
 ForwardOrder forward_order(const Eigen::Ref<const Matrix>& columns, const Vector& target,
                            const ForwardLimits& limits, const RunContext& context = {});
 
+/// The same from the Gram matrix of all columns and targets: O(q k) for column number k, but
+/// columns of which less than 1e-5 is new are left out.
+/// @param gram symmetric; its first q columns are those that may be taken.
+/// @param target its column that is explained, q or later.
+ForwardOrder forward_order_in_gram(const Matrix& gram, Index q, Index target,
+                                   const ForwardLimits& limits, const RunContext& context = {});
+
 }  // namespace lacuna

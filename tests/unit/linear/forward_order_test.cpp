@@ -63,6 +63,20 @@ TEST(ForwardOrder, SomeComeFirstAndDependentOnesNever) {
   EXPECT_EQ(std::count(order.columns.begin(), order.columns.end(), 3), 0);
 }
 
+TEST(ForwardOrder, TheGramGivesTheSameOrder) {
+  Matrix all = random_matrix(60, 17, 8);
+  all.col(6) = all.col(0) - all.col(5);
+  const Matrix gram = all.transpose() * all;
+  const Matrix a = all.leftCols(15);
+  for (const Index target : {Index{15}, Index{16}}) {
+    const ForwardLimits limits{.first = {3}, .fewest = 9, .enough = 1e9};
+    const ForwardOrder direct = forward_order(a, all.col(target), limits);
+    const ForwardOrder products = forward_order_in_gram(gram, 15, target, limits);
+    EXPECT_EQ(direct.columns, products.columns);
+    EXPECT_NEAR(direct.left, products.left, 1e-10);
+  }
+}
+
 TEST(ForwardOrder, EndsOnRequest) {
   std::stop_source source;
   source.request_stop();
