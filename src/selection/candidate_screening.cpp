@@ -9,7 +9,7 @@
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/linear/forward_order.hpp"
 #include "lacuna/linear/gram.hpp"
-#include "lacuna/linear/tile_kernels.hpp"
+#include "lacuna/linear/row_fold.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 
 namespace lacuna {
@@ -62,35 +62,9 @@ std::vector<SampleWindow> pieces_of(const SampleWindow& window, Index samples) {
   return pieces;
 }
 
-/// The Gram matrix of rows as they come.
-class GramFold {
- public:
-  explicit GramFold(Index columns)
-      : scratch_(kRows, columns),
-        sum_(Matrix::Zero(scratch_.padded_columns(), scratch_.padded_columns())) {}
-
-  /// @param rows one in each column, of mean 0.
-  void add(const Matrix& rows) {
-    for (Index done = 0; done < rows.cols(); done += kRows) {
-      const Index count = std::min(kRows, rows.cols() - done);
-      scratch_.block(kRows, 0, rows.rows()).bottomRows(kRows - count).setZero();
-      scratch_.block(count, 0, rows.rows()) = rows.middleCols(done, count).transpose();
-      add_gram(scratch_, count, sum_);
-    }
-  }
-
-  Index columns() const { return scratch_.columns(); }
-  const Matrix& sum() const { return sum_; }  ///< upper triangle, padded
-
- private:
-  static constexpr Index kRows = 64;
-  Scratch scratch_;
-  Matrix sum_;
-};
-
 /// Folds a window. @return how many rows.
 Index fold_window(WindowRates& rates, const PathRecord& record, const SampleWindow& window,
-                  GramFold& fold) {
+                  RowFold& fold) {
   rates.evaluate(record, window);
   Matrix rows(fold.columns(), window.samples);
   rows << running_integrals(rates.theta(), record, window), samples_of(record, window);
@@ -102,7 +76,7 @@ Index fold_window(WindowRates& rates, const PathRecord& record, const SampleWind
 
 /// Folds some windows in pieces of so many samples. @return how many rows.
 Index fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk& chunk,
-                 Index samples, GramFold& fold, const RunContext& context) {
+                 Index samples, RowFold& fold, const RunContext& context) {
   Index count = 0;
   for (std::size_t w = chunk.first; w < chunk.last; ++w)
     for (const SampleWindow& piece : pieces_of(path.windows[w], samples)) {
@@ -119,17 +93,15 @@ IntegralRows fold_integrals(const SearchTask& task, WindowSearch& search,
   std::iota(all.begin(), all.end(), Index{0});
   search.rates.choose(all, Matrix::Zero(m, terms));
   const std::vector<WindowChunk> chunks = window_chunks(search.path.windows.size(), terms + m);
-  std::vector<GramFold> folds;
-  for (std::size_t c = 0; c < chunks.size(); ++c) folds.emplace_back(terms + m);
+  std::vector<RowFold> folds;
+  for (std::size_t c = 0; c < chunks.size(); ++c) folds.emplace_back(terms + m, Folding::Gram);
   std::vector<Index> counts(chunks.size());
   parallel_for(chunks.size(), context.threads, [&](std::size_t c) {
     counts[c] =
         fold_chunk(search.rates, search.path, chunks[c], search.shortest, folds[c], context);
   });
-  Matrix sum = folds[0].sum();
-  for (std::size_t c = 1; c < folds.size(); ++c) sum += folds[c].sum();
-  return {sum.topLeftCorner(terms + m, terms + m).selfadjointView<Eigen::Upper>(),
-          std::accumulate(counts.begin(), counts.end(), Index{0})};
+  for (std::size_t c = 1; c < folds.size(); ++c) folds[0].merge(folds[c]);
+  return {folds[0].gram(), std::accumulate(counts.begin(), counts.end(), Index{0})};
 }
 
 /// The problem of some columns and a target.
