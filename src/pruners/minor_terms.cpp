@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "lacuna/linear/forward_order.hpp"
+#include "lacuna/numerics/forward_order.hpp"
 #include "lacuna/pruners/elimination.hpp"
 
 namespace lacuna {

@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "lacuna/core/parallel.hpp"
-#include "lacuna/linear/forward_order.hpp"
 #include "lacuna/linear/gram.hpp"
 #include "lacuna/linear/row_fold.hpp"
+#include "lacuna/numerics/forward_order.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 
 namespace lacuna {

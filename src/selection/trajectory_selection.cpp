@@ -10,6 +10,7 @@
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 #include "negligible_columns.hpp"
+#include "record_stretches.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
 
@@ -243,12 +244,31 @@ bool is_simpler(const WindowFit& other, const WindowFit& than) {
 /// turn.
 constexpr GapOptions kGaps{.longest_gap = 5.0};
 
+/// The records without gaps that can be bridged; of long ones stretches that stand for them.
+Dataset stretches_of(const Dataset& data) {
+  Dataset joined = join_across_gaps(data, kGaps);
+  if (joined.samples() <= 2 * kMostSamples) return joined;
+  const Trajectory& longest = longest_record(joined);
+  Dataset begin{joined.time_unit, joined.states,       joined.inputs, {},
+                joined.rate_of,   joined.reconstructed};
+  begin.trajectories.push_back(rows_of(longest, 0, std::min(kMostSamples, longest.samples())));
+  return record_stretches(joined, kMostSamples, first_window(begin));
+}
+
+void note_length(const Dataset& whole, const Dataset& part, std::vector<std::string>& notes) {
+  notes.push_back("refined in " + std::to_string(part.trajectories.size()) +
+                  " stretches of the record, " + std::to_string(part.samples()) + " of " +
+                  std::to_string(whole.samples()) +
+                  " samples: more would not change the terms");
+}
+
 }  // namespace
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
                                             const RunContext& context) const {
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
-  Dataset data = join_across_gaps(task.data, kGaps);
+  Dataset data = stretches_of(task.data);
+  const bool is_long = data.samples() < task.data.samples() / 2;
   const std::vector<StateNoise> noise = analyse_noise(data);
   RefinedModel same{.model = task.start, .usable = false};
   same.message = reason_to_leave(task, noise, from_model);
@@ -286,8 +306,10 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
   if (!is_noise)
-    if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
+    if (std::optional<OdeModel> model =
+            refitted(result.model, is_long ? search.data : task.data, context))
       result.model = std::move(*model);
+  if (is_long) note_length(task.data, search.data, result.notes);
   if (other) note_disputes(task, found.fit, other->fit, result.notes);
   for (const LeftOut& out : left_out)
     result.negligible.push_back(

@@ -24,16 +24,6 @@ Vector noise_or_floor(const SearchTask& task) {
   return sigma;
 }
 
-/// Samples of the first windows: half the support of a test function, which is the time in
-/// which a signal does what can be told from its noise; at least so many that initial states
-/// leave half of the samples.
-Index first_window(const Dataset& data) {
-  const TestFunction function = choose_test_function(measured_part(data));
-  const Trajectory& record = data.trajectories.front();
-  constexpr Index kFewest = 8;
-  return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
-}
-
 /// Coefficients of what is no column are 0.
 void drop_others(WindowFit& fit) {
   Matrix kept = Matrix::Zero(fit.coefficients.rows(), fit.coefficients.cols());
@@ -120,6 +110,13 @@ Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
 }
 
 }  // namespace
+
+Index first_window(const Dataset& data) {
+  const TestFunction function = choose_test_function(measured_part(data));
+  const Trajectory& record = data.trajectories.front();
+  constexpr Index kFewest = 8;
+  return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
+}
 
 SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<StateNoise> noise,
                        std::optional<double> price) {

@@ -19,6 +19,11 @@ struct SearchTask {
   std::optional<double> price;          ///< of a term
 };
 
+/// Samples of the first windows: half the support of a test function, which is the time in
+/// which a signal does what can be told from its noise; at least so many that initial states
+/// leave half of the samples.
+Index first_window(const Dataset& data);
+
 SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<StateNoise> noise,
                        std::optional<double> price);
 

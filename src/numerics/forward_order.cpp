@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/linear/forward_order.hpp"
+#include "lacuna/numerics/forward_order.hpp"
 
 #include <algorithm>
 #include <cmath>
