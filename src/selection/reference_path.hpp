@@ -24,7 +24,7 @@ struct PathRecord {
 /// Records with the smoothed samples as path.
 /// @param noise sigma of each state; 0: not smoothed.
 std::vector<PathRecord> make_paths(const Dataset& data, const Vector& noise,
-                                   const Program& program);
+                                   const Program& program, int threads = 1);
 
 /// Changes the number of parts of an interval; the path goes through its points at samples.
 void set_substeps(PathRecord& record, Index substeps, const Program& program);
@@ -32,6 +32,7 @@ void set_substeps(PathRecord& record, Index substeps, const Program& program);
 /// Signals as polynomials in moving windows see them, the window of each state being the one
 /// with the least estimated risk, RSS / sigma^2 + 2 trace (Mallows' C_p). States that were not
 /// measured follow from those whose rates they are.
-Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise);
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise,
+                       int threads = 1);
 
 }  // namespace lacuna

@@ -205,7 +205,7 @@ bool is_usable(const WindowFit& fit) {
 /// Searches to the end. The first one's fit has no rows when the records are too short.
 Searches search_windows(const SearchTask& task, const Matrix& start, bool second_opinion,
                         const RunContext& context) {
-  const WindowSearch prepared = prepared_search(task);
+  const WindowSearch prepared = prepared_search(task, context);
   Searches searches{begun(task, prepared, start, context), std::nullopt};
   if (second_opinion)
     searches.second = begun(task, prepared, Matrix::Zero(start.rows(), start.cols()), context);

@@ -130,14 +130,15 @@ SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<Sta
   return task;
 }
 
-WindowSearch prepared_search(const SearchTask& task) {
+WindowSearch prepared_search(const SearchTask& task, const RunContext& context) {
   const Vector sigma = noise_or_floor(task);
-  WindowedPath path{make_paths(task.data, sigma, task.equations.program), {}};
+  WindowedPath path{make_paths(task.data, sigma, task.equations.program, context.threads), {}};
   return {.rates = WindowRates(task.equations),
           .path = std::move(path),
           .sigma = sigma,
           .floor = rounding_floor(task.data),
-          .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task)};
+          .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
+          .shortest = std::min(first_window(task.data), longest_record(task.data).samples())};
 }
 
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,

@@ -59,7 +59,7 @@ struct WindowSearch {
 };
 
 /// A search that has not begun: with the smoothed samples as path.
-WindowSearch prepared_search(const SearchTask& task);
+WindowSearch prepared_search(const SearchTask& task, const RunContext& context = {});
 
 /// Finds a model in the shortest windows; none (fit.rows = 0) when the records are too short.
 /// @param coefficients m x L to begin with.
