@@ -132,6 +132,7 @@ class JointFit {
     if (!bridge(from, nominal, effects, problem)) return unknown(from, effects);
     AssimilationOptions options = given;
     options.free = problem.free;
+    if (options.held_among > 0) options.held_among = given.free.size();
     options.passes = passes;
     Assimilation start = widened(nominal_start(from, m), problem);
     set_drives(effects, m, start.noise.disturbance);

@@ -2,6 +2,7 @@
 #include "lacuna/cli/cli.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <iostream>
 #include <stdexcept>
@@ -141,6 +142,25 @@ int run_chosen(const cli::Command& command, const cli::Session& session) {
   }
 }
 
+/// An argument as a shell takes it: in quotes where it has more than letters of file names.
+std::string quoted(const std::string& argument) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_-./,=:+@%").find(c) != std::string_view::npos;
+  };
+  if (!argument.empty() && std::all_of(argument.begin(), argument.end(), plain))
+    return argument;
+  std::string text = "'";
+  for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string command_line(int argc, const char* const* argv) {
+  std::string line = "lacuna";
+  for (int i = 1; i < argc; ++i) line += " " + quoted(argv[i]);
+  return line;
+}
+
 /// The status, unless what was to be shown is lost.
 int with_output_checked(int status, const CliStreams& streams) {
   streams.out.flush();
@@ -178,8 +198,8 @@ int run_cli(int argc, const char* const* argv, const Registry& registry, CliStre
   const auto chosen = std::find_if(commands.begin(), commands.end(),
                                    [](const auto& command) { return command.app->parsed(); });
   const cli::InterruptGuard interrupt;
-  return with_output_checked(run_chosen(*chosen, {registry, streams, interrupt.token()}),
-                             streams);
+  const cli::Session session{registry, streams, interrupt.token(), command_line(argc, argv)};
+  return with_output_checked(run_chosen(*chosen, session), streams);
 }
 
 }  // namespace lacuna

@@ -134,12 +134,14 @@ void check_outputs(const std::vector<std::string>& inputs,
   }
 }
 
-OdeModel load_model(const std::string& path) {
+OdeModel load_model(const std::string& path) { return load_system(path).model(); }
+
+SystemModel load_system(const std::string& path) {
   std::error_code unreadable;
   if (!fs::exists(path, unreadable))
     for (const TestSystem& system : test_systems())
       if (system.name == path) return system.model;
-  return read_model(path);
+  return read_system(path);
 }
 
 }  // namespace lacuna::cli

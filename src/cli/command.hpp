@@ -10,7 +10,7 @@
 
 #include "lacuna/cli/cli.hpp"
 #include "lacuna/core/run_context.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/model/system_model.hpp"
 
 namespace lacuna::cli {
 
@@ -19,6 +19,7 @@ struct Session {
   const Registry& registry;
   CliStreams streams;
   std::stop_token stop;
+  std::string command_line = {};  ///< as a shell would take it, for reports
 };
 
 /// A declared subcommand and what it does when it is chosen; gives the exit status.
@@ -72,5 +73,8 @@ void check_outputs(const std::vector<std::string>& inputs,
 
 /// A model file, or a test system by its name when there is no such file.
 OdeModel load_model(const std::string& path);
+
+/// The same with its parameters.
+SystemModel load_system(const std::string& path);
 
 }  // namespace lacuna::cli

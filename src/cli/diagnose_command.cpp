@@ -11,7 +11,9 @@
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/report/diagnosis_report.hpp"
+#include "lacuna/report/pages.hpp"
 #include "limit_options.hpp"
+#include "report_options.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -28,8 +30,9 @@ struct Options {
   std::optional<std::string> config;
   std::vector<std::string> assignments;
   std::optional<int> max_effects;
-  bool fill_gap = false, explain = false;
+  bool fill_gap = false, explain = false, full = false;
   std::optional<std::string> json, model_out;
+  ReportOptions report;
 };
 
 /// "w:sin(th)=5%" or "w:sin(th)=0.2": the standard deviation of a nominal coefficient.
@@ -100,7 +103,8 @@ std::vector<std::string> inputs_of(const Options& options) {
 
 int diagnose_command(const Session& session, const Options& options) {
   check_outputs(inputs_of(options),
-                {{"--model-out", options.model_out}, {"--json", options.json}});
+                with_report({{"--model-out", options.model_out}, {"--json", options.json}},
+                            options.report));
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
@@ -116,8 +120,10 @@ int diagnose_command(const Session& session, const Options& options) {
     write_output(session, *options.model_out,
                  format_model_for(*options.model_out, diagnosis.augmented));
   if (options.json) write_output(session, *options.json, format_json(diagnosis));
-  if (options.json != "-" && options.model_out != "-") {
+  write_report(session, options.report, [&] { return diagnosis_page(diagnosis); });
+  if (options.json != "-" && options.model_out != "-" && options.report.page != "-") {
     show(session, format_text(diagnosis));
+    if (options.full) show(session, "\nAugmented model\n" + to_text(diagnosis.augmented));
     if (options.explain) show(session, "\n" + format_trail(diagnosis));
   }
   return 0;
@@ -137,6 +143,7 @@ void declare_search_options(CLI::App& app, Options& options) {
       ->type_name("PATH=VALUE");
   app.add_flag("--explain", options.explain,
                "Show every account that was judged and the number that decided");
+  app.add_flag("--full", options.full, "Show the augmented model with all its digits too");
   app.add_flag("--fill-gap", options.fill_gap,
                "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
   app.add_option("--tolerance", options.tolerances,
@@ -169,6 +176,7 @@ Command declare_diagnose(CLI::App& root) {
       ->type_name("FILE|-");
   app->add_option("--json", options->json, "Write the diagnosis as JSON; - for standard output")
       ->type_name("FILE|-");
+  declare_report_options(*app, options->report);
   // Candidates are fitted side by side; all cores are in use unless told otherwise.
   options->run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   declare_run_options(*app, options->run);

@@ -7,7 +7,9 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
-#include "lacuna/report/identification_report.hpp"
+#include "lacuna/realisation/identify_hidden.hpp"
+#include "lacuna/report/pages.hpp"
+#include "report_options.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -16,9 +18,11 @@ struct Options {
   DataOptions data;
   RunOptions run;
   std::optional<std::string> preset, config, terms;
-  std::optional<int> degree;
+  std::optional<int> degree, hidden;
   std::vector<std::string> assignments;
   std::optional<std::string> model_out, json;
+  ReportOptions report;
+  bool full = false;
   std::string integrator = "rk4";
 };
 
@@ -33,6 +37,9 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
       ->type_name("D");
   app.add_option("--terms", options.terms, "Candidate terms outright, e.g. \"sign(q_d1),1,F\"")
       ->type_name("LIST");
+  app.add_option("--hidden", options.hidden,
+                 "States that nobody measured: 1, found by the derivative of a measured one")
+      ->type_name("N");
   app.add_option("--set", options.assignments,
                  "One value of the configuration, e.g. regressor.threshold=0.05; repeatable")
       ->type_name("PATH=VALUE");
@@ -45,6 +52,8 @@ void declare_output_options(CLI::App& app, Options& options) {
   app.add_option("--json", options.json,
                  "Write the whole result as JSON; - for standard output")
       ->type_name("FILE|-");
+  declare_report_options(app, options.report);
+  app.add_flag("--full", options.full, "Show numbers with all their digits");
   app.add_option("--integrator", options.integrator, "Method of the verification")
       ->type_name("NAME")
       ->capture_default_str();
@@ -77,8 +86,13 @@ void verify(IdentificationReport& report, const Dataset& data, const Integrator&
       warnings.push_back("synchronisation with the record failed: " + sync.message);
     else if (!sync.settled)
       warnings.push_back("synchronisation with the record did not settle");
-    report.sync = SyncReport{std::move(sync), data.states, data.time_unit, false,
-                             std::string(integrator.info().name)};
+    SyncVerdict verdict = judge(report.result.model, data, sync);
+    report.sync = SyncReport{std::move(sync),
+                             data.states,
+                             data.time_unit,
+                             false,
+                             std::string(integrator.info().name),
+                             std::move(verdict)};
   } catch (const DataError& error) {
     warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
   }
@@ -91,18 +105,25 @@ bool found_a_model(const IdentificationResult& result) {
 }
 
 void write_results(const Session& session, const Options& options,
-                   const IdentificationReport& report) {
+                   const IdentificationReport& report, const Dataset& data) {
   if (options.model_out)
     write_output(session, *options.model_out,
                  format_model_for(*options.model_out, report.result.model));
   if (options.json) write_output(session, *options.json, format_json(report));
-  if (options.json != "-" && options.model_out != "-") show(session, format_text(report));
+  write_report(session, options.report, [&] { return identification_page(report, data); });
+  if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
+    show(session, format_text(report, options.full));
 }
 
 /// Forms beside the library enter where the user has not said what the library is.
-IdentificationResult identified(const Session& session, const Options& options,
-                                const Dataset& data, const Pipeline& pipeline,
-                                const RunContext& context) {
+IdentificationResult identified(const Session& session, const Options& options, Dataset& data,
+                                const Pipeline& pipeline, const RunContext& context) {
+  if (options.hidden) {
+    HiddenIdentification found = identify_hidden(
+        data, pipeline, *differentiator_of(*pipeline.formulation), "h1", context);
+    data = std::move(found.data);
+    return std::move(found.result);
+  }
   const bool chosen = options.preset || options.config || options.terms || options.degree ||
                       !options.assignments.empty();
   if (chosen) return identify(data, pipeline, context);
@@ -112,13 +133,17 @@ IdentificationResult identified(const Session& session, const Options& options,
 int identify_command(const Session& session, const Options& options) {
   check_outputs(files_read(options.data, options.config ? std::vector{*options.config}
                                                         : std::vector<std::string>{}),
-                {{"--model-out", options.model_out}, {"--json", options.json}});
+                with_report({{"--model-out", options.model_out}, {"--json", options.json}},
+                            options.report));
+  if (options.hidden && *options.hidden != 1)
+    throw ConfigError("--hidden", "only one hidden state can be identified",
+                      "give 1, or measure more");
   const Configuration configuration = make_configuration(options);
   const Pipeline pipeline = configuration.build(session.registry);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data = load(options, pipeline);
+  Dataset data = load(options, pipeline);
 
   IdentificationReport report{identified(session, options, data, pipeline, context), pipeline,
                               configuration.text()};
@@ -126,7 +151,7 @@ int identify_command(const Session& session, const Options& options) {
                                 data.notes.end());
   verify(report, data, *integrator, context);
   finish_progress(session, options.run);
-  write_results(session, options, report);
+  write_results(session, options, report, data);
   if (found_a_model(report.result)) return 0;
   session.streams.err << "lacuna: error: no equation was found: no candidate term explains a "
                          "derivative; try other terms (--degree, --terms) or --preset robust\n";

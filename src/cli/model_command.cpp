@@ -16,7 +16,7 @@ struct Options {
 /// To standard output goes the format that the model does not have yet.
 int model_command(const Session& session, const Options& options) {
   check_outputs({options.model}, {{"--output", options.output}});
-  const OdeModel model = load_model(options.model);
+  const SystemModel model = load_system(options.model);
   const bool was_text = std::filesystem::path(options.model).extension() == ".ode";
   const std::string other = was_text ? "out.json" : "out.ode";
   write_output(session, options.output,

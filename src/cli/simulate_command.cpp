@@ -8,6 +8,7 @@
 #include "lacuna/data/write.hpp"
 #include "lacuna/dynamics/record_input.hpp"
 #include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/model/output_values.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/records/shown_holds.hpp"
 
@@ -63,27 +64,57 @@ Dataset input_records(const OdeModel& model, const Options& options) {
   return read_inputs(model, *options.input_data, roles);
 }
 
-Solution run(const OdeModel& model, const Integrator& integrator, const Options& options,
-             const RunContext& context) {
+/// What was simulated and the inputs at its times.
+struct Run {
+  Solution orbit;
+  Matrix inputs;  ///< n x p
+};
+
+Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
+  Matrix values(times.size(), count);
+  Vector row(count);
+  for (Index i = 0; i < times.size(); ++i) {
+    inputs(times[i], row.data());
+    values.row(i) = row.transpose();
+  }
+  return values;
+}
+
+Run run(const OdeModel& model, const Integrator& integrator, const Options& options,
+        const RunContext& context) {
   const Vector start = parse_start(model, options.x0);
   const Vector times = parse_times(options);
-  if (model.inputs().empty()) return simulate(model, integrator, start, times, context);
+  if (model.inputs().empty())
+    return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};
   const Dataset record = input_records(model, options);
   const OdeModel driven = with_shown_holds(model, record);
   RecordInput inputs(record.trajectories.front(), driven.inputs());
-  return simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times,
-                  context);
+  Solution orbit =
+      simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times, context);
+  return {std::move(orbit),
+          inputs_at(times, inputs, static_cast<Index>(model.inputs().size()))};
 }
 
-Dataset as_dataset(const OdeModel& model, Solution orbit) {
+/// States and, behind them, the outputs that are called otherwise.
+Dataset as_dataset(const OdeModel& model, Run run) {
+  Solution& orbit = run.orbit;
   Dataset data;
   data.time_unit = model.time_unit();
   data.states = model.states();
   Trajectory trajectory;
   trajectory.source = "simulation";
   trajectory.inputs = Matrix(orbit.time.size(), 0);
+  const Matrix outputs = output_values(model, orbit.time, orbit.states, run.inputs);
   trajectory.time = std::move(orbit.time);
   trajectory.states = std::move(orbit.states);
+  for (std::size_t i = 0; i < model.outputs().size(); ++i) {
+    const Output& output = model.outputs()[i];
+    const auto state = state_of(model, output);
+    if (state && model.states()[static_cast<std::size_t>(*state)].name == output.name) continue;
+    data.states.push_back({output.name, output.unit});
+    trajectory.states.conservativeResize(Eigen::NoChange, data.state_count());
+    trajectory.states.rightCols(1) = outputs.col(static_cast<Index>(i));
+  }
   data.trajectories.push_back(std::move(trajectory));
   return data;
 }
@@ -95,14 +126,14 @@ int simulate_command(const Session& session, const Options& options) {
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
-  Solution orbit = run(model, *integrator, options, context);
+  Run done = run(model, *integrator, options, context);
   finish_progress(session, options.run);
-  if (orbit.status != IntegrationStatus::Completed) {
-    session.streams.err << "lacuna: error: " << orbit.message
+  if (done.orbit.status != IntegrationStatus::Completed) {
+    session.streams.err << "lacuna: error: " << done.orbit.message
                         << "; nothing was written, end earlier or start elsewhere\n";
     return 1;
   }
-  const Dataset data = as_dataset(model, std::move(orbit));
+  const Dataset data = as_dataset(model, std::move(done));
   if (options.output)
     write_csv(*options.output, data);
   else

@@ -6,7 +6,8 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/records/shown_holds.hpp"
-#include "lacuna/report/sync_report.hpp"
+#include "lacuna/report/pages.hpp"
+#include "report_options.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -19,6 +20,7 @@ struct Options {
   std::string integrator = "rk4";
   std::string differentiator = "finite-differences";
   std::optional<std::string> json;
+  ReportOptions report;
 };
 
 /// K from "x=1,y=0.5": states that are not named are not coupled.
@@ -40,7 +42,8 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
 }
 
 int sync_command(const Session& session, const Options& options) {
-  check_outputs(files_read(options.data, {options.model}), {{"--json", options.json}});
+  check_outputs(files_read(options.data, {options.model}),
+                with_report({{"--json", options.json}}, options.report));
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
@@ -50,12 +53,15 @@ int sync_command(const Session& session, const Options& options) {
   const Dataset data =
       read_records(model, options.data.paths, common_roles(options.data), *differentiator);
 
+  check_states_known(model, data);
   const OdeModel driven = with_shown_holds(model, data);
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), options.integrator};
+  report.verdict = judge(driven, data, report.result);
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(report));
-  if (options.json != "-") show(session, format_text(report));
+  write_report(session, options.report, [&] { return sync_page(report, data); });
+  if (options.json != "-" && options.report.page != "-") show(session, format_text(report));
   if (report.result.status == IntegrationStatus::Completed) return 0;
   session.streams.err << "lacuna: error: " << report.result.message
                       << "; try a stronger --coupling\n";
@@ -86,6 +92,7 @@ Command declare_sync(CLI::App& root) {
       ->capture_default_str();
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
       ->type_name("FILE|-");
+  declare_report_options(*app, options->report);
   declare_run_options(*app, options->run);
   return {app, [options](const Session& session) { return sync_command(session, *options); }};
 }

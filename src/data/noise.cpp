@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -195,6 +196,7 @@ StateNoise analyse_state(const Dataset& data, Index state) {
   const std::optional<double> level = plateau(sigmas);
   noise.sigma = level.value_or(least(sigmas));
   noise.kind = level && *level > 0.0 ? NoiseKind::White : NoiseKind::None;
+  if (level) noise.order = static_cast<Index>(first_level(sigmas)) + 1;
   noise.lattice = lattice_of(data, state);
   const double rounding = noise.lattice.value_or(0.0) / std::sqrt(12.0);
   if (rounding > 0.0 && noise.sigma <= 1.5 * rounding) {
@@ -270,14 +272,31 @@ std::string to_string(NoiseKind kind) {
   }
 }
 
+Vector difference_sizes(const Trajectory& record, Index state, Index order) {
+  Differences differences(record, state);
+  std::vector<double> sizes;
+  for (Index k = 1; k <= order; ++k) {
+    sizes.clear();
+    differences.advance(k, 1, sizes);
+  }
+  return Eigen::Map<const Vector>(sizes.data(), static_cast<Index>(sizes.size()));
+}
+
 std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma,
+                                    double deviations) {
+  if (!(sigma > 0.0)) sigma = std::numeric_limits<double>::min();
+  return outlying_samples(record, state, Vector::Constant(record.samples(), sigma).eval(),
+                          deviations);
+}
+
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, const Vector& sigma,
                                     double deviations) {
   std::vector<Index> outliers;
   if (record.samples() < static_cast<Index>(kFewest)) return outliers;
-  const Vector deviation = without_local_median(bends(record, state)).cwiseAbs();
+  const Vector deviation =
+      without_local_median(bends(record, state)).cwiseAbs().cwiseQuotient(sigma);
   std::vector<double> sizes(deviation.begin(), deviation.end());
-  const double limit =
-      deviations * std::max(std::sqrt(1.5) * sigma, median(sizes) / kNormalMedian);
+  const double limit = deviations * std::max(std::sqrt(1.5), median(sizes) / kNormalMedian);
   for (Index i = 1; i + 1 < deviation.size(); ++i)
     if (deviation[i] > limit && deviation[i] >= deviation[i - 1] &&
         deviation[i] >= deviation[i + 1])

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "coefficient_changes.hpp"
+#include "identifiability.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/decision/holdout.hpp"
 #include "lacuna/estimation/timing_jitter.hpp"
@@ -36,7 +37,8 @@ std::string list_of_names(const Account& account, const OdeModel& nominal) {
 /// some equation.
 bool coefficients_off(const Problem& problem, const Baseline& base) {
   const double gain = base.given.deviance - base.fitted.deviance;
-  const auto free = static_cast<double>(base.fit_options.free.size());
+  const auto free = static_cast<double>(base.fit_options.free.size()) -
+                    static_cast<double>(base.fitted.held.cols());
   const DecisionOptions& decision = problem.options.decision;
   return sigma_of_gain(gain, free, 1.0) >= decision.significance &&
          largest_rate_change(problem.nominal, base.fitted) >= decision.effect_size;
@@ -149,6 +151,11 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
   if (!hearing.note.empty()) result.notes.push_back(hearing.note);
   add_notes(problem, result);
+  result.hints = identifiability_hints(problem, base, fit);
+  if (fit.held.cols() > 0 && !result.effects.empty())
+    result.notes.push_back(
+        "where the records tell coefficients only together, sizes of effects hold for the "
+        "proportion that the model gives");
   if (!result.remaining.structure) add_jitter_note(problem, fit, result);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identifiability.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
 #include "lacuna/estimation/innovation_system.hpp"
 
@@ -31,9 +32,11 @@ std::vector<CoefficientChange> coefficient_changes(const OdeModel& nominal,
     const WeightedTerm& before = term_at(nominal, place);
     const double now = term_at(fit.model, place).coefficient;
     const double deviation = deviation_of(fit, j);
-    const double sigma = deviation > 0.0 ? std::abs(now - before.coefficient) / deviation : 0.0;
-    changes.push_back(
-        {place.equation, before.term.name(), before.coefficient, now, deviation, sigma});
+    const bool determined = !is_held(fit, static_cast<Index>(j));
+    const double sigma =
+        determined && deviation > 0.0 ? std::abs(now - before.coefficient) / deviation : 0.0;
+    changes.push_back({place.equation, before.term.name(), before.coefficient, now,
+                       determined ? deviation : 0.0, sigma, determined});
   }
   std::stable_sort(changes.begin(), changes.end(),
                    [](const auto& a, const auto& b) { return a.sigma > b.sigma; });
@@ -65,6 +68,7 @@ OdeModel with_intervals(const Assimilation& fit) {
   for (std::size_t j = 0; j < fit.free.size(); ++j) {
     WeightedTerm& summand = equations[static_cast<std::size_t>(fit.free[j].equation)]
                                      [static_cast<std::size_t>(fit.free[j].term)];
+    if (is_held(fit, static_cast<Index>(j))) continue;
     const double deviation = deviation_of(fit, j);
     summand.standard_error = deviation;
     summand.ci95 = {

@@ -3,14 +3,17 @@
 #include "lacuna/diagnosis/diagnose.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "answer.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
+#include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/records/hints.hpp"
 #include "lacuna/records/read_records.hpp"
+#include "output_channels.hpp"
 
 namespace lacuna {
 namespace {
@@ -39,10 +42,13 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
     parts.check = std::move(other.data);
   }
   Dataset unused = unused_part(nominal, parts.find);
-  BoundRecords find =
-      observed(used_part(nominal, std::move(parts.find)), channel_options(decision));
+  const auto with_start = [&](Dataset part) {
+    part = used_part(nominal, std::move(part));
+    return with_hidden_paths(nominal, part, hidden_states(nominal, part), given_begin(nominal));
+  };
+  BoundRecords find = observed(with_start(std::move(parts.find)), channel_options(decision));
   all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
-  return {std::move(find), std::move(unused), used_part(nominal, std::move(parts.check)),
+  return {std::move(find), std::move(unused), with_start(std::move(parts.check)),
           std::move(all.notes)};
 }
 
@@ -98,11 +104,13 @@ std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
 
 }  // namespace
 
-Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
+Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
+  const OdeModel nominal = with_output_channels(model, data);
   Records records = prepared(nominal, data, held_out, options.decision);
-  std::vector<Hint> hints =
-      look_at(nominal, records.find, records.unused, options.decision.hints);
+  std::vector<Hint> hints;
+  if (hidden_states(nominal, records.find.data).empty())
+    hints = look_at(nominal, records.find, records.unused, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
   records.check =
       observed_alike(std::move(records.check), records.find, channel_options(options.decision));
@@ -121,8 +129,10 @@ Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& 
   Diagnosis diagnosis = make_answer(problem, std::move(judged), std::move(gap), hearing);
   diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
-  diagnosis.hints = std::move(hints);
+  diagnosis.hints.insert(diagnosis.hints.begin(), std::make_move_iterator(hints.begin()),
+                         std::make_move_iterator(hints.end()));
   add_coefficient_hints(problem, diagnosis);
+  diagnosis.augmented = without_output_channels(diagnosis.augmented, model);
   return diagnosis;
 }
 

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/data/marks.hpp"
+#include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
+#include "lacuna/estimation/window_paths.hpp"
 
 namespace lacuna {
 namespace {
@@ -52,13 +55,15 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
 /// The model on records, with noise of the kind that was found and without the summands that
 /// the measurement has: these are taken on the path, which moves with them. Marked samples that
 /// are outliers are left out.
-Assimilation without_faults(const Assimilation& found, Dataset& data, double outlying,
+Assimilation without_faults(const Assimilation& found, Dataset& data,
+                            const std::vector<bool>& hidden, double outlying,
                             const RunContext& context) {
   AssimilationOptions options;
   options.coloured = found.noise.coloured;
+  options.hidden = hidden;
   std::vector<Matrix> marks;
   for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
-  Assimilation fit = assimilate(found.model, data, marks, options, context);
+  Assimilation fit = assimilate_from_starts(found.model, data, marks, options, context);
   OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
   fit.omitted = std::move(outliers.outliers);
   if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
@@ -87,6 +92,7 @@ NoiseModel narrowed(NoiseModel noise, Index m) {
 /// The nominal model and the one with effects on the same windows.
 struct Comparison {
   WindowSquares before, after;
+  GapRecord runs = {};
 };
 
 /// On one record.
@@ -99,8 +105,15 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
   constexpr double kExact = 1e-4;  // of a deviation: no error of the integration shows
   const LinearisedRecord bare =
       linearise(nominal, given, Matrix(full.path.leftCols(m)), kExact * scale.head(m));
-  return {window_squares(bare, {given.states, own}, narrowed(fit.noise, m), scale, grid),
-          window_squares(full, {fit.measured[record], omitted}, fit.noise, scale, grid)};
+  const NoiseModel noise = narrowed(fit.noise, m);
+  const Matrix& corrected = fit.measured[record];
+  const Matrix after = window_paths(full, {corrected, omitted}, fit.noise, grid);
+  return {window_squares(bare, {given.states, own}, noise, scale, grid),
+          window_squares(full, {corrected, omitted}, fit.noise, scale, grid),
+          // What the measurement adds stands in what the augmented model says of the samples.
+          {given.source, given.time, given.states,
+           window_paths(bare, {given.states, own}, noise, grid),
+           after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
 }
 
 std::vector<std::string> sources_of(const Dataset& data) {
@@ -121,18 +134,21 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
   const Assimilation fit =
-      without_faults(explanation.fit, problem.data, held_out.outlying, context);
+      without_faults(explanation.fit, problem.data, hidden_states(nominal, held_out.corrected),
+                     held_out.outlying, context);
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;
+  std::vector<GapRecord> runs;
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
     const Index samples = std::min(length, fit.records[r].samples());
     const Trajectory& given = held_out.given.trajectories[r];
     const Index begin =
         first_known(nominal, explanation.effects, held_out.corrected.trajectories[r], samples);
-    const Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
+    Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
     all.before.add(one.before);
     all.after.add(one.after);
+    runs.push_back(std::move(one.runs));
   }
   const Vector& time = fit.records.front().time;
   const double floor = noise_floor(fit.noise, scale);
@@ -145,7 +161,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
       all.after.above(floor),
       static_cast<double>(length) * (time[1] - time[0]),
       sources_of(held_out.given),
-      all.before.diverged + all.after.diverged};
+      all.before.diverged + all.after.diverged,
+      std::move(runs)};
 }
 
 }  // namespace lacuna

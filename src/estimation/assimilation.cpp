@@ -7,11 +7,13 @@
 #include <limits>
 #include <optional>
 
+#include "determined_step.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/marks.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/estimation/innovation_system.hpp"
 #include "lacuna/estimation/variance_fit.hpp"
+#include "lacuna/model/formula_channel.hpp"
 
 namespace lacuna {
 namespace {
@@ -24,6 +26,13 @@ Vector spans(const Dataset& data) {
     high = high.cwiseMax(record.states.colwise().maxCoeff().transpose());
   }
   return (high - low).cwiseMax(std::numeric_limits<double>::min());
+}
+
+double coefficient_at(const OdeModel& model, const CoefficientPlace& place) {
+  return model
+      .equations()[static_cast<std::size_t>(place.equation)]
+                  [static_cast<std::size_t>(place.term)]
+      .coefficient;
 }
 
 OdeModel with_coefficients(const OdeModel& model, const std::vector<CoefficientPlace>& places,
@@ -59,8 +68,13 @@ class Turns {
       // The noise of the measurement is known roughly from the start, the disturbances are not.
       const bool settling = fresh && pass < kSettlingPasses;
       variances_.set_white_moves(!settling);
+      const std::vector<Matrix> before =
+          options_.hidden.empty() ? std::vector<Matrix>() : paths();
       improve_noise_and_path();
-      relinearise();
+      if (options_.hidden.empty())
+        relinearise();
+      else
+        relinearise_in_reach(before);
       update_coefficients();
       if (settling) continue;
       if (state_.deviance < last - kUnnoticedDeviance) {
@@ -130,6 +144,38 @@ class Turns {
       state_.records[r].path += best.records[r].deviation;
   }
 
+  /// The path where the model has rates: between the one before and the one that was found.
+  void relinearise_in_reach(const std::vector<Matrix>& before) {
+    constexpr int kHalvings = 6;
+    relinearise();
+    for (int halving = 0; halving < kHalvings && !is_linearised(); ++halving) {
+      for (std::size_t r = 0; r < state_.records.size(); ++r)
+        state_.records[r].path = 0.5 * (state_.records[r].path + before[r]);
+      relinearise();
+    }
+  }
+
+  bool is_linearised() const {
+    return std::all_of(state_.records.begin(), state_.records.end(), [](const auto& record) {
+      return record.defect.allFinite() && record.transition.allFinite();
+    });
+  }
+
+  std::vector<Matrix> paths() const {
+    std::vector<Matrix> paths;
+    for (const LinearisedRecord& record : state_.records) paths.push_back(record.path);
+    return paths;
+  }
+
+  /// Sizes of the unknowns where directions may be undetermined: of the nominal coefficients.
+  Vector sizes() const {
+    Vector size = Vector::Zero(static_cast<Index>(state_.free.size()) +
+                               static_cast<Index>(state_.channel_terms.size()));
+    for (std::size_t j = 0; j < options_.held_among && j < state_.free.size(); ++j)
+      size[static_cast<Index>(j)] = std::abs(coefficient_at(state_.model, state_.free[j]));
+    return size;
+  }
+
   void update_coefficients() {
     const InnovationSystem system(state_);
     state_.deviance = system.deviance();
@@ -139,13 +185,7 @@ class Turns {
     Matrix normal = columns.transpose() * columns;
     Vector right = columns.transpose() * system.innovations();
     add_priors(normal, right);
-    const Vector scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-    const Matrix scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-    const Eigen::LDLT<Matrix> factor(scaled);
-    const Vector change = scale.asDiagonal() * factor.solve(scale.asDiagonal() * right);
-    state_.covariance = scale.asDiagonal() *
-                        factor.solve(Matrix::Identity(scaled.rows(), scaled.cols())) *
-                        scale.asDiagonal();
+    const Vector change = solved(normal, right);
     if (!change.allFinite()) return;
     state_.deviance -= change.dot(right);
     const auto free = static_cast<Index>(state_.free.size());
@@ -154,6 +194,24 @@ class Turns {
     for (std::size_t j = 0; j < state_.channel_terms.size(); ++j)
       state_.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
     correct_channels();
+  }
+
+  /// The step of least squares; leaves the covariance behind.
+  Vector solved(const Matrix& normal, const Vector& right) {
+    constexpr double kTold = 3.0;  // of a coefficient: what its deviation is less than
+    if (options_.held_among > 0) {
+      DeterminedStep step = determined_step(normal, right, sizes(), kTold, options_.unseen);
+      state_.covariance = std::move(step.covariance);
+      state_.held = std::move(step.held);
+      return std::move(step.change);
+    }
+    const Vector scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Matrix scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    const Eigen::LDLT<Matrix> factor(scaled);
+    state_.covariance = scale.asDiagonal() *
+                        factor.solve(Matrix::Identity(scaled.rows(), scaled.cols())) *
+                        scale.asDiagonal();
+    return scale.asDiagonal() * factor.solve(scale.asDiagonal() * right);
   }
 
   /// What new coefficients predict beyond the path, to first order, so that the records need
@@ -188,10 +246,7 @@ class Turns {
     for (const CoefficientPrior& prior : options_.priors)
       for (std::size_t j = 0; j < state_.free.size(); ++j) {
         if (!(state_.free[j] == prior.place)) continue;
-        const double now = state_.model
-                               .equations()[static_cast<std::size_t>(prior.place.equation)]
-                                           [static_cast<std::size_t>(prior.place.term)]
-                               .coefficient;
+        const double now = coefficient_at(state_.model, prior.place);
         const double weight = 1.0 / (prior.deviation * prior.deviation);
         normal(static_cast<Index>(j), static_cast<Index>(j)) += weight;
         right[static_cast<Index>(j)] += weight * (prior.mean - now);
@@ -206,6 +261,12 @@ class Turns {
   std::optional<Assimilation> best_;
   int rises_ = 0;
 };
+
+/// Whether an equation holds exactly: an identity, or the formula of a channel.
+bool is_exact(const OdeModel& model, Index equation) {
+  return is_formula_channel(model.states()[static_cast<std::size_t>(equation)]) ||
+         identity_of(model, equation).has_value();
+}
 
 /// Noise that the samples show: against their neighbours, or as values on a lattice.
 Vector visible_noise(const Dataset& data) {
@@ -233,7 +294,7 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
     const auto measured = data.is_measured(k) ? std::optional(white[k]) : std::nullopt;
     noise.measurement.push_back(measured);
     const bool disturbed = options.disturbed.empty()
-                               ? !identity_of(model, k)
+                               ? !is_exact(model, k)
                                : options.disturbed[static_cast<std::size_t>(k)];
     const Vector change = record.states.col(k).tail(record.samples() - 1) -
                           record.states.col(k).head(record.samples() - 1);
@@ -254,10 +315,10 @@ Vector resolution_of(const Dataset& data) {
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {
   std::vector<CoefficientPlace> places;
   for (Index k = 0; k < model.dimension(); ++k) {
-    if (identity_of(model, k)) continue;
-    const auto terms =
-        static_cast<Index>(model.equations()[static_cast<std::size_t>(k)].size());
-    for (Index j = 0; j < terms; ++j) places.push_back({k, j});
+    if (is_exact(model, k)) continue;
+    const Equation& equation = model.equations()[static_cast<std::size_t>(k)];
+    for (std::size_t j = 0; j < equation.size(); ++j)
+      if (!equation[j].fixed) places.push_back({k, static_cast<Index>(j)});
   }
   return places;
 }

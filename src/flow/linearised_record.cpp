@@ -9,6 +9,7 @@
 #include "lacuna/flow/rates.hpp"
 #include "lacuna/flow/record_steps.hpp"
 #include "lacuna/flow/secant_slopes.hpp"
+#include "lacuna/model/formula_channel.hpp"
 
 namespace lacuna {
 namespace {
@@ -32,12 +33,52 @@ Vector part_lengths(const Vector& length, const StepGrid& grid, int parts) {
   return result / parts;
 }
 
+Vector range_of(const Matrix& path) {
+  return path.colwise().maxCoeff() - path.colwise().minCoeff();
+}
+
 /// What is accurate enough for transitions and responses, which multiply small deviations only:
 /// a thousandth of the range of each state.
 Vector accuracy_of_variations(const Matrix& path, const Vector& accuracy) {
   constexpr double kThousandth = 1e-3;
-  const Vector range = path.colwise().maxCoeff() - path.colwise().minCoeff();
-  return accuracy.cwiseMax(kThousandth * range);
+  return accuracy.cwiseMax(kThousandth * range_of(path));
+}
+
+/// Channels that are formulas of the states: what is measured there follows the states without
+/// a memory. With the derivatives H of the formula at the end of a step, a deviation d of the
+/// states makes H d; the step's response and defect are those of the states seen through H.
+/// @param slopes m^2 x grid.rows(n): derivatives of all equations.
+void see_through(const std::vector<Quantity>& states, Rates& rates, const StepSlots& slots,
+                 const Matrix& slopes, LinearisedRecord& record) {
+  const Index m = record.states();
+  std::vector<Index> formulas;
+  for (Index k = 0; k < m; ++k)
+    if (is_formula_channel(states[static_cast<std::size_t>(k)])) formulas.push_back(k);
+  if (formulas.empty()) return;
+  const auto samples = Eigen::seq(0, slots.nodes.rows() - 1, slots.grid.stride);
+  const Matrix points = slots.nodes(samples, Eigen::all);
+  Matrix values(points.rows(), m);
+  rates.rate(points, values);
+  for (Index i = 0; i < record.steps(); ++i) {
+    const Eigen::Map<const Matrix> slope(slopes.col(slots.grid.begin(i + 1)).data(), m, m);
+    Eigen::Map<Matrix> transition(record.transition.col(i).data(), m, m);
+    Eigen::Map<Matrix> response(record.response.col(i).data(), m, 3 * m);
+    for (const Index k : formulas) {
+      transition.col(k).setZero();
+      response.middleCols(3 * k, 3).setZero();
+      for (auto* rows : {&transition, &response}) rows->row(k).setZero();
+      record.defect(k, i) = 0.0;
+    }
+    for (const Index k : formulas) {
+      const Vector h = slope.row(k).transpose();
+      const Vector moved = transition.transpose() * h, pushed = response.transpose() * h;
+      transition.row(k) = moved.transpose();
+      response.row(k) = pushed.transpose();
+      record.defect(k, i) =
+          values(i + 1, k) + h.dot(record.defect.col(i)) - record.path(i + 1, k);
+      if (record.bridge.size() > 0) record.bridge(k, i) = 0.0;
+    }
+  }
 }
 
 /// What inputs that jump at unknown instants of a step may do to the states: a jump that is
@@ -80,12 +121,13 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
   const int fewer = parts_for(rates, slots, accuracy_of_variations(path, accuracy));
-  StepResponses responses = step_responses(
-      secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, fewer), accuracy),
-      result.grid, length, {m, fewer});
+  const Matrix slopes =
+      secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, fewer), accuracy);
+  StepResponses responses = step_responses(slopes, result.grid, length, {m, fewer});
   result.transition = std::move(responses.transition);
   result.response = std::move(responses.response);
   result.bridge = switching_density(model.inputs(), slots, rates);
+  see_through(model.states(), rates, slots, slopes, result);
   return result;
 }
 
@@ -98,7 +140,8 @@ LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index coun
       record.response.middleCols(first, count - 1),
       record.defect.middleCols(first, count - 1),
       {},
-      record.grid};
+      record.grid,
+      record.range.size() > 0 ? record.range : range_of(record.path)};
   if (record.bridge.size() > 0) part.bridge = record.bridge.middleCols(first, count - 1);
   return part;
 }

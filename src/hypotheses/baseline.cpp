@@ -5,8 +5,11 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/noise.hpp"
+#include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
+#include "lacuna/estimation/unseen_changes.hpp"
 #include "lacuna/hypotheses/problem.hpp"
+#include "lacuna/model/formula_channel.hpp"
 
 namespace lacuna {
 namespace {
@@ -18,15 +21,58 @@ JointFitTask joint_fit(const Problem& problem, const Baseline& base) {
   return {base.records->data, problem.nominal, base.fit_options, problem.context};
 }
 
+std::vector<Matrix> paths_of(const Assimilation& fit) {
+  std::vector<Matrix> paths;
+  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
+  return paths;
+}
+
+/// Where a fit with hidden states may start, beside where the one before it has come: a hidden
+/// state whose equation may be disturbed takes the place of what is missing, and the
+/// coefficients go where they say nothing. From the nominal ones, with the disturbances that
+/// they need and with less.
+std::vector<Assimilation> other_starts(const Baseline& base) {
+  constexpr double kLess = 0.1;
+  Assimilation exact = base.given;
+  exact.noise.disturbance *= kLess;
+  return {base.given, std::move(exact)};
+}
+
+/// The scope of effects: channels that are measured as formulas say nothing that the states do
+/// not, and no effect is a function of them.
+Scope scope_of(const OdeModel& nominal, const Dataset& data, const Assimilation& fit) {
+  Index states = 0;
+  for (const Quantity& state : nominal.states()) states += is_formula_channel(state) ? 0 : 1;
+  std::vector<SpectralLine> lines = spectral_lines(fit, kSpectralLines);
+  const Vector noise = estimate_noise(data);
+  if (states == nominal.dimension()) return make_scope(nominal, data, noise, std::move(lines));
+  const auto count = static_cast<std::ptrdiff_t>(states);
+  const OdeModel own(
+      {nominal.states().begin(), nominal.states().begin() + count}, nominal.inputs(),
+      {nominal.equations().begin(), nominal.equations().begin() + count}, nominal.time_unit());
+  Dataset narrow = data;
+  narrow.states.resize(static_cast<std::size_t>(states));
+  narrow.reconstructed.resize(static_cast<std::size_t>(states));
+  for (Trajectory& record : narrow.trajectories) {
+    record.states = Matrix(record.states.leftCols(states));
+    if (record.marks.size() > 0) record.marks = Matrix(record.marks.leftCols(states));
+  }
+  return make_scope(own, narrow, noise.head(states), std::move(lines));
+}
+
 }  // namespace
 
 Baseline plain_baseline(const Problem& problem) {
   const auto& [nominal, records, options, context] = problem;
   context.report("bringing the model onto the records", 0.0);
-  Assimilation given = assimilate(nominal, records.data, records.outliers, {}, context);
+  AssimilationOptions as_given;
+  as_given.hidden = hidden_states(nominal, records.data);
+  Assimilation given =
+      assimilate_from_starts(nominal, records.data, records.outliers, as_given, context);
   OutlierCheck outliers = check_outliers(nominal.states(), given, options.decision.outlying);
   given.omitted = std::move(outliers.outliers);
-  if (outliers.any_false) given = assimilate_from(nominal, records.data, given, {}, context);
+  if (outliers.any_false)
+    given = assimilate_from(nominal, records.data, given, as_given, context);
   if (!std::isfinite(given.deviance))
     throw DataError(records.data.trajectories.front().source,
                     "the model has no finite solution from one sample to the next",
@@ -44,6 +90,14 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
   AssimilationOptions fit_options;
   fit_options.free = std::move(free);
   fit_options.priors = options.tolerances;
+  fit_options.hidden = hidden_states(nominal, data);
+  if (!fit_options.hidden.empty()) {
+    fit_options.held_among = fit_options.free.size();
+    fit_options.unseen =
+        unseen_changes(nominal, with_paths_of(data, fit_options.hidden, paths_of(given)),
+                       fit_options.hidden, fit_options.free, fit_options.priors)
+            .coefficients;
+  }
   Assimilation fitted = settled(assimilate_from(nominal, data, given, fit_options, context),
                                 data, fit_options, context);
   fit_options.passes = kPassesFromBaseline;
@@ -54,9 +108,10 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
     fit_options.free.clear();
     fitted = given;
   }
-  Scope scope =
-      make_scope(nominal, data, estimate_noise(data), spectral_lines(fitted, kSpectralLines));
-  return {std::make_shared<const BoundRecords>(records),
+  BoundRecords known = records;
+  known.data = with_paths_of(std::move(known.data), fit_options.hidden, paths_of(fitted));
+  Scope scope = scope_of(nominal, known.data, fitted);
+  return {std::make_shared<const BoundRecords>(std::move(known)),
           std::move(given),
           std::move(fitted),
           std::move(fit_options),
@@ -76,7 +131,15 @@ double criterion_of(const Problem& problem, const Baseline& base,
 
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects) {
-  return explain(joint_fit(problem, base), start, effects);
+  Explanation best = explain(joint_fit(problem, base), start, effects);
+  if (base.fit_options.hidden.empty()) return best;
+  for (const Assimilation& other : other_starts(base)) {
+    Explanation next = explain(joint_fit(problem, base), other, effects);
+    if (next.fit.deviance < best.fit.deviance - kUnnoticedDeviance ||
+        !std::isfinite(best.fit.deviance))
+      best = std::move(next);
+  }
+  return best;
 }
 
 Explanation explain_roughly_on(const Problem& problem, const Baseline& base,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lacuna/estimation/window_gap.hpp"
+#include "lacuna/model/formula_channel.hpp"
 #include "lacuna/shooting/refine.hpp"
 
 namespace lacuna {
@@ -24,6 +25,11 @@ bool is_plain(const Explanation& explanation) {
 bool has_marks(const Dataset& data) {
   return std::any_of(data.trajectories.begin(), data.trajectories.end(),
                      [](const Trajectory& record) { return record.marks.size() > 0; });
+}
+
+/// Whether a channel is measured as a formula, which is no equation of motion.
+bool has_formulas(const OdeModel& model) {
+  return std::any_of(model.states().begin(), model.states().end(), is_formula_channel);
 }
 
 ParametrisedModel parametrised(const Assimilation& fit, const AssimilationOptions& options) {
@@ -75,7 +81,9 @@ std::optional<Explanation> refit_over_windows(const Problem& problem, const Base
                                               const Explanation& explanation) {
   const DecisionOptions& decision = problem.options.decision;
   const std::optional<Index> length = long_window(explanation.fit, decision.long_window);
-  if (!length || !is_plain(explanation) || has_marks(base.records->data)) return std::nullopt;
+  if (!length || !is_plain(explanation) || has_marks(base.records->data) ||
+      !base.fit_options.hidden.empty() || has_formulas(problem.nominal))
+    return std::nullopt;
   problem.context.report("refitting over windows", 0.0);
   RefineOptions windows;
   windows.window_samples = length;

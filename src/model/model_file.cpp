@@ -79,15 +79,35 @@ std::vector<Quantity> read_quantities(const JsonPlace& list, std::set<std::strin
   return quantities;
 }
 
-Term read_term(const JsonPlace& place, const Variables& variables) {
+/// Delays may have parameters in them, which formulas of known names may not.
+Expression read_formula(const JsonPlace& place, const Variables& variables) {
   const std::string text = place.text();
   try {
-    return Term::parse(text, variables);
+    const Expression formula = parse_expression(text);
+    const std::vector<std::string> known = variables.names();
+    for (const std::string& name : formula.variables())
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        return parse_expression(text, known);  // tells where
+    return formula;
   } catch (const FormulaError& error) {
     place.fail(error.problem(), error.remedy(), ", column " + std::to_string(error.column()));
   } catch (const ModelError& error) {
     place.fail(error.problem(), error.remedy());
   }
+}
+
+Term read_term(const JsonPlace& place, const Variables& variables) {
+  return Term(read_formula(place, variables), variables);
+}
+
+bool read_flag(const JsonPlace& entry, const std::string& key, bool otherwise) {
+  const auto flag = entry.find(key);
+  return flag ? flag->flag() : otherwise;
+}
+
+std::optional<double> read_number(const JsonPlace& entry, const std::string& key) {
+  const auto number = entry.find(key);
+  return number ? std::optional(number->number()) : std::nullopt;
 }
 
 std::array<double, 2> read_interval(const JsonPlace& place) {
@@ -99,14 +119,19 @@ std::array<double, 2> read_interval(const JsonPlace& place) {
   return interval;
 }
 
+std::optional<double> read_error(const JsonPlace& entry) {
+  const std::optional<double> error = read_number(entry, "stderr");
+  if (error && *error < 0.0)
+    entry.at("stderr").fail("a standard error is negative", "remove it");
+  return error;
+}
+
 WeightedTerm read_summand(const JsonPlace& place, const Variables& variables) {
-  place.expect_keys({"term", "coefficient", "ci95", "stderr"});
-  WeightedTerm summand{read_term(place.at("term"), variables),
-                       place.at("coefficient").number()};
-  if (const auto error = place.find("stderr")) {
-    summand.standard_error = error->number();
-    if (*summand.standard_error < 0.0) error->fail("a standard error is negative", "remove it");
-  }
+  place.expect_keys({"term", "coefficient", "ci95", "stderr", "fixed"});
+  WeightedTerm summand{.term = read_term(place.at("term"), variables),
+                       .coefficient = place.at("coefficient").number(),
+                       .fixed = read_flag(place, "fixed", false)};
+  summand.standard_error = read_error(place);
   if (const auto interval = place.find("ci95")) summand.ci95 = read_interval(*interval);
   return summand;
 }
@@ -150,14 +175,83 @@ std::vector<Equation> read_equations(const JsonPlace& list, const Variables& var
   return equations;
 }
 
-std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
+std::vector<std::string> listed(const std::vector<Quantity>& quantities) {
   std::vector<std::string> names;
   for (const Quantity& quantity : quantities) names.push_back(quantity.name);
   return names;
 }
 
-OdeModel read_document(const JsonPlace& root) {
-  root.expect_keys({"format", "description", "time_unit", "states", "inputs", "equations"});
+std::set<std::string> names_of(const std::vector<Quantity>& quantities) {
+  const std::vector<std::string> names = listed(quantities);
+  return {names.begin(), names.end()};
+}
+
+std::vector<Parameter> read_parameters(const JsonPlace& list, std::set<std::string>& taken) {
+  std::vector<Parameter> parameters;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const JsonPlace entry = list.at(i);
+    entry.expect_keys(
+        {"name", "value", "unit", "free", "min", "max", "per_record", "stderr", "ci95"});
+    const JsonPlace name = entry.at("name");
+    check_quantity_name(name, name.text(), taken);
+    Parameter parameter{.name = name.text(),
+                        .value = entry.at("value").number(),
+                        .unit = read_unit(entry, "unit").value_or(""),
+                        .free = read_flag(entry, "free", true),
+                        .min = read_number(entry, "min"),
+                        .max = read_number(entry, "max"),
+                        .per_record = read_flag(entry, "per_record", false),
+                        .standard_error = read_error(entry)};
+    if (const auto interval = entry.find("ci95")) parameter.ci95 = read_interval(*interval);
+    if (const std::string problem = range_problem(parameter); !problem.empty())
+      entry.fail("parameter '" + parameter.name + "': " + problem, "mend value or range");
+    parameters.push_back(std::move(parameter));
+  }
+  return parameters;
+}
+
+/// @param taken names of inputs and parameters, not those of states.
+std::vector<Output> read_outputs(const JsonPlace& list, const OdeModel& model,
+                                 std::set<std::string> taken) {
+  std::vector<Output> outputs;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const JsonPlace entry = list.at(i);
+    entry.expect_keys({"name", "expression", "unit"});
+    const JsonPlace name = entry.at("name");
+    check_quantity_name(name, name.text(), taken);
+    const Output output{name.text(), read_unit(entry, "unit").value_or(""),
+                        read_formula(entry.at("expression"), model.variables())};
+    try {
+      outputs.push_back(model.with_outputs({output}).outputs().front());
+    } catch (const ModelError& error) {
+      entry.fail(error.where() + ": " + error.problem(), error.remedy());
+    }
+  }
+  return outputs;
+}
+
+std::vector<std::optional<InitialValue>> read_initial(const JsonPlace& object,
+                                                      const OdeModel& model) {
+  std::vector<std::optional<InitialValue>> initial(model.states().size());
+  const std::vector<std::string> states = model.variables().states;
+  for (const std::string& name : object.keys()) {
+    const JsonPlace entry = object.at(name);
+    const auto state = std::find(states.begin(), states.end(), name);
+    if (state == states.end())
+      entry.fail("there is no state '" + name + "'", suggestion(name, states));
+    entry.expect_keys({"value", "fixed", "deviation"});
+    const InitialValue value{entry.at("value").number(), read_flag(entry, "fixed", false),
+                             read_number(entry, "deviation")};
+    if (value.deviation && !(*value.deviation > 0.0))
+      entry.at("deviation").fail("a deviation is not above 0", "use \"fixed\": true for 0");
+    initial[static_cast<std::size_t>(state - states.begin())] = value;
+  }
+  return initial;
+}
+
+SystemModel read_document(const JsonPlace& root) {
+  root.expect_keys({"format", "description", "time_unit", "states", "inputs", "equations",
+                    "parameters", "outputs", "initial"});
   check_format(root);
   if (const auto description = root.find("description")) description->text();
   std::set<std::string> taken;
@@ -166,21 +260,39 @@ OdeModel read_document(const JsonPlace& root) {
   if (states.empty()) state_list.fail("there are no states", "name at least one");
   std::vector<Quantity> inputs;
   if (const auto list = root.find("inputs")) inputs = read_quantities(*list, taken, true);
+  std::set<std::string> others = names_of(inputs);
+  std::vector<Parameter> parameters;
+  if (const auto list = root.find("parameters")) parameters = read_parameters(*list, taken);
+  for (const Parameter& parameter : parameters) {
+    inputs.push_back({parameter.name, parameter.unit});
+    others.insert(parameter.name);
+  }
   const auto unit = read_unit(root, "time_unit");
   std::vector<Equation> equations =
-      read_equations(root.at("equations"), {names_of(states), names_of(inputs)});
-  return OdeModel(std::move(states), std::move(inputs), std::move(equations),
-                  unit.value_or("s"));
+      read_equations(root.at("equations"), Variables{listed(states), listed(inputs)});
+  OdeModel model(std::move(states), std::move(inputs), std::move(equations),
+                 unit.value_or("s"));
+  if (const auto list = root.find("outputs"))
+    model = model.with_outputs(read_outputs(*list, model, std::move(others)));
+  if (const auto object = root.find("initial"))
+    model = model.with_initial(read_initial(*object, model));
+  return {std::move(model), std::move(parameters)};
 }
 
 }  // namespace
 
-OdeModel parse_model(std::string_view json, const std::string& source) {
+SystemModel parse_system(std::string_view json, const std::string& source) {
   const nlohmann::json document = parse_strict_json(json, source);
   return read_document(JsonPlace(document, source));
 }
 
-OdeModel read_model(const std::filesystem::path& path) {
+OdeModel parse_model(std::string_view json, const std::string& source) {
+  return parse_system(json, source).model();
+}
+
+OdeModel read_model(const std::filesystem::path& path) { return read_system(path).model(); }
+
+SystemModel read_system(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::error_code unreadable;
   if (!file || std::filesystem::is_directory(path, unreadable))
@@ -189,15 +301,15 @@ OdeModel read_model(const std::filesystem::path& path) {
   const std::string text{std::istreambuf_iterator<char>(file),
                          std::istreambuf_iterator<char>()};
   if (file.bad()) throw FileError(path.string(), "reading failed", "check the disk");
-  if (path.extension() == kTextExtension) return parse_ode(text, path.string());
-  return parse_model(text, path.string());
+  if (path.extension() == kTextExtension) return parse_ode_system(text, path.string());
+  return parse_system(text, path.string());
 }
 
-std::string format_model_for(const std::filesystem::path& path, const OdeModel& model) {
+std::string format_model_for(const std::filesystem::path& path, const SystemModel& model) {
   return path.extension() == kTextExtension ? format_ode(model) : format_model(model);
 }
 
-void write_model(const std::filesystem::path& path, const OdeModel& model) {
+void write_model(const std::filesystem::path& path, const SystemModel& model) {
   write_file_atomically(path, format_model_for(path, model));
 }
 

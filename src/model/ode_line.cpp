@@ -13,7 +13,8 @@ namespace lacuna {
 namespace {
 
 /// Words that may stand behind a value.
-constexpr std::array<std::string_view, 2> kBehindValues = {"fixed", "in"};
+constexpr std::array<std::string_view, 4> kBehindValues = {"fixed", "in", "deviation",
+                                                           "per_record"};
 
 bool is_word_character(char c) { return is_identifier(std::string{'x', c}); }
 

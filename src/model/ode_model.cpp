@@ -9,6 +9,7 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/model/formula_channel.hpp"
 #include "operations.hpp"
 
 namespace lacuna {
@@ -68,6 +69,23 @@ Equation checked_equation(const Equation& equation, const std::string& state,
   return checked;
 }
 
+void check_output(const Output& output, const Variables& variables,
+                  std::set<std::string>& taken) {
+  check_name(output.name, taken);
+  Term(output.formula, variables);  // knows all names
+  if (contains(output.formula, Operation::Delay))
+    throw ModelError("output " + output.name, "an output cannot be delayed",
+                     "measure the states as they are, or model the sensor as a state");
+}
+
+void check_initial(const InitialValue& initial, const std::string& state) {
+  const double deviation = initial.deviation.value_or(1.0);
+  if (!std::isfinite(initial.value) || !(deviation > 0.0) || !std::isfinite(deviation))
+    throw ModelError("initial value of " + state,
+                     "it is not finite or its deviation is not above 0",
+                     "give a number and, where it is known, a deviation above 0");
+}
+
 const Equation& equation_at(const OdeModel& model, Index equation) {
   if (equation < 0 || equation >= model.dimension())
     throw ArgumentError(
@@ -89,6 +107,7 @@ OdeModel::OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
   check_names(names);
   for (std::size_t i = 0; i < states_.size(); ++i)
     equations_[i] = checked_equation(equations_[i], states_[i].name, names);
+  initial_.resize(states_.size());
 }
 
 Variables OdeModel::variables() const { return {names_of(states_), names_of(inputs_)}; }
@@ -119,7 +138,43 @@ OdeModel OdeModel::with_term(Index equation, WeightedTerm summand) const {
     summands.push_back(std::move(summand));
   else
     *same = {same->term, same->coefficient + summand.coefficient};
-  return OdeModel(states_, inputs_, std::move(extended), time_unit_);
+  return with_equations(std::move(extended));
+}
+
+OdeModel OdeModel::with_equations(std::vector<Equation> equations) const {
+  OdeModel result(states_, inputs_, std::move(equations), time_unit_);
+  result.outputs_ = outputs_;
+  result.initial_ = initial_;
+  return result;
+}
+
+OdeModel OdeModel::with_outputs(std::vector<Output> outputs) const {
+  OdeModel result = *this;
+  result.outputs_ = std::move(outputs);
+  std::set<std::string> taken;
+  for (const Quantity& input : inputs_) taken.insert(input.name);
+  for (const Output& output : result.outputs_) {
+    check_output(output, variables(), taken);
+    const auto state = state_of(*this, output);
+    for (Index k = 0; k < dimension(); ++k)
+      if (states_[static_cast<std::size_t>(k)].name == output.name && state != k)
+        throw ModelError("output " + output.name, "a state has the same name and is not it",
+                         "rename the output");
+  }
+  return result;
+}
+
+OdeModel OdeModel::with_initial(std::vector<std::optional<InitialValue>> initial) const {
+  if (initial.size() != states_.size())
+    throw ArgumentError("OdeModel",
+                        std::to_string(initial.size()) + " initial values for " +
+                            std::to_string(states_.size()) + " states",
+                        "give one entry for each state");
+  for (std::size_t k = 0; k < initial.size(); ++k)
+    if (initial[k]) check_initial(*initial[k], states_[k].name);
+  OdeModel result = *this;
+  result.initial_ = std::move(initial);
+  return result;
 }
 
 OdeModel OdeModel::with_holds(const std::vector<std::optional<Hold>>& holds) const {
@@ -135,11 +190,20 @@ OdeModel OdeModel::with_holds(const std::vector<std::optional<Hold>>& holds) con
 
 std::optional<Index> identity_of(const OdeModel& model, Index equation) {
   const Equation& summands = equation_at(model, equation);
-  if (summands.size() != 1 || summands.front().coefficient != 1.0) return std::nullopt;
+  if (summands.size() != 1 || summands.front().coefficient != 1.0 ||
+      is_formula_channel(model.states()[static_cast<std::size_t>(equation)]))
+    return std::nullopt;
   const std::string& name = summands.front().term.name();
   for (Index other = 0; other < model.dimension(); ++other)
     if (other != equation && model.states()[static_cast<std::size_t>(other)].name == name)
       return other;
+  return std::nullopt;
+}
+
+std::optional<Index> state_of(const OdeModel& model, const Output& output) {
+  if (output.formula.operation() != Operation::Variable) return std::nullopt;
+  for (Index k = 0; k < model.dimension(); ++k)
+    if (model.states()[static_cast<std::size_t>(k)].name == output.formula.name()) return k;
   return std::nullopt;
 }
 

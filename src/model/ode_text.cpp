@@ -26,13 +26,34 @@ struct WrittenEquation {
   std::string place;  ///< of the formula, "m.ode:3:11"
 };
 
+/// An output before all names are known.
+struct WrittenOutput {
+  std::string name, unit;
+  WrittenEquation formula;
+};
+
+/// "initial x = ..." and "fixed dx/dt: ..." before all states are known.
+struct WrittenInitial {
+  std::string state, place;
+  InitialValue value;
+};
+struct WrittenChoice {
+  std::string state;
+  WrittenEquation term;
+  bool fixed;
+};
+
 /// What the statements of a text have said.
 struct Statements {
   const std::string& source;
   std::string time_unit = "s";
   std::vector<Quantity> states = {}, inputs = {};
-  std::map<std::string, Expression> parameters = {};
+  std::vector<Parameter> parameters = {};
+  std::map<std::string, Expression> values = {};  ///< of the parameters
   std::map<std::string, WrittenEquation> equations = {};
+  std::vector<WrittenOutput> outputs = {};
+  std::vector<WrittenInitial> initial = {};
+  std::vector<WrittenChoice> choices = {};
   std::map<std::string, std::size_t> number_of_state = {};
   std::set<std::string> taken = {};  ///< names of states, inputs and parameters
 };
@@ -50,20 +71,14 @@ void take_name(const OdeLine& line, const std::string& name, Statements& said) {
               "give every state, input and parameter a name of its own");
 }
 
-/// All that a formula may name.
-std::vector<std::string> all_names(std::vector<std::string> names, const Statements& said) {
-  for (const auto& [name, value] : said.parameters) names.push_back(name);
-  return names;
-}
-
-/// A formula with numbers for parameters; delays may have parameters.
-Expression read_formula(std::string_view text, const std::string& place,
-                        const std::vector<std::string>& variables, const Statements& said) {
+/// A formula of known names; delays may have parameters.
+Expression read_formula(const WrittenEquation& written, const std::vector<std::string>& known) {
+  const auto& [text, place] = written;
   try {
-    const Expression formula = substitute(parse_expression(text), said.parameters);
+    const Expression formula = parse_expression(text);
     for (const std::string& name : formula.variables())
-      if (std::find(variables.begin(), variables.end(), name) == variables.end())
-        return parse_expression(text, all_names(variables, said));  // tells where
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        return parse_expression(text, known);  // tells where
     return formula;
   } catch (const FormulaError& error) {
     throw ModelError(moved_place(place, error.column()), error.problem(), error.remedy());
@@ -72,15 +87,22 @@ Expression read_formula(std::string_view text, const std::string& place,
   }
 }
 
-/// A number, or a formula of parameters that are known already.
-double read_value(OdeLine& line, const Statements& said) {
-  const std::string_view text = line.value();
+/// The number that a formula of parameters that are known already is.
+double value_of(const WrittenEquation& written, const Statements& said) {
+  std::vector<std::string> known{"t"};
+  for (const auto& [name, value] : said.values) known.push_back(name);
   const std::optional<double> value =
-      constant_value(read_formula(text, line.place_of(text), {"t"}, said));
+      constant_value(substitute(read_formula(written, known), said.values));
   if (!value || !std::isfinite(*value))
-    throw ModelError(line.place_of(text), "'" + std::string(text) + "' is no finite number",
+    throw ModelError(written.place,
+                     "'" + std::string(written.formula) + "' is no finite number",
                      "use numbers and parameters of earlier lines");
   return *value;
+}
+
+double read_value(OdeLine& line, const Statements& said) {
+  const std::string_view text = line.value();
+  return value_of({text, line.place_of(text)}, said);
 }
 
 void expect_end(OdeLine& line) {
@@ -110,21 +132,70 @@ Quantity& state_named(const OdeLine& line, const std::string& name, Statements& 
   return said.states.emplace_back(Quantity{name, ""});
 }
 
+/// One end of "LO..HI", which may be open.
+std::optional<double> read_end(const OdeLine& line, std::string_view text,
+                               const Statements& said) {
+  if (trim(text).empty()) return std::nullopt;
+  return value_of({trim(text), line.place_of(trim(text))}, said);
+}
+
+void read_range(OdeLine& line, const Statements& said, Parameter& parameter) {
+  const std::string_view range = line.value();
+  const std::size_t dots = range.find("..");
+  if (dots == std::string_view::npos) line.fail("the range has no '..'", "write e.g. in 0..1");
+  parameter.min = read_end(line, range.substr(0, dots), said);
+  parameter.max = read_end(line, range.substr(dots + 2), said);
+}
+
 void read_parameter(OdeLine& line, Statements& said) {
-  const std::string name = line.identifier("name of a parameter");
-  take_name(line, name, said);
+  Parameter parameter{.name = line.identifier("name of a parameter")};
+  take_name(line, parameter.name, said);
   line.expect('=');
-  const double value = read_value(line, said);
+  const std::string place = line.place();
+  parameter.value = read_value(line, said);
+  parameter.unit = line.unit();
+  if (line.take("in")) read_range(line, said, parameter);
+  parameter.free = !line.take("fixed");
+  parameter.per_record = line.take("per_record");
+  if (const std::string problem = range_problem(parameter); !problem.empty())
+    throw ModelError(place, "parameter '" + parameter.name + "': " + problem,
+                     "mend value or range");
+  said.values.emplace(parameter.name, Expression::number(parameter.value));
+  said.parameters.push_back(std::move(parameter));
+}
+
+void read_initial(OdeLine& line, Statements& said) {
+  const std::string place = line.place();
+  WrittenInitial initial{line.identifier("name of a state"), place, {}};
+  line.expect('=');
+  initial.value.value = read_value(line, said);
   line.unit();
-  if (line.take("in")) {
-    const std::string_view range = line.formula();
-    const std::size_t dots = range.find("..");
-    if (dots == std::string_view::npos)
-      line.fail("the range has no '..'", "write e.g. in 0..1");
-  } else {
-    line.take("fixed");
-  }
-  said.parameters.emplace(name, Expression::number(value));
+  if (line.take("deviation")) initial.value.deviation = read_value(line, said);
+  initial.value.fixed = line.take("fixed");
+  said.initial.push_back(std::move(initial));
+}
+
+void read_output(OdeLine& line, const std::string& name, Statements& said) {
+  if (!line.take("="))
+    line.fail("'" + name + "' begins no statement",
+              "write time, input, state, param, initial, d(name)/dt = ... or output = ...");
+  const std::string_view formula = line.value();
+  const std::string place = line.place_of(formula);
+  for (const WrittenOutput& other : said.outputs)
+    if (other.name == name)
+      line.fail("the name '" + name + "' is given twice", "give every output its own");
+  said.outputs.push_back({name, line.unit(), {formula, place}});
+}
+
+/// "dx/dt: TERM" behind `fixed` or `free`.
+void read_choice(OdeLine& line, bool fixed, Statements& said) {
+  const std::string name = line.identifier("dNAME/dt");
+  if (name.front() != 'd' || !line.take("/dt"))
+    line.fail("'" + name + "' is no dNAME/dt", "write e.g. fixed dx/dt: u");
+  line.expect(':');
+  line.at_end();
+  const std::string_view term = line.formula();
+  said.choices.push_back({name.substr(1), {term, line.place_of(term)}, fixed});
 }
 
 /// "x" of "dx/dt"; nothing for another beginning of a line.
@@ -155,18 +226,17 @@ void read_statement(OdeLine& line, Statements& said) {
   } else if (line.take("param")) {
     read_parameter(line, said);
   } else if (line.take("initial")) {
-    line.fail("initial values are not part of a model here",
-              "leave the line out; records give them, or --x0");
+    read_initial(line, said);
+  } else if (line.take("fixed")) {
+    read_choice(line, true, said);
+  } else if (line.take("free")) {
+    read_choice(line, false, said);
   } else {
     const std::string name = line.identifier("statement");
-    const std::optional<std::string> state = state_of_rate(name, line);
-    if (!state && !line.take("="))
-      line.fail("'" + name + "' begins no statement",
-                "write time, input, state, param or d(name)/dt = ...");
-    if (!state)
-      line.fail("'" + name + " = ...' would be an output, which models do not have here",
-                "measure the states themselves, or write d" + name + "/dt = ...");
-    read_equation(line, *state, said);
+    if (const std::optional<std::string> state = state_of_rate(name, line))
+      read_equation(line, *state, said);
+    else
+      read_output(line, name, said);
   }
   expect_end(line);
 }
@@ -191,43 +261,98 @@ std::vector<Equation> equations_of(const Statements& said, const Variables& vari
     if (found == said.equations.end())
       throw ModelError(said.source, "the state '" + state.name + "' has no equation",
                        "add d" + state.name + "/dt = ...; 0 means that it is constant");
-    const auto& [text, place] = found->second;
-    const Expression formula = read_formula(text, place, variables.names(), said);
+    const Expression formula = read_formula(found->second, variables.names());
     try {
       equations.push_back(linear_terms(formula, variables));
     } catch (const ModelError& error) {
-      throw ModelError(place, error.where() + ": " + error.problem(), error.remedy());
+      throw ModelError(found->second.place, error.where() + ": " + error.problem(),
+                       error.remedy());
     }
   }
   return equations;
 }
 
-}  // namespace
-
-OdeModel parse_ode(std::string_view bytes, const std::string& source) {
-  const std::string text = to_utf8(bytes);
-  Statements said = read_statements(text, source);
-  if (said.states.empty())
-    throw ModelError(source, "there are no equations", "write e.g. dx/dt = -0.5*x");
-  Variables variables;
-  for (const Quantity& state : said.states) variables.states.push_back(state.name);
-  for (const Quantity& input : said.inputs) variables.inputs.push_back(input.name);
-  std::vector<Equation> equations = equations_of(said, variables);
-  return OdeModel(std::move(said.states), std::move(said.inputs), std::move(equations),
-                  said.time_unit);
+std::size_t place_of_state(const Statements& said, const std::string& name,
+                           const std::string& place) {
+  const auto found = said.number_of_state.find(name);
+  if (found == said.number_of_state.end())
+    throw ModelError(place, "there is no state '" + name + "'",
+                     "write d" + name + "/dt = ... or mend the name");
+  return found->second;
 }
 
-std::string format_ode(const OdeModel& model) {
-  const auto with_unit = [](const Quantity& quantity) {
-    return quantity.name + (quantity.unit.empty() ? "" : " [" + quantity.unit + "]");
-  };
-  std::string text = "time";
-  text += (model.time_unit().empty() ? "" : " " + model.time_unit()) + "\n";
-  for (const Quantity& input : model.inputs())
-    text += "input " + with_unit(input) +
-            (input.hold ? " hold " + to_string(*input.hold) : "") + "\n";
-  for (const Quantity& state : model.states()) text += "state " + with_unit(state) + "\n";
-  return text + to_text(model) + "\n";
+/// Marks what is not to be estimated.
+void mark_fixed(const Statements& said, const SystemModel& system,
+                std::vector<Equation>& equations) {
+  const bool any_free = std::any_of(said.parameters.begin(), said.parameters.end(),
+                                    [](const Parameter& parameter) { return parameter.free; });
+  for (std::size_t k = 0; k < equations.size(); ++k)
+    for (WeightedTerm& summand : equations[k])
+      summand.fixed = any_free && std::abs(summand.coefficient) == 1.0 &&
+                      !system.gives_size(summand.term.expression());
+  const Variables variables = system.symbolic().variables();
+  for (const auto& [state, term, fixed] : said.choices) {
+    Equation& equation = equations[place_of_state(said, state, term.place)];
+    const Term chosen(read_formula(term, variables.names()), variables);
+    const auto found = std::find_if(equation.begin(), equation.end(), [&](const auto& summand) {
+      return summand.term == chosen;
+    });
+    if (found == equation.end())
+      throw ModelError(term.place, "d" + state + "/dt has no term '" + chosen.name() + "'",
+                       "write it as `lacuna model` shows it");
+    found->fixed = fixed;
+  }
+}
+
+OdeModel with_outputs(const Statements& said, const OdeModel& model) {
+  std::vector<Output> outputs;
+  for (const WrittenOutput& output : said.outputs) {
+    outputs.push_back(
+        {output.name, output.unit, read_formula(output.formula, model.variables().names())});
+    try {
+      model.with_outputs({outputs.back()});
+    } catch (const ModelError& error) {
+      throw ModelError(output.formula.place, error.where() + ": " + error.problem(),
+                       error.remedy());
+    }
+  }
+  return model.with_outputs(std::move(outputs));
+}
+
+OdeModel with_initial(const Statements& said, const OdeModel& model) {
+  std::vector<std::optional<InitialValue>> initial(model.states().size());
+  for (const WrittenInitial& written : said.initial) {
+    const std::size_t state = place_of_state(said, written.state, written.place);
+    if (initial[state])
+      throw ModelError(written.place, "'" + written.state + "' has two initial values",
+                       "keep one");
+    initial[state] = written.value;
+    if (written.value.deviation && !(*written.value.deviation > 0.0))
+      throw ModelError(written.place, "a deviation is not above 0", "write fixed for 0");
+  }
+  return model.with_initial(std::move(initial));
+}
+
+}  // namespace
+
+SystemModel parse_ode_system(std::string_view bytes, const std::string& source) {
+  const std::string text = to_utf8(bytes);
+  const Statements said = read_statements(text, source);
+  if (said.states.empty())
+    throw ModelError(source, "there are no equations", "write e.g. dx/dt = -0.5*x");
+  std::vector<Quantity> inputs = said.inputs;
+  for (const Parameter& parameter : said.parameters)
+    inputs.push_back({parameter.name, parameter.unit});
+  const OdeModel frame(said.states, inputs, std::vector<Equation>(said.states.size()),
+                       said.time_unit);
+  std::vector<Equation> equations = equations_of(said, frame.variables());
+  mark_fixed(said, SystemModel(frame, said.parameters), equations);
+  return {with_initial(said, with_outputs(said, frame.with_equations(std::move(equations)))),
+          said.parameters};
+}
+
+OdeModel parse_ode(std::string_view bytes, const std::string& source) {
+  return parse_ode_system(bytes, source).model();
 }
 
 }  // namespace lacuna

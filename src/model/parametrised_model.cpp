@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -56,26 +57,21 @@ void check_shapes(const OdeModel& model, const std::vector<FreeShape>& shapes) {
   }
 }
 
-/// The expression with some variables replaced by numbers.
-Expression substitute(const Expression& e, const std::vector<FreeShape>& shapes) {
-  if (e.operation() == Operation::Variable || e.operation() == Operation::Delay) {
-    for (const FreeShape& shape : shapes)
-      if (shape.name == e.name()) return Expression::number(shape.value);
-    return e;
-  }
-  if (e.operands().empty()) return e;
-  std::vector<Expression> operands;
-  for (const Expression& operand : e.operands())
-    operands.push_back(substitute(operand, shapes));
-  return Expression::make(e.operation(), std::move(operands));
+/// The values of the shape parameters.
+std::map<std::string, Expression> numbers_of(const std::vector<FreeShape>& shapes) {
+  std::map<std::string, Expression> numbers;
+  for (const FreeShape& shape : shapes)
+    numbers.emplace(shape.name, Expression::number(shape.value));
+  return numbers;
 }
 
-Equation substituted(const Equation& equation, const std::vector<FreeShape>& shapes,
+Equation substituted(const Equation& equation, const std::map<std::string, Expression>& numbers,
                      const Variables& variables) {
   Equation result;
   for (const WeightedTerm& summand : equation)
-    result.push_back(
-        {Term(substitute(summand.term.expression(), shapes), variables), summand.coefficient});
+    result.push_back({.term = Term(substitute(summand.term.expression(), numbers), variables),
+                      .coefficient = summand.coefficient,
+                      .fixed = summand.fixed});
   return result;
 }
 
@@ -151,12 +147,10 @@ ParametrisedModel ParametrisedModel::with_values(const Vector& values) const {
   for (const FreeCoefficient& c : coefficients_) {
     WeightedTerm& summand =
         equations[static_cast<std::size_t>(c.equation)][static_cast<std::size_t>(c.summand)];
-    summand = {summand.term, values[i++]};
+    summand = {.term = summand.term, .coefficient = values[i++], .fixed = summand.fixed};
   }
   for (FreeShape& shape : shapes) shape.value = values[i++];
-  return {OdeModel(symbolic_.states(), symbolic_.inputs(), std::move(equations),
-                   symbolic_.time_unit()),
-          coefficients_, std::move(shapes)};
+  return {symbolic_.with_equations(std::move(equations)), coefficients_, std::move(shapes)};
 }
 
 OdeModel ParametrisedModel::model() const {
@@ -166,10 +160,16 @@ OdeModel ParametrisedModel::model() const {
   Variables variables;
   for (const Quantity& state : symbolic_.states()) variables.states.push_back(state.name);
   for (const Quantity& input : inputs) variables.inputs.push_back(input.name);
+  const std::map<std::string, Expression> numbers = numbers_of(shapes_);
   std::vector<Equation> equations;
   for (const Equation& equation : symbolic_.equations())
-    equations.push_back(substituted(equation, shapes_, variables));
-  return {symbolic_.states(), std::move(inputs), std::move(equations), symbolic_.time_unit()};
+    equations.push_back(substituted(equation, numbers, variables));
+  std::vector<Output> outputs = symbolic_.outputs();
+  for (Output& output : outputs) output.formula = substitute(output.formula, numbers);
+  return OdeModel(symbolic_.states(), std::move(inputs), std::move(equations),
+                  symbolic_.time_unit())
+      .with_outputs(std::move(outputs))
+      .with_initial(symbolic_.initial());
 }
 
 ParametrisedModel with_free_coefficients(OdeModel model, const std::vector<bool>& exact,
@@ -178,7 +178,8 @@ ParametrisedModel with_free_coefficients(OdeModel model, const std::vector<bool>
   for (std::size_t k = 0; k < model.equations().size(); ++k) {
     if (k < exact.size() && exact[k]) continue;
     for (std::size_t i = 0; i < model.equations()[k].size(); ++i)
-      free.push_back({static_cast<Index>(k), static_cast<Index>(i)});
+      if (!model.equations()[k][i].fixed)
+        free.push_back({static_cast<Index>(k), static_cast<Index>(i)});
   }
   return {std::move(model), std::move(free), std::move(shapes)};
 }

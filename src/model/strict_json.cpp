@@ -155,6 +155,20 @@ double JsonPlace::number() const {
   return value_->get<double>();
 }
 
+bool JsonPlace::flag() const {
+  if (!value_->is_boolean())
+    fail("true or false is expected here, not " + type_text(*value_), "write it so");
+  return value_->get<bool>();
+}
+
+std::vector<std::string> JsonPlace::keys() const {
+  if (!value_->is_object())
+    fail("an object is expected here, not " + type_text(*value_), "write {...}");
+  std::vector<std::string> names;
+  for (const auto& [key, value] : value_->items()) names.push_back(key);
+  return names;
+}
+
 void JsonPlace::fail(const std::string& problem, const std::string& remedy,
                      const std::string& detail) const {
   throw ModelError(source_ + ": " + path_ + detail, problem, remedy);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lacuna {
 
@@ -41,6 +42,12 @@ class JsonPlace {
 
   /// @throws ModelError unless it is a finite number.
   double number() const;
+
+  /// @throws ModelError unless it is true or false.
+  bool flag() const;
+
+  /// Keys of an object. @throws ModelError unless it is one.
+  std::vector<std::string> keys() const;
 
   /// Throws a ModelError about this place; `detail` is added to the path: ", column 3".
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy,

@@ -2,6 +2,7 @@
 // Which columns a model needs, by their names.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,26 @@ struct DerivativeChain {
 std::vector<DerivativeChain> derivative_chains(const OdeModel& model,
                                                const std::vector<std::string>& columns);
 
-/// Checks that every state has a column or is in a chain, and that every input has a column.
-/// @param source what has the columns, for the message.
+/// The output whose column measures a state that has no column of its own name: the first that
+/// is just the state.
+std::optional<std::string> alias_of(const OdeModel& model, Index state);
+
+/// Outputs that are channels of their own: formulas, and further measurements of a state.
+std::vector<Output> formula_outputs(const OdeModel& model);
+
+/// The names of columns with those of aliases replaced by the states that they measure.
+std::vector<std::string> as_states(const OdeModel& model, std::vector<std::string> columns);
+
+/// Checks that every input and every formula output has a column, every alias or its state too,
+/// and that some state or output is measured.
+/// @param columns as of as_states(). @param source what has the columns, for the message.
 /// @throws DataError naming what is missing.
 void check_columns(const OdeModel& model, const std::vector<std::string>& columns,
-                   const std::vector<DerivativeChain>& chains, const std::string& source);
+                   const std::string& source);
+
+/// Checks that every state has a column or is in a chain. @throws DataError naming it.
+void check_states(const OdeModel& model, const std::vector<std::string>& columns,
+                  const std::vector<DerivativeChain>& chains, const std::string& source);
 
 /// Whether a name is among others.
 bool contains(const std::vector<std::string>& names, const std::string& name);

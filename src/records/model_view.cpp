@@ -2,8 +2,10 @@
 #include "lacuna/records/model_view.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/records/embedding.hpp"
 #include "lacuna/records/time_unit.hpp"
 #include "model_columns.hpp"
@@ -11,11 +13,12 @@
 namespace lacuna {
 namespace {
 
-std::vector<std::string> columns_of(const Dataset& record) {
+/// Names of the states, then of the inputs; an alias is called as the state that it measures.
+std::vector<std::string> columns_of(const OdeModel& model, const Dataset& record) {
   std::vector<std::string> names;
   for (const auto* quantities : {&record.states, &record.inputs})
     for (const Quantity& quantity : *quantities) names.push_back(quantity.name);
-  return names;
+  return as_states(model, std::move(names));
 }
 
 std::string source_of(const Dataset& record) {
@@ -41,46 +44,78 @@ std::vector<Index> places(const std::vector<Quantity>& wanted,
   return found;
 }
 
-/// Marks of the columns at the given places among all; those of inputs are values.
-Matrix picked_marks(const Trajectory& trajectory, const std::vector<Index>& places) {
-  if (trajectory.marks.size() == 0) return {};
-  Matrix marks = Matrix::Zero(trajectory.samples(), static_cast<Index>(places.size()));
-  for (std::size_t k = 0; k < places.size(); ++k)
-    if (places[k] < trajectory.marks.cols())
-      marks.col(static_cast<Index>(k)) = trajectory.marks.col(places[k]);
-  return marks;
+bool has_column(const Trajectory& trajectory, Index place) {
+  return place < trajectory.states.cols() + trajectory.inputs.cols();
 }
 
-/// The columns of given states and inputs, all of which there are.
-Dataset picked(const Dataset& record, const std::vector<Quantity>& states,
-               const std::vector<Quantity>& inputs) {
-  const std::vector<std::string> columns = columns_of(record);
-  const std::vector<Index> state_places = places(states, columns);
-  const std::vector<Index> input_places = places(inputs, columns);
+/// Columns at the given places among all; 0 where there is no such column.
+Matrix picked_values(const Trajectory& trajectory, const std::vector<Index>& places) {
+  const Matrix all = all_columns(trajectory);
+  Matrix values = Matrix::Zero(trajectory.samples(), static_cast<Index>(places.size()));
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (has_column(trajectory, places[k]))
+      values.col(static_cast<Index>(k)) = all.col(places[k]);
+  return values;
+}
+
+/// Marks of the columns at the given places among all; those of inputs are values, what is not
+/// there is missing.
+Matrix picked_marks(const Trajectory& trajectory, const std::vector<Index>& places) {
+  Matrix marks = Matrix::Zero(trajectory.samples(), static_cast<Index>(places.size()));
+  bool any = trajectory.marks.size() > 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k] < trajectory.marks.cols())
+      marks.col(static_cast<Index>(k)) = trajectory.marks.col(places[k]);
+    if (has_column(trajectory, places[k])) continue;
+    marks.col(static_cast<Index>(k)).setConstant(number_of(Mark::Missing));
+    any = true;
+  }
+  return any ? marks : Matrix();
+}
+
+/// States and inputs of a view, in its order.
+struct Wanted {
+  std::vector<Quantity> states, inputs;
+};
+
+/// The columns of given states and inputs; states without one are hidden.
+Dataset picked(const Dataset& record, const std::vector<std::string>& columns,
+               const Wanted& wanted) {
+  const std::vector<Index> state_places = places(wanted.states, columns);
+  const std::vector<Index> input_places = places(wanted.inputs, columns);
   Dataset view{.time_unit = record.time_unit,
-               .states = states,
-               .inputs = inputs,
+               .states = wanted.states,
+               .inputs = wanted.inputs,
                .trajectories = {},
                .rate_of = {},
                .notes = record.notes};
-  for (const Trajectory& trajectory : record.trajectories) {
-    const Matrix all = all_columns(trajectory);
+  for (const Trajectory& trajectory : record.trajectories)
     view.trajectories.push_back({trajectory.source, trajectory.time,
-                                 all(Eigen::all, state_places), all(Eigen::all, input_places),
-                                 Matrix(), picked_marks(trajectory, state_places)});
+                                 picked_values(trajectory, state_places),
+                                 picked_values(trajectory, input_places), Matrix(),
+                                 picked_marks(trajectory, state_places)});
+  for (const Index place : state_places) {
+    const bool is_there = place < static_cast<Index>(columns.size());
+    view.reconstructed.push_back(!is_there ||
+                                 (place < record.state_count() && !record.is_measured(place)));
   }
-  for (const Index place : state_places)
-    view.reconstructed.push_back(place < record.state_count() && !record.is_measured(place));
   return view;
 }
 
-/// The states of a model that have a column.
-std::vector<Quantity> present_states(const OdeModel& model,
-                                     const std::vector<std::string>& columns) {
-  std::vector<Quantity> present;
-  for (const Quantity& state : model.states())
-    if (contains(columns, state.name)) present.push_back(state);
-  return present;
+/// The quantities of the states of a model and, behind them, of its formula outputs.
+std::vector<Quantity> channels_of(const OdeModel& model) {
+  std::vector<Quantity> channels = model.states();
+  for (const Output& output : formula_outputs(model))
+    channels.push_back({output.name, output.unit});
+  return channels;
+}
+
+/// Those that have a column.
+std::vector<Quantity> present(std::vector<Quantity> channels,
+                              const std::vector<std::string>& columns) {
+  std::erase_if(channels,
+                [&](const Quantity& channel) { return !contains(columns, channel.name); });
+  return channels;
 }
 
 /// The record with the derivatives of the chains, under the names that the model gives them.
@@ -104,19 +139,57 @@ Dataset with_derivatives_of(const Dataset& record, const std::vector<DerivativeC
 }  // namespace
 
 Dataset model_view(const OdeModel& model, const Dataset& record) {
-  check_columns(model, columns_of(record), {}, source_of(record));
-  return picked(record, model.states(), model.inputs());
+  const std::vector<std::string> columns = columns_of(model, record);
+  check_states(model, columns, {}, source_of(record));
+  check_columns(model, columns, source_of(record));
+  return picked(record, columns, {model.states(), model.inputs()});
 }
 
 Dataset model_view(const OdeModel& model, const Dataset& record,
                    const Differentiator& differentiator) {
-  const std::vector<std::string> columns = columns_of(record);
+  const std::vector<std::string> columns = columns_of(model, record);
   const std::vector<DerivativeChain> chains = derivative_chains(model, columns);
-  check_columns(model, columns, chains, source_of(record));
-  Dataset view =
-      in_time_unit_of(model, picked(record, present_states(model, columns), model.inputs()));
-  if (chains.empty()) return view;
-  return model_view(model, with_derivatives_of(view, chains, differentiator));
+  check_columns(model, columns, source_of(record));
+  const std::vector<Quantity> channels = channels_of(model);
+  const Dataset measured = in_time_unit_of(
+      model, picked(record, columns, {present(channels, columns), model.inputs()}));
+  const Dataset all =
+      chains.empty() ? measured : with_derivatives_of(measured, chains, differentiator);
+  return picked(all, columns_of(model, all), {channels, model.inputs()});
+}
+
+bool is_hidden(const Dataset& data, Index state) {
+  return std::all_of(data.trajectories.begin(), data.trajectories.end(),
+                     [&](const Trajectory& record) {
+                       for (Index i = 0; i < record.samples(); ++i)
+                         if (mark_of(record.marks, i, state) != Mark::Missing) return false;
+                       return true;
+                     });
+}
+
+std::vector<MeasuredOutput> measured_outputs(const OdeModel& model, const Dataset& view) {
+  std::vector<MeasuredOutput> found;
+  for (const Output& output : formula_outputs(model))
+    for (Index k = model.dimension(); k < view.state_count(); ++k)
+      if (view.states[static_cast<std::size_t>(k)].name == output.name)
+        found.push_back({output, k});
+  return found;
+}
+
+void check_states_known(const OdeModel& model, const Dataset& view) {
+  for (Index k = 0; k < model.dimension(); ++k)
+    if (is_hidden(view, k))
+      throw DataError(source_of(view),
+                      "there is no column for the state '" +
+                          model.states()[static_cast<std::size_t>(k)].name +
+                          "', which this command needs",
+                      "name a column so, or define the state in the model as the derivative "
+                      "of one that has a column");
+  if (const auto outputs = measured_outputs(model, view); !outputs.empty())
+    throw DataError(source_of(view),
+                    "the output '" + outputs.front().output.name +
+                        "' is a formula, which this command cannot use",
+                    "measure the states themselves");
 }
 
 }  // namespace lacuna

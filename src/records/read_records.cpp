@@ -31,12 +31,20 @@ Dataset assign_roles_for(const OdeModel& model, const Table& table, const Column
   return data;
 }
 
-/// The roles of the columns that a model knows.
+/// The table with columns called as the states that they measure.
+Table called_as_states(const OdeModel& model, Table table) {
+  const std::vector<std::string> names = as_states(model, columns_of(table));
+  for (std::size_t i = 0; i < names.size(); ++i) table.columns[i].name = names[i];
+  return table;
+}
+
+/// The roles of the columns that a model knows; formula outputs stand behind the states.
 ColumnRoles roles_for(const OdeModel& model, const Table& table, ColumnRoles roles) {
   const std::vector<std::string> columns = columns_of(table);
-  check_columns(model, columns, derivative_chains(model, columns), table.source);
+  check_columns(model, columns, table.source);
   for (const Quantity& state : model.states())
     if (contains(columns, state.name)) roles.states.push_back(state.name);
+  for (const Output& output : formula_outputs(model)) roles.states.push_back(output.name);
   for (const Quantity& input : model.inputs()) roles.inputs.push_back(input.name);
   return roles;
 }
@@ -68,6 +76,8 @@ std::vector<std::string> common_unused(const OdeModel& model, const std::vector<
     const std::vector<std::string> here = unused_columns(table, roles_for(model, table, roles));
     std::erase_if(common, [&](const std::string& name) { return !contains(here, name); });
   }
+  for (const Output& output : model.outputs())  // a second measurement of a state
+    std::erase(common, output.name);
   return common;
 }
 
@@ -76,7 +86,8 @@ OdeModel with_further_inputs(const OdeModel& model, const Dataset& data) {
   std::vector<Quantity> inputs = model.inputs();
   inputs.insert(inputs.end(), data.inputs.begin() + static_cast<Index>(inputs.size()),
                 data.inputs.end());
-  return {model.states(), std::move(inputs), model.equations(), model.time_unit()};
+  return OdeModel(model.states(), std::move(inputs), model.equations(), model.time_unit())
+      .with_outputs(model.outputs());
 }
 
 Dataset read_one(const OdeModel& model, const Table& table, const ColumnRoles& roles,
@@ -92,8 +103,18 @@ void append(Dataset& data, Dataset more) {
   std::move(more.trajectories.begin(), more.trajectories.end(),
             std::back_inserter(data.trajectories));
   std::move(more.notes.begin(), more.notes.end(), std::back_inserter(data.notes));
-  for (std::size_t k = 0; k < data.states.size(); ++k)
-    if (!more.is_measured(static_cast<Index>(k))) data.reconstructed[k] = true;
+}
+
+/// What is hidden in one file and measured in another is measured, with samples missing.
+void mark_made(const std::vector<Dataset>& files, Dataset& all) {
+  for (Index k = 0; k < all.state_count(); ++k) {
+    bool made = false, seen = false;
+    for (const Dataset& file : files) {
+      made = made || (!file.is_measured(k) && !is_hidden(file, k));
+      seen = seen || !is_hidden(file, k);
+    }
+    all.reconstructed[static_cast<std::size_t>(k)] = made || !seen;
+  }
 }
 
 /// Inputs of the model that the records have; check_dataset() and others say when some lack.
@@ -108,17 +129,15 @@ Dataset read_records(const OdeModel& model, const std::vector<std::string>& path
                      Columns columns) {
   std::vector<Table> tables;
   for (const std::string& path : expand_patterns(paths))
-    tables.push_back(read_table(path, roles));
+    tables.push_back(called_as_states(model, read_table(path, roles)));
   std::vector<std::string> unused;
   if (columns == Columns::All) unused = common_unused(model, tables, roles);
-  Dataset all;
-  for (const Table& table : tables) {
-    Dataset record = read_one(model, table, roles, unused, differentiator);
-    if (all.trajectories.empty())
-      all = std::move(record);
-    else
-      append(all, std::move(record));
-  }
+  std::vector<Dataset> files;
+  for (const Table& table : tables)
+    files.push_back(read_one(model, table, roles, unused, differentiator));
+  Dataset all = files.front();
+  for (std::size_t i = 1; i < files.size(); ++i) append(all, files[i]);
+  mark_made(files, all);
   return all;
 }
 

@@ -66,13 +66,15 @@ Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
 
 Json changes_json(const Diagnosis& diagnosis) {
   Json list = Json::array();
-  for (const CoefficientChange& change : diagnosis.coefficient_changes)
+  for (const CoefficientChange& change : diagnosis.coefficient_changes) {
     list.push_back({{"equation", state_name(diagnosis, change.equation)},
                     {"term", change.term},
                     {"nominal", change.nominal},
                     {"estimated", change.estimated},
                     {"ci95", change.ci95()},
                     {"sigma", change.sigma}});
+    if (!change.determined) list.back()["ci95"] = nullptr;
+  }
   return list;
 }
 

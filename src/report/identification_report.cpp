@@ -71,9 +71,8 @@ std::string format_json(const IdentificationReport& report) {
   Json json;
   json["format"] = "lacuna.identification/1";
   json["model"] = Json::parse(format_model(result.model));
-  json["library_alone"] = result.library_alone
-                              ? Json::parse(format_model(*result.library_alone))
-                              : Json(nullptr);
+  json["library_alone"] =
+      result.library_alone ? Json::parse(format_model(*result.library_alone)) : Json(nullptr);
   json["noise"] = noise_to_json(result);
   json["pipeline"] = {{"asked", Json::parse(report.asked)},
                       {"used", Json::parse(format_pipeline(report.pipeline))}};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <tuple>
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/report/identification_report.hpp"
+#include "readable.hpp"
 
 namespace lacuna {
 namespace {
@@ -25,18 +27,23 @@ std::string error_text(const WeightedTerm& summand) {
   return summand.standard_error ? format_number(*summand.standard_error, 2) : "-";
 }
 
-std::string coefficient_table(const OdeModel& model) {
-  std::size_t width = 20;
-  for (const Equation& equation : model.equations())
-    for (const WeightedTerm& summand : equation)
-      width = std::max(width, summand.term.name().size() + 2);
-  std::string table = "  " + padded("equation", 12) + padded("term", width) +
-                      padded("coefficient", 16) + "standard error\n";
+std::string coefficient_table(const OdeModel& model, bool full) {
+  std::vector<std::array<std::string, 4>> rows{
+      {"equation", "term", "coefficient", "standard error"}};
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k])
-      table += "  " + padded("d" + model.states()[k].name + "/dt", 12) +
-               padded(summand.term.name(), width) +
-               padded(format_number(summand.coefficient, 8), 16) + error_text(summand) + "\n";
+      rows.push_back({"d" + model.states()[k].name + "/dt", summand.term.name(),
+                      coefficient_text(summand, full), error_text(summand)});
+  std::array<std::size_t, 4> widths{};
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  std::string table;
+  for (const auto& row : rows) {
+    // Signs stand in a column of their own.
+    const bool is_signed = row[2].front() == '-' || &row == &rows.front();
+    table += "  " + padded(row[0], widths[0] + 2) + padded(row[1], widths[1] + 2) +
+             padded((is_signed ? "" : " ") + row[2], widths[2] + 3) + row[3] + "\n";
+  }
   return table;
 }
 
@@ -115,13 +122,13 @@ std::string trail_of(const std::vector<TrailEntry>& trail, const std::string& eq
 
 }  // namespace
 
-std::string format_text(const IdentificationReport& report) {
+std::string format_text(const IdentificationReport& report, bool full) {
   const IdentificationResult& result = report.result;
   std::ostringstream out;
   out << "Equations\n"
-      << indented(to_text(result.model)) << "\nCoefficients [state unit / "
+      << indented(equations_text(result.model, full)) << "\nCoefficients [state unit / "
       << result.model.time_unit() << "]\n"
-      << coefficient_table(result.model) << "\nFit\n";
+      << coefficient_table(result.model, full) << "\nFit\n";
   for (const EquationFit& fit : result.fit) out << fit_line(fit);
   if (result.library_alone)
     out << "\nThe library alone does not reach the noise; it gives\n"

@@ -29,18 +29,6 @@ std::string coupling_text(const SyncReport& report) {
   return parts.empty() ? "none" : join(parts, ", ");
 }
 
-/// How the error compares with the noise. A slave that follows a complete model is off by the
-/// noise alone, or less.
-std::string noise_text(const SyncResult& result) {
-  constexpr double kAboveNoise = 2.0;
-  if (!result.error_over_noise) return "";
-  const std::string ratio = format_number(*result.error_over_noise, 2);
-  if (*result.error_over_noise < kAboveNoise)
-    return "  the error is that of the noise (" + ratio + " times)\n";
-  return "  the error is " + ratio +
-         " times the noise: the model lacks something (see `lacuna diagnose`)\n";
-}
-
 }  // namespace
 
 nlohmann::ordered_json sync_to_json(const SyncReport& report) {
@@ -51,6 +39,9 @@ nlohmann::ordered_json sync_to_json(const SyncReport& report) {
   json["relative"] = result.relative;
   json["settled"] = result.settled;
   if (result.error_over_noise) json["error_over_noise"] = *result.error_over_noise;
+  json["holds"] = report.verdict.holds;
+  if (report.verdict.until) json["holds_until"] = *report.verdict.until;
+  if (report.verdict.equation) json["equation"] = *report.verdict.equation;
   json["status"] = to_string(result.status);
   if (!result.message.empty()) json["message"] = result.message;
   json["states"] = nlohmann::ordered_json::array();
@@ -78,14 +69,14 @@ std::string format_text(const SyncReport& report) {
   std::ostringstream out;
   out << "Synchronisation with the record (" << report.integrator << ")\n";
   if (result.status != IntegrationStatus::Completed) {
-    out << "  " << result.message << "\n";
+    if (report.verdict.sentence.empty()) out << "  " << result.message << "\n";
   } else {
     out << "  error: median " << format_number(result.median, 4) << ", mean "
         << format_number(result.mean, 4) << ", relative "
         << format_number(100.0 * result.relative, 4) << " %\n  "
-        << (result.settled ? "settled" : "did not settle: the error still grows") << "\n"
-        << noise_text(result);
+        << (result.settled ? "settled" : "did not settle: the error still grows") << "\n";
   }
+  if (!report.verdict.sentence.empty()) out << "  " << report.verdict.sentence << "\n";
   out << "  coupling [1/" << report.time_unit << "]: " << coupling_text(report)
       << (report.coupling_given ? "" : " (from the record's own time scale)") << "\n";
   return out.str();

@@ -11,7 +11,7 @@ namespace {
 /// A smoothed signal with what it cost.
 struct Smoothed {
   Matrix values;  ///< n x 2
-  double misfit = 0.0;
+  Vector residuals;
   double trace = 0.0;
 };
 
@@ -52,7 +52,7 @@ bool same_grid(const Vector& time, Index a, Index b, Index width) {
 
 Smoothed smooth(const Vector& time, const Vector& values, Index width) {
   const Index n = time.size(), degree = std::min<Index>(4, width - 1);
-  Smoothed result{Matrix(n, 2), 0.0, 0.0};
+  Smoothed result{Matrix(n, 2), Vector(n), 0.0};
   Matrix basis, inverse, rows;
   Index made_for = -1, place = -1;
   for (Index i = 0; i < n; ++i) {
@@ -68,7 +68,7 @@ Smoothed smooth(const Vector& time, const Vector& values, Index width) {
       rows = fit_rows(basis, inverse, place, 0.5 * (time[first + width - 1] - time[first]));
     }
     result.values.row(i) = (rows * values.segment(first, width)).transpose();
-    result.misfit += std::pow(values[i] - result.values(i, 0), 2);
+    result.residuals[i] = values[i] - result.values(i, 0);
     result.trace += rows(0, place);
   }
   return result;
@@ -77,11 +77,15 @@ Smoothed smooth(const Vector& time, const Vector& values, Index width) {
 }  // namespace
 
 Matrix smooth_by_polynomials(const Vector& time, const Vector& values, double noise) {
+  return smooth_by_polynomials(time, values, Vector::Constant(values.size(), noise).eval());
+}
+
+Matrix smooth_by_polynomials(const Vector& time, const Vector& values, const Vector& noise) {
   const Index n = time.size();
   Smoothed best = smooth(time, values, std::min<Index>(5, n));
-  if (!(noise > 0.0)) return best.values;
+  if (!(noise.minCoeff() > 0.0)) return best.values;
   const auto risk = [&](const Smoothed& s) {
-    return s.misfit / (noise * noise) + 2.0 * s.trace;
+    return s.residuals.cwiseQuotient(noise).squaredNorm() + 2.0 * s.trace;
   };
   // Wider by a half each time; when twice in a row it was worse, the best is behind.
   int worse = 0;

@@ -13,7 +13,7 @@ namespace lacuna {
 namespace {
 
 /// Samples that are outliers take the value of the straight line between their neighbours.
-Vector without_outliers(const Trajectory& record, Index state, double noise) {
+Vector without_outliers(const Trajectory& record, Index state, const Vector& noise) {
   Vector values = record.states.col(state);
   const Vector& t = record.time;
   for (const Index i : outlying_samples(record, state, noise)) {
@@ -35,29 +35,29 @@ void place_path(PathRecord& record, const Matrix& states, const Program& program
       delayed_slots(variables, record.stride(), program.delays());
 }
 
-Matrix weights_of(const Trajectory& record, const Dataset& data, const Vector& noise,
+Matrix weights_of(const Trajectory& record, const Dataset& data, const Matrix& noise,
                   int threads) {
   Matrix weights = Matrix::Zero(record.samples(), record.states.cols());
   parallel_for(data.states.size(), threads, [&](std::size_t state) {
     const auto k = static_cast<Index>(state);
     if (!data.is_measured(k)) return;
-    weights.col(k).setConstant(1.0 / noise[k]);
-    for (const Index i : outlying_samples(record, k, noise[k])) weights(i, k) = 0.0;
+    weights.col(k) = noise.col(k).cwiseInverse();
+    for (const Index i : outlying_samples(record, k, noise.col(k))) weights(i, k) = 0.0;
   });
   return weights;
 }
 
 }  // namespace
 
-Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise,
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise,
                        int threads) {
   Matrix smooth = record.states;
   std::vector<Matrix> fits(static_cast<std::size_t>(smooth.cols()));
   parallel_for(fits.size(), threads, [&](std::size_t state) {
     const auto k = static_cast<Index>(state);
     if (!data.is_measured(k)) return;
-    fits[state] =
-        smooth_by_polynomials(record.time, without_outliers(record, k, noise[k]), noise[k]);
+    const Vector sigma = noise.col(k);
+    fits[state] = smooth_by_polynomials(record.time, without_outliers(record, k, sigma), sigma);
     smooth.col(k) = fits[state].col(0);
   });
   for (Index k = 0; k < smooth.cols(); ++k) {
@@ -68,12 +68,13 @@ Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vect
   return smooth;
 }
 
-std::vector<PathRecord> make_paths(const Dataset& data, const Vector& noise,
+std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix>& noise,
                                    const Program& program, int threads) {
   std::vector<PathRecord> paths;
-  for (const Trajectory& record : data.trajectories) {
-    PathRecord path{record, weights_of(record, data, noise, threads), 1, {}, {}};
-    place_path(path, smoothed_states(record, data, noise, threads), program);
+  for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
+    const Trajectory& record = data.trajectories[r];
+    PathRecord path{record, weights_of(record, data, noise[r], threads), 1, {}, {}};
+    place_path(path, smoothed_states(record, data, noise[r], threads), program);
     paths.push_back(std::move(path));
   }
   return paths;

@@ -22,17 +22,18 @@ struct PathRecord {
 };
 
 /// Records with the smoothed samples as path.
-/// @param noise sigma of each state; 0: not smoothed.
-std::vector<PathRecord> make_paths(const Dataset& data, const Vector& noise,
+/// @param noise per record n x m: sigma of each sample; 0: not smoothed.
+std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix>& noise,
                                    const Program& program, int threads = 1);
 
 /// Changes the number of parts of an interval; the path goes through its points at samples.
 void set_substeps(PathRecord& record, Index substeps, const Program& program);
 
 /// Signals as polynomials in moving windows see them, the window of each state being the one
-/// with the least estimated risk, RSS / sigma^2 + 2 trace (Mallows' C_p). States that were not
-/// measured follow from those whose rates they are.
-Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Vector& noise,
+/// with the least estimated risk, sum_i (r_i / sigma_i)^2 + 2 trace (Mallows' C_p). States that
+/// were not measured follow from those whose rates they are.
+/// @param noise n x m: sigma of each sample.
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise,
                        int threads = 1);
 
 }  // namespace lacuna

@@ -162,6 +162,14 @@ void note_disputes(const RefinerTask& task, const WindowFit& first, const Window
     }
 }
 
+/// Says where samples were weighed by noise that grows with the signal.
+void note_growing_noise(const SearchTask& search, std::vector<std::string>& notes) {
+  for (std::size_t k = 0; k < search.data.states.size(); ++k)
+    if (const auto& growth = search.sample_noise.growth[k])
+      notes.push_back("the noise of " + search.data.states[k].name + " grows with it: " +
+                      format_number(100.0 * growth->share, 2) + " % of the value");
+}
+
 /// Why a record cannot be fitted, or, when a model is already there, why that needs no fit.
 std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNoise>& noise,
                             bool from_model) {
@@ -292,7 +300,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
       left_out = std::move(others);
     }
   }
-  RefinedModel result = Outcome(task, found.fit, noise).make();
+  RefinedModel result = Outcome(task, found.fit, search.noise).make();
   const bool is_noise = fits_to_noise(result);
   // A model that breaks down in longer windows is an approximation; no noise does that.
   if (!is_noise && found.limited) {
@@ -301,7 +309,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
     left_out.insert(left_out.end(), more.begin(), more.end());
     constexpr double kSlack = 0.1;  // the residuals of an approximation are not known better
     simplify(search, found, kSlack, context);
-    result = Outcome(task, found.fit, noise).make();
+    result = Outcome(task, found.fit, search.noise).make();
   }
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
@@ -311,6 +319,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
       result.model = std::move(*model);
   if (is_long) note_length(task.data, search.data, result.notes);
   if (other) note_disputes(task, found.fit, other->fit, result.notes);
+  note_growing_noise(search, result.notes);
   for (const LeftOut& out : left_out)
     result.negligible.push_back(
         {out.column.equation,

@@ -17,10 +17,10 @@
 namespace lacuna {
 namespace {
 
-Vector noise_or_floor(const SearchTask& task) {
-  Vector sigma = rounding_floor(task.data);
+Vector noise_or_floor(const Dataset& data, const std::vector<StateNoise>& noise) {
+  Vector sigma = rounding_floor(data);
   for (Index k = 0; k < sigma.size(); ++k)
-    sigma[k] = std::max(sigma[k], task.noise[static_cast<std::size_t>(k)].sigma);
+    sigma[k] = std::max(sigma[k], noise[static_cast<std::size_t>(k)].sigma);
   return sigma;
 }
 
@@ -120,8 +120,11 @@ Index first_window(const Dataset& data) {
 
 SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<StateNoise> noise,
                        std::optional<double> price) {
-  SearchTask task{
-      std::move(data), {library, library.compile(), {}}, {}, std::move(noise), price};
+  SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise);
+  for (std::size_t k = 0; k < noise.size(); ++k)
+    if (sample_noise.growth[k]) noise[k].sigma = sample_noise.rms[static_cast<Index>(k)];
+  SearchTask task{std::move(data),  {library, library.compile(), {}}, {},
+                  std::move(noise), std::move(sample_noise),          price};
   for (Index k = 0; k < task.data.state_count(); ++k) {
     task.equations.exact.push_back(task.data.rate_state(k));
     for (Index l = 0; l < library.size() && !task.equations.exact.back(); ++l)
@@ -131,11 +134,12 @@ SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<Sta
 }
 
 WindowSearch prepared_search(const SearchTask& task, const RunContext& context) {
-  const Vector sigma = noise_or_floor(task);
-  WindowedPath path{make_paths(task.data, sigma, task.equations.program, context.threads), {}};
+  WindowedPath path{make_paths(task.data, task.sample_noise.deviations, task.equations.program,
+                               context.threads),
+                    {}};
   return {.rates = WindowRates(task.equations),
           .path = std::move(path),
-          .sigma = sigma,
+          .sigma = task.sample_noise.rms,
           .floor = rounding_floor(task.data),
           .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
           .shortest = std::min(first_window(task.data), longest_record(task.data).samples())};

@@ -7,6 +7,7 @@
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/noise.hpp"
 #include "linearisation.hpp"
+#include "noise_growth.hpp"
 
 namespace lacuna {
 
@@ -16,6 +17,7 @@ struct SearchTask {
   CandidateEquations equations;
   std::vector<Coefficient> candidates;  ///< in all equations that are not exact
   std::vector<StateNoise> noise;        ///< of each state, as estimated from the record
+  SampleNoise sample_noise;             ///< where it grows with the signal
   std::optional<double> price;          ///< of a term
 };
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "lacuna/model/model_file.hpp"
+
 namespace lacuna::testing {
 namespace {
 
@@ -47,6 +49,22 @@ TEST(Program, AnInterruptIsStatus130AndLeavesNoFile) {
   EXPECT_EQ(result.status, 130) << result.err;
   EXPECT_THAT(result.err, ::testing::HasSubstr("interrupted"));
   EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(Program, IdentifiesAStateThatNobodyMeasured) {
+  const TemporaryFolder folder;
+  const std::string orbit = folder.file("orbit.csv"), model = folder.file("model.json");
+  ASSERT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.02 -o " + orbit).status,
+            0);
+  const CommandResult result =
+      run_program("identify " + orbit + " --states x,z --hidden 1 --degree 2 --model-out " + model);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, ::testing::HasSubstr("h1 was not measured"));
+  const OdeModel found = read_model(model);
+  EXPECT_EQ(found.dimension(), 3);
+  EXPECT_NEAR(found.coefficient(0, "x"), -10.0, 0.1);
+  EXPECT_NEAR(found.coefficient(2, "x"), 280.0, 2.0);
+  expect_program_error("identify " + orbit + " --states x,z --hidden 2", 2, {"--hidden", "1"});
 }
 
 }  // namespace

@@ -51,14 +51,19 @@ Allowed allowed_includes() {
                           "estimation", "candidates", "decision", "hypotheses"};
   allowed["libraries"] = allowed["pipeline"];
   allowed["libraries"].insert({"pipeline", "candidates", "effects"});
+  allowed["realisation"] = allowed["pipeline"];
+  allowed["realisation"].insert({"pipeline", "records", "shooting"});
+  allowed["plot"] = {"core"};
   allowed["report"] = allowed["pipeline"];
   allowed["report"].insert({"pipeline", "dynamics", "shooting", "estimation", "candidates",
-                            "decision", "hypotheses", "diagnosis"});
+                            "decision", "hypotheses", "diagnosis", "records", "flow",
+                            "attractor", "plot"});
   allowed["config"] = allowed["report"];
   allowed["config"].insert({"report", "effects"});
   allowed["codegen"] = {"core", "model"};
   allowed["cli"] = allowed["config"];
-  allowed["cli"].insert({"codegen", "config", "libraries", "records", "systems", "attractor"});
+  allowed["cli"].insert(
+      {"codegen", "config", "libraries", "realisation", "records", "systems", "attractor"});
   return allowed;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Models found in records of ODEBench, solved from the record's start and from another one.
-// usage: study_odebench FILE OUTPUT_FOLDER
+// usage: study_odebench FILE OUTPUT_FOLDER [DRAWS]
 // FILE: systems with two solutions each, as JSON (may be packed by gzip).
+// DRAWS: of noise and dropped samples; 1 as published.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,8 +108,8 @@ struct Outcome {
   double seconds = 0.0;  ///< CPU time of the fit
 };
 
-Outcome run(const System& system, const Cell& cell, const std::vector<Stage<Effect>>& effects) {
-  const Dataset data = record_of(system, cell, 1);
+Outcome run(const Dataset& data, const System& system,
+            const std::vector<Stage<Effect>>& effects) {
   const double begin = benchmarks::thread_seconds();
   Outcome outcome;
   try {
@@ -140,27 +141,32 @@ double median_seconds(const std::vector<Outcome>& outcomes) {
   return seconds[seconds.size() / 2];
 }
 
-int run_study(const std::filesystem::path& file, const std::filesystem::path& folder) {
+int run_study(const std::filesystem::path& file, const std::filesystem::path& folder,
+              std::size_t draws) {
   const std::vector<System> systems = read_systems(file);
   const auto effects = default_registry().make_all<Effect>();
   benchmarks::ResultTable summary{
-      {"sigma, dropped", "systems", "reconstruction", "generalisation", "median CPU s"}, {}};
+      {"sigma, dropped", "records", "reconstruction", "generalisation", "median CPU s"}, {}};
   benchmarks::ResultTable details{{"sigma", "dropped", "system", "reconstruction R2",
                                    "generalisation R2", "CPU seconds", "model"},
                                   {}};
   for (const Cell& cell : kCells) {
-    std::vector<Outcome> outcomes(systems.size());
-    benchmarks::for_all(systems.size(),
-                        [&](std::size_t i) { outcomes[i] = run(systems[i], cell, effects); });
+    const bool drawn = cell.sigma > 0.0 || cell.dropped > 0.0;
+    std::vector<Outcome> outcomes((drawn ? draws : 1) * systems.size());
+    benchmarks::for_all(outcomes.size(), [&](std::size_t i) {
+      const System& system = systems[i % systems.size()];
+      outcomes[i] = run(record_of(system, cell, 1 + i / systems.size()), system, effects);
+    });
     const std::string sigma = format_number(cell.sigma), dropped = format_number(cell.dropped);
-    summary.rows.push_back({sigma + ", " + dropped, std::to_string(systems.size()),
+    summary.rows.push_back({sigma + ", " + dropped, std::to_string(outcomes.size()),
                             share(outcomes, 0), share(outcomes, 1),
                             format_number(median_seconds(outcomes), 2)});
-    for (std::size_t i = 0; i < systems.size(); ++i) {
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
       const Outcome& one = outcomes[i];
-      details.rows.push_back(
-          {sigma, dropped, systems[i].name, format_number(one.determination[0], 4),
-           format_number(one.determination[1], 4), format_number(one.seconds, 3), one.model});
+      details.rows.push_back({sigma, dropped, systems[i % systems.size()].name,
+                              format_number(one.determination[0], 4),
+                              format_number(one.determination[1], 4),
+                              format_number(one.seconds, 3), one.model});
     }
     std::cout << summary.markdown() << std::flush;
   }
@@ -168,8 +174,8 @@ int run_study(const std::filesystem::path& file, const std::filesystem::path& fo
   write_file_atomically(folder / "odebench.csv", details.csv());
   write_file_atomically(
       folder / "odebench.md",
-      "# ODEBench\n\n`study_odebench FILE FOLDER`, " + benchmarks::today() + ", " +
-          benchmarks::machine_description() +
+      "# ODEBench\n\n`study_odebench FILE FOLDER " + std::to_string(draws) + "`, " +
+          benchmarks::today() + ", " + benchmarks::machine_description() +
           ". Systems of the given part whose model, found by the default in the first solution "
           "(noise x (1 + sigma xi), a share of the samples dropped), has R2 > 0.9 on the clean "
           "solution from the same start (reconstruction) and from another one "
@@ -182,12 +188,12 @@ int run_study(const std::filesystem::path& file, const std::filesystem::path& fo
 }  // namespace lacuna::odebench
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: study_odebench FILE OUTPUT_FOLDER\n";
+  if (argc != 3 && argc != 4) {
+    std::cerr << "usage: study_odebench FILE OUTPUT_FOLDER [DRAWS]\n";
     return 2;
   }
   try {
-    return lacuna::odebench::run_study(argv[1], argv[2]);
+    return lacuna::odebench::run_study(argv[1], argv[2], argc > 3 ? std::stoul(argv[3]) : 1);
   } catch (const lacuna::Error& error) {
     std::cerr << error.what() << '\n';
     return 2;

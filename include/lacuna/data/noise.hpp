@@ -29,7 +29,12 @@ struct StateNoise {
   std::optional<double> lattice = {};
 
   double outliers = 0.0;  ///< share of samples that are not explained by noise of this sigma
+  Index order = 0;        ///< of the differences that show white noise and no signal
 };
+
+/// Sizes of a state's differences of one order, with weights of norm 1: of white noise their
+/// root mean square is its deviation. n - order entries (none where there are fewer samples).
+Vector difference_sizes(const Trajectory& record, Index state, Index order);
 
 /// Deviations of the noise that a sample must be off to be an outlier: one of 5e8 samples of
 /// normal noise is.
@@ -54,7 +59,10 @@ std::vector<StateNoise> analyse_noise(const Dataset& data);
 /// straight line between its neighbours deviates from the median of the e around it by more
 /// than `deviations` sigma sqrt(3/2) and by more than `deviations` robust deviations of all e;
 /// of neighbours the worst.
+/// @param sigma of the noise, one for all or one for each sample.
 std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma,
+                                    double deviations = kOutlyingDeviations);
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, const Vector& sigma,
                                     double deviations = kOutlyingDeviations);
 
 /// Standard deviation of white measurement noise per state as by analyse_noise().

@@ -33,6 +33,9 @@ struct CoefficientChange {
   double estimated = 0.0;
   double deviation = 0.0;
   double sigma = 0.0;
+  /// Whether the records tell it; where states are hidden they may tell it with others only,
+  /// and its deviation is none.
+  bool determined = true;
 
   std::array<double, 2> ci95() const {
     return {estimated - 1.96 * deviation, estimated + 1.96 * deviation};

@@ -10,6 +10,16 @@
 
 namespace lacuna {
 
+/// One record that the gap was measured on, with both models as they ran in its windows.
+struct GapRecord {
+  std::string source;
+  Vector time;           ///< n
+  Matrix measured;       ///< n x m, nominal states
+  Matrix before, after;  ///< n x m: nominal and augmented model; NaN where there is no window
+  Index begin = 0;       ///< first sample of the first window
+  Index length = 0;      ///< samples of a window
+};
+
 /// How far records and model are apart, before and after.
 struct Gap {
   std::string metric;
@@ -21,6 +31,7 @@ struct Gap {
   double window = 0.0;  ///< length of the windows, time units
   std::vector<std::string> records;
   Index diverged = 0;  ///< windows in which a model has no finite solution; they do not count
+  std::vector<GapRecord> runs = {};  ///< what the numbers are made of
 
   double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }
 };

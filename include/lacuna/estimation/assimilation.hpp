@@ -46,6 +46,14 @@ struct AssimilationOptions {
   /// Noise with a memory per state, where the fit of its size begins; empty: none.
   std::vector<std::optional<ColouredNoise>> coloured = {};
   int passes = 12;  ///< at most so many linearisations
+  /// States that nobody measured (hidden_states()); empty: there are none.
+  std::vector<bool> hidden = {};
+  /// With hidden states: of the first so many free coefficients, directions of which the
+  /// records tell nothing are held.
+  std::size_t held_among = 0;
+  /// held_among x h, orthonormal: relative changes of these that are held whatever the records
+  /// say (UnseenChanges); empty: none.
+  Matrix unseen = {};
 };
 
 /// A model brought onto records: its coefficients, the path, and what separates the two.
@@ -68,6 +76,9 @@ struct Assimilation {
   std::vector<CoefficientPlace> free = {};
   std::vector<ChannelTerm> channel_terms = {};  ///< their coefficients are always fitted
   Matrix covariance = {};  ///< of the free coefficients, then of those of the channel terms
+  /// As rows of `covariance` x h: relative changes of the coefficients of which the records
+  /// tell nothing, and which were held; 0 columns where every state is known.
+  Matrix held = {};
 };
 
 /// Standard deviations of the measurement noise below which nothing can be said: rounding of

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/model/system_model.hpp"
 
 namespace lacuna {
 
@@ -16,19 +16,25 @@ namespace lacuna {
 ///   unknown name in a term.
 OdeModel parse_model(std::string_view json, const std::string& source);
 
+/// The same with its parameters as they are named there; parse_model() has numbers for them.
+SystemModel parse_system(std::string_view json, const std::string& source);
+
 /// Reads a model file, as text (parse_ode()) where it ends in ".ode", else as JSON.
 /// @throws FileError when it cannot be read; ModelError as parse_model() and parse_ode().
 OdeModel read_model(const std::filesystem::path& path);
 
-/// The model as JSON text; parse_model gives the same model back, to the last bit.
-std::string format_model(const OdeModel& model);
+/// The same with its parameters.
+SystemModel read_system(const std::filesystem::path& path);
+
+/// The model as JSON text; parse_system() gives the same model back, to the last bit.
+std::string format_model(const SystemModel& model);
 
 /// The model as a file of that name holds it: as text (format_ode()) where the name ends in
 /// ".ode", else as JSON.
-std::string format_model_for(const std::filesystem::path& path, const OdeModel& model);
+std::string format_model_for(const std::filesystem::path& path, const SystemModel& model);
 
 /// Writes the model so, whole or not at all. @throws
 /// FileError when it cannot be written.
-void write_model(const std::filesystem::path& path, const OdeModel& model);
+void write_model(const std::filesystem::path& path, const SystemModel& model);
 
 }  // namespace lacuna

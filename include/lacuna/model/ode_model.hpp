@@ -19,14 +19,30 @@ struct WeightedTerm {
   double coefficient = 0.0;  ///< state unit per time unit and unit of the term, unscaled
   std::optional<double> standard_error = {};
   std::optional<std::array<double, 2>> ci95 = {};  ///< 95 % confidence interval, low and high
+  bool fixed = false;                              ///< known: not to be estimated
 };
 
 /// The right-hand side of one state: dx_k/dt = sum_i c_i tau_i.
 using Equation = std::vector<WeightedTerm>;
 
+/// A channel that is measured as a formula: y = h(t, x, u).
+struct Output {
+  std::string name;  ///< of the column; an identifier
+  std::string unit;
+  Expression formula;
+};
+
+/// What is known of a state at the first sample of each record.
+struct InitialValue {
+  double value = 0.0;                    ///< to start from
+  bool fixed = false;                    ///< known exactly
+  std::optional<double> deviation = {};  ///< one standard deviation, > 0; nothing: not known
+};
+
 class CompiledModel;
 
-/// A system of ordinary differential equations dx/dt = f(t, x, u): a value.
+/// A system of ordinary differential equations dx/dt = f(t, x, u), with what is known of its
+/// outputs and its start: a value.
 class OdeModel {
  public:
   /// Terms get their canonical names in this model's variables.
@@ -42,6 +58,12 @@ class OdeModel {
   const std::vector<Equation>& equations() const noexcept { return equations_; }
   const std::string& time_unit() const noexcept { return time_unit_; }
   Index dimension() const noexcept { return static_cast<Index>(states_.size()); }
+
+  /// Channels that are measured as formulas; a column with the name of a state measures it.
+  const std::vector<Output>& outputs() const noexcept { return outputs_; }
+
+  /// What is known of the start, one entry for each state.
+  const std::vector<std::optional<InitialValue>>& initial() const noexcept { return initial_; }
 
   /// Names in slot order.
   Variables variables() const;
@@ -62,6 +84,18 @@ class OdeModel {
   /// @throws ArgumentError when there are not as many as inputs.
   OdeModel with_holds(const std::vector<std::optional<Hold>>& holds) const;
 
+  /// The model with these outputs.
+  /// @throws ModelError for a name that is no identifier or is taken (a state may be called as
+  ///   the output that is just it), for an unknown name in a formula and for a delay.
+  OdeModel with_outputs(std::vector<Output> outputs) const;
+
+  /// The model with this start. @throws ArgumentError when there are not as many entries as
+  /// states; ModelError for a value that is not finite or a deviation that is not above 0.
+  OdeModel with_initial(std::vector<std::optional<InitialValue>> initial) const;
+
+  /// The model with other equations. @throws ModelError as the constructor.
+  OdeModel with_equations(std::vector<Equation> equations) const;
+
   /// A flat evaluator of f and of its Jacobian.
   CompiledModel compile() const;
 
@@ -70,6 +104,8 @@ class OdeModel {
   std::vector<Quantity> inputs_;
   std::vector<Equation> equations_;
   std::string time_unit_;
+  std::vector<Output> outputs_;
+  std::vector<std::optional<InitialValue>> initial_;
 };
 
 /// Evaluates f(t, x, u) and its Jacobian without allocation (the Jacobian is compiled by its
@@ -129,6 +165,9 @@ class CompiledModel {
 /// The state v of an identity dx/dt = v: the equation is another state alone, with the
 /// coefficient 1; nothing where it is none. dx/dt = x is growth, not an identity.
 std::optional<Index> identity_of(const OdeModel& model, Index equation);
+
+/// The state that an output is, where its formula is a state alone.
+std::optional<Index> state_of(const OdeModel& model, const Output& output);
 
 /// Equations for people, one per line: "dx/dt = -y - z". Numbers are unrounded unless a number
 /// of significant digits is given, so that what is printed is the model.

@@ -79,8 +79,8 @@ class ParametrisedModel {
   std::vector<FreeShape> shapes_;
 };
 
-/// The model with every coefficient free, except in equations marked exact (identities such as
-/// dq/dt = v).
+/// The model with every coefficient free, except fixed ones and those in equations marked exact
+/// (identities such as dq/dt = v).
 /// @param exact one entry per equation, or empty.
 ParametrisedModel with_free_coefficients(OdeModel model, const std::vector<bool>& exact = {},
                                          std::vector<FreeShape> shapes = {});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/model/ode_model.hpp"
 #include "lacuna/stages/differentiator.hpp"
@@ -8,7 +10,8 @@
 namespace lacuna {
 
 /// The part of a record that a model speaks of: its states and inputs, found by name among all
-/// columns (a record's states may hold an input of the model), in the order of the model.
+/// columns (a record's states may hold an input of the model), in the order of the model. A
+/// column with the name of an output that is just a state measures that state.
 /// Derivatives that came with the record are left out, inputs are n x p also where p is 0.
 /// With it a record drives a simulation:
 /// @code
@@ -20,13 +23,33 @@ namespace lacuna {
 /// @throws DataError naming a state or an input of the model that the record does not have.
 Dataset model_view(const OdeModel& model, const Dataset& record);
 
-/// The same for a record in which states are missing that the model defines as derivatives
-/// (`q` is there and its equation is the single term `v`: v = dq/dt): they are made from it
-/// and marked as reconstructed; q and all others are as smooth as the differentiator makes
-/// them then (see embed()). Time is brought to the unit of the model (see
-/// in_time_unit_of()).
-/// @throws DataError as above, and as embed() and in_time_unit_of().
+/// The same for a record in which not all states are measured. States that the model defines as
+/// derivatives (`q` is there and its equation is the single term `v`: v = dq/dt) are made from
+/// it and marked as reconstructed; q and all others are as smooth as the differentiator makes
+/// them then (see embed()). Other states without a column are hidden: 0, marked as
+/// reconstructed, with all samples marked as missing (see is_hidden()). Behind the m states
+/// there is one column for each output that is a formula (see measured_outputs()). Time is
+/// brought to the unit of the model (see in_time_unit_of()).
+/// @throws DataError for an input or an output without a column and where nothing is measured,
+///   and as embed() and in_time_unit_of().
 Dataset model_view(const OdeModel& model, const Dataset& record,
                    const Differentiator& differentiator);
+
+/// Whether no sample of any record says anything of a state.
+bool is_hidden(const Dataset& data, Index state);
+
+/// An output of a model and where it is in a view: a column of Trajectory::states behind those
+/// of the m states, with marks and noise as theirs.
+struct MeasuredOutput {
+  Output output;
+  Index column = 0;
+};
+
+/// The outputs of a view in a model's variables that are channels of their own.
+std::vector<MeasuredOutput> measured_outputs(const OdeModel& model, const Dataset& view);
+
+/// Refuses records of which a state is hidden or an output is a formula, for those who cannot
+/// work with them. @throws DataError naming the first one.
+void check_states_known(const OdeModel& model, const Dataset& view);
 
 }  // namespace lacuna

@@ -18,8 +18,9 @@ struct IdentificationReport {
 };
 
 /// For people: equations, coefficients with their standard errors, fit, noise, which terms were
-/// removed by what number, synchronisation, warnings.
-std::string format_text(const IdentificationReport& report);
+/// removed by what number, synchronisation, warnings. Numbers have the digits that their
+/// intervals allow, all with `full`.
+std::string format_text(const IdentificationReport& report, bool full = false);
 
 /// JSON text of the format "lacuna.identification/1"; the same report gives the same bytes.
 std::string format_json(const IdentificationReport& report);

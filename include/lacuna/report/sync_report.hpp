@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lacuna/dynamics/synchroniser.hpp"
+#include "lacuna/report/sync_verdict.hpp"
 
 namespace lacuna {
 
@@ -15,6 +16,7 @@ struct SyncReport {
   std::string time_unit;
   bool coupling_given = false;  ///< by the user; else taken from the record's own time scale
   std::string integrator;       ///< its registered name
+  SyncVerdict verdict = {};     ///< whether the model holds on the record
 };
 
 /// For people: the errors, the coupling used and where it comes from, how it ended.

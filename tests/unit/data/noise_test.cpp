@@ -142,5 +142,39 @@ TEST(AnalyseNoise, CountsOutliers) {
   EXPECT_EQ(outliers.size(), 39U);
 }
 
+TEST(DifferenceSizes, AreThoseOfWhiteNoiseOnAnyGrid) {
+  Random random(4);
+  for (const bool uniform : {true, false}) {
+    Trajectory trajectory = record(0.0, 0.0, 1);
+    for (Index i = 0; i < kSamples; ++i) trajectory.states(i, 0) = 0.3 * random.normal();
+    if (!uniform)
+      for (Index i = 0; i + 1 < kSamples; ++i)
+        trajectory.time[i] +=
+            0.5 * random.uniform() * (trajectory.time[i + 1] - trajectory.time[i]);
+    for (const Index order : {1, 4}) {
+      const Vector sizes = difference_sizes(trajectory, 0, order);
+      ASSERT_EQ(sizes.size(), kSamples - order);
+      EXPECT_NEAR(sizes.norm() / std::sqrt(double(sizes.size())), 0.3, 0.015);
+    }
+  }
+  Trajectory three = record(0.0, 0.0, 1);
+  three.time.conservativeResize(3);
+  three.states.conservativeResize(3, Eigen::NoChange);
+  EXPECT_EQ(difference_sizes(three, 0, 5).size(), 0);
+}
+
+TEST(AnalyseNoise, OutliersOfGrowingNoiseAreMeasuredByIt) {
+  Trajectory trajectory = record(0.0, 0.0, 10);
+  Random random(5);
+  Vector sigma(kSamples);
+  for (Index i = 0; i < kSamples; ++i) {
+    sigma[i] = i < kSamples / 2 ? 0.001 : 0.1;
+    trajectory.states(i, 0) = sigma[i] * random.normal();
+  }
+  trajectory.states(100, 0) += 0.1;
+  trajectory.states(kSamples - 100, 0) += 0.1;  // nothing special there
+  EXPECT_EQ(outlying_samples(trajectory, 0, sigma), std::vector<Index>{100});
+}
+
 }  // namespace
 }  // namespace lacuna

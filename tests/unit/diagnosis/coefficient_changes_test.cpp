@@ -45,6 +45,20 @@ TEST(CoefficientChanges, OnlyThoseOfTheNominalModel) {
   EXPECT_EQ(changes[0].term, "q");
 }
 
+TEST(CoefficientChanges, WhatWasHeldHasNoError) {
+  Assimilation fit = changed();
+  fit.held = Matrix::Zero(3, 1);
+  fit.held(1, 0) = 1.0;
+  const auto changes = coefficient_changes(support::oscillator(), fit, 3);
+  EXPECT_EQ(changes[0].term, "q") << "of v nothing is known";
+  for (const CoefficientChange& change : changes) {
+    EXPECT_EQ(change.determined, change.term != "v");
+    if (!change.determined) EXPECT_EQ(change.deviation, 0.0);
+  }
+  EXPECT_FALSE(with_intervals(fit).equations()[1][1].ci95.has_value());
+  EXPECT_TRUE(with_intervals(fit).equations()[1][0].ci95.has_value());
+}
+
 TEST(CoefficientChanges, TheLargestIsTheRateThatMoves) {
   const Assimilation fit = changed();
   // 0.5 q - 0.1 v along the record over -3.5 q - 0.3 v + F, both by their integrals.

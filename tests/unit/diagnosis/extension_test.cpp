@@ -41,9 +41,9 @@ TEST(Extension, ACriterionIsOneClassAndOneLine) {
                diagnosis_options(configuration, registry), RunContext{});
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_EQ(diagnosis.effects[0].name, "coulomb-friction");
-  const auto bare = std::find_if(
-      diagnosis.rivals.begin(), diagnosis.rivals.end(),
-      [](const Rival& rival) { return rival.hypothesis == "coefficients-only"; });
+  const auto bare =
+      std::find_if(diagnosis.rivals.begin(), diagnosis.rivals.end(),
+                   [](const Rival& rival) { return rival.hypothesis == "coefficients-only"; });
   ASSERT_NE(bare, diagnosis.rivals.end());
   EXPECT_EQ(bare->quantity, "aicc");
 }

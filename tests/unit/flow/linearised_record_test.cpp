@@ -5,6 +5,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/model/expression.hpp"
+#include "lacuna/model/formula_channel.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/held_oscillator.hpp"
 
@@ -46,6 +47,33 @@ TEST(LinearisedRecord, DelayedVariablesAreHeldBeforeTheRecord) {
   ASSERT_EQ(all.cols(), record.slots.cols() + 1);
   EXPECT_DOUBLE_EQ(all(0, 4), record.slots(0, 0));
   EXPECT_NEAR(all(100, 4), record.slots(90, 0), 1e-9) << "0.1 s are ten half steps";
+}
+
+TEST(LinearisedRecord, AFormulaChannelFollowsTheStatesWithoutAMemory) {
+  Dataset data = support::hidden_record(support::nothing, 0.0);
+  Trajectory& record = data.trajectories.front();
+  const OdeModel plain = support::oscillator();
+  std::vector<Quantity> states = plain.states();
+  states.push_back(formula_channel("y", ""));
+  std::vector<Equation> equations = plain.equations();
+  equations.push_back({{Term::parse("q^2+v", {{"q", "v", "y"}, {"F"}}), 1.0}});
+  const OdeModel model(states, plain.inputs(), equations, plain.time_unit());
+  Matrix path(record.samples(), 3);
+  path << record.states, record.states.col(0).cwiseAbs2() + record.states.col(1);
+  path(7, 2) += 0.25;
+  record.states = path;
+  const LinearisedRecord found = linearise(model, record, path, Vector::Constant(3, 1e-6));
+  const LinearisedRecord bare = linearised();
+  const Eigen::Map<const Matrix> phi(found.transition.col(5).data(), 3, 3);
+  const Eigen::Map<const Matrix> own(bare.transition.col(5).data(), 2, 2);
+  EXPECT_LT((phi.topLeftCorner(2, 2) - own).norm(), 1e-6);
+  EXPECT_TRUE(phi.col(2).isZero(0.0));
+  const Vector through = own.transpose() * Vector{{2.0 * path(6, 0), 1.0}};
+  EXPECT_LT((phi.row(2).head(2).transpose() - through).norm(), 1e-5);
+  EXPECT_NEAR(found.defect(2, 5), 0.0, 1e-5);
+  EXPECT_NEAR(found.defect(2, 6), -0.25, 1e-5) << "what the path has beyond the formula";
+  const Eigen::Map<const Matrix> force(found.response.col(5).data() + 9, 3, 3);
+  EXPECT_NEAR(force.row(2).sum(), 0.02 + 2.0 * path(6, 0) * 0.5 * 0.02 * 0.02, 1e-4);
 }
 
 TEST(LinearisedRecord, PathMustFitTheRecord) {

@@ -74,6 +74,72 @@ TEST(ModelFile, OptionalPartsMayBeMissing) {
   EXPECT_TRUE(model.equations()[1].empty());
 }
 
+constexpr const char* kSections = R"json({"format": "lacuna.model/1",
+ "states": [{"name": "x"}, {"name": "z"}],
+ "inputs": [{"name": "u"}],
+ "equations": [
+   {"state": "x", "terms": [{"term": "k*u", "coefficient": 2, "fixed": true},
+                            {"term": "m-z", "coefficient": 3}]},
+   {"state": "z", "terms": []}],
+ "parameters": [{"name": "k", "value": 0.5, "unit": "1/s", "min": 0, "max": 1,
+                 "per_record": true, "stderr": 0.1},
+                {"name": "m", "value": 2, "free": false}],
+ "outputs": [{"name": "y", "expression": "k*abs(x)", "unit": "V"}],
+ "initial": {"z": {"value": 3, "fixed": true}, "x": {"value": 1, "deviation": 0.5}}})json";
+
+std::string section_message(const std::string& from, const std::string& to) {
+  std::string text = kSections;
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return message(text.replace(place, from.size(), to));
+}
+
+TEST(ModelFile, ReadsParametersOutputsAndStarts) {
+  const SystemModel system = parse_system(kSections, "m.json");
+  ASSERT_EQ(system.parameters().size(), 2u);
+  const Parameter& k = system.parameters()[0];
+  EXPECT_EQ(k.value, 0.5);
+  EXPECT_EQ(k.unit, "1/s");
+  EXPECT_TRUE(k.free && k.per_record);
+  EXPECT_EQ(k.max, 1.0);
+  EXPECT_EQ(k.standard_error, 0.1);
+  EXPECT_FALSE(system.parameters()[1].free || system.parameters()[1].min.has_value());
+  EXPECT_TRUE(system.symbolic().equations()[0][0].fixed);
+  EXPECT_EQ(system.symbolic().initial()[1]->value, 3.0);
+  EXPECT_TRUE(system.symbolic().initial()[1]->fixed);
+  EXPECT_EQ(system.symbolic().initial()[0]->deviation, 0.5);
+  const OdeModel plain = parse_model(kSections, "m.json");
+  EXPECT_EQ(plain.coefficient(0, "u"), 1.0);
+  EXPECT_EQ(plain.coefficient(0, "2-z"), 3.0) << "what was written is not multiplied out";
+  EXPECT_EQ(plain.outputs()[0].formula.to_string(), "0.5*abs(x)");
+}
+
+TEST(ModelFile, BadSectionsAreNamedWithTheirPath) {
+  EXPECT_THAT(section_message("k*abs(x)", "k*abs(q)"),
+              HasSubstr("$.outputs[0].expression, column 7: unknown name 'q'"));
+  EXPECT_THAT(section_message("k*abs(x)", "delay(x,1)"),
+              HasSubstr("$.outputs[0]: output y: an output cannot be delayed"));
+  EXPECT_THAT(section_message("\"y\"", "\"k\""),
+              HasSubstr("$.outputs[0].name: the name 'k' is given twice"));
+  EXPECT_THAT(section_message("\"y\"", "\"x\""),
+              HasSubstr("$.outputs[0]: output x: a state has the same name"));
+  EXPECT_THAT(section_message("\"k\", \"value\"", "\"x\", \"value\""),
+              HasSubstr("$.parameters[0].name: the name 'x' is given twice"));
+  EXPECT_THAT(section_message("0.5, \"unit\"", "1.5, \"unit\""),
+              HasSubstr("$.parameters[0]: parameter 'k': its value 1.5 is not in its range"));
+  EXPECT_THAT(section_message("\"min\": 0", "\"min\": 2"), HasSubstr("2..1 is upside down"));
+  EXPECT_THAT(section_message("\"free\": false", "\"free\": 0"),
+              HasSubstr("$.parameters[1].free: true or false is expected"));
+  EXPECT_THAT(section_message("{\"z\": {", "{\"q\": {"),
+              HasSubstr("$.initial.q: there is no state 'q'"));
+  EXPECT_THAT(section_message("\"deviation\": 0.5", "\"deviation\": 0"),
+              HasSubstr("$.initial.x.deviation: a deviation is not above 0"));
+  EXPECT_THAT(section_message("{\"z\": {\"value\": 3, \"fixed\": true}, \"x\": {\"value\": 1, "
+                              "\"deviation\": 0.5}}",
+                              "[]"),
+              HasSubstr("$.initial: an object is expected here"));
+}
+
 TEST(ModelFile, BadTermsAreNamedWithPathAndColumn) {
   EXPECT_EQ(message_after("sin(th)", "w*sin(tu)"),
             "m.json: $.equations[1].terms[0].term, column 7: unknown name 'tu'; did you mean "

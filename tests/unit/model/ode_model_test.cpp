@@ -118,5 +118,44 @@ TEST(OdeModel, RejectsEquationsThatDoNotFit) {
               HasSubstr("equation of x: the term 'x^2' stands twice"));
 }
 
+OdeModel with_everything() {
+  const OdeModel model({{"x", "m"}, {"v", ""}}, {{"u", "N"}}, {{}, {}}, "ms");
+  return model.with_outputs({{"y", "V", parse_expression("abs(v)+u")}})
+      .with_initial({InitialValue{1.0, true}, std::nullopt});
+}
+
+TEST(OdeModel, OutputsAndStartStayWithTheModel) {
+  const Variables variables{{"x", "v"}, {"u"}};
+  for (const OdeModel& model :
+       {with_everything().with_term(1, {Term::parse("u", variables), 2.0}),
+        with_everything().with_equations({{}, {{Term::parse("u", variables), 2.0}}}),
+        with_everything().with_holds({Hold::Zero})}) {
+    ASSERT_EQ(model.outputs().size(), 1u);
+    EXPECT_EQ(model.outputs()[0].formula.to_string(), "abs(v)+u");
+    ASSERT_EQ(model.initial().size(), 2u);
+    EXPECT_TRUE(model.initial()[0]->fixed);
+    EXPECT_EQ(model.time_unit(), "ms");
+  }
+  EXPECT_EQ(OdeModel({{"x", ""}}, {}, {{}}).initial().size(), 1u);
+}
+
+TEST(OdeModel, OutputsAndStartsThatDoNotFit) {
+  const OdeModel model({{"x", "m"}, {"v", ""}}, {{"u", "N"}}, {{}, {}});
+  const auto with = [&](const char* name, const char* formula) {
+    return model.with_outputs({{name, "", parse_expression(formula)}});
+  };
+  EXPECT_NO_THROW(with("x", "x")) << "called as the state that it is";
+  EXPECT_EQ(state_of(model, with("y", "v").outputs()[0]), 1);
+  EXPECT_FALSE(state_of(model, with("y", "u").outputs()[0]).has_value());
+  EXPECT_THROW(with("x", "v"), ModelError);
+  EXPECT_THROW(with("u", "v"), ModelError);
+  EXPECT_THROW(with("sin", "v"), ModelError);
+  EXPECT_THROW(with("y", "q"), ModelError);
+  EXPECT_THROW(with("y", "delay(v,1)"), ModelError);
+  EXPECT_THROW(model.with_initial({std::nullopt}), ArgumentError);
+  EXPECT_THROW(model.with_initial({std::nullopt, InitialValue{std::nan("")}}), ModelError);
+  EXPECT_THROW(model.with_initial({std::nullopt, InitialValue{0.0, false, 0.0}}), ModelError);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -39,6 +39,23 @@ TEST(OdeText, StatementsMakeAModel) {
   EXPECT_EQ(model.coefficient(0, "delay(u,1)"), 1.0);
 }
 
+TEST(OdeText, OutputsAndStartsAreParts) {
+  const OdeModel model = parse_ode(
+      "state x [m]\ny = abs(x)*2 [V]\nz = x\ninitial x = 2*3 [m] deviation 1/4\n"
+      "dx/dt = -x",
+      "m.ode");
+  ASSERT_EQ(model.outputs().size(), 2u);
+  EXPECT_EQ(model.outputs()[0].name, "y");
+  EXPECT_EQ(model.outputs()[0].unit, "V");
+  EXPECT_EQ(model.outputs()[0].formula.to_string(), "abs(x)*2");
+  EXPECT_FALSE(state_of(model, model.outputs()[0]).has_value());
+  EXPECT_EQ(state_of(model, model.outputs()[1]), 0);
+  EXPECT_EQ(model.initial()[0]->value, 6.0);
+  EXPECT_EQ(model.initial()[0]->deviation, 0.25);
+  EXPECT_FALSE(model.initial()[0]->fixed);
+  EXPECT_FALSE(model.equations()[0][0].fixed) << "there are no parameters";
+}
+
 TEST(OdeText, WindowsLineEndsAreReadToo) {
   EXPECT_EQ(parse_ode("state x [m]\r\ndx/dt = -x\r\n", "a.ode").coefficient(0, "x"), -1.0);
 }
@@ -104,8 +121,20 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"input u [V\x1b[0m]\ndx/dt = u", "m.ode:1:9", "control"},
                       Wrong{"input u V\ndx/dt = u", "m.ode:1:9", "nothing more belongs"},
                       Wrong{"dx/dt -x", "m.ode:1:7", "'=' is missing"},
-                      Wrong{"y = x\ndx/dt = 1", "m.ode:1:4", "output"},
-                      Wrong{"initial x = 0 fixed\ndx/dt = 1", "m.ode:1:8", "initial"},
+                      Wrong{"y = 2*q\ndx/dt = 1", "m.ode:1:7", "unknown name 'q'"},
+                      Wrong{"y = x\ny = 2*x\ndx/dt = 1", "m.ode:2:8", "given twice"},
+                      Wrong{"x = 2*x\ndx/dt = 1", "m.ode:1:5", "a state has the same name"},
+                      Wrong{"input y\ny = x\ndx/dt = y", "m.ode:2:5", "given twice"},
+                      Wrong{"y = delay(x,1)\ndx/dt = 1", "m.ode:1:5", "cannot be delayed"},
+                      Wrong{"initial z = 0\ndx/dt = 1", "m.ode:1:8", "no state 'z'"},
+                      Wrong{"initial x = q\ndx/dt = 1", "m.ode:1:13", "unknown name 'q'"},
+                      Wrong{"initial x = 0 deviation 0\ndx/dt = 1", "m.ode:1:8", "above 0"},
+                      Wrong{"initial x = 0\ninitial x = 1\ndx/dt = 1", "m.ode:2:8", "two"},
+                      Wrong{"param k = 2 in 3..4\ndx/dt = k", "m.ode:1:10", "not in its range"},
+                      Wrong{"param k = 2 in 4..3\ndx/dt = k", "m.ode:1:10", "upside down"},
+                      Wrong{"fixed dx/dt: u\ndx/dt = 1", "m.ode:1:14", "unknown name 'u'"},
+                      Wrong{"fixed dx/dt: x\ndx/dt = 1", "m.ode:1:14", "no term 'x'"},
+                      Wrong{"fixed x: 1\ndx/dt = 1", "m.ode:1:8", "is no dNAME/dt"},
                       Wrong{"hello\ndx/dt = 1", "m.ode:1:6", "begins no statement"},
                       Wrong{"state sin\ndx/dt = 1", "m.ode:1:7", "word of the formula"},
                       Wrong{"param k = 1 in 3\ndx/dt = k", "m.ode:1:17", "no '..'"},

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
+#include "lacuna/records/bound_records.hpp"
 #include "support/expect_error.hpp"
 #include "support/harmonic_model.hpp"
 
@@ -136,6 +138,83 @@ TEST(ModelView, BringsTimeToTheUnitOfTheModel) {
   EXPECT_NEAR(run.duration(), 8e-3, 1e-15);
   const Vector rate = -2e3 * (2e3 * run.time.array()).sin();
   EXPECT_LT(largest(run.states.col(1) - rate), 1e-2) << "per second";
+}
+
+/// x' = -2 z, z' = 3 x, y = `formula`; the record has columns x, y of waves() called as given.
+struct Seen {
+  OdeModel model;
+  Dataset data;
+};
+
+Seen seen(const std::string& output, const std::string& formula,
+          const std::vector<std::string>& columns) {
+  const Variables variables{{"x", "z"}, {}};
+  const OdeModel model(
+      {{"x", "m"}, {"z", "V"}}, {},
+      {{{Term::parse("z", variables), -2.0}}, {{Term::parse("x", variables), 3.0}}});
+  Dataset data = waves();
+  for (std::size_t i = 0; i < columns.size(); ++i) data.states[i].name = columns[i];
+  return {model.with_outputs({{output, "V", parse_expression(formula)}}), data};
+}
+
+TEST(ModelView, AnOutputThatIsAStateMeasuresIt) {
+  const auto [model, data] = seen("y", "x", {"y", "z"});
+  const Dataset view = model_view(model, data, kDifferences);
+  EXPECT_EQ(view.states, model.states());
+  EXPECT_EQ(view.trajectories[0].states, data.trajectories[0].states);
+  EXPECT_EQ(model_view(model, data).trajectories[0].states, data.trajectories[0].states);
+  EXPECT_TRUE(measured_outputs(model, view).empty());
+  EXPECT_NO_THROW(check_states_known(model, view));
+}
+
+TEST(ModelView, AColumnOfItsOwnNameGoesFirst) {
+  const auto [model, data] = seen("y", "z", {"y", "z"});
+  const Dataset view = model_view(model, data, kDifferences);
+  EXPECT_EQ(view.trajectories[0].states.col(1), data.trajectories[0].states.col(1));
+  EXPECT_TRUE(is_hidden(view, 0));
+}
+
+TEST(ModelView, AStateThatNobodyMeasuredIsHidden) {
+  const auto [model, data] = seen("y", "x", {"y", "spare"});
+  const Dataset view = model_view(model, data, kDifferences);
+  EXPECT_THAT(view.reconstructed, ElementsAre(false, true));
+  EXPECT_FALSE(is_hidden(view, 0));
+  EXPECT_TRUE(is_hidden(view, 1));
+  EXPECT_EQ(view.trajectories[0].states.col(1), Vector::Zero(400));
+  EXPECT_EQ(mark_of(view.trajectories[0].marks, 7, 1), Mark::Missing);
+  EXPECT_EQ(mark_of(view.trajectories[0].marks, 7, 0), Mark::Value);
+  EXPECT_NO_THROW(check_dataset(view));
+  EXPECT_FALSE(bind(model, data, kDifferences).channels[1].measured);
+  expect_error<DataError>([&] { check_states_known(model, view); }, "waves", "the state 'z'",
+                          "column");
+  expect_error<DataError>([&] { model_view(model, data); }, "waves", "the state 'z'", "column");
+}
+
+TEST(ModelView, AFormulaHasAColumnBehindTheStates) {
+  const auto [model, data] = seen("y", "abs(x)+z", {"z", "y"});
+  const Dataset view = model_view(model, data, kDifferences);
+  ASSERT_EQ(view.state_count(), 3);
+  EXPECT_EQ(view.states[2].name, "y");
+  EXPECT_EQ(view.trajectories[0].states.col(2), data.trajectories[0].states.col(1));
+  const std::vector<MeasuredOutput> outputs = measured_outputs(model, view);
+  ASSERT_EQ(outputs.size(), 1u);
+  EXPECT_EQ(outputs[0].column, 2);
+  EXPECT_EQ(outputs[0].output.formula.to_string(), "abs(x)+z");
+  EXPECT_TRUE(is_hidden(view, 0));
+  const BoundRecords records = bind(model, data, kDifferences);
+  ASSERT_EQ(records.channels.size(), 3u);
+  EXPECT_TRUE(records.channels[2].measured);
+}
+
+TEST(ModelView, NothingMeasuredIsAnError) {
+  const auto [model, data] = seen("y", "abs(x)+z", {"z", "Y"});
+  expect_error<DataError>([&] { model_view(model, data, kDifferences); }, "waves",
+                          "the output 'y'", "--map");
+  const auto [other, unnamed] = seen("y", "x", {"a", "b"});
+  expect_error<DataError>([&] { model_view(other, unnamed, kDifferences); }, "waves",
+                          "the output 'y'", "'x'");
+  expect_error<DataError>([&] { model_view(other.with_outputs({}), unnamed, kDifferences); },
+                          "waves", "the state 'x', nor for any other", "outputs");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/expect_error.hpp"
@@ -47,12 +48,43 @@ TEST(ReadRecords, HasTheVariablesOfTheModel) {
   EXPECT_EQ(record.inputs.col(0), record.time);
 }
 
-TEST(ReadRecords, NamesWhatIsNeitherThereNorDefined) {
+TEST(ReadRecords, WhatIsNeitherThereNorDefinedIsHidden) {
   const TemporaryFolder folder;
-  const std::string no_state = folder.write("v.csv", table_of("t,v,u,spare"));
-  expect_error<DataError>([&] { read({no_state}); }, no_state, "the state 'x'", "a column");
+  const Dataset data = read({folder.write("v.csv", table_of("t,v,u,spare"))});
+  EXPECT_THAT(data.reconstructed, ElementsAre(true, false));
+  EXPECT_TRUE(is_hidden(data, 0));
+}
+
+TEST(ReadRecords, NamesWhatIsMissing) {
+  const TemporaryFolder folder;
+  const std::string nothing = folder.write("v.csv", table_of("t,V,u,spare"));
+  expect_error<DataError>([&] { read({nothing}); }, nothing, "the state 'x'", "a column");
   const std::string no_input = folder.write("x.csv", table_of("t,x,F,spare"));
   expect_error<DataError>([&] { read({no_input}); }, no_input, "the input 'u'", "column");
+}
+
+TEST(ReadRecords, WhatIsHiddenInOneFileOnlyIsMeasured) {
+  const TemporaryFolder folder;
+  folder.write("a1.csv", table_of("t,v,u,x"));
+  folder.write("a2.csv", table_of("t,v,u,spare"));
+  const Dataset data = read({folder.file("a*.csv")});
+  EXPECT_THAT(data.reconstructed, ElementsAre(false, false));
+  EXPECT_FALSE(is_hidden(data, 0));
+  EXPECT_EQ(data.trajectories[0].states(3, 0), 7.0);
+  EXPECT_EQ(mark_of(data.trajectories[1].marks, 3, 0), Mark::Missing);
+}
+
+TEST(ReadRecords, OutputsAreColumnsOfTheirOwn) {
+  const TemporaryFolder folder;
+  const OdeModel model = support::harmonic_model().with_outputs(
+      {{"p", "m", parse_expression("x")}, {"e", "J", parse_expression("v^2")}});
+  const std::string path = folder.write("a.csv", table_of("t,p,u,e"));
+  const Dataset data = read_records(model, {path}, {}, kDifferences, Columns::All);
+  ASSERT_EQ(data.state_count(), 3);
+  EXPECT_EQ(data.input_count(), 1) << "outputs are not unused columns";
+  EXPECT_EQ(data.trajectories[0].states(5, 2), 7.0);
+  EXPECT_NEAR(data.trajectories[0].states(5, 0), std::cos(0.2), 1e-6);
+  EXPECT_THAT(data.reconstructed, ElementsAre(false, true, false));
 }
 
 TEST(ReadRecords, BringsTimeToTheUnitOfTheModel) {

@@ -37,7 +37,7 @@ TEST(DiagnosisReport, SaysItInAFewLines) {
   const std::string text = format_text(made());
   EXPECT_THAT(text,
               testing::HasSubstr("Equation v: dry friction opposing v (coulomb-friction), "
-                                 "-0.4 +- 0.02 m/s/s * sign(v), explains 93 %"));
+                                 "-0.4 +- 0.02 m/s^2 * sign(v), explains 93 %"));
   EXPECT_THAT(text, testing::HasSubstr("might also be quadratic-drag"));
   EXPECT_THAT(text, testing::HasSubstr("from 4.9 % to 0.31 % (noise floor 0.3 %)"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What records cannot say of a model whose states are not all measured, whatever the noise is.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/estimation/assimilation.hpp"
+
+namespace lacuna {
+
+/// Changes of a model that other hidden states make up for.
+struct UnseenChanges {
+  /// p x h, orthonormal: relative changes of the free coefficients.
+  Matrix coefficients;
+  /// m entries: hidden states that may be changed without any change of a coefficient: nothing
+  /// that is measured depends on them.
+  std::vector<bool> unseen_states;
+};
+
+/// Changes of variables x_k -> x_k + e (a_0 + sum_j a_j x_j) of hidden states that changes of
+/// the coefficients c_j -> c_j (1 + e v_j) undo: with the rates f and the terms T,
+///
+///   sum_j v_j c_j T_ij + sum_k df_i/dx_k g_k = dg_i/dt,   g_k = a_k0 + sum_l a_kl x_l,
+///
+/// at all samples, in all equations; g_k = 0 where a state is not hidden. The null space of
+/// this linear system in (v, a). A scale of a hidden state is one: in dx1/dt = -a x1 + b x2,
+/// dx2/dt = c x1 - d x2 with x1 measured only a, d and b c are seen. Source: Chappell and
+/// Godfrey, Math. Biosci. 108 (1992), similarity transformations, for affine ones.
+/// @param free coefficients that are estimated. @param known of which something is known
+///   beforehand: these are not changed.
+/// @param data records with paths of the hidden states. None for models with delays.
+UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
+                             const std::vector<bool>& hidden,
+                             const std::vector<CoefficientPlace>& free,
+                             const std::vector<CoefficientPrior>& known);
+
+}  // namespace lacuna

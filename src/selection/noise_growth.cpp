@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "noise_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lacuna {
+namespace {
+
+/// Samples of which one has the median absolute deviation as its scale.
+struct Group {
+  double level = 0.0;      ///< rms of the signal
+  double log_scale = 0.0;  ///< of the differences
+  double weight = 0.0;     ///< 1 / variance of log_scale
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Group group_of(const Vector& signal, const Vector& sizes, const Index* first,
+               const Index* last) {
+  constexpr double kNormalMedian = 0.674489750196082, kVariance = 1.36;
+  Group group;
+  std::vector<double> values;
+  for (const Index* i = first; i != last; ++i) {
+    group.level += signal[*i] * signal[*i];
+    values.push_back(sizes[*i]);
+  }
+  const auto count = static_cast<double>(values.size());
+  group.level = std::sqrt(group.level / count);
+  group.log_scale = std::log(std::max(median(values) / kNormalMedian, 1e-300));
+  group.weight = count / kVariance;
+  return group;
+}
+
+/// Groups of the same number of samples, by rising size of the signal.
+std::vector<Group> groups_by_level(const Vector& signal, const Vector& sizes) {
+  constexpr Index kFewest = 16, kMost = 12;
+  std::vector<Index> order(static_cast<std::size_t>(signal.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return std::abs(signal[a]) < std::abs(signal[b]); });
+  const Index n = signal.size(), count = std::min(kMost, n / kFewest);
+  std::vector<Group> groups;
+  for (Index g = 0; g < count; ++g)
+    groups.push_back(group_of(signal, sizes, order.data() + n * g / count,
+                              order.data() + n * (g + 1) / count));
+  return groups;
+}
+
+/// Weighted squares that scale x sqrt(1 + ratio level^2) leaves over the groups, with the scale
+/// that leaves least.
+struct ScaleFit {
+  double squares = 0.0;
+  double log_scale = 0.0;
+};
+
+ScaleFit fit_scale(const std::vector<Group>& groups, double ratio) {
+  double weight = 0.0, mean = 0.0, squares = 0.0;
+  for (const Group& group : groups) {
+    const double rest = group.log_scale - 0.5 * std::log1p(ratio * group.level * group.level);
+    weight += group.weight;
+    mean += group.weight * rest;
+    squares += group.weight * rest * rest;
+  }
+  mean /= weight;
+  return {squares - weight * mean * mean, mean};
+}
+
+/// Signal and noise of a state as differences of one order see them, all records together: the
+/// mean over the samples of a difference, of which it is independent, and its size.
+struct Differences {
+  Vector levels, sizes;
+};
+
+Differences differences_of(const Dataset& data, Index state, Index order) {
+  Differences all{Vector(data.samples()), Vector(data.samples())};
+  Index count = 0;
+  for (const Trajectory& record : data.trajectories) {
+    const Vector sizes = difference_sizes(record, state, order);
+    for (Index i = 0; i < sizes.size(); ++i, ++count) {
+      all.levels[count] = record.states.col(state).segment(i, order + 1).mean();
+      all.sizes[count] = sizes[i];
+    }
+  }
+  all.levels.conservativeResize(count);
+  all.sizes.conservativeResize(count);
+  return all;
+}
+
+/// Root mean square of a signal over at most `reach` samples to either side.
+Vector local_rms(const Vector& x, Index reach) {
+  Vector result(x.size());
+  for (Index i = 0; i < x.size(); ++i) {
+    const Index first = std::max<Index>(0, i - reach), last = std::min(x.size() - 1, i + reach);
+    const Index count = last - first + 1;
+    result[i] = x.segment(first, count).norm() / std::sqrt(static_cast<double>(count));
+  }
+  return result;
+}
+
+}  // namespace
+
+double NoiseGrowth::at(double x) const { return std::hypot(floor, share * x); }
+
+std::optional<NoiseGrowth> noise_growth(const Vector& signal, const Vector& sizes) {
+  constexpr double kDrop = 25.0;  // five standard deviations
+  constexpr double kStep = 1.25893;
+  const std::vector<Group> groups = groups_by_level(signal, sizes);
+  if (groups.size() < 3 || !(groups.back().level > 0.0)) return std::nullopt;
+  const double unit = 1.0 / (groups.back().level * groups.back().level);
+  const ScaleFit same = fit_scale(groups, 0.0);
+  ScaleFit best = same;
+  double ratio = 0.0;
+  for (double trial = 1e-2; trial < 1e8; trial *= kStep)
+    if (const ScaleFit fit = fit_scale(groups, trial * unit); fit.squares < best.squares) {
+      best = fit;
+      ratio = trial * unit;
+    }
+  if (same.squares - best.squares < kDrop) return std::nullopt;
+  const double floor = std::exp(best.log_scale);
+  return NoiseGrowth{floor, floor * std::sqrt(ratio)};
+}
+
+SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
+                             const std::vector<StateNoise>& noise) {
+  SampleNoise result{{}, sigma, {}};
+  for (const Trajectory& record : data.trajectories)
+    result.deviations.push_back(sigma.transpose().replicate(record.samples(), 1));
+  for (Index k = 0; k < sigma.size(); ++k) {
+    const StateNoise& seen = noise[static_cast<std::size_t>(k)];
+    std::optional<NoiseGrowth> growth;
+    if (data.is_measured(k) && seen.kind == NoiseKind::White) {
+      const Differences differences = differences_of(data, k, seen.order);
+      growth = noise_growth(differences.levels, differences.sizes);
+    }
+    result.growth.push_back(growth);
+    if (!growth) continue;
+    double squares = 0.0;
+    for (std::size_t r = 0; r < result.deviations.size(); ++r) {
+      auto deviations = result.deviations[r].col(k);
+      deviations = local_rms(data.trajectories[r].states.col(k), seen.order)
+                       .unaryExpr([&](double level) { return growth->at(level); });
+      squares += deviations.squaredNorm();
+    }
+    result.rms[k] = std::sqrt(squares / static_cast<double>(data.samples()));
+  }
+  return result;
+}
+
+}  // namespace lacuna

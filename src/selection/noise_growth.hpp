@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Measurement noise that grows with the signal.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/data/noise.hpp"
+
+namespace lacuna {
+
+/// Noise whose standard deviation grows with the signal x: sqrt(floor^2 + (share x)^2).
+struct NoiseGrowth {
+  double floor = 0.0;  ///< unit of the signal
+  double share = 0.0;
+
+  double at(double x) const;
+};
+
+/// Whether noise grows with the signal. Sizes of differences are put into groups by the size of
+/// the signal; the robust deviations s_g of the groups are fitted by
+///   log s_g = log sqrt(floor^2 + (share x_g)^2),   var log s_g = 1.36 / n_g
+/// (median absolute deviation of n_g normal values). Nothing where that is not better than one
+/// deviation for all by five standard deviations.
+/// @param signal,sizes one for each difference: the signal there, and the difference.
+std::optional<NoiseGrowth> noise_growth(const Vector& signal, const Vector& sizes);
+
+/// Standard deviation of the noise of every sample.
+struct SampleNoise {
+  std::vector<Matrix> deviations;  ///< per record n x m
+  Vector rms;                      ///< m, over all samples
+  std::vector<std::optional<NoiseGrowth>> growth;
+};
+
+/// Where the noise of a state is white and noise_growth() sees it grow, it does; else every
+/// sample has the same.
+/// @param sigma of each state.
+SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
+                             const std::vector<StateNoise>& noise);
+
+}  // namespace lacuna

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Reports as a user gets them, and as a browser shows them where there is one.
+#include <cmath>
+#include <filesystem>
+
+#include "integration/program.hpp"
+#include "support/well_formed.hpp"
+
+namespace lacuna::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kModel =
+    "time s\nstate x [m]\nstate v [<img src=x onerror=alert(1)>]\n"
+    "dx/dt = v\ndv/dt = -4*x - 0.2*v\n";
+
+/// A swing that dies away with a column that wants to be a script.
+std::string record(double stiffness) {
+  const double w = std::sqrt(stiffness - 0.01);
+  std::string text = "t [s],x [m],v [<img src=x onerror=alert(1)>],<script>alert(1)</script>\n";
+  std::uint64_t noise = 12345;
+  for (int i = 0; i < 1500; ++i) {
+    const double t = 0.02 * i, e = std::exp(-0.1 * t);
+    noise = noise * 6364136223846793005ULL + 1442695040888963407ULL;
+    const double off = 0.01 * (static_cast<double>(noise >> 40U) / 16777216.0 - 0.5);
+    text += std::to_string(t) + "," + std::to_string(e * std::cos(w * t) + off) + "," +
+            std::to_string(e * (-0.1 * std::cos(w * t) - w * std::sin(w * t)) - off) + "," +
+            std::to_string(std::sin(t)) + "\n";
+  }
+  return text;
+}
+
+/// Runs a command with --report and gives the page.
+std::string page_of(const TemporaryFolder& folder, const std::string& arguments) {
+  const CommandResult result =
+      run_program(arguments + " --report '" + folder.file("page.html") + "'");
+  EXPECT_EQ(result.status, 0) << result.err;
+  return folder.read("page.html");
+}
+
+void expect_sound(const std::string& html, const std::string& command) {
+  EXPECT_EQ(support::first_fault(html), "") << command;
+  EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(html, Not(HasSubstr("<img")));
+  EXPECT_THAT(html, Not(HasSubstr("src=\"")));
+  EXPECT_THAT(html, Not(HasSubstr("href=")));
+  EXPECT_THAT(html, HasSubstr("<svg"));
+  EXPECT_THAT(html, HasSubstr("<math"));
+  EXPECT_THAT(html, HasSubstr("<code>lacuna " + command));
+}
+
+class Reports : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    model_ = "'" + folder_.write("m.ode", kModel) + "'";
+    data_ = "'" + folder_.write("run<b>.csv", record(5.0)) + "'";
+  }
+  std::string arguments(const std::string& command) const {
+    if (command == "identify") return "identify " + data_ + " --states x,v --degree 2";
+    if (command == "sync") return "sync " + model_ + " " + data_;
+    return "diagnose --model " + model_ + " " + data_;
+  }
+  TemporaryFolder folder_;
+  std::string model_, data_;
+};
+
+TEST_F(Reports, AreSoundWhateverTheFilesSay) {
+  expect_sound(page_of(folder_, arguments("identify")), "identify");
+  expect_sound(page_of(folder_, arguments("diagnose")), "diagnose");
+}
+
+TEST_F(Reports, OfASyncSaysWhetherTheModelHolds) {
+  const std::string html = page_of(folder_, arguments("sync"));
+  EXPECT_THAT(html, HasSubstr("Does not hold: equation v"));
+  EXPECT_EQ(support::first_fault(html), "");
+}
+
+TEST_F(Reports, TheSameRunGivesTheSameBytes) {
+  const std::string first = page_of(folder_, arguments("diagnose"));
+  EXPECT_EQ(first, page_of(folder_, arguments("diagnose")));
+}
+
+TEST_F(Reports, PicturesAreFilesToo) {
+  const std::string pictures = folder_.file("pictures");
+  const CommandResult result = run_program(arguments("sync") + " --plot '" + pictures + "'");
+  ASSERT_EQ(result.status, 0) << result.err;
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(pictures)) {
+    EXPECT_EQ(entry.path().extension(), ".svg");
+    EXPECT_GT(std::filesystem::file_size(entry.path()), 1000u);
+    ++count;
+  }
+  EXPECT_EQ(count, 6);
+}
+
+TEST_F(Reports, AMillionRowsStaySmall) {
+  std::string text = "t,x,v\n";
+  for (int i = 0; i < 1000000; ++i) {
+    const double t = 0.001 * i;
+    text += std::to_string(t) + "," + std::to_string(std::cos(2.0 * t)) + "," +
+            std::to_string(-2.0 * std::sin(2.0 * t)) + "\n";
+  }
+  folder_.write("big.csv", text);
+  const std::string html =
+      page_of(folder_, "sync " + model_ + " '" + folder_.file("big.csv") + "'");
+  EXPECT_GT(html.size(), 20000u);
+  EXPECT_LT(html.size(), 8000000u);
+}
+
+std::string browser() {
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+    if (std::system(("command -v " + std::string(name) + " > /dev/null 2>&1").c_str()) == 0)
+      return name;
+  return "";
+}
+
+TEST_F(Reports, ShowInABrowserWithoutANetwork) {
+  const std::string program = browser();
+  if (program.empty()) GTEST_SKIP() << "there is no Chromium here";
+  for (const std::string command : {"identify", "diagnose", "sync"}) {
+    page_of(folder_, arguments(command));
+    const std::string shot = folder_.file(command + ".png"), log = folder_.file("log");
+    const std::string run =
+        "timeout 120 " + program +
+        " --headless --no-sandbox --disable-gpu --hide-scrollbars --enable-logging=stderr "
+        "--host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir='" +
+        folder_.file("profile") + "' --window-size=1000,3000 --screenshot='" + shot +
+        "' 'file://" + folder_.file("page.html") + "' > /dev/null 2> '" + log + "'";
+    ASSERT_EQ(std::system(run.c_str()), 0) << folder_.read("log");
+    EXPECT_THAT(folder_.read("log"), Not(HasSubstr("CONSOLE"))) << command;
+    // A page of one colour packs into a few kilobytes.
+    EXPECT_GT(std::filesystem::file_size(shot), 60000u) << command;
+  }
+}
+
+}  // namespace
+}  // namespace lacuna::testing

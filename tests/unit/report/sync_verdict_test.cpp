@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/sync_verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lacuna/dynamics/runge_kutta.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+OdeModel oscillator(double stiffness) {
+  const Variables variables{{"x", "v"}, {}};
+  return {{{"x", "m"}, {"v", "m/s"}},
+          {},
+          {{{Term::parse("v", variables), 1.0}}, {{Term::parse("x", variables), -stiffness}}}};
+}
+
+/// dv/dt = -x, from the middle on -(1 + change) x; with noise of that deviation.
+Dataset record(double noise, double change) {
+  std::mt19937 engine(5);
+  std::normal_distribution<double> normal;
+  const Index n = 4000;
+  const double h = 0.02;
+  Vector t(n);
+  Matrix states(n, 2);
+  double x = 1.0, v = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    t[i] = h * static_cast<double>(i);
+    states(i, 0) = x + noise * normal(engine);
+    states(i, 1) = v + noise * normal(engine);
+    const double w = std::sqrt(i >= n / 2 ? 1.0 + change : 1.0), c = std::cos(w * h);
+    const double s = std::sin(w * h), next = c * x + s / w * v;
+    v = c * v - w * s * x;
+    x = next;
+  }
+  return {
+      "s", {{"x", "m"}, {"v", "m/s"}}, {}, {{"run", t, states, Matrix(n, 0), Matrix()}}, {}};
+}
+
+SyncVerdict verdict(double stiffness, const Dataset& data) {
+  const OdeModel model = oscillator(stiffness);
+  return judge(model, data, synchronise(model, data, Rk4{}));
+}
+
+TEST(SyncVerdict, TheRightModelHolds) {
+  const SyncVerdict found = verdict(1.0, record(0.01, 0.0));
+  EXPECT_TRUE(found.holds);
+  EXPECT_THAT(found.sentence, HasSubstr("Holds: the error is"));
+}
+
+TEST(SyncVerdict, AWrongOneDoesNotAndItsEquationIsNamed) {
+  const SyncVerdict found = verdict(1.5, record(0.01, 0.0));
+  EXPECT_FALSE(found.holds);
+  EXPECT_EQ(found.equation, "v");
+  EXPECT_FALSE(found.until);
+  EXPECT_THAT(found.sentence, HasSubstr("Does not hold: equation v"));
+}
+
+TEST(SyncVerdict, WhatChangesHoldsUpToThen) {
+  const SyncVerdict found = verdict(1.0, record(0.01, 0.5));
+  EXPECT_FALSE(found.holds);
+  ASSERT_TRUE(found.until);
+  EXPECT_NEAR(*found.until, 40.0, 4.0);  // the middle of 80 s, to two pieces
+  EXPECT_THAT(found.sentence, HasSubstr("Holds up to"));
+}
+
+TEST(SyncVerdict, WithoutNoiseTheRecordItselfIsTheMeasure) {
+  EXPECT_TRUE(verdict(1.0, record(0.0, 0.0)).holds);
+  const SyncVerdict wrong = verdict(1.1, record(0.0, 0.0));
+  EXPECT_FALSE(wrong.holds);
+  EXPECT_THAT(wrong.sentence, HasSubstr("Does not hold"));
+}
+
+}  // namespace
+}  // namespace lacuna
