@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "equation_terms.hpp"
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/numerics/interval.hpp"
@@ -182,6 +183,11 @@ EquationOutcome fit_equation(const Run& run, Index state) {
   return outcome;
 }
 
+EquationOutcome outcome_of(const Run& run, Index state) {
+  const std::optional<Index> rate = run.data.rate_state(state);
+  return rate ? identity(run, state, *rate) : fit_equation(run, state);
+}
+
 /// Holds the residual against what measurement noise alone makes of the target.
 void compare_with_noise(EquationFit& fit, std::vector<std::string>& warnings) {
   const double noise = fit.noise_floor.value_or(0.0);
@@ -241,17 +247,34 @@ void append(std::vector<T>& target, std::vector<T> more) {
                 std::make_move_iterator(more.end()));
 }
 
-IdentificationResult run_equations(const Run& run) {
-  std::vector<Equation> equations;
-  std::vector<EquationOutcome> outcomes;
-  const Index states = run.data.state_count();
-  for (Index k = 0; k < states; ++k) {
-    run.context.report("fitting equations",
-                       static_cast<double>(k) / static_cast<double>(states));
-    const std::optional<Index> rate = run.data.rate_state(k);
-    outcomes.push_back(rate ? identity(run, k, *rate) : fit_equation(run, k));
-    equations.push_back(outcomes.back().equation);
+/// Equations are fitted beside each other, each by one thread.
+std::vector<EquationOutcome> fit_equations(const Run& run) {
+  const auto states = static_cast<std::size_t>(run.data.state_count());
+  std::vector<EquationOutcome> outcomes(states);
+  if (states == 1 || run.context.threads == 1) {
+    for (std::size_t k = 0; k < states; ++k) {
+      run.context.report("fitting equations",
+                         static_cast<double>(k) / static_cast<double>(states));
+      outcomes[k] = outcome_of(run, static_cast<Index>(k));
+    }
+    return outcomes;
   }
+  RunContext silent = run.context;
+  silent.progress = nullptr;
+  silent.threads = 1;
+  const Run each{run.data,   run.pipeline, silent,   run.library,
+                 run.system, run.filtered, run.noise};
+  parallel_for(states, run.context.threads, [&](std::size_t k) {
+    silent.check_stop();
+    outcomes[k] = outcome_of(each, static_cast<Index>(k));
+  });
+  return outcomes;
+}
+
+IdentificationResult run_equations(const Run& run) {
+  std::vector<EquationOutcome> outcomes = fit_equations(run);
+  std::vector<Equation> equations;
+  for (const EquationOutcome& outcome : outcomes) equations.push_back(outcome.equation);
   IdentificationResult result{
       OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit),
       run.noise,

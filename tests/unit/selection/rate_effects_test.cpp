@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "selection/negligible_columns.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
 
 #include "lacuna/bases/monomials.hpp"
+#include "selection/negligible_columns.hpp"
 #include "support/noisy_records.hpp"
 
 namespace lacuna {
