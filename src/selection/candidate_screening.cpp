@@ -137,12 +137,28 @@ Elimination eliminated(const SubsetProblem& problem, double price, const RunCont
   return result;
 }
 
-/// The columns that the model has in an equation.
-std::vector<Index> members_of(const WindowSearch& search, Index equation) {
+/// The terms that may stand in an equation.
+std::vector<Index> terms_of(const SearchTask& task, Index equation) {
+  std::vector<Index> terms;
+  for (const Coefficient& candidate : task.candidates)
+    if (candidate.equation == equation) terms.push_back(candidate.term);
+  return terms;
+}
+
+/// Places of the terms that the model has in an equation.
+std::vector<Index> members_of(const WindowSearch& search, Index equation,
+                              const std::vector<Index>& terms) {
   std::vector<Index> members;
-  for (Index l = 0; l < search.fit.coefficients.cols(); ++l)
-    if (search.fit.coefficients(equation, l) != 0.0) members.push_back(l);
+  for (std::size_t place = 0; place < terms.size(); ++place)
+    if (search.fit.coefficients(equation, terms[place]) != 0.0)
+      members.push_back(static_cast<Index>(place));
   return members;
+}
+
+/// The rows of some terms and one target, which is the last column.
+Matrix gram_of(const IntegralRows& rows, std::vector<Index> terms, Index target) {
+  terms.push_back(target);
+  return rows.gram(terms, terms);
 }
 
 /// Screens one equation.
@@ -151,15 +167,16 @@ Screening screen_equation(const SearchTask& task, const WindowSearch& search, In
                           const IntegralRows& rows, const RunContext& context) {
   constexpr Index kTaken = 40;
   constexpr std::size_t kTimes = 2, kMore = 4;
-  const Index terms = task.equations.library.size();
   const double sigma = search.sigma[equation];
-  std::vector<Index> members = members_of(search, equation);
+  const std::vector<Index> names = terms_of(task, equation);
+  const auto terms = static_cast<Index>(names.size());
+  const Matrix gram = gram_of(rows, names, task.equations.library.size() + equation);
+  std::vector<Index> members = members_of(search, equation, names);
   // A model with so many terms says nothing of what is needed.
   if (static_cast<Index>(members.size()) > kTaken / 2) members.clear();
   const ForwardOrder order = forward_order_in_gram(
-      rows.gram, terms, terms + equation,
-      {members, kTaken, std::numeric_limits<double>::infinity()}, context);
-  const SubsetProblem problem = problem_in(rows.gram, order.columns, terms + equation, sigma);
+      gram, terms, terms, {members, kTaken, std::numeric_limits<double>::infinity()}, context);
+  const SubsetProblem problem = problem_in(gram, order.columns, terms, sigma);
   const auto n = static_cast<double>(rows.rows);
   const double scale =
       std::max(1.0, order.left / (sigma * sigma) /
@@ -172,7 +189,7 @@ Screening screen_equation(const SearchTask& task, const WindowSearch& search, In
   Screening result;
   for (std::size_t i = 0; i < size; ++i) {
     const auto place = static_cast<std::size_t>(left.order[i]);
-    const Coefficient column{equation, order.columns[place]};
+    const Coefficient column{equation, names[static_cast<std::size_t>(order.columns[place])]};
     if (i >= left.worth) result.worth.push_back(column);
     if (i + plausible >= size || place < members.size()) result.plausible.push_back(column);
   }
