@@ -34,6 +34,7 @@ void describe_program(CLI::App& app) {
   app.name("lacuna");
   app.description(
       "Finds the equations of a dynamical system in measured data.\n\n"
+      "  lacuna check record.csv\n"
       "  lacuna identify record.csv --model-out model.json\n"
       "  lacuna sync model.json other_record.csv\n"
       "  lacuna diagnose --model nominal.json record.csv\n"
@@ -188,9 +189,10 @@ int run_cli(int argc, const char* const* argv, const Registry& registry, CliStre
   CLI::App app;
   describe_program(app);
   const std::vector<cli::Command> commands = {
-      cli::declare_identify(app), cli::declare_simulate(app), cli::declare_sync(app),
-      cli::declare_fit(app),      cli::declare_diagnose(app), cli::declare_model(app),
-      cli::declare_export(app),   cli::declare_list(app),     cli::declare_describe(app)};
+      cli::declare_identify(app),   cli::declare_simulate(app), cli::declare_sync(app),
+      cli::declare_diagnose(app),   cli::declare_fit(app),      cli::declare_model(app),
+      cli::declare_export(app),     cli::declare_check(app),    cli::declare_compare(app),
+      cli::declare_completion(app), cli::declare_list(app),     cli::declare_describe(app)};
   if (const auto status = parse(app, argc, argv, streams))
     return with_output_checked(*status, streams);
 

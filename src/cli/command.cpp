@@ -3,9 +3,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <thread>
 
 #include "core/utf8.hpp"
 #include "lacuna/core/atomic_file.hpp"
@@ -69,9 +71,10 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
   app.add_option("--seed", options.seed, "Start of everything random in the run")
       ->check(check_seed, "whole number", "seed")
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "Threads; the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  options.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 64U));
+  app.add_option("--threads", options.threads,
+                 "Threads; the result does not depend on it [default: the machine's cores]")
+      ->check(CLI::Range(1, 1024));
   options.max_memory = default_memory();
   app.add_option("--max-memory", options.max_memory,
                  "Memory that the run may take, e.g. 4G, in bytes [default: three quarters of "

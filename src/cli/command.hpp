@@ -35,6 +35,9 @@ Command declare_sync(CLI::App& root);
 Command declare_diagnose(CLI::App& root);
 Command declare_model(CLI::App& root);
 Command declare_export(CLI::App& root);
+Command declare_check(CLI::App& root);
+Command declare_compare(CLI::App& root);
+Command declare_completion(CLI::App& root);
 Command declare_list(CLI::App& root);
 Command declare_describe(CLI::App& root);
 

@@ -64,6 +64,13 @@ void declare_hold_option(CLI::App& app, DataOptions& options) {
       ->type_name("NAME=HOLD");
 }
 
+void declare_map_option(CLI::App& app, DataOptions& options) {
+  app.add_option("--map", options.names,
+                 "Calls columns (by header or number) what the model or you call them: "
+                 "th=Winkel,u=3")
+      ->type_name("NAME=COLUMN");
+}
+
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
   app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
       ->type_name("NAME");
@@ -78,10 +85,7 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
                  "Column that numbers the records in one file")
       ->type_name("NAME");
   declare_hold_option(app, options);
-  app.add_option("--map", options.names,
-                 "Calls columns (by header or number) what the model or you call them: "
-                 "th=Winkel,u=3")
-      ->type_name("NAME=COLUMN");
+  declare_map_option(app, options);
   if (!choose_columns) return;
   app.add_option("--states", options.states,
                  "State columns [default: all without another role]")

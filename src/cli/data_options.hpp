@@ -30,6 +30,9 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
 /// The option `--hold`, which the column options have among them.
 void declare_hold_option(CLI::App& app, DataOptions& options);
 
+/// The option `--map`, which the column options have among them.
+void declare_map_option(CLI::App& app, DataOptions& options);
+
 /// Everything that a command reads: its data and `others`.
 std::vector<std::string> files_read(const DataOptions& options,
                                     const std::vector<std::string>& others);

@@ -10,6 +10,7 @@
 #include "lacuna/diagnosis/diagnose.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/records/read_records.hpp"
+#include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/diagnosis_report.hpp"
 #include "lacuna/report/pages.hpp"
 #include "limit_options.hpp"
@@ -122,7 +123,8 @@ int diagnose_command(const Session& session, const Options& options) {
   if (options.json) write_output(session, *options.json, format_json(diagnosis));
   write_report(session, options.report, [&] { return diagnosis_page(diagnosis); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-") {
-    show(session, format_text(diagnosis));
+    show(session, data_line(data, static_cast<Index>(model.inputs().size())) + "\n\n" +
+                      format_text(diagnosis));
     if (options.full) show(session, "\nAugmented model\n" + to_text(diagnosis.augmented));
     if (options.explain) show(session, "\n" + format_trail(diagnosis));
   }

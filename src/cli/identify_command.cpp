@@ -8,6 +8,7 @@
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/realisation/identify_hidden.hpp"
+#include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/pages.hpp"
 #include "report_options.hpp"
 
@@ -19,7 +20,7 @@ struct Options {
   RunOptions run;
   std::optional<std::string> preset, config, terms;
   std::optional<int> degree, hidden;
-  std::vector<std::string> assignments;
+  std::vector<std::string> assignments, equations, added;
   std::optional<std::string> model_out, json;
   ReportOptions report;
   bool full = false;
@@ -40,6 +41,11 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
   app.add_option("--hidden", options.hidden,
                  "States that nobody measured: 1, found by the derivative of a measured one")
       ->type_name("N");
+  app.add_option("--add", options.added, "Terms beside the library, e.g. \"sin(th),w*abs(w)\"")
+      ->type_name("LIST");
+  app.add_option("--equation", options.equations,
+                 "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable")
+      ->type_name("STATE:LIST");
   app.add_option("--set", options.assignments,
                  "One value of the configuration, e.g. regressor.threshold=0.05; repeatable")
       ->type_name("PATH=VALUE");
@@ -65,6 +71,8 @@ Configuration make_configuration(const Options& options) {
   if (options.preset) configuration.set_preset(*options.preset);
   if (options.degree) configuration.set_degree(*options.degree);
   if (options.terms) configuration.set_terms(*options.terms);
+  for (const std::string& terms : options.added) configuration.add_terms(terms);
+  for (const std::string& equation : options.equations) configuration.set_equation(equation);
   for (const std::string& assignment : options.assignments) configuration.set(assignment);
   return configuration;
 }
@@ -112,7 +120,8 @@ void write_results(const Session& session, const Options& options,
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return identification_page(report, data); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
-    show(session, format_text(report, options.full));
+    show(session,
+         data_line(data, data.input_count()) + "\n\n" + format_text(report, options.full));
 }
 
 /// Forms beside the library enter where the user has not said what the library is.
@@ -125,7 +134,8 @@ IdentificationResult identified(const Session& session, const Options& options, 
     return std::move(found.result);
   }
   const bool chosen = options.preset || options.config || options.terms || options.degree ||
-                      !options.assignments.empty();
+                      !options.assignments.empty() || !options.equations.empty() ||
+                      !options.added.empty();
   if (chosen) return identify(data, pipeline, context);
   return identify_with_forms(data, pipeline, session.registry.make_all<Effect>(), context);
 }

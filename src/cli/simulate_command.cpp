@@ -59,9 +59,21 @@ Dataset input_records(const OdeModel& model, const Options& options) {
   if (!options.input_data)
     throw ConfigError("--input-data", "the model has inputs but no record of them is given",
                       "give a file with a column for each input");
-  ColumnRoles roles;
+  ColumnRoles roles = common_roles(options.data);
   roles.time = options.input_time;
   return read_inputs(model, *options.input_data, roles);
+}
+
+/// Says where the simulation goes beyond what is known of its inputs.
+void warn_beyond(const Session& session, const Options& options, const Dataset& record) {
+  const Vector& time = record.trajectories.front().time;
+  const double begin = time[0], end = time[time.size() - 1];
+  if (options.t_start < begin)
+    session.streams.err << "lacuna: note: the input record begins at "
+                        << format_number(begin, 6) << "; before that its first value holds\n";
+  if (options.t_end > end)
+    session.streams.err << "lacuna: note: the input record ends at " << format_number(end, 6)
+                        << "; from there on its last value holds\n";
 }
 
 /// What was simulated and the inputs at its times.
@@ -80,13 +92,14 @@ Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
   return values;
 }
 
-Run run(const OdeModel& model, const Integrator& integrator, const Options& options,
-        const RunContext& context) {
+Run run(const Session& session, const OdeModel& model, const Integrator& integrator,
+        const Options& options, const RunContext& context) {
   const Vector start = parse_start(model, options.x0);
   const Vector times = parse_times(options);
   if (model.inputs().empty())
     return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};
   const Dataset record = input_records(model, options);
+  warn_beyond(session, options, record);
   const OdeModel driven = with_shown_holds(model, record);
   RecordInput inputs(record.trajectories.front(), driven.inputs());
   Solution orbit =
@@ -126,7 +139,7 @@ int simulate_command(const Session& session, const Options& options) {
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
-  Run done = run(model, *integrator, options, context);
+  Run done = run(session, model, *integrator, options, context);
   finish_progress(session, options.run);
   if (done.orbit.status != IntegrationStatus::Completed) {
     session.streams.err << "lacuna: error: " << done.orbit.message
@@ -161,6 +174,7 @@ void declare_options(CLI::App& app, Options& options) {
                  "Record with a column for each input of the model")
       ->type_name("FILE");
   declare_hold_option(app, options.data);
+  declare_map_option(app, options.data);
   app.add_option("--time", options.input_time, "Time column of the input record")
       ->type_name("NAME");
   declare_run_options(app, options.run);

@@ -6,6 +6,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/records/shown_holds.hpp"
+#include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/pages.hpp"
 #include "report_options.hpp"
 
@@ -61,7 +62,8 @@ int sync_command(const Session& session, const Options& options) {
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return sync_page(report, data); });
-  if (options.json != "-" && options.report.page != "-") show(session, format_text(report));
+  if (options.json != "-" && options.report.page != "-")
+    show(session, data_line(data, data.input_count()) + "\n\n" + format_text(report));
   if (report.result.status == IntegrationStatus::Completed) return 0;
   session.streams.err << "lacuna: error: " << report.result.message
                       << "; try a stronger --coupling\n";

@@ -98,7 +98,7 @@ Json with_stage_objects(Json root) {
 }
 
 void check_keys(const Json& root) {
-  std::vector<std::string> known = {"preset", "tolerances"};
+  std::vector<std::string> known = {"preset", "tolerances", "equations"};
   known.insert(known.end(), kStageKeys.begin(), kStageKeys.end());
   for (const auto& [key, value] : root.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
@@ -137,6 +137,23 @@ void override_stage(Stage<Interface>& stage, const Registry& registry, const Jso
   if (!root.contains(key)) return;
   auto made = read_stage(registry, Interface::kKind, root.at(key), "$." + key, *stage);
   stage = Stage<Interface>(std::dynamic_pointer_cast<const Interface>(made));
+}
+
+/// Libraries of equations: {"w": ["sin(th)", "w"]}.
+std::vector<EquationTerms> read_equations(const Json& root) {
+  std::vector<EquationTerms> equations;
+  if (!root.contains("equations")) return equations;
+  if (!root["equations"].is_object())
+    throw ConfigError("$.equations", "this is no object",
+                      R"x(write {"w": ["sin(th)", "w", "u"]})x");
+  for (const auto& [state, terms] : root["equations"].items()) {
+  if (!terms.is_array() || !std::all_of(terms.begin(), terms.end(),
+                                        [](const Json& term) { return term.is_string(); }))
+      throw ConfigError("$.equations." + state, "this is no list of formulas",
+                        R"x(write ["sin(th)", "w", "u"])x");
+    equations.push_back({state, terms.get<std::vector<std::string>>()});
+}
+return equations;
 }
 
 /// Moves the short form `differentiator` to where it belongs.
@@ -201,6 +218,19 @@ void Configuration::set_terms(std::string_view list) {
   document_->root["basis"] = Json{{"type", "expressions"}, {"terms", split_list(list)}};
 }
 
+void Configuration::add_terms(std::string_view list) {
+  merge_into(document_->root, Json{{"basis", {{"include", split_list(list)}}}});
+}
+
+void Configuration::set_equation(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos)
+    throw ConfigError("--equation " + std::string(text), "there is no colon",
+                      "write e.g. --equation \"w: sin(th), w, u\"");
+  document_->root["equations"][std::string(trim(text.substr(0, colon)))] =
+      split_list(text.substr(colon + 1));
+}
+
 std::string Configuration::text() const {
   return document_->root.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -215,6 +245,7 @@ Pipeline Configuration::build(const Registry& registry) const {
   override_stage(pipeline.regressor, registry, root, "regressor");
   override_stage(pipeline.pruner, registry, root, "pruner");
   override_stage(pipeline.refiner, registry, root, "refiner");
+  pipeline.equations = read_equations(root);
   return pipeline;
 }
 

@@ -2,6 +2,7 @@
 // Blank cells of states.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lacuna/data/table.hpp"
@@ -17,5 +18,10 @@ struct FilledTable {
 /// Fills blank cells of columns along the straight line between the values before and behind
 /// them, at the ends with the nearest. A column without any value stays as it is.
 FilledTable fill_blanks(Table table, const std::vector<Index>& columns);
+
+/// The rows in which all of these columns have a value, where each of them stands alone between
+/// rows that lack some: channels with rates of their own. Cutting the record there would leave
+/// nothing. @return nothing where two such rows follow one another, or there are fewer than 4.
+std::optional<Table> common_rows(const Table& table, const std::vector<Index>& columns);
 
 }  // namespace lacuna

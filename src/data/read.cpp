@@ -10,38 +10,34 @@
 #include <system_error>
 #include <utility>
 
+#include "file_kinds.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/file_bytes.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read_text.hpp"
 #include "lacuna/data/text_field.hpp"
 #include "npy.hpp"
+#include "npz.hpp"
 
 namespace lacuna {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool starts_with(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
-}
-
-/// Whether the name ends in .npy or .npy.gz.
-bool is_npy_name(const fs::path& path) {
+/// Whether the name ends in an ending such as .npy, or in that and .gz.
+bool is_named(const fs::path& path, std::string_view ending) {
   fs::path name = path.filename();
   if (lower_case(name.extension().string()) == ".gz") name = name.stem();
-  return lower_case(name.extension().string()) == ".npy";
+  return lower_case(name.extension().string()) == ending;
 }
 
 /// @throws DataError for well-known binary formats that cannot be read.
 void check_format(std::string_view bytes, const std::string& source) {
-  const bool matlab = starts_with(bytes, "MATLAB ");
-  if (!matlab && !starts_with(bytes, "\x89HDF\r\n\x1a\n")) return;
-  throw DataError(source,
-                  std::string("this is a ") + (matlab ? "MATLAB" : "HDF5") +
-                      " file, which this build cannot read",
-                  "save the columns as .csv or NumPy's .npy");
+  if (const auto kind = known_file(bytes))
+    throw DataError(source, "this is " + kind->what + ", which cannot be read", kind->remedy);
 }
+
+bool starts_as_npy(std::string_view bytes) { return bytes.substr(0, 6) == "\x93NUMPY"; }
 
 bool is_pattern(const std::string& path) {
   std::error_code ignored;
@@ -131,10 +127,12 @@ void append(Dataset& data, Dataset more, const std::string& source, const std::s
 }  // namespace
 
 Table read_table(const fs::path& path) {
-  const FileBytes content = read_bytes(path);
+  const bool piped = path == "-";
+  const FileBytes content = read_bytes(piped ? fs::path("/dev/stdin") : path);
   const std::string_view bytes = content.view();
-  const std::string source = path.string();
-  if (is_npy_name(path)) return parse_npy(bytes, source);
+  const std::string source = piped ? "standard input" : path.string();
+  if (is_named(path, ".npy") || starts_as_npy(bytes)) return parse_npy(bytes, source);
+  if (is_named(path, ".npz")) return parse_npz(bytes, source);
   check_format(bytes, source);
   return parse_text_table(bytes, source);
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "dialects.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/text_field.hpp"
 #include "text_layout.hpp"
@@ -159,10 +160,7 @@ void check_is_text(std::string_view text, const std::string& source) {
                     "give delimited text (.csv, .txt, .gz) or NumPy's .npy");
 }
 
-}  // namespace
-
-Table parse_text_table(std::string_view text, const std::string& source) {
-  check_is_text(text, source);
+Table parse_delimited(std::string_view text, const std::string& source) {
   const TextLayout layout = find_layout(text, source);
   Table table;
   table.source = source;
@@ -170,6 +168,25 @@ Table parse_text_table(std::string_view text, const std::string& source) {
   name_columns(table, layout.headers, layout.header_line);
   RowReader(text, layout, table).read();
   return table;
+}
+
+/// A text of an instrument or a program.
+Table parse_plain(const PlainText& plain, const std::string& source) {
+  Table table = parse_delimited(plain.text, source);
+  table.notes.insert(table.notes.begin(), source + ": " + plain.note);
+  table.run_column = plain.run_column;
+  const auto shift =
+      static_cast<std::size_t>(std::count(plain.shift.begin(), plain.shift.end(), '\n'));
+  for (std::size_t& line : table.lines) line -= shift;
+  return table;
+}
+
+}  // namespace
+
+Table parse_text_table(std::string_view text, const std::string& source) {
+  check_is_text(text, source);
+  if (const auto plain = plain_text(text)) return parse_plain(*plain, source);
+  return parse_delimited(text, source);
 }
 
 }  // namespace lacuna

@@ -167,7 +167,10 @@ ColumnIndices find_columns(const Table& table, const ColumnRoles& roles) {
   columns.states = columns_of(table, roles.states);
   columns.inputs = columns_of(table, roles.inputs);
   columns.derivatives = columns_of(table, roles.derivatives);
-  if (roles.trajectory) columns.trajectory = column_of(table, *roles.trajectory);
+  if (roles.trajectory)
+    columns.trajectory = column_of(table, *roles.trajectory);
+  else if (!table.run_column.empty())
+    columns.trajectory = column_of(table, table.run_column);
   find_time(table, roles, columns);
   find_states(table, roles, columns);
   check_roles(table, columns);
@@ -178,7 +181,9 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   const ColumnIndices columns = find_columns(given, roles);
   std::optional<FilledTable> filled;
   if (roles.blanks == Blanks::Mark) filled = fill_blanks(given, columns.states);
-  const Table& table = filled ? filled->table : given;
+  std::optional<Table> common;
+  if (!filled) common = common_rows(given, columns.used());
+  const Table& table = filled ? filled->table : common ? *common : given;
   Dataset data;
   data.notes = table.notes;
   append(data.notes, columns.notes);

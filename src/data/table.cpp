@@ -53,6 +53,22 @@ std::optional<Quantity> split_brackets(std::string_view text, char open, char cl
   return Quantity{std::string(trim(text.substr(0, begin))), std::string(trim(unit))};
 }
 
+/// "V(th)", "I(L1)", "Ic(Q1)" are names that circuit simulators give; "V(V)" and "I(mA)" a name
+/// and a unit.
+bool is_probe(std::string_view text) {
+  const std::size_t open = text.find('(');
+  if (open == std::string_view::npos || open == 0 || open > 2 || text.back() != ')')
+    return false;
+  const char kind = text[0];
+  const bool voltage = (kind == 'V' || kind == 'v') && open == 1;
+  const bool current = kind == 'I' || kind == 'i';
+  const std::string_view inside = text.substr(open + 1, text.size() - open - 2);
+  if (inside.empty() || (!voltage && !current)) return false;
+  const bool prefixed = inside.size() == 2 &&
+                        std::string_view("pnumkM").find(inside[0]) != std::string_view::npos;
+  return !((inside.size() == 1 || prefixed) && inside.back() == (voltage ? 'V' : 'A'));
+}
+
 std::string default_name(std::size_t column) {
   std::string name = "c";
   return name += std::to_string(column + 1);
@@ -117,6 +133,7 @@ std::string to_identifier(std::string_view text) {
 Quantity split_header(std::string_view text) {
   text = trim(text);
   if (const auto squared = split_brackets(text, '[', ']')) return *squared;
+  if (is_probe(text)) return Quantity{std::string(text), ""};
   if (const auto round = split_brackets(text, '(', ')')) return *round;
   return Quantity{std::string(text), ""};
 }

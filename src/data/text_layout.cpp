@@ -167,30 +167,6 @@ Start find_start(std::string_view text, std::size_t offset, char line_end,
   fail_no_numbers(before, source);
 }
 
-/// Symbol of a unit that stands in a line of units below the names; empty when it is none.
-std::string unit_symbol(std::string_view field) {
-  const bool bracketed = field.size() > 2 && ((field.front() == '(' && field.back() == ')') ||
-                                              (field.front() == '[' && field.back() == ']'));
-  if (bracketed) return std::string(strip(field.substr(1, field.size() - 2)));
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kWords{
-      {{"second", "s"},
-       {"seconds", "s"},
-       {"sec", "s"},
-       {"s", "s"},
-       {"ms", "ms"},
-       {"us", "us"},
-       {"volt", "V"},
-       {"volts", "V"},
-       {"v", "V"},
-       {"mv", "mV"},
-       {"ampere", "A"},
-       {"a", "A"}}};
-  const std::string word = lower_case(field);
-  for (const auto& [name, symbol] : kWords)
-    if (word == name) return std::string(symbol);
-  return "";
-}
-
 /// Puts the units of the line below the names into the headers.
 /// @return false when the line is not one of units only.
 bool take_units(std::string_view line, char delimiter, std::vector<Quantity>& headers) {
@@ -278,6 +254,29 @@ void note_preamble(const Start& start, TextLayout& layout, const std::string& so
 }
 
 }  // namespace
+
+std::string unit_symbol(std::string_view field) {
+  const bool bracketed = field.size() > 2 && ((field.front() == '(' && field.back() == ')') ||
+                                              (field.front() == '[' && field.back() == ']'));
+  if (bracketed) return std::string(strip(field.substr(1, field.size() - 2)));
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kWords{
+      {{"second", "s"},
+       {"seconds", "s"},
+       {"sec", "s"},
+       {"s", "s"},
+       {"ms", "ms"},
+       {"us", "us"},
+       {"volt", "V"},
+       {"volts", "V"},
+       {"v", "V"},
+       {"mv", "mV"},
+       {"ampere", "A"},
+       {"a", "A"}}};
+  const std::string word = lower_case(field);
+  for (const auto& [name, symbol] : kWords)
+    if (word == name) return std::string(symbol);
+  return "";
+}
 
 TextLayout find_layout(std::string_view text, const std::string& source) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";

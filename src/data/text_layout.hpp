@@ -25,6 +25,10 @@ struct TextLayout {
   std::size_t columns() const noexcept { return headers.size(); }
 };
 
+/// Symbol of a unit that stands in a line of units below the names ("Volt", "[V]"); empty when
+/// it is none.
+std::string unit_symbol(std::string_view field);
+
 /// Finds the layout: the data begin at the first line whose fields are all numbers or missing;
 /// the header is the line of names in front of it (with a line of units between them, if there
 /// is one); what stands above is a preamble. Lines that start with # and empty lines do not

@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "estimation/window_paths.hpp"
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
 #include "lacuna/estimation/window_gap.hpp"
-#include "lacuna/estimation/window_paths.hpp"
 
 namespace lacuna {
 namespace {
@@ -95,6 +96,17 @@ struct Comparison {
   GapRecord runs = {};
 };
 
+/// The samples that say something; NaN for the others, and for states that nobody measured.
+Matrix said_by(const Trajectory& record, const NoiseModel& noise) {
+  Matrix values = record.states;
+  for (Index k = 0; k < values.cols(); ++k)
+    for (Index i = 0; i < values.rows(); ++i)
+      if (!noise.measurement[static_cast<std::size_t>(k)] ||
+          !says_something(mark_of(record.marks, i, k)))
+        values(i, k) = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
 /// On one record.
 Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
                       const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
@@ -111,7 +123,7 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
   return {window_squares(bare, {given.states, own}, noise, scale, grid),
           window_squares(full, {corrected, omitted}, fit.noise, scale, grid),
           // What the measurement adds stands in what the augmented model says of the samples.
-          {given.source, given.time, given.states,
+          {given.source, given.time, said_by(given, noise),
            window_paths(bare, {given.states, own}, noise, grid),
            after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
 }

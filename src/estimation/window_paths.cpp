@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/estimation/window_paths.hpp"
+#include "window_paths.hpp"
 
 #include <limits>
 

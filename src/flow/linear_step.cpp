@@ -6,6 +6,17 @@
 namespace lacuna {
 namespace {
 
+/// left * jacobian; few entries of the Jacobian of many states are not 0.
+template <int M, class Jacobian>
+Square<M> times(const Square<M>& left, const Jacobian& jacobian) {
+  if constexpr (M != Eigen::Dynamic) return left.lazyProduct(jacobian);
+  Square<M> result = Square<M>::Zero(left.rows(), left.cols());
+  for (Index c = 0; c < result.cols(); ++c)
+    for (Index j = 0; j < left.cols(); ++j)
+      if (jacobian(j, c) != 0.0) result.col(c) += jacobian(j, c) * left.col(j);
+  return result;
+}
+
 /// With L_4 = h/6, L_3 = h/3 + h L_4 J_1, L_2 = h/3 + h/2 L_3 J_m, L_1 = h/6 + h/2 L_2 J_m:
 /// first = L_1, middle = L_2 + L_3, whole = 1 + L_1 J_0 + (L_2 + L_3) J_m + L_4 J_1.
 template <int M>
@@ -16,12 +27,12 @@ void compute_maps(const Eigen::Ref<const Matrix>& jacobians, Index m, double h,
       j1(jacobians.col(2).data(), m, m);
   Square<M> third = (h * h / 6.0) * j1;
   third.diagonal().array() += h / 3.0;
-  Square<M> second = (0.5 * h) * third.lazyProduct(jm);
+  Square<M> second = (0.5 * h) * times<M>(third, jm);
   second.diagonal().array() += h / 3.0;
-  Square<M> first = (0.5 * h) * second.lazyProduct(jm);
+  Square<M> first = (0.5 * h) * times<M>(second, jm);
   first.diagonal().array() += h / 6.0;
   const Square<M> middle = second + third;
-  Square<M> whole = first.lazyProduct(j0) + middle.lazyProduct(jm) + (h / 6.0) * j1;
+  Square<M> whole = times<M>(first, j0) + times<M>(middle, jm) + (h / 6.0) * j1;
   whole.diagonal().array() += 1.0;
   step.whole = whole;
   step.first = first;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 #include "assemble_projections.hpp"
 #include "lacuna/data/noise.hpp"
@@ -30,6 +31,7 @@ class Spectrum {
   Spectrum(const Trajectory& record, Index state) {
     const Index n = std::min(record.samples(), kSpectrumSamples);
     time_ = record.time.head(n);
+    step_ = uniform_step(record, 1e-6);
     const double middle = 0.5 * (time_[0] + time_[n - 1]);
     const TestFunction taper{0.5 * (time_[n - 1] - time_[0]), 4};
     weights_ = quadrature_weights(time_);
@@ -42,6 +44,16 @@ class Spectrum {
   /// Power at angular frequency omega, and what white noise of unit variance has there.
   double power(double omega) const {
     std::complex<double> sum = 0.0;
+    if (step_) {
+      const std::complex<double> turn = std::polar(1.0, -omega * *step_);
+      std::complex<double> phase = 1.0;
+      for (const double value : tapered_) {
+        sum += value * phase;
+        phase = {phase.real() * turn.real() - phase.imag() * turn.imag(),
+                 phase.real() * turn.imag() + phase.imag() * turn.real()};
+      }
+      return std::norm(sum);
+    }
     for (Index i = 0; i < time_.size(); ++i)
       sum += tapered_[i] * std::polar(1.0, -omega * (time_[i] - time_[0]));
     return std::norm(sum);
@@ -50,6 +62,7 @@ class Spectrum {
 
  private:
   Vector time_, weights_, tapered_;
+  std::optional<double> step_;  ///< of an even grid
 };
 
 /// Highest angular frequency at which a state rises above its noise (by a factor of 10 in

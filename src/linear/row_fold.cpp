@@ -71,6 +71,15 @@ void RowFold::add_triangle(const Eigen::Ref<const Matrix>& triangle) {
   fold();
 }
 
+void RowFold::merge(RowFold& other) {
+  other.fold();
+  if (folding_ == Folding::Gram)
+    folded_ += other.folded_;
+  else
+    add_triangle(other.folded_);
+  other.folded_.setZero();
+}
+
 void RowFold::fold() {
   if (rows_ == 0) return;
   const Index all = padded(rows_);
@@ -89,8 +98,13 @@ std::optional<Matrix> RowFold::finish() {
   return triangle;
 }
 
-std::optional<Matrix> RowFold::from_gram() const {
-  const Matrix gram = folded_.topLeftCorner(columns_, columns_).selfadjointView<Eigen::Upper>();
+Matrix RowFold::gram() {
+  fold();
+  return folded_.topLeftCorner(columns_, columns_).selfadjointView<Eigen::Upper>();
+}
+
+std::optional<Matrix> RowFold::from_gram() {
+  const Matrix gram = this->gram();
   if (!gram.allFinite()) return std::nullopt;
   const Index last = columns_ - 1;
   GramFactor factor = factor_gram(gram, last);

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <mutex>
+
+#include "lacuna/core/parallel.hpp"
 
 namespace lacuna {
 namespace {
@@ -70,18 +73,21 @@ void for_each_tile(const RowSource& rows, const RunContext& context, std::string
                    FunctionRef<void(Index slot, Tile& tile)> visit) {
   const Index total = rows.rows();
   const auto slots = row_slots(total);
-  const auto reader = rows.open();
-  Tile tile(rows.terms(), rows.targets());
-  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+  std::mutex one_reports;
+  parallel_for(slots.size(), context.threads, [&](std::size_t slot) {
+    const auto reader = rows.open();
+    Tile tile(rows.terms(), rows.targets());
     const Index end = slots[slot].first + slots[slot].count;
     for (Index row = slots[slot].first; row < end; row += tile.rows()) {
+      context.check_stop();
       if (row % kChunkRows == 0) {
+        const std::lock_guard lock(one_reports);
         context.report(activity, static_cast<double>(row) / static_cast<double>(total));
       }
       tile.load(*reader, row, std::min(tile.capacity(), end - row));
       visit(static_cast<Index>(slot), tile);
     }
-  }
+  });
 }
 
 }  // namespace lacuna

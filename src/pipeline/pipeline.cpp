@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/pipeline/pipeline.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "equation_terms.hpp"
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/numerics/interval.hpp"
@@ -20,6 +23,7 @@ struct Run {
   const LeastSquaresSystem& system;
   const FilterResult& filtered;
   const Vector& noise;  ///< of the states, as the record itself tells it
+  const EquationLibraries& libraries;
 };
 
 /// What is found out about one equation.
@@ -101,6 +105,20 @@ EquationFit summarise(const Run& run, Index state, const Regression& regression)
   return fit;
 }
 
+/// The terms that are tried in an equation: those that it was given, or what the filter leaves.
+TermSet candidates_of(const Run& run, Index state, TrailWriter& trail) {
+  const auto k = static_cast<std::size_t>(state);
+  const EquationLibraries& libraries = run.libraries;
+  const bool own = !libraries.own.empty() && libraries.own[k];
+  if (!own)
+    trail.removed(run.filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
+  if (libraries.allowed.empty()) return run.filtered.kept;
+  for (Index l = 0; l < run.library.size(); ++l)
+    if (!std::binary_search(libraries.allowed[k].begin(), libraries.allowed[k].end(), l))
+      trail.removed({{.term = l, .quantity = "not in the equation's library"}}, "library");
+  return own ? libraries.allowed[k] : common_terms(run.filtered.kept, libraries.allowed[k]);
+}
+
 /// Variance of each coefficient; empty where there are no rows left to estimate it from.
 Vector coefficient_variances(const Run& run, Index state, const Regression& regression) {
   const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
@@ -150,10 +168,8 @@ EquationOutcome fit_equation(const Run& run, Index state) {
   const TermPruner& pruner = *run.pipeline.pruner;
   const std::string name = run.data.states[static_cast<std::size_t>(state)].name;
   TrailWriter trail(run, name);
-  trail.removed(run.filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
-
   const PruneResult pruned =
-      pruner.prune(run.system, state, run.filtered.kept, regressor, run.context);
+      pruner.prune(run.system, state, candidates_of(run, state, trail), regressor, run.context);
   trail.removed(pruned.removed, stage_name(pruner, TermPruner::kKind));
 
   const Regression regression = regressor.fit(
@@ -165,6 +181,11 @@ EquationOutcome fit_equation(const Run& run, Index state) {
   write_equation(run, state, regression, outcome, trail);
   outcome.trail = trail.take();
   return outcome;
+}
+
+EquationOutcome outcome_of(const Run& run, Index state) {
+  const std::optional<Index> rate = run.data.rate_state(state);
+  return rate ? identity(run, state, *rate) : fit_equation(run, state);
 }
 
 /// Holds the residual against what measurement noise alone makes of the target.
@@ -226,17 +247,34 @@ void append(std::vector<T>& target, std::vector<T> more) {
                 std::make_move_iterator(more.end()));
 }
 
-IdentificationResult run_equations(const Run& run) {
-  std::vector<Equation> equations;
-  std::vector<EquationOutcome> outcomes;
-  const Index states = run.data.state_count();
-  for (Index k = 0; k < states; ++k) {
-    run.context.report("fitting equations",
-                       static_cast<double>(k) / static_cast<double>(states));
-    const std::optional<Index> rate = run.data.rate_state(k);
-    outcomes.push_back(rate ? identity(run, k, *rate) : fit_equation(run, k));
-    equations.push_back(outcomes.back().equation);
+/// Equations are fitted beside each other, each by one thread.
+std::vector<EquationOutcome> fit_equations(const Run& run) {
+  const auto states = static_cast<std::size_t>(run.data.state_count());
+  std::vector<EquationOutcome> outcomes(states);
+  if (states == 1 || run.context.threads == 1) {
+    for (std::size_t k = 0; k < states; ++k) {
+      run.context.report("fitting equations",
+                         static_cast<double>(k) / static_cast<double>(states));
+      outcomes[k] = outcome_of(run, static_cast<Index>(k));
+    }
+    return outcomes;
   }
+  RunContext silent = run.context;
+  silent.progress = nullptr;
+  silent.threads = 1;
+  const Run each{run.data,   run.pipeline, silent,   run.library,
+                 run.system, run.filtered, run.noise};
+  parallel_for(states, run.context.threads, [&](std::size_t k) {
+    silent.check_stop();
+    outcomes[k] = outcome_of(each, static_cast<Index>(k));
+  });
+  return outcomes;
+}
+
+IdentificationResult run_equations(const Run& run) {
+  std::vector<EquationOutcome> outcomes = fit_equations(run);
+  std::vector<Equation> equations;
+  for (const EquationOutcome& outcome : outcomes) equations.push_back(outcome.equation);
   IdentificationResult result{
       OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit),
       run.noise,
@@ -250,7 +288,7 @@ IdentificationResult run_equations(const Run& run) {
     append(result.warnings, std::move(outcome.warnings));
   }
   note_noise_floors(run, result);
-  if (apply_refiner(*run.pipeline.refiner, run.data, run.library, result, run.context))
+  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result, run.context))
     measure_residuals(run, result);
   else
     judge_fits(result);
@@ -263,7 +301,9 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
                               const RunContext& context) {
   if (lacks_input_columns(data)) return identify(with_input_columns(data), pipeline, context);
   check_dataset(data);
-  const TermLibrary library = pipeline.basis->library(variables_of(data));
+  const EquationLibraries libraries =
+      equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline.equations);
+  const TermLibrary& library = libraries.library;
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
   const Vector noise = estimate_noise(data);
@@ -272,7 +312,7 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   context.report("filtering terms", 0.0);
   const FilterResult filtered = fitted.filter->filter(system, context);
   IdentificationResult result =
-      run_equations({data, fitted, context, library, system, filtered, noise});
+      run_equations({data, fitted, context, library, system, filtered, noise, libraries});
   context.report("fitting equations", 1.0);
   return result;
 }

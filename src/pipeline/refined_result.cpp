@@ -102,10 +102,11 @@ double unexplained(const IdentificationResult& result) {
 
 }  // namespace
 
-bool apply_refiner(const Refiner& refiner, const Dataset& data, const TermLibrary& library,
-                   IdentificationResult& result, const RunContext& context) {
-  RefinedModel refined =
-      refiner.refine({data, library, result.model, unexplained(result)}, context);
+bool apply_refiner(const Refiner& refiner, const Dataset& data,
+                   const EquationLibraries& libraries, IdentificationResult& result,
+                   const RunContext& context) {
+  RefinedModel refined = refiner.refine(
+      {data, libraries.library, result.model, unexplained(result), libraries.allowed}, context);
   if (!refined.usable) {
     if (!refined.message.empty())
       result.warnings.push_back("not refined on the trajectories: " + refined.message);

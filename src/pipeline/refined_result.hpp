@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "equation_terms.hpp"
 #include "lacuna/pipeline/result.hpp"
 #include "lacuna/stages/refiner.hpp"
 
@@ -8,7 +9,8 @@ namespace lacuna {
 
 /// Refines the model of a result and enters what became of it: model, noise, fits, trail, path,
 /// warnings. @return false when the refiner left the model as it was.
-bool apply_refiner(const Refiner& refiner, const Dataset& data, const TermLibrary& library,
-                   IdentificationResult& result, const RunContext& context);
+bool apply_refiner(const Refiner& refiner, const Dataset& data,
+                   const EquationLibraries& libraries, IdentificationResult& result,
+                   const RunContext& context);
 
 }  // namespace lacuna

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "lacuna/numerics/forward_order.hpp"
 #include "lacuna/pruners/elimination.hpp"
 
 namespace lacuna {
@@ -37,15 +38,65 @@ PruneResult prune_up_to(double limit, Elimination state, const RunContext& conte
   return result;
 }
 
+/// Systematic error of the targets that is taken into account, rms.
+double error_of(const LeastSquaresSystem& system, Index target,
+                const MinorTermsOptions& options) {
+  const bool by_errors = options.stop == MinorTermsOptions::Stop::Errors;
+  return by_errors && system.target_error() ? (*system.target_error())[target] : 0.0;
+}
+
+/// Terms that an elimination begins with.
+struct Leading {
+  TermSet terms;
+  double left = 0.0;   ///< |residual| of the terms
+  double limit = 0.0;  ///< what it had to reach
+  double full = 0.0;   ///< |residual| of all terms
+};
+
+/// All terms of a problem; of a wide one those that orthogonal least squares takes first: so
+/// many that the others are not worth Schwarz' price. An elimination from L terms costs L^4.
+Leading leading_terms(const LeastSquaresSystem& system, Index target, const TermSet& active,
+                      double error, const RunContext& context) {
+  constexpr Index kWide = 256, kFewest = 128;
+  const Subproblem problem = system.subproblem(target, active);
+  const double full = problem.residual_norm();
+  if (problem.size() <= kWide) return {active, full, full, full};
+  const double rows = static_cast<double>(system.rows());
+  const double price = static_cast<double>(problem.size() - kFewest) * std::log(rows) / rows;
+  const double allowed = full * full * price + rows * error * error;
+  ForwardOrder order =
+      forward_order(problem.triangle(), problem.projected_target(),
+                    {.first = {}, .fewest = kFewest, .enough = allowed}, context);
+  std::sort(order.columns.begin(), order.columns.end());
+  Leading leading{
+      {}, std::hypot(full, std::sqrt(order.left)), std::hypot(full, std::sqrt(allowed)), full};
+  for (const Index j : order.columns)
+    leading.terms.push_back(active[static_cast<std::size_t>(j)]);
+  return leading;
+}
+
+/// The terms that are not among the leading ones.
+std::vector<Removal> left_behind(const Leading& leading, const TermSet& active) {
+  std::vector<Removal> removed;
+  for (const Index term : active)
+    if (!std::binary_search(leading.terms.begin(), leading.terms.end(), term))
+      removed.push_back({term, "|residual| of the terms that explain most", leading.left,
+                         leading.limit, static_cast<int>(removed.size()) + 1});
+  return removed;
+}
+
 /// An elimination down to no term.
 struct Path {
   std::vector<Index> terms;       ///< in the order in which they left, L
   std::vector<double> residuals;  ///< r_0 .. r_L
   double rounding = 0.0;          ///< below this residuals mean nothing
+  double full = 0.0;              ///< residual of the terms that were left behind, too
+  std::size_t behind = 0;         ///< how many these are
 };
 
 Path walk(Elimination state, const MinorTermsOptions& options, const RunContext& context) {
   Path path;
+  path.full = state.residual_norm();
   path.rounding = options.resolution * (state.target_norm() + state.contributions().sum());
   path.residuals.push_back(state.residual_norm());
   while (state.size() > 0) {
@@ -76,11 +127,11 @@ void cut_negligible(const Path& path, const NegligibleTerms& rule, double floor,
 /// term is worth is not negligible.
 PruneResult cut_by_errors(const Path& path, double rows, double error,
                           const NegligibleTerms& rule) {
-  const double base = std::max(path.residuals.front(), path.rounding);
+  const double base = std::max(path.full, path.rounding);
   PruneResult result;
   std::size_t dropped = 0;
   for (; dropped < path.terms.size(); ++dropped) {
-    const double price = static_cast<double>(dropped + 1) * std::log(rows) / rows;
+    const double price = static_cast<double>(path.behind + dropped + 1) * std::log(rows) / rows;
     const double limit = std::sqrt(base * base * (1.0 + price) + rows * error * error);
     if (!(path.residuals[dropped + 1] <= limit)) break;
     result.removed.push_back(
@@ -150,14 +201,27 @@ PruneResult cut_by_jump(const Path& path, const MinorTermsOptions& options) {
 PruneResult MinorTerms::do_prune(const LeastSquaresSystem& system, Index target,
                                  const TermSet& active, const Regressor& regressor,
                                  const RunContext& context) const {
-  Elimination full(system, target, active, regressor, context);
   const double rows = static_cast<double>(system.rows());
   if (options().tolerances == MinorTermsOptions::Tolerances::Paper)
-    return prune_up_to(options().effective_eta() * rows, std::move(full), context);
-  const Path path = walk(std::move(full), options(), context);
-  if (options().stop == MinorTermsOptions::Stop::Errors && system.target_error())
-    return cut_by_errors(path, rows, (*system.target_error())[target], options().negligible);
-  return cut_by_jump(path, options());
+    return prune_up_to(options().effective_eta() * rows,
+                       Elimination(system, target, active, regressor, context), context);
+  const double error = error_of(system, target, options());
+  const Leading leading = leading_terms(system, target, active, error, context);
+  Path path =
+      walk(Elimination(system, target, leading.terms, regressor, context), options(), context);
+  std::vector<Removal> removed = left_behind(leading, active);
+  path.behind = removed.size();
+  if (path.behind > 0) path.full = leading.full;
+  const bool by_errors = options().stop == MinorTermsOptions::Stop::Errors;
+  PruneResult result = by_errors && system.target_error()
+                           ? cut_by_errors(path, rows, error, options().negligible)
+                           : cut_by_jump(path, options());
+  for (Removal& removal : result.removed) {
+    removal.step += static_cast<int>(path.behind);
+    removed.push_back(std::move(removal));
+  }
+  result.removed = std::move(removed);
+  return result;
 }
 
 }  // namespace lacuna

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/window_paths.hpp"
 #include "lacuna/data/marks.hpp"
-#include "lacuna/estimation/window_paths.hpp"
 
 namespace lacuna {
 namespace {

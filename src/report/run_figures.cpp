@@ -70,6 +70,11 @@ GapRecord excerpt_of(const GapRecord& run) {
           run.length};
 }
 
+/// Whether any sample says something of a state.
+bool is_seen(const GapRecord& run, Index k) {
+  return run.measured.col(k).array().isFinite().any();
+}
+
 double rms_off(const Matrix& measured, const Matrix& model, Index k) {
   double sum = 0.0, count = 0.0;
   for (Index i = 0; i < measured.rows(); ++i) {
@@ -119,11 +124,15 @@ std::vector<Picture> comparison_pictures(const RunView& view) {
   for (Index k = 0; k < shown_states(view); ++k) {
     LineFigure figure{
         file_name("comparison", view, k),
-        state_label(view, k) + ": measured and modelled, " + short_name(run.source),
+        state_label(view, k) +
+            (is_seen(run, k) ? ": measured and modelled, " : ": not measured, modelled, ") +
+            short_name(run.source),
         time_label(view),
         state_label(view, k),
         {}};
-    figure.series.push_back({"measured", run.time, run.measured.col(k), Curve::Measured, true});
+    if (is_seen(run, k))
+      figure.series.push_back(
+          {"measured", run.time, run.measured.col(k), Curve::Measured, true});
     if (run.before.size() > 0)
       figure.series.push_back(split_series(view.before, run, run.before.col(k), Curve::Before));
     figure.series.push_back(split_series(view.after, run, run.after.col(k), Curve::Model));
@@ -137,6 +146,7 @@ std::vector<Picture> deviation_pictures(const RunView& view) {
   if (view.runs.empty()) return pictures;
   const GapRecord& run = longest(view.runs);
   for (Index k = 0; k < shown_states(view); ++k) {
+    if (!is_seen(run, k)) continue;
     LineFigure figure{file_name("deviation", view, k),
                       state_label(view, k) + ": measured minus model over the whole record",
                       time_label(view),
@@ -162,6 +172,7 @@ std::vector<Picture> spectrum_pictures(const RunView& view) {
   if (view.runs.empty() || !has_spectrum(longest(view.runs))) return pictures;
   const GapRecord& run = longest(view.runs);
   for (Index k = 0; k < shown_states(view); ++k) {
+    if (!is_seen(run, k)) continue;
     LineFigure figure{file_name("spectrum", view, k),
                       state_label(view, k) + ": at which frequencies models are off",
                       "frequency [1/" + view.time_unit + "]",

@@ -3,9 +3,11 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/linear/row_fold.hpp"
 
 namespace lacuna {
@@ -19,6 +21,22 @@ std::vector<Index> terms_of(const std::vector<Coefficient>& columns) {
   return terms;
 }
 
+/// rows Q, for Q = H_1 ... H_m = 1 - V T V' of a factor, all at once (Schreiber & Van Loan
+/// 1989).
+void apply_on_the_right(const Eigen::HouseholderQR<Matrix>& factor, Eigen::Ref<Matrix> rows) {
+  const Index m = std::min(factor.rows(), factor.cols());
+  Matrix v = factor.matrixQR().leftCols(m).triangularView<Eigen::StrictlyLower>();
+  v.diagonal().setOnes();
+  Matrix t = Matrix::Zero(m, m);
+  for (Index i = 0; i < m; ++i) {
+    t(i, i) = factor.hCoeffs()[i];
+    t.col(i).head(i) =
+        -t(i, i) * (t.topLeftCorner(i, i) * (v.leftCols(i).transpose() * v.col(i)).eval());
+  }
+  const Matrix shares = (rows * v).eval() * t;
+  rows.noalias() -= shares * v.transpose();
+}
+
 /// Turns the rows of a window so that only the first m know of the initial state; folds the
 /// others. @return the first m, nothing when the rows determine no more than the initial state.
 Matrix eliminate_start(SensitivityRows& window, RowFold& fold, const RunContext& context) {
@@ -26,14 +44,30 @@ Matrix eliminate_start(SensitivityRows& window, RowFold& fold, const RunContext&
   const Index m = window.now.cols(), rest = window.used - m;
   auto rows = window.rows.leftCols(window.used);
   if (rest <= 0 || !rows.allFinite()) return {};
-  const Eigen::HouseholderQR<Matrix> factor(rows.topRows(m).transpose());
-  rows.applyOnTheRight(factor.householderQ());
+  apply_on_the_right(Eigen::HouseholderQR<Matrix>(rows.topRows(m).transpose()), rows);
   const auto free = rows.bottomRightCorner(rows.rows() - m, rest);
   for (Index done = 0; done < rest; done += kFoldedAtOnce) {
     context.check_stop();
     fold.add(free.middleCols(done, std::min(kFoldedAtOnce, rest - done)));
   }
   return rows.leftCols(m).transpose();
+}
+
+/// Folds some windows. @return how many rows.
+Index fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk& chunk,
+                 const std::vector<ColumnBlock>& blocks, RowFold& fold, Linearisation& result,
+                 const RunContext& context) {
+  SensitivityRows rows;
+  Index count = 0;
+  for (std::size_t w = chunk.first; w < chunk.last; ++w) {
+    const SampleWindow& window = path.windows[w];
+    const PathRecord& record = path.records[window.record];
+    rates.evaluate(record, window);
+    integrate_rows(rates, blocks, record, window, rows);
+    result.heads[w] = eliminate_start(rows, fold, context);
+    if (result.heads[w].size() > 0) count += rows.used - rows.now.cols();
+  }
+  return count;
 }
 
 /// @return false when the folding cannot resolve the rows.
@@ -43,18 +77,19 @@ bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
   const std::vector<Index> terms = terms_of(result.columns);
   rates.choose(terms, result.h0);
   const auto blocks = column_blocks(result.columns, terms, dimension);
-  RowFold fold(static_cast<Index>(result.columns.size()) + 1, folding);
-  SensitivityRows rows;
-  result.rows = 0;
-  result.heads.clear();
-  for (const SampleWindow& window : path.windows) {
-    const PathRecord& record = path.records[window.record];
-    rates.evaluate(record, window);
-    integrate_rows(rates, blocks, record, window, rows);
-    result.heads.push_back(eliminate_start(rows, fold, context));
-    if (result.heads.back().size() > 0) result.rows += rows.used - dimension;
-  }
-  std::optional<Matrix> triangle = fold.finish();
+  const std::vector<WindowChunk> chunks =
+      window_chunks(path.windows.size(), static_cast<Index>(result.columns.size()) + 1);
+  std::vector<RowFold> folds;
+  for (std::size_t c = 0; c < chunks.size(); ++c)
+    folds.emplace_back(static_cast<Index>(result.columns.size()) + 1, folding);
+  std::vector<Index> counts(chunks.size());
+  result.heads.assign(path.windows.size(), Matrix());
+  parallel_for(chunks.size(), context.threads, [&](std::size_t c) {
+    counts[c] = fold_chunk(rates, path, chunks[c], blocks, folds[c], result, context);
+  });
+  result.rows = std::accumulate(counts.begin(), counts.end(), Index{0});
+  for (std::size_t c = 1; c < folds.size(); ++c) folds[0].merge(folds[c]);
+  std::optional<Matrix> triangle = folds[0].finish();
   if (triangle) result.triangle = std::move(*triangle);
   return triangle.has_value();
 }

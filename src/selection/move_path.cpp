@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/core/parallel.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -61,10 +63,47 @@ double replace_path(PathRecord& record, const SampleWindow& window, const Matrix
   return largest;
 }
 
+/// How far some windows have moved, and whether all of them have.
+struct Move {
+  double largest = 0.0;
+  bool finite = true;
+};
+
+/// Coefficients as values of the columns and as a matrix of the terms that are present.
+struct Solution {
+  const Vector& values;
+  const Matrix& active;
+};
+
+Move move_windows(WindowRates rates, const Linearisation& linearisation,
+                  const Solution& solution, const WindowChunk& chunk, WindowedPath& path,
+                  const RunContext& context) {
+  Move move;
+  for (std::size_t w = chunk.first; w < chunk.last; ++w) {
+    context.check_stop();
+    const Matrix& head = linearisation.heads[w];
+    if (head.size() == 0) continue;
+    const SampleWindow& window = path.windows[w];
+    PathRecord& record = path.records[window.record];
+    rates.evaluate(record, window);
+    const Matrix forcing = solution.active * rates.theta() + rates.offsets();
+    const Index first = window.first * record.stride();
+    const Matrix states =
+        solve_window(record.time.segment(first, forcing.cols()), rates.jacobians(), forcing,
+                     start_of(head, solution.values));
+    if (states.allFinite())
+      move.largest = std::max(move.largest, replace_path(record, window, states));
+    else
+      move.finite = false;
+  }
+  return move;
+}
+
 }  // namespace
 
 std::optional<double> move_path(WindowRates& rates, const Linearisation& linearisation,
-                                const Vector& values, WindowedPath& path) {
+                                const Vector& values, WindowedPath& path,
+                                const RunContext& context) {
   Matrix coefficients = Matrix::Zero(linearisation.h0.rows(), linearisation.h0.cols());
   for (std::size_t c = 0; c < linearisation.columns.size(); ++c)
     coefficients(linearisation.columns[c].equation, linearisation.columns[c].term) =
@@ -72,25 +111,16 @@ std::optional<double> move_path(WindowRates& rates, const Linearisation& lineari
   const std::vector<Index> terms = present_terms(coefficients);
   const Matrix active = coefficients(Eigen::all, terms);
   rates.choose(terms, linearisation.h0);
-  double largest = 0.0;
-  bool finite = true;
-  for (std::size_t w = 0; w < path.windows.size(); ++w) {
-    const Matrix& head = linearisation.heads[w];
-    if (head.size() == 0) continue;
-    const SampleWindow& window = path.windows[w];
-    PathRecord& record = path.records[window.record];
-    rates.evaluate(record, window);
-    const Matrix forcing = active * rates.theta() + rates.offsets();
-    const Index first = window.first * record.stride();
-    const Matrix solution = solve_window(record.time.segment(first, forcing.cols()),
-                                         rates.jacobians(), forcing, start_of(head, values));
-    if (solution.allFinite())
-      largest = std::max(largest, replace_path(record, window, solution));
-    else
-      finite = false;
-  }
-  if (!finite) return std::nullopt;
-  return largest;
+  const std::vector<WindowChunk> chunks = window_chunks(path.windows.size());
+  std::vector<Move> moves(chunks.size());
+  parallel_for(chunks.size(), context.threads, [&](std::size_t c) {
+    moves[c] = move_windows(rates, linearisation, {values, active}, chunks[c], path, context);
+  });
+  Move all;
+  for (const Move& move : moves)
+    all = {std::max(all.largest, move.largest), all.finite && move.finite};
+  if (!all.finite) return std::nullopt;
+  return all.largest;
 }
 
 }  // namespace lacuna

@@ -11,6 +11,7 @@ namespace lacuna {
 /// @return the largest move of a path at a sample in units of sigma; nothing when a window had
 ///   no finite solution (its path stays).
 std::optional<double> move_path(WindowRates& rates, const Linearisation& linearisation,
-                                const Vector& values, WindowedPath& path);
+                                const Vector& values, WindowedPath& path,
+                                const RunContext& context);
 
 }  // namespace lacuna

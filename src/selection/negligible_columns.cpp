@@ -124,7 +124,7 @@ std::vector<LeftOut> eliminate(WindowSearch& search, const NegligibleTerms& rule
     fit.subset.push_back(c);
     fit.coefficients(column.equation, column.term) = values[i];
   }
-  move_path(search.rates, elimination.linearised(), values, search.path);
+  move_path(search.rates, elimination.linearised(), values, search.path, context);
   finish(search, context);
   // What was left out on purpose is not held against the model.
   fit.sigma = found.sigma;

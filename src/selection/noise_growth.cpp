@@ -38,17 +38,42 @@ Group group_of(const Vector& signal, const Vector& sizes, const Index* first,
 }
 
 /// Groups of the same number of samples, by rising size of the signal.
-std::vector<Group> groups_by_level(const Vector& signal, const Vector& sizes) {
-  constexpr Index kFewest = 16, kMost = 12;
+std::vector<Group> groups_by_level(const SizedDifferences& differences, Index count) {
+  const Vector& signal = differences.signal;
   std::vector<Index> order(static_cast<std::size_t>(signal.size()));
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return std::abs(signal[a]) < std::abs(signal[b]); });
-  const Index n = signal.size(), count = std::min(kMost, n / kFewest);
+  const Index n = signal.size();
   std::vector<Group> groups;
   for (Index g = 0; g < count; ++g)
-    groups.push_back(group_of(signal, sizes, order.data() + n * g / count,
+    groups.push_back(group_of(signal, differences.sizes, order.data() + n * g / count,
                               order.data() + n * (g + 1) / count));
+  return groups;
+}
+
+/// The groups that show noise: where deviations level off from order to order, with their mean
+/// from there on.
+std::vector<Group> noisy_groups(const std::vector<SizedDifferences>& orders) {
+  constexpr Index kFewest = 16, kMost = 12;
+  const double level = std::log(0.93);  // as in analyse_noise()
+  const Index count = std::min(kMost, orders.back().signal.size() / kFewest);
+  std::vector<std::vector<Group>> by_order;
+  for (const SizedDifferences& differences : orders)
+    by_order.push_back(groups_by_level(differences, count));
+  std::vector<Group> groups;
+  for (std::size_t g = 0; g < static_cast<std::size_t>(count); ++g) {
+    std::size_t first = 0;  // order from which deviations do not fall noticeably
+    while (first + 1 < by_order.size() &&
+           by_order[first + 1][g].log_scale < by_order[first][g].log_scale + level)
+      ++first;
+    if (first + 1 == by_order.size()) continue;
+    Group group = by_order[first][g];
+    for (std::size_t o = first + 1; o < by_order.size(); ++o)
+      group.log_scale += by_order[o][g].log_scale;
+    group.log_scale /= static_cast<double>(by_order.size() - first);
+    groups.push_back(group);
+  }
   return groups;
 }
 
@@ -71,25 +96,28 @@ ScaleFit fit_scale(const std::vector<Group>& groups, double ratio) {
   return {squares - weight * mean * mean, mean};
 }
 
-/// Signal and noise of a state as differences of one order see them, all records together: the
-/// mean over the samples of a difference, of which it is independent, and its size.
-struct Differences {
-  Vector levels, sizes;
-};
-
-Differences differences_of(const Dataset& data, Index state, Index order) {
-  Differences all{Vector(data.samples()), Vector(data.samples())};
+/// Differences of one order in all records together.
+SizedDifferences differences_of(const Dataset& data, Index state, Index order) {
+  SizedDifferences all{Vector(data.samples()), Vector(data.samples())};
   Index count = 0;
   for (const Trajectory& record : data.trajectories) {
     const Vector sizes = difference_sizes(record, state, order);
     for (Index i = 0; i < sizes.size(); ++i, ++count) {
-      all.levels[count] = record.states.col(state).segment(i, order + 1).mean();
+      all.signal[count] = record.states.col(state).segment(i, order + 1).mean();
       all.sizes[count] = sizes[i];
     }
   }
-  all.levels.conservativeResize(count);
+  all.signal.conservativeResize(count);
   all.sizes.conservativeResize(count);
   return all;
+}
+
+std::optional<NoiseGrowth> growth_of(const Dataset& data, Index state, Index order) {
+  constexpr Index kOrders = 5;
+  std::vector<SizedDifferences> orders;
+  for (Index o = order; o < order + kOrders; ++o)
+    orders.push_back(differences_of(data, state, o));
+  return noise_growth(orders);
 }
 
 /// Root mean square of a signal over at most `reach` samples to either side.
@@ -107,10 +135,10 @@ Vector local_rms(const Vector& x, Index reach) {
 
 double NoiseGrowth::at(double x) const { return std::hypot(floor, share * x); }
 
-std::optional<NoiseGrowth> noise_growth(const Vector& signal, const Vector& sizes) {
+std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders) {
   constexpr double kDrop = 25.0;  // five standard deviations
   constexpr double kStep = 1.25893;
-  const std::vector<Group> groups = groups_by_level(signal, sizes);
+  const std::vector<Group> groups = noisy_groups(orders);
   if (groups.size() < 3 || !(groups.back().level > 0.0)) return std::nullopt;
   const double unit = 1.0 / (groups.back().level * groups.back().level);
   const ScaleFit same = fit_scale(groups, 0.0);
@@ -134,10 +162,8 @@ SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
   for (Index k = 0; k < sigma.size(); ++k) {
     const StateNoise& seen = noise[static_cast<std::size_t>(k)];
     std::optional<NoiseGrowth> growth;
-    if (data.is_measured(k) && seen.kind == NoiseKind::White) {
-      const Differences differences = differences_of(data, k, seen.order);
-      growth = noise_growth(differences.levels, differences.sizes);
-    }
+    if (data.is_measured(k) && seen.kind == NoiseKind::White)
+      growth = growth_of(data, k, seen.order);
     result.growth.push_back(growth);
     if (!growth) continue;
     double squares = 0.0;

@@ -18,13 +18,21 @@ struct NoiseGrowth {
   double at(double x) const;
 };
 
-/// Whether noise grows with the signal. Sizes of differences are put into groups by the size of
-/// the signal; the robust deviations s_g of the groups are fitted by
+/// Differences of one order: the signal where each was taken (a mean, of which the difference
+/// is independent), and their sizes.
+struct SizedDifferences {
+  Vector signal;
+  Vector sizes;
+};
+
+/// Whether noise grows with the signal. Differences are put into groups by the size of the
+/// signal; the robust deviations s_g of the groups are fitted by
 ///   log s_g = log sqrt(floor^2 + (share x_g)^2),   var log s_g = 1.36 / n_g
 /// (median absolute deviation of n_g normal values). Nothing where that is not better than one
-/// deviation for all by five standard deviations.
-/// @param signal,sizes one for each difference: the signal there, and the difference.
-std::optional<NoiseGrowth> noise_growth(const Vector& signal, const Vector& sizes);
+/// deviation for all by five standard deviations. A group whose deviation goes on falling from
+/// order to order shows the signal and does not count.
+/// @param orders differences of rising order, from one on that shows the noise.
+std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders);
 
 /// Standard deviation of the noise of every sample.
 struct SampleNoise {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/flow/node_grid.hpp"
 #include "lacuna/selection/moving_polynomial.hpp"
@@ -34,28 +35,31 @@ void place_path(PathRecord& record, const Matrix& states, const Program& program
       delayed_slots(variables, record.stride(), program.delays());
 }
 
-Matrix weights_of(const Trajectory& record, const Dataset& data, const Matrix& noise) {
+Matrix weights_of(const Trajectory& record, const Dataset& data, const Matrix& noise,
+                  int threads) {
   Matrix weights = Matrix::Zero(record.samples(), record.states.cols());
-  for (Index k = 0; k < weights.cols(); ++k) {
-    if (!data.is_measured(k)) continue;
+  parallel_for(data.states.size(), threads, [&](std::size_t state) {
+    const auto k = static_cast<Index>(state);
+    if (!data.is_measured(k)) return;
     weights.col(k) = noise.col(k).cwiseInverse();
     for (const Index i : outlying_samples(record, k, noise.col(k))) weights(i, k) = 0.0;
-  }
+  });
   return weights;
 }
 
 }  // namespace
 
-Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise) {
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise,
+                       int threads) {
   Matrix smooth = record.states;
   std::vector<Matrix> fits(static_cast<std::size_t>(smooth.cols()));
-  for (Index k = 0; k < smooth.cols(); ++k) {
-    if (!data.is_measured(k)) continue;
-    auto& fit = fits[static_cast<std::size_t>(k)];
+  parallel_for(fits.size(), threads, [&](std::size_t state) {
+    const auto k = static_cast<Index>(state);
+    if (!data.is_measured(k)) return;
     const Vector sigma = noise.col(k);
-    fit = smooth_by_polynomials(record.time, without_outliers(record, k, sigma), sigma);
-    smooth.col(k) = fit.col(0);
-  }
+    fits[state] = smooth_by_polynomials(record.time, without_outliers(record, k, sigma), sigma);
+    smooth.col(k) = fits[state].col(0);
+  });
   for (Index k = 0; k < smooth.cols(); ++k) {
     const std::optional<Index> rate = data.rate_state(k);
     const Matrix& fit = fits[static_cast<std::size_t>(k)];
@@ -65,12 +69,12 @@ Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matr
 }
 
 std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix>& noise,
-                                   const Program& program) {
+                                   const Program& program, int threads) {
   std::vector<PathRecord> paths;
   for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
     const Trajectory& record = data.trajectories[r];
-    PathRecord path{record, weights_of(record, data, noise[r]), 1, {}, {}};
-    place_path(path, smoothed_states(record, data, noise[r]), program);
+    PathRecord path{record, weights_of(record, data, noise[r], threads), 1, {}, {}};
+    place_path(path, smoothed_states(record, data, noise[r], threads), program);
     paths.push_back(std::move(path));
   }
   return paths;

@@ -24,7 +24,7 @@ struct PathRecord {
 /// Records with the smoothed samples as path.
 /// @param noise per record n x m: sigma of each sample; 0: not smoothed.
 std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix>& noise,
-                                   const Program& program);
+                                   const Program& program, int threads = 1);
 
 /// Changes the number of parts of an interval; the path goes through its points at samples.
 void set_substeps(PathRecord& record, Index substeps, const Program& program);
@@ -33,6 +33,7 @@ void set_substeps(PathRecord& record, Index substeps, const Program& program);
 /// with the least estimated risk, sum_i (r_i / sigma_i)^2 + 2 trace (Mallows' C_p). States that
 /// were not measured follow from those whose rates they are.
 /// @param noise n x m: sigma of each sample.
-Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise);
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise,
+                       int threads = 1);
 
 }  // namespace lacuna

@@ -6,6 +6,9 @@
 namespace lacuna {
 namespace {
 
+/// Up to so many a loop is faster than a matrix product.
+constexpr Index kFewStates = 6;
+
 bool consecutive(const std::vector<Index>& places) {
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i] != places[i - 1] + 1) return false;
@@ -40,10 +43,13 @@ void take_step(const WindowRates& rates, const std::vector<ColumnBlock>& blocks,
   const Index m = rows.now.cols();
   const Matrix& offsets = rates.offsets();
   rows.step.compute(rates.jacobians().middleCols(node, 3), m, length);
-  for (Index k = 0; k < m; ++k) {
-    rows.next.col(k) = rows.step.whole(k, 0) * rows.now.col(0);
-    for (Index j = 1; j < m; ++j) rows.next.col(k) += rows.step.whole(k, j) * rows.now.col(j);
-  }
+  if (m > kFewStates)
+    rows.next.noalias() = rows.now * rows.step.whole.transpose();
+  else
+    for (Index k = 0; k < m; ++k) {
+      rows.next.col(k) = rows.step.whole(k, 0) * rows.now.col(0);
+      for (Index j = 1; j < m; ++j) rows.next.col(k) += rows.step.whole(k, j) * rows.now.col(j);
+    }
   for (const ColumnBlock& block : blocks) add_forcing(rates.theta(), block, node, rows);
   rows.next.bottomRows(1) +=
       (rows.step.first * offsets.col(node) + rows.step.middle * offsets.col(node + 1) +

@@ -10,6 +10,7 @@
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 #include "negligible_columns.hpp"
+#include "record_stretches.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
 
@@ -149,17 +150,16 @@ class Outcome {
 /// Names the terms that only one of two searches has.
 void note_disputes(const RefinerTask& task, const WindowFit& first, const WindowFit& second,
                    std::vector<std::string>& notes) {
-  for (std::size_t c = 0; c < first.columns.size(); ++c) {
-    const Coefficient column = first.columns[c];
-    const bool here = first.coefficients(column.equation, column.term) != 0.0;
-    const bool there = second.coefficients(column.equation, column.term) != 0.0;
-    if (here == there) continue;
-    const std::string& term = task.library.terms[static_cast<std::size_t>(column.term)].name();
-    const std::string& state = task.data.states[static_cast<std::size_t>(column.equation)].name;
-    notes.push_back("d" + state + "/dt: the term " + term + " is in dispute: " +
-                    (here ? "in this model, not in" : "not in this model, but in") +
-                    " the one that another search finds");
-  }
+  for (Index k = 0; k < first.coefficients.rows(); ++k)
+    for (Index l = 0; l < first.coefficients.cols(); ++l) {
+      const bool here = first.coefficients(k, l) != 0.0;
+      if (here == (second.coefficients(k, l) != 0.0)) continue;
+      const std::string& term = task.library.terms[static_cast<std::size_t>(l)].name();
+      const std::string& state = task.data.states[static_cast<std::size_t>(k)].name;
+      notes.push_back("d" + state + "/dt: the term " + term + " is in dispute: " +
+                      (here ? "in this model, not in" : "not in this model, but in") +
+                      " the one that another search finds");
+    }
 }
 
 /// Says where samples were weighed by noise that grows with the signal.
@@ -196,9 +196,13 @@ struct Searches {
   std::optional<WindowSearch> second;  ///< as long as the two do not agree
 };
 
+bool have_same_terms(const WindowFit& one, const WindowFit& other) {
+  return ((one.coefficients.array() != 0.0) == (other.coefficients.array() != 0.0)).all();
+}
+
 /// Searches of the same structure in the same windows will not part any more.
 void drop_when_agreed(Searches& searches) {
-  if (searches.second && searches.second->fit.subset == searches.first.fit.subset)
+  if (searches.second && have_same_terms(searches.second->fit, searches.first.fit))
     searches.second.reset();
 }
 
@@ -209,7 +213,7 @@ bool is_usable(const WindowFit& fit) {
 /// Searches to the end. The first one's fit has no rows when the records are too short.
 Searches search_windows(const SearchTask& task, const Matrix& start, bool second_opinion,
                         const RunContext& context) {
-  const WindowSearch prepared = prepared_search(task);
+  const WindowSearch prepared = prepared_search(task, context);
   Searches searches{begun(task, prepared, start, context), std::nullopt};
   if (second_opinion)
     searches.second = begun(task, prepared, Matrix::Zero(start.rows(), start.cols()), context);
@@ -224,6 +228,9 @@ Searches search_windows(const SearchTask& task, const Matrix& start, bool second
     grows = grow(task, searches.first, context);
     if (searches.second && grow(task, *searches.second, context)) grows = true;
   }
+  drop_when_agreed(searches);
+  take_all_windows(task, searches.first, context);
+  if (searches.second) take_all_windows(task, *searches.second, context);
   drop_when_agreed(searches);
   finish(searches.first, context);
   if (searches.second) finish(*searches.second, context);
@@ -245,12 +252,31 @@ bool is_simpler(const WindowFit& other, const WindowFit& than) {
 /// turn.
 constexpr GapOptions kGaps{.longest_gap = 5.0};
 
+/// The records without gaps that can be bridged; of long ones stretches that stand for them.
+Dataset stretches_of(const Dataset& data) {
+  Dataset joined = join_across_gaps(data, kGaps);
+  if (joined.samples() <= 2 * kMostSamples) return joined;
+  const Trajectory& longest = longest_record(joined);
+  Dataset begin{joined.time_unit, joined.states,       joined.inputs, {},
+                joined.rate_of,   joined.reconstructed};
+  begin.trajectories.push_back(rows_of(longest, 0, std::min(kMostSamples, longest.samples())));
+  return record_stretches(joined, kMostSamples, first_window(begin));
+}
+
+void note_length(const Dataset& whole, const Dataset& part, std::vector<std::string>& notes) {
+  notes.push_back("refined in " + std::to_string(part.trajectories.size()) +
+                  " stretches of the record, " + std::to_string(part.samples()) + " of " +
+                  std::to_string(whole.samples()) +
+                  " samples: more would not change the terms");
+}
+
 }  // namespace
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
                                             const RunContext& context) const {
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
-  Dataset data = join_across_gaps(task.data, kGaps);
+  Dataset data = stretches_of(task.data);
+  const bool is_long = data.samples() < task.data.samples() / 2;
   const std::vector<StateNoise> noise = analyse_noise(data);
   RefinedModel same{.model = task.start, .usable = false};
   same.message = reason_to_leave(task, noise, from_model);
@@ -260,7 +286,8 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   }
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
-  const SearchTask search = search_task(std::move(data), task.library, noise, options().price);
+  const SearchTask search =
+      search_task(std::move(data), task.library, task.allowed, noise, options().price);
   auto [found, other] = search_windows(search, start, options().second_opinion, context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;
@@ -288,8 +315,10 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
   if (!is_noise)
-    if (std::optional<OdeModel> model = refitted(result.model, task.data, context))
+    if (std::optional<OdeModel> model =
+            refitted(result.model, is_long ? search.data : task.data, context))
       result.model = std::move(*model);
+  if (is_long) note_length(task.data, search.data, result.notes);
   if (other) note_disputes(task, found.fit, other->fit, result.notes);
   note_growing_noise(search, result.notes);
   for (const LeftOut& out : left_out)

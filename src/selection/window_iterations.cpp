@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
+#include "candidate_screening.hpp"
 #include "lacuna/selection/subset_search.hpp"
 #include "move_path.hpp"
 
@@ -15,27 +17,50 @@ namespace {
 bool choose(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   WindowFit& fit = search.fit;
   const Linearisation linearised = linearise(
-      search.rates, search.path, {fit.coefficients, task.candidates}, search.folding, context);
+      search.rates, search.path, {fit.coefficients, fit.columns}, search.folding, context);
   fit.triangle = linearised.triangle;
   fit.rows = linearised.rows;
   if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
-  const auto q = static_cast<double>(task.candidates.size());
+  const auto all_candidates = static_cast<double>(task.candidates.size());
+  const auto q = static_cast<double>(fit.columns.size());
   const auto n = static_cast<double>(fit.rows);
   const double all =
       std::pow(fit.triangle(fit.triangle.rows() - 1, fit.triangle.rows() - 1), 2);
   fit.scale = std::max(1.0, all / std::max(1.0, n - q));
-  fit.price = task.price.value_or(std::log(n) + std::log(q));
+  fit.price = task.price.value_or(std::log(n) + std::log(all_candidates));
   const SubsetProblem problem = problem_of(fit);
   const std::vector<Index> before = fit.subset;
   fit.subset = best_subset(problem, fit.price, {before}, Exchange::Single, context).columns;
   if (fit.subset == before)
     fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs, context).columns;
   const std::optional<double> moved =
-      move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
+      move_path(search.rates, linearised, solve_subset(problem, fit), search.path, context);
   return moved && *moved < kSmallMove && fit.subset == before;
 }
 
+/// Columns that were screened out and are worth their price about the path of the model are
+/// taken in. @return whether there were any.
+bool widen(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  WindowFit& fit = search.fit;
+  std::vector<Coefficient> wider;
+  const std::vector<Coefficient> worth = screen_candidates(task, search, context).worth;
+  std::set_union(fit.columns.begin(), fit.columns.end(), worth.begin(), worth.end(),
+                 std::back_inserter(wider));
+  if (wider.size() == fit.columns.size()) return false;
+  fit.columns = std::move(wider);
+  fit.subset = present_columns(fit);
+  return true;
+}
+
 }  // namespace
+
+std::vector<Index> present_columns(const WindowFit& fit) {
+  std::vector<Index> present;
+  for (std::size_t c = 0; c < fit.columns.size(); ++c)
+    if (fit.coefficients(fit.columns[c].equation, fit.columns[c].term) != 0.0)
+      present.push_back(static_cast<Index>(c));
+  return present;
+}
 
 SubsetProblem problem_of(const WindowFit& fit) {
   return subset_problem(fit.triangle / std::sqrt(fit.scale));
@@ -68,7 +93,8 @@ double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext
     if (!h.allFinite()) break;
     for (std::size_t c = 0; c < active.size(); ++c)
       fit.coefficients(active[c].equation, active[c].term) = h[static_cast<Index>(c)];
-    const std::optional<double> moved = move_path(search.rates, linearised, h, search.path);
+    const std::optional<double> moved =
+        move_path(search.rates, linearised, h, search.path, context);
     if (!moved) break;
     last = *moved;
     if (last < limits.move) break;
@@ -83,7 +109,10 @@ void converge(const SearchTask& task, WindowSearch& search, const RunContext& co
   for (int i = 0; i < kRounds && !search.fit.settled; ++i) {
     context.report("searching the structure", static_cast<double>(i) / kRounds);
     search.fit.settled = choose(task, search, context);
-    if (!search.fit.settled) settle(search, {}, context);
+    if (!search.fit.settled)
+      settle(search, {}, context);
+    else if (is_wide(task) && search.fit.rows > 0)
+      search.fit.settled = !widen(task, search, context);
   }
   summarise(search);
 }

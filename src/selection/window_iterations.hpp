@@ -16,6 +16,9 @@ struct NewtonLimits {
   int iterations = 4;
 };
 
+/// The columns of a fit that have a coefficient.
+std::vector<Index> present_columns(const WindowFit& fit);
+
 /// The problem of a fit's triangle with rows of unit variance.
 SubsetProblem problem_of(const WindowFit& fit);
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
+#include "candidate_screening.hpp"
 #include "lacuna/formulations/weak_form.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 #include "move_path.hpp"
@@ -23,24 +25,13 @@ Vector noise_or_floor(const Dataset& data, const std::vector<StateNoise>& noise)
   return sigma;
 }
 
-/// Samples of the first windows: half the support of a test function, which is the time in
-/// which a signal does what can be told from its noise; at least so many that initial states
-/// leave half of the samples.
-Index first_window(const Dataset& data) {
-  const TestFunction function = choose_test_function(measured_part(data));
-  const Trajectory& record = data.trajectories.front();
-  constexpr Index kFewest = 8;
-  return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
-}
-
-/// The candidates with a coefficient.
-std::vector<Index> present(const std::vector<Coefficient>& candidates,
-                           const Matrix& coefficients) {
-  std::vector<Index> columns;
-  for (std::size_t c = 0; c < candidates.size(); ++c)
-    if (coefficients(candidates[c].equation, candidates[c].term) != 0.0)
-      columns.push_back(static_cast<Index>(c));
-  return columns;
+/// Coefficients of what is no column are 0.
+void drop_others(WindowFit& fit) {
+  Matrix kept = Matrix::Zero(fit.coefficients.rows(), fit.coefficients.cols());
+  for (const Coefficient& column : fit.columns)
+    kept(column.equation, column.term) = fit.coefficients(column.equation, column.term);
+  fit.coefficients = std::move(kept);
+  fit.subset = present_columns(fit);
 }
 
 /// Fits windows of so many samples.
@@ -49,12 +40,13 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
   constexpr int kPasses = 5;
   // Residuals beyond so many sigma are not noise of a normal distribution in any record.
   constexpr double kOutlier = 7.0;
-  search.path.windows = windows_of(search.path.records, samples);
+  search.path.windows = windows_of(search.path.records, samples, search.most);
   search.fit = WindowFit();
   search.fit.coefficients = coefficients;
-  search.fit.columns = task.candidates;
-  search.fit.subset = present(task.candidates, coefficients);
   search.fit.samples = samples;
+  search.fit.columns =
+      is_wide(task) ? screen_candidates(task, search, context).plausible : task.candidates;
+  drop_others(search.fit);
   for (int pass = 0; pass < kPasses; ++pass) {
     converge(task, search, context);
     const bool quieter = learn_noise(task, search);
@@ -62,6 +54,20 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
     if (!quieter && !finer) break;
   }
   mask_beyond(search.path, kOutlier * std::sqrt(std::max(1.0, search.fit.misfit)));
+}
+
+/// Samples that are fitted in all.
+Index most_samples(const SearchTask& task) {
+  constexpr Index kMostValues = 200000;
+  return std::min(kMostSamples, kMostValues / task.equations.dimension());
+}
+
+/// Samples that a choice among many candidates takes: four for each candidate of an equation,
+/// and values enough to tell terms from noise.
+Index samples_of_a_choice(const SearchTask& task) {
+  constexpr Index kValues = 30000, kOfCandidate = 4;
+  return std::min(most_samples(task), std::max(kValues / task.equations.dimension(),
+                                               kOfCandidate * task.equations.library.size()));
 }
 
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
@@ -106,7 +112,15 @@ Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
 
 }  // namespace
 
-SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<StateNoise> noise,
+Index first_window(const Dataset& data) {
+  const TestFunction function = choose_test_function(measured_part(data));
+  const Trajectory& record = data.trajectories.front();
+  constexpr Index kFewest = 8;
+  return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
+}
+
+SearchTask search_task(Dataset data, const TermLibrary& library,
+                       const std::vector<TermSet>& allowed, std::vector<StateNoise> noise,
                        std::optional<double> price) {
   SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise);
   for (std::size_t k = 0; k < noise.size(); ++k)
@@ -115,33 +129,41 @@ SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<Sta
                   std::move(noise), std::move(sample_noise),          price};
   for (Index k = 0; k < task.data.state_count(); ++k) {
     task.equations.exact.push_back(task.data.rate_state(k));
-    for (Index l = 0; l < library.size() && !task.equations.exact.back(); ++l)
-      task.candidates.push_back({k, l});
+    if (task.equations.exact.back()) continue;
+    TermSet terms(static_cast<std::size_t>(library.size()));
+    std::iota(terms.begin(), terms.end(), Index{0});
+    if (!allowed.empty()) terms = allowed[static_cast<std::size_t>(k)];
+    for (const Index l : terms) task.candidates.push_back({k, l});
   }
   return task;
 }
 
-WindowSearch prepared_search(const SearchTask& task) {
-  WindowedPath path{make_paths(task.data, task.sample_noise.deviations, task.equations.program),
+WindowSearch prepared_search(const SearchTask& task, const RunContext& context) {
+  WindowedPath path{make_paths(task.data, task.sample_noise.deviations, task.equations.program,
+                               context.threads),
                     {}};
   return {.rates = WindowRates(task.equations),
           .path = std::move(path),
           .sigma = task.sample_noise.rms,
-          .floor = rounding_floor(task.data)};
+          .floor = rounding_floor(task.data),
+          .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
+          .shortest = std::min(first_window(task.data), longest_record(task.data).samples())};
 }
 
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
                    const RunContext& context) {
   const Index longest = longest_record(task.data).samples();
-  if (longest >= 4)
-    fit_windows(task, prepared, coefficients, std::min(first_window(task.data), longest),
-                context);
+  prepared.shortest = std::min(first_window(task.data), longest);
+  if (longest >= 4) fit_windows(task, prepared, coefficients, prepared.shortest, context);
   return prepared;
 }
 
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   const Index samples = 2 * search.fit.samples;
   if (search.limited || samples > longest_record(task.data).samples()) return false;
+  // Fewer windows do not stand for a record.
+  constexpr Index kFewestWindows = 16;
+  if (is_wide(task) && samples * kFewestWindows > search.most) return false;
   WindowSearch longer = search;
   fit_windows(task, longer, search.fit.coefficients, samples, context);
   search.limited = !acceptable(search.fit, longer.fit);
@@ -149,9 +171,18 @@ bool grow(const SearchTask& task, WindowSearch& search, const RunContext& contex
   return !search.limited;
 }
 
+void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  if (search.most >= std::min(most_samples(task), task.data.samples())) return;
+  WindowSearch all = search;
+  all.most = most_samples(task);
+  fit_windows(task, all, search.fit.coefficients, search.fit.samples, context);
+  all.limited = search.limited;
+  if (acceptable(search.fit, all.fit)) search = std::move(all);
+}
+
 /// A path that moves by a thousandth of sigma leaves the coefficients where they are.
 void finish(WindowSearch& search, const RunContext& context) {
-  search.path.windows = windows_of(search.path.records, search.fit.samples);
+  search.path.windows = windows_of(search.path.records, search.fit.samples, search.most);
   settle(search, {.move = 1e-3, .iterations = 8}, context);
   summarise(search);
 }
@@ -168,7 +199,7 @@ void simplify(const SearchTask& task, WindowSearch& search, double slack,
   const double limit = std::pow(1.0 + slack, 2) * fit_subset(problem, fit.subset).residual;
   fit.subset = simplest(fit, problem, limit);
   fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
-  move_path(search.rates, linearised, solve_subset(problem, fit), search.path);
+  move_path(search.rates, linearised, solve_subset(problem, fit), search.path, context);
   finish(search, context);
   fit.sigma = found.sigma;  // the noise is what it was
   fit.triangle = linearise_all(search, context).triangle;

@@ -21,7 +21,14 @@ struct SearchTask {
   std::optional<double> price;          ///< of a term
 };
 
-SearchTask search_task(Dataset data, const TermLibrary& library, std::vector<StateNoise> noise,
+/// Samples of the first windows: half the support of a test function, which is the time in
+/// which a signal does what can be told from its noise; at least so many that initial states
+/// leave half of the samples.
+Index first_window(const Dataset& data);
+
+/// @param allowed terms of each equation; empty: all.
+SearchTask search_task(Dataset data, const TermLibrary& library,
+                       const std::vector<TermSet>& allowed, std::vector<StateNoise> noise,
                        std::optional<double> price);
 
 /// A structure with its coefficients at one length of windows.
@@ -49,12 +56,14 @@ struct WindowSearch {
   Vector sigma;  ///< of the noise of each state, as far as it is known
   Vector floor;  ///< what sigma is at least where the noise cannot be told from the signal
   Folding folding = Folding::Gram;  ///< as long as no Gram has failed
+  Index most = kMostSamples;        ///< samples of the windows that are fitted, in all
+  Index shortest = 0;               ///< samples of the first windows
   WindowFit fit = {};
   bool limited = false;  ///< longer windows were tried and the model fits them worse
 };
 
 /// A search that has not begun: with the smoothed samples as path.
-WindowSearch prepared_search(const SearchTask& task);
+WindowSearch prepared_search(const SearchTask& task, const RunContext& context = {});
 
 /// Finds a model in the shortest windows; none (fit.rows = 0) when the records are too short.
 /// @param coefficients m x L to begin with.
@@ -64,6 +73,10 @@ WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& 
 /// Tries windows of twice the length. @return false when they are too long, or fit worse: the
 /// fit is then as it was.
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context);
+
+/// Fits a wide problem, which is searched in as many windows as its candidates ask for, in as
+/// many as there are: weak terms show in these. The fit stays as it was where that is worse.
+void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context);
 
 /// The last iterations, after which coefficients no longer change.
 void finish(WindowSearch& search, const RunContext& context);

@@ -23,13 +23,11 @@ void for_each_sample(Records& records, const WindowedPath& path, Visit visit) {
 
 }  // namespace
 
-std::vector<SampleWindow> windows_of(const std::vector<PathRecord>& records, Index samples) {
-  // More samples than this do not change which terms are found; windows evenly spread stand for
-  // longer records.
-  constexpr Index kMostSamples = 40000;
+std::vector<SampleWindow> windows_of(const std::vector<PathRecord>& records, Index samples,
+                                     Index most) {
   Index all = 0;
   for (const PathRecord& record : records) all += record.samples.samples();
-  const Index every = (all + kMostSamples - 1) / kMostSamples;
+  const Index every = (all + most - 1) / most;
   std::vector<SampleWindow> windows;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Index n = records[r].samples.samples();
@@ -38,6 +36,16 @@ std::vector<SampleWindow> windows_of(const std::vector<PathRecord>& records, Ind
       windows.push_back({r, w * n / count, (w + 1) * n / count - w * n / count});
   }
   return windows;
+}
+
+std::vector<WindowChunk> window_chunks(std::size_t windows, Index columns) {
+  constexpr Index kMost = 16, kMostEntries = Index{1} << 24;  // 128 MiB in all
+  const Index chunks_of_size = std::clamp<Index>(kMostEntries / (columns * columns), 1, kMost);
+  const std::size_t count = std::min(windows, static_cast<std::size_t>(chunks_of_size));
+  std::vector<WindowChunk> chunks;
+  for (std::size_t c = 0; c < count; ++c)
+    chunks.push_back({c * windows / count, (c + 1) * windows / count});
+  return chunks;
 }
 
 Vector misfits_of(const WindowedPath& path) {

@@ -22,8 +22,22 @@ struct WindowedPath {
   Index substeps() const { return records.front().substeps; }
 };
 
-/// Divides every record into windows of so many samples; a rest joins the last one.
-std::vector<SampleWindow> windows_of(const std::vector<PathRecord>& records, Index samples);
+/// More samples than this do not change which terms are found.
+inline constexpr Index kMostSamples = 40000;
+
+/// Divides every record into windows of so many samples; a rest joins the last one. Windows
+/// evenly spread stand for records of more than `most` samples in all.
+std::vector<SampleWindow> windows_of(const std::vector<PathRecord>& records, Index samples,
+                                     Index most = kMostSamples);
+
+/// Windows first .. last - 1, which one thread works on.
+struct WindowChunk {
+  std::size_t first = 0, last = 0;
+};
+
+/// Divides windows into at most 16 chunks, or fewer where each of them has a square matrix of
+/// so many columns. Does not depend on threads, so that sums over chunks do not.
+std::vector<WindowChunk> window_chunks(std::size_t windows, Index columns = 1);
 
 /// Sums of squared weighted residuals of the path, and how many there are, per state.
 Vector misfits_of(const WindowedPath& path);

@@ -56,8 +56,8 @@ TEST(Program, IdentifiesAStateThatNobodyMeasured) {
   const std::string orbit = folder.file("orbit.csv"), model = folder.file("model.json");
   ASSERT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.02 -o " + orbit).status,
             0);
-  const CommandResult result =
-      run_program("identify " + orbit + " --states x,z --hidden 1 --degree 2 --model-out " + model);
+  const CommandResult result = run_program(
+      "identify " + orbit + " --states x,z --hidden 1 --degree 2 --model-out " + model);
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, ::testing::HasSubstr("h1 was not measured"));
   const OdeModel found = read_model(model);
@@ -65,6 +65,23 @@ TEST(Program, IdentifiesAStateThatNobodyMeasured) {
   EXPECT_NEAR(found.coefficient(0, "x"), -10.0, 0.1);
   EXPECT_NEAR(found.coefficient(2, "x"), 280.0, 2.0);
   expect_program_error("identify " + orbit + " --states x,z --hidden 2", 2, {"--hidden", "1"});
+}
+
+TEST(Program, EquationsHaveLibrariesOfTheirOwn) {
+  const TemporaryFolder folder;
+  const std::string orbit = folder.file("orbit.csv"), model = folder.file("model.json");
+  ASSERT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 5 --dt 0.01 -o " + orbit).status,
+            0);
+  const std::string identify = "identify " + orbit;
+  EXPECT_EQ(run_program(identify + " --equation 'dx: x, y' --equation 'z: z, x*y, sin(z)'" +
+                        " --add 'abs(y)' --degree 2 --model-out " + model)
+                .status,
+            0);
+  const OdeModel found = read_model(model);
+  EXPECT_NEAR(found.coefficient(0, "x"), -10.0, 0.01);
+  EXPECT_EQ(found.equations()[2].size(), 2U);
+  expect_program_error(identify + " --equation 'q: x'", 2, {"equation q", "x, y, z"});
+  expect_program_error(identify + " --equation x", 2, {"colon"});
 }
 
 }  // namespace

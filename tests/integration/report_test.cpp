@@ -116,6 +116,39 @@ std::string browser() {
   return "";
 }
 
+/// What a browser makes of a page with a script behind it that tries what a reader does.
+std::string tried(const std::string& program, const TemporaryFolder& folder, std::string html) {
+  const std::string script = R"(<script>
+var key=document.querySelector('.lines .key'),svg=key.closest('svg');
+var curve=svg.querySelector('path[data-series="'+key.dataset.series+'"]');
+var said=[];
+key.dispatchEvent(new MouseEvent('click',{bubbles:true}));said.push(curve.style.display);
+key.dispatchEvent(new MouseEvent('click',{bubbles:true}));said.push('['+curve.style.display+']');
+var p=curve.getAttribute('d').match(/-?[\d.]+,-?[\d.]+/)[0].split(',').map(Number);
+var r=svg.getBoundingClientRect(),v=svg.viewBox.baseVal;
+svg.dispatchEvent(new PointerEvent('pointermove',{clientX:r.left+p[0]*r.width/v.width,
+clientY:r.top+p[1]*r.height/v.height}));
+var tip=document.querySelector('.tip');said.push(tip.style.display,tip.textContent);
+document.title=said.join('|').replace(/\n/g,'|');</script></body>)";
+  html.replace(html.rfind("</body>"), 7, script);
+  const std::string path = folder.write("tried.html", html), out = folder.file("dom");
+  const std::string run = "timeout 120 " + program +
+                          " --headless --no-sandbox --disable-gpu --user-data-dir='" +
+                          folder.file("profile") + "' --dump-dom 'file://" + path + "' > '" +
+                          out + "' 2> /dev/null";
+  EXPECT_EQ(std::system(run.c_str()), 0);
+  const std::string dom = folder.read("dom");
+  const std::size_t begin = dom.find("<title>") + 7;
+  return dom.substr(begin, dom.find("</title>") - begin);
+}
+
+TEST_F(Reports, CurvesAreHiddenByAClickAndValuesTold) {
+  const std::string program = browser();
+  if (program.empty()) GTEST_SKIP() << "there is no Chromium here";
+  const std::string title = tried(program, folder_, page_of(folder_, arguments("diagnose")));
+  EXPECT_EQ(title.rfind("none|[]|block|measured|time [s]: ", 0), 0u) << title;
+}
+
 TEST_F(Reports, ShowInABrowserWithoutANetwork) {
   const std::string program = browser();
   if (program.empty()) GTEST_SKIP() << "there is no Chromium here";

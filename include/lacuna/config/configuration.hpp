@@ -49,6 +49,12 @@ class Configuration {
   /// The candidate terms outright, "sign(q_d1),1,F".
   void set_terms(std::string_view list);
 
+  /// Terms beside those of the library, "sin(th),x*abs(x)"; for the basis `monomials`.
+  void add_terms(std::string_view list);
+
+  /// The terms of one equation, "dw: sin(th),w,u". @throws ConfigError without the colon.
+  void set_equation(std::string_view text);
+
   /// What was asked for, as JSON text.
   std::string text() const;
 

@@ -25,6 +25,9 @@ struct Table {
   /// Names as they stood in the header, before they were made identifiers; one per column.
   std::vector<std::string> headers;
 
+  /// Name of a column that numbers the records, where the file says so itself; else empty.
+  std::string run_column = {};
+
   /// What the reader did that a user should know of: names changed, a preamble skipped.
   std::vector<std::string> notes;
 };

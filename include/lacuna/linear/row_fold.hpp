@@ -30,6 +30,12 @@ class RowFold {
   /// Rows of an upper triangle, columns x columns.
   void add_triangle(const Eigen::Ref<const Matrix>& triangle);
 
+  /// The rows of another fold of the same kind, which starts anew.
+  void merge(RowFold& other);
+
+  /// The Gram matrix of all rows, for a fold by it.
+  Matrix gram();
+
   /// R of all rows, columns x columns; nothing when a Gram cannot resolve it: its relative
   /// rounding eps must be small beside the squared share of a column that is new (condition up
   /// to 1e6: 1e-4) and of the target that is not explained (1e-5: 1e-6). Starts anew after it.
@@ -37,7 +43,7 @@ class RowFold {
 
  private:
   void fold();
-  std::optional<Matrix> from_gram() const;
+  std::optional<Matrix> from_gram();
 
   Folding folding_;
   Index columns_;

@@ -13,6 +13,12 @@
 
 namespace lacuna {
 
+/// The terms that one equation may have.
+struct EquationTerms {
+  std::string state;               ///< of dx/dt
+  std::vector<std::string> terms;  ///< formulas in states, inputs and t
+};
+
 /// A composition of stages. An aggregate: a forgotten stage does not compile.
 struct Pipeline {
   Stage<Basis> basis;
@@ -21,12 +27,13 @@ struct Pipeline {
   Stage<Regressor> regressor;
   Stage<TermPruner> pruner;
   Stage<Refiner> refiner;
+  std::vector<EquationTerms> equations = {};  ///< libraries of their own; none: the basis
 };
 
 /// Identifies one equation per state: basis -> formulation -> filter, then per equation
 /// pruner (refitting with the regressor) and a final fit. An equation the dataset knows as an
-/// identity (Dataset::rate_of) is taken over with coefficient 1. The refiner then fits the model
-/// to the trajectories and may change its structure.
+/// identity (Dataset::rate_of) is taken over with coefficient 1. The refiner then fits the
+/// model to the trajectories and may change its structure.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.
 IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
                               const RunContext& context = {});

@@ -38,6 +38,8 @@ struct RefinerTask {
   const OdeModel& start;       ///< the model that the stages before found
   /// Share of its derivatives that `start` leaves unexplained, rms, in the worst equation.
   double unexplained = 1.0;
+  /// Terms that each equation may have, by their numbers; empty: all of them.
+  std::vector<TermSet> allowed = {};
 };
 
 /// What a refiner makes of a model.

@@ -108,7 +108,8 @@ TEST(DiagnoseCommand, TellsAWrongUnitOfTimeAndTakesTheRightOne) {
   ASSERT_EQ(answer["hints"].size(), 1u);
   EXPECT_EQ(answer["hints"][0]["kind"], "time-unit");
   EXPECT_EQ(answer["hints"][0]["remedy"], "--time-unit ms");
-  EXPECT_EQ(records.diagnose({}).out.rfind("Hint (time-unit): time looks 1000 times", 0), 0u);
+  EXPECT_THAT(records.diagnose({}).out,
+              HasSubstr("\n\nHint (time-unit): time looks 1000 times"));
   const auto right = records.diagnose(with(kTwoEffects, {"--json", "-", "--time-unit", "ms"}));
   EXPECT_EQ(nlohmann::json::parse(right.out)["verdict"], "no-discrepancy") << right.err;
 }

@@ -41,6 +41,24 @@ TEST(FillBlanks, WithoutBlanksOrValuesThereIsNothingToFill) {
   EXPECT_TRUE(fill_blanks(table, {1}).table.values.col(1).array().isNaN().all());
 }
 
+TEST(AssignRoles, ChannelsWithRatesOfTheirOwnKeepTheRowsThatAllHave) {
+  Table table;
+  table.source = "rates.csv";
+  table.columns = {{"t", "s"}, {"x", ""}, {"y", ""}};
+  table.values.resize(50, 3);
+  for (Index i = 0; i < 50; ++i) {
+    const double t = 0.1 * static_cast<double>(i);
+    table.values.row(i) << t, 2.0 * t, i % 5 == 0 ? 3.0 * t : kBlank;
+    table.lines.push_back(static_cast<std::size_t>(i) + 2);
+  }
+  const Dataset data = assign_roles(table, {});
+  ASSERT_EQ(data.trajectories.size(), 1u);
+  EXPECT_EQ(data.trajectories[0].samples(), 10);
+  EXPECT_DOUBLE_EQ(data.trajectories[0].states(3, 1), 4.5);
+  EXPECT_EQ(common_rows(table, {0, 2})->lines[2], 12u);
+  EXPECT_FALSE(common_rows(table, {0, 1})) << "nothing is blank there";
+}
+
 TEST(AssignRoles, AStateThatIsBlankIsMarkedAndAnInputCuts) {
   ColumnRoles roles;
   roles.inputs = {"u"};

@@ -86,5 +86,21 @@ TEST(FoldOrthogonal, TakesFewerRowsThanColumns) {
   EXPECT_LT((r.transpose() * r - all.transpose() * all).norm(), 1e-13);
 }
 
+TEST(RowFold, FoldsOfPartsMergeToTheFoldOfAll) {
+  const Matrix rows = Matrix::Random(4, 90);
+  for (const Folding folding : {Folding::Gram, Folding::Orthogonal}) {
+    RowFold part(4, folding), other(4, folding);
+    part.add(rows.leftCols(31));
+    other.add(rows.rightCols(59));
+    part.merge(other);
+    if (folding == Folding::Gram) {
+      EXPECT_LT((part.gram() - rows * rows.transpose()).norm(), 1e-12 * rows.squaredNorm());
+    }
+    const Matrix triangle = *part.finish();
+    EXPECT_LT((triangle.transpose() * triangle - rows * rows.transpose()).norm(),
+              1e-12 * rows.squaredNorm());
+  }
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -80,7 +80,8 @@ TEST(ForEachTile, ReportsEveryChunkAndStops) {
   EXPECT_THROW(for_each_tile(*rows, context, "test",
                              [&](Index, Tile& tile) { rows_seen += tile.rows(); }),
                Cancelled);
-  EXPECT_EQ(rows_seen, 2 * 32768);
+  EXPECT_GE(rows_seen, 32768);
+  EXPECT_LT(rows_seen, 32768 + 300);  // it ends with the tile
   EXPECT_EQ(fractions, (std::vector<double>{0.0, 0.32768}));
 }
 

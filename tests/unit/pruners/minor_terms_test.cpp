@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "lacuna/core/random.hpp"
 #include "support/pruner_checks.hpp"
 
 namespace lacuna {
@@ -132,6 +135,34 @@ TEST(MinorTerms, PaperTolerancesBoundTheResidualPerRow) {
   options.eta = 1e-9;  // already the fit of all terms is worse
   const PruneResult nothing = MinorTerms(options).prune(system, 0, system.all_terms(), Ols());
   EXPECT_TRUE(nothing.removed.empty());
+}
+
+/// 400 rows of 300 random columns, of which five make the target.
+LeastSquaresSystem wide_system(double noise) {
+  Random random(4);
+  const Matrix theta = Matrix::NullaryExpr(400, 300, [&] { return random.normal(); });
+  Matrix y = theta(Eigen::all, {7, 60, 150, 151, 299}) * Vector::Constant(5, 0.5);
+  for (double& value : y.reshaped()) value += noise * random.normal();
+  std::vector<std::string> names;
+  for (int j = 0; j < 300; ++j) names.push_back("t" + std::to_string(j));
+  return LeastSquaresSystem(make_row_source(theta, y), names, {"y"});
+}
+
+TEST(MinorTerms, WideProblemsBeginWithTheTermsThatExplainMost) {
+  const LeastSquaresSystem system = wide_system(0.05);
+  const PruneResult result = MinorTerms().prune(system, 0, system.all_terms(), Ols());
+  EXPECT_EQ(result.kept, (TermSet{7, 60, 150, 151, 299}));
+  ASSERT_EQ(result.removed.size(), 295U);
+  EXPECT_EQ(std::count_if(result.removed.begin(), result.removed.end(),
+                          [](const Removal& removal) {
+                            return removal.quantity ==
+                                   "|residual| of the terms that explain most";
+                          }),
+            300 - 128);
+  for (std::size_t i = 0; i < result.removed.size(); ++i) {
+    EXPECT_EQ(result.removed[i].step, static_cast<int>(i) + 1);
+    EXPECT_LE(result.removed[i].value, result.removed[i].threshold);
+  }
 }
 
 TEST(MinorTerms, SurvivesOddProblems) { testing::expect_survives_odd_problems(MinorTerms()); }

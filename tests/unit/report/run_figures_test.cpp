@@ -56,6 +56,15 @@ TEST(RunFigures, TheLongestRecordIsShown) {
   EXPECT_THAT(pictures.at(0).title, HasSubstr("long.csv"));
 }
 
+TEST(RunFigures, AStateThatNobodyMeasuredIsShownAsTheModelHasIt) {
+  std::vector<GapRecord> runs{run(200)};
+  runs[0].measured.setConstant(NAN);
+  const RunView view{runs, {{"x", ""}}, "s", Vector()};
+  EXPECT_EQ(count(comparison_pictures(view).at(0).svg.string(), "class=\"key\""), 2);
+  EXPECT_TRUE(deviation_pictures(view).empty());
+  EXPECT_TRUE(spectrum_pictures(view).empty());
+}
+
 TEST(RunFigures, ShortRecordsHaveNoSpectrumAndOneStateNoOrbit) {
   const std::vector<GapRecord> runs{run(40)};
   const RunView view{runs, {{"x", ""}}, "s", Vector()};

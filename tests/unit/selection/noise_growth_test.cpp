@@ -74,5 +74,19 @@ TEST(NoiseGrowth, DoesNotVanishWhereASignalCrossesZero) {
   EXPECT_GT(noise.deviations[0].minCoeff(), 1e-4);
 }
 
+TEST(NoiseGrowth, FastStretchesAreNoNoise) {
+  // Spikes, sampled coarsely: what differences see of them is largest where they are high.
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    Dataset data = growing(0.0, 0.0, 3000, 1);
+    for (Index i = 0; i < 3000; ++i) {
+      const double phase = 0.05 * static_cast<double>(i);
+      data.trajectories[0].states(i, 0) =
+          std::exp(8.0 * (std::cos(phase) - 1.0)) + 0.002 * random.normal();
+    }
+    EXPECT_FALSE(noise_of(data).growth[0].has_value()) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace lacuna

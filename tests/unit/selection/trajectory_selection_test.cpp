@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lacuna/data/noise.hpp"
+#include "support/lorenz96.hpp"
 #include "support/noisy_records.hpp"
 
 namespace lacuna {
@@ -30,6 +31,33 @@ void expect_structure(const std::string& name, const Dataset& data) {
 TEST(TrajectorySelection, FindsTheStructureInOnePercentNoise) {
   for (const char* name : {"lorenz", "rossler"})
     expect_structure(name, noisy_record(name, 2000, 0.01, 1));
+}
+
+RefinedModel search_lorenz96(int threads) {
+  const Dataset data = lorenz96_record(10, 3000, 0.01, 1);
+  RunContext context;
+  context.threads = threads;
+  return TrajectorySelection{}.refine(
+      {data, quadratic_library(lorenz96(10)), empty_model(data)}, context);
+}
+
+TEST(TrajectorySelection, FindsTheStructureAmongHundredsOfCandidates) {
+  const RefinedModel found = search_lorenz96(1);
+  EXPECT_EQ(structure_of(found.model), structure_of(lorenz96(10))) << to_text(found.model, 4);
+  EXPECT_EQ(to_text(found.model, 17), to_text(search_lorenz96(3).model, 17));
+}
+
+TEST(TrajectorySelection, DoesNotDependOnThreads) {
+  const Dataset data = noisy_record("lorenz", 1000, 0.01, 6);
+  const TermLibrary library = quadratic_library(test_system("lorenz").model);
+  RunContext context;
+  const auto found = [&](int threads) {
+    context.threads = threads;
+    return to_text(
+        TrajectorySelection{}.refine({data, library, empty_model(data)}, context).model, 17);
+  };
+  const std::string once = found(1);
+  for (const int threads : {2, 3, 4}) EXPECT_EQ(found(threads), once);
 }
 
 TEST(TrajectorySelection, IntervalsContainTheTruth) {

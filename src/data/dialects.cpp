@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "dialects.hpp"
+
+#include "lacuna/data/text_field.hpp"
+
+namespace lacuna {
+
+std::optional<std::string_view> Lines::next() {
+  if (rest_.empty()) return std::nullopt;
+  const std::size_t end = rest_.find('\n');
+  std::string_view line = rest_.substr(0, end);
+  rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, char delimiter) {
+  std::vector<std::string_view> fields;
+  split_fields(line, delimiter, fields);
+  return fields;
+}
+
+std::string joined_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += (line.empty() ? "" : ";") + field;
+  return line + "\n";
+}
+
+std::optional<PlainText> plain_text(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.substr(0, 3) == kByteOrderMark) text.remove_prefix(3);
+  for (const auto dialect :
+       {dialects::rigol, dialects::tektronix, dialects::labview, dialects::ngspice_raw,
+        dialects::stepped_ltspice, dialects::ngspice_print, dialects::ngspice_wrdata,
+        dialects::clock_times})
+    if (auto plain = dialect(text)) return plain;
+  return std::nullopt;
+}
+
+}  // namespace lacuna

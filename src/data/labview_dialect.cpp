@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// LabVIEW measurement files (.lvm): a head, then packets, each with a head and its samples.
+#include <map>
+
+#include "dialects.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/data/text_field.hpp"
+
+namespace lacuna::dialects {
+namespace {
+
+constexpr std::string_view kEnd = "***End_of_Header***";
+
+using Head = std::map<std::string, std::vector<std::string>, std::less<>>;
+
+/// Reads "key value value ..." up to the end of a head.
+void read_head(Lines& lines, char delimiter, Head& head, std::string& text) {
+  while (const auto line = lines.next()) {
+    text += "\n";
+    if (line->substr(0, kEnd.size()) == kEnd) return;
+    const auto fields = fields_of(*line, delimiter);
+    if (fields.empty()) continue;
+    auto& values = head[std::string(fields[0])];
+    values.assign(fields.begin() + 1, fields.end());
+  }
+}
+
+double value_in(const Head& head, const std::string& key, double otherwise) {
+  const auto found = head.find(key);
+  if (found == head.end() || found->second.empty()) return otherwise;
+  const TextField field = read_field(found->second.front());
+  return field.kind == TextField::Kind::Number ? field.value : otherwise;
+}
+
+std::string unit_in(const Head& head, std::size_t channel) {
+  const auto found = head.find("Y_Unit_Label");
+  if (found == head.end() || channel >= found->second.size()) return "";
+  const std::string word = lower_case(found->second[channel]);
+  return word == "volts" || word == "volt" ? "V"
+         : word == "amps"                  ? "A"
+                                           : found->second[channel];
+}
+
+/// Columns that hold channels, by the names of a packet.
+std::vector<std::size_t> channels_of(const std::vector<std::string_view>& names) {
+  std::vector<std::size_t> channels;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!names[i].empty() && names[i] != "X_Value" && names[i] != "Comment")
+      channels.push_back(i);
+  return channels;
+}
+
+/// Samples of one packet up to an empty line or the next head.
+struct Packet {
+  std::vector<std::string_view> names;
+  std::vector<std::size_t> channels;
+  double begin = 0.0, step = 0.0;
+  int run = 1;
+};
+
+/// One line of samples; a time that is left out is that of the sample's number.
+std::string row_of(const std::vector<std::string_view>& fields, const Packet& packet,
+                   double sample) {
+  const bool timed = packet.names[0] == "X_Value" && !fields[0].empty();
+  std::vector<std::string> row{timed ? std::string(fields[0])
+                                     : format_number(packet.begin + sample * packet.step)};
+  for (const std::size_t i : packet.channels)
+    row.emplace_back(i < fields.size() ? fields[i] : std::string_view{});
+  row.push_back(std::to_string(packet.run));
+  return joined_line(row);
+}
+
+std::string names_of(const Packet& packet, const Head& head) {
+  std::vector<std::string> names{"t [s]"};
+  for (std::size_t c = 0; c < packet.channels.size(); ++c) {
+    const std::string unit = unit_in(head, c);
+    names.push_back(std::string(packet.names[packet.channels[c]]) +
+                    (unit.empty() ? "" : " [" + unit + "]"));
+  }
+  names.emplace_back("packet");
+  return joined_line(names);
+}
+
+bool begins_head(std::string_view line) { return line.substr(0, 8) == "Channels"; }
+
+}  // namespace
+
+std::optional<PlainText> labview(std::string_view text) {
+  if (text.substr(0, 19) != "LabVIEW Measurement") return std::nullopt;
+  const char delimiter = text.find("Separator\tComma") != std::string_view::npos ||
+                                 text.find("Separator,Comma") != std::string_view::npos
+                             ? ','
+                             : '\t';
+  PlainText plain{"", "taken for a LabVIEW measurement", "packet"};
+  Lines lines(text);
+  Head head;
+  read_head(lines, delimiter, head, plain.text);
+  Packet packet;
+  packet.run = 0;
+  double sample = 0.0;
+  while (const auto line = lines.next()) {
+    const std::string_view content = strip(*line);
+    if (begins_head(content)) {
+      plain.text += "\n";
+      read_head(lines, delimiter, head, plain.text);
+      packet.names.clear();
+    } else if (content.empty()) {
+      plain.text += "\n";
+    } else if (packet.names.empty()) {
+      packet = {fields_of(*line, delimiter),
+                {},
+                value_in(head, "X0", 0.0),
+                value_in(head, "Delta_X", 1.0),
+                packet.run + 1};
+      packet.channels = channels_of(packet.names);
+      sample = 0.0;
+      plain.text += packet.run == 1 ? names_of(packet, head) : "\n";
+    } else {
+      plain.text += row_of(fields_of(*line, delimiter), packet, sample);
+      sample += 1.0;
+    }
+  }
+  return plain;
+}
+
+}  // namespace lacuna::dialects

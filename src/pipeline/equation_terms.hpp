@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Equations with libraries of their own.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/pipeline/pipeline.hpp"
+
+namespace lacuna {
+
+/// One library for a run, with the terms that each equation may have of it.
+struct EquationLibraries {
+  TermLibrary library;
+  std::vector<TermSet> allowed = {};  ///< of each state; empty: all terms for all
+  std::vector<bool> own = {};         ///< whether the equation's library was named; or empty
+};
+
+/// The library of the basis, widened by the terms that equations name. Equations without a
+/// library of their own have that of the basis.
+/// @throws ConfigError for an unknown state, a state named twice, an equation without terms;
+///   ModelError for a formula that cannot be read.
+EquationLibraries equation_libraries(TermLibrary basis, const Dataset& data,
+                                     const std::vector<EquationTerms>& equations);
+
+/// The terms that stand in both sets.
+TermSet common_terms(const TermSet& a, const TermSet& b);
+
+}  // namespace lacuna

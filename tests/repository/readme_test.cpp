@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The first page: short, with links that lead somewhere and numbers that come from results.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+
+#include "repository/source_tree.hpp"
+
+namespace lacuna::repository {
+namespace {
+
+const std::filesystem::path kRoot = LACUNA_SOURCE_DIR;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::string text;
+  for (const std::string& line : read_lines(path)) text += line + "\n";
+  return text;
+}
+
+std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
+  std::vector<std::string> found;
+  const std::regex regex(pattern);
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it)
+    found.push_back((*it)[1]);
+  return found;
+}
+
+TEST(Readme, HasAtMost800Words) {
+  std::istringstream words(text_of(kRoot / "README.md"));
+  int count = 0;
+  for (std::string word; words >> word;) ++count;
+  EXPECT_LE(count, 800);
+}
+
+TEST(Readme, LinksLeadSomewhere) {
+  for (const std::string page : {"README.md", "docs/tutorial.md", "docs/reports.md"}) {
+    const auto folder = (kRoot / page).parent_path();
+    const auto links = all_matches(text_of(kRoot / page), R"(\]\(([^)#:]+)\))");
+    for (const std::string& link : links)
+      EXPECT_TRUE(std::filesystem::exists(folder / link)) << page << ": " << link;
+  }
+  EXPECT_GE(all_matches(text_of(kRoot / "README.md"), R"(\]\(([^)#:]+)\))").size(), 10u);
+}
+
+/// Rows "| question ([table](FILE)) | answer |": every number of the answer stands in the file.
+TEST(Readme, NumbersAreThoseOfTheResults) {
+  int rows = 0;
+  for (const std::string& line : read_lines(kRoot / "README.md")) {
+    const auto files = all_matches(line, R"(\[table\]\(([^)]+)\))");
+    if (line.rfind("| ", 0) != 0 || files.empty()) continue;
+    ++rows;
+    const std::string results = text_of(kRoot / files[0]);
+    const std::string answer = line.substr(line.find(") | ") + 4);
+    for (const std::string& number : all_matches(answer, R"(([0-9]+(?:\.[0-9]+)?))"))
+      EXPECT_TRUE(std::regex_search(results, std::regex("[^0-9.]" + number + "[^0-9.]")))
+          << number << " is not in " << files[0];
+  }
+  EXPECT_EQ(rows, 5);
+}
+
+}  // namespace
+}  // namespace lacuna::repository
