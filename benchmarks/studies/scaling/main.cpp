@@ -102,7 +102,8 @@ void run(const Problem& problem, ResultTable& table) {
          format_number(wall.count(), 3), format_number(used, 3),
          format_number(peak_megabytes(), 3),
          compare_models(result.model, problem.model).exact_structure ? "yes" : "no"});
-    std::cout << problem.name << ' ' << problem.rows << ": " << table.rows.back()[5] << " s" << std::endl;
+    std::cout << problem.name << ' ' << problem.rows << ": " << table.rows.back()[5] << " s"
+              << std::endl;
   }
 }
 
