@@ -61,6 +61,8 @@ class Turns {
   /// @param fresh whether the variances are first guesses.
   Assimilation run(bool fresh) {
     double last = std::numeric_limits<double>::infinity();
+    std::optional<Assimilation> best;
+    int rises = 0;
     relinearise();
     if (!fresh) update_coefficients();
     for (int pass = 0; pass < options_.passes; ++pass) {
@@ -79,13 +81,13 @@ class Turns {
       if (settling) continue;
       if (state_.deviance < last - kUnnoticedDeviance) {
         last = state_.deviance;
-        best_ = state_;
+        best = state_;
         continue;
       }
-      if (std::abs(state_.deviance - last) <= kUnnoticedDeviance || ++rises_ > kRises) break;
+      if (std::abs(state_.deviance - last) <= kUnnoticedDeviance || ++rises > kRises) break;
     }
-    if (best_ && !(state_.deviance < best_->deviance + kUnnoticedDeviance))
-      state_ = std::move(*best_);
+    if (best && !(state_.deviance < best->deviance + kUnnoticedDeviance))
+      state_ = std::move(*best);
     return options_.hidden.empty() ? std::move(state_) : verified(std::move(state_));
   }
 
@@ -280,8 +282,6 @@ class Turns {
   const RunContext& context_;
   VarianceFit variances_;
   Assimilation state_;
-  std::optional<Assimilation> best_;
-  int rises_ = 0;
 };
 
 /// Whether an equation holds exactly: an identity, or the formula of a channel.
