@@ -145,10 +145,13 @@ class JointFit {
   /// Moves the shapes and fits again until the likelihood rises no more.
   Explanation with_shapes(Explanation best) const {
     constexpr int kSteps = 3;
-    for (int step = 0; step < kSteps; ++step) {
+    constexpr int kHiddenSteps = 12;  // a hidden path moves with the shapes
+    const bool hidden = !task_.options.hidden.empty();
+    for (int step = 0; step < (hidden ? kHiddenSteps : kSteps); ++step) {
       std::vector<FittedEffect> moved = best.effects;
       if (!move_shapes(best, moved)) break;
-      Explanation next = at(best.fit, std::move(moved), 3);
+      Explanation next = at(best.fit, moved, 3);
+      if (hidden) next = in_reach(best, std::move(moved), std::move(next));
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
       best = std::move(next);
@@ -158,6 +161,20 @@ class JointFit {
   }
 
  private:
+  /// The step, or a part of it that raises the likelihood: where states are hidden the problem
+  /// is far from linear.
+  Explanation in_reach(const Explanation& best, std::vector<FittedEffect> moved,
+                       Explanation next) const {
+    constexpr int kHalvings = 4;
+    for (int halving = 0; halving < kHalvings && !(next.fit.deviance < best.fit.deviance);
+         ++halving) {
+      for (std::size_t e = 0; e < moved.size(); ++e)
+        moved[e].shapes = 0.5 * (moved[e].shapes + best.effects[e].shapes);
+      next = at(best.fit, moved, 3);
+    }
+    return next;
+  }
+
   /// Noise that moves the free inputs, to begin with such that they take over from the
   /// disturbance of their equation.
   static void set_drives(const std::vector<FittedEffect>& effects, Index next,
@@ -319,7 +336,8 @@ Index Explanation::parameters() const noexcept {
 Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
                             const std::vector<FittedEffect>& effects) {
   constexpr int kFew = 3;
-  return JointFit(task).at(start, effects, kFew);
+  constexpr int kFewWithHidden = 8;  // a step may lead far from what it promises
+  return JointFit(task).at(start, effects, task.options.hidden.empty() ? kFew : kFewWithHidden);
 }
 
 Explanation explain(const JointFitTask& task, const Assimilation& start,

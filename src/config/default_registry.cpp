@@ -18,6 +18,7 @@
 #include "lacuna/hypotheses/named_effects.hpp"
 #include "lacuna/hypotheses/residual_function.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
+#include "lacuna/hypotheses/shared_process.hpp"
 #include "lacuna/hypotheses/unmeasured_input.hpp"
 #include "lacuna/pruners/cross_validation.hpp"
 #include "lacuna/pruners/information_criterion.hpp"
@@ -118,6 +119,7 @@ void add_diagnosis(Registry& registry) {
   registry.add<BrokenIdentity>();
   registry.add<SensorCalibration>();
   registry.add<ResidualFunction>();
+  registry.add<SharedProcess>();
 }
 
 }  // namespace

@@ -61,6 +61,8 @@ class Turns {
   /// @param fresh whether the variances are first guesses.
   Assimilation run(bool fresh) {
     double last = std::numeric_limits<double>::infinity();
+    std::optional<Assimilation> best;
+    int rises = 0;
     relinearise();
     if (!fresh) update_coefficients();
     for (int pass = 0; pass < options_.passes; ++pass) {
@@ -71,7 +73,7 @@ class Turns {
       const std::vector<Matrix> before =
           options_.hidden.empty() ? std::vector<Matrix>() : paths();
       improve_noise_and_path();
-      if (options_.hidden.empty())
+      if (before.empty())
         relinearise();
       else
         relinearise_in_reach(before);
@@ -79,17 +81,39 @@ class Turns {
       if (settling) continue;
       if (state_.deviance < last - kUnnoticedDeviance) {
         last = state_.deviance;
-        best_ = state_;
+        best = state_;
         continue;
       }
-      if (std::abs(state_.deviance - last) <= kUnnoticedDeviance || ++rises_ > kRises) break;
+      if (std::abs(state_.deviance - last) <= kUnnoticedDeviance || ++rises > kRises) break;
     }
-    if (best_ && !(state_.deviance < best_->deviance + kUnnoticedDeviance))
-      state_ = std::move(*best_);
-    return std::move(state_);
+    if (best && !(state_.deviance < best->deviance + kUnnoticedDeviance))
+      state_ = std::move(*best);
+    return options_.hidden.empty() ? std::move(state_) : verified(std::move(state_));
   }
 
  private:
+  /// Where states are hidden a step may be far from what it promises: what counts is the
+  /// deviance that is found where the steps have led.
+  Assimilation verified(Assimilation found) {
+    constexpr int kPasses = 3;
+    state_ = std::move(found);
+    std::optional<Assimilation> best;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      relinearise();
+      const InnovationSystem system(state_);
+      state_.deviance = system.deviance();
+      state_.used = system.used();
+      if (!best || !std::isfinite(best->deviance) || state_.deviance < best->deviance)
+        best = state_;
+      else
+        break;
+      const std::vector<Matrix> before = paths();
+      improve_noise_and_path();
+      relinearise_in_reach(before);
+    }
+    return std::move(*best);
+  }
+
   static constexpr int kIterations = 8;
   static constexpr int kSettlingPasses = 2;
   /// Steps that raise the deviance before the turns are given up; the linearisation need not
@@ -258,8 +282,6 @@ class Turns {
   const RunContext& context_;
   VarianceFit variances_;
   Assimilation state_;
-  std::optional<Assimilation> best_;
-  int rises_ = 0;
 };
 
 /// Whether an equation holds exactly: an identity, or the formula of a channel.

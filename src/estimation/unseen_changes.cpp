@@ -124,6 +124,26 @@ std::vector<std::size_t> unknown_among(const std::vector<CoefficientPlace>& free
   return unknown;
 }
 
+/// Hidden states that stand in no equation of a state that is seen, or of one that does.
+std::vector<bool> unseen_states(const OdeModel& model, const std::vector<bool>& hidden) {
+  std::vector<bool> unseen = hidden;
+  unseen.resize(static_cast<std::size_t>(model.dimension()), false);
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t k = 0; k < unseen.size(); ++k) {
+      if (unseen[k]) continue;
+      for (const WeightedTerm& summand : model.equations()[k])
+        for (const std::string& name : summand.term.expression().variables())
+          for (std::size_t j = 0; j < unseen.size(); ++j)
+            if (unseen[j] && model.states()[j].name == name) {
+              unseen[j] = false;
+              more = true;
+            }
+    }
+  }
+  return unseen;
+}
+
 }  // namespace
 
 UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
@@ -132,7 +152,7 @@ UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
                              const std::vector<CoefficientPrior>& known) {
   const Index m = model.dimension();
   UnseenChanges result{Matrix(static_cast<Index>(free.size()), 0),
-                       std::vector<bool>(static_cast<std::size_t>(m), false)};
+                       unseen_states(model, hidden)};
   const std::vector<Index> numbers = numbers_of(hidden);
   if (numbers.empty() || !model.compile().delays().empty()) return result;
   const std::vector<std::size_t> unknown = unknown_among(free, known);
@@ -157,10 +177,6 @@ UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
       result.coefficients.row(static_cast<Index>(unknown[static_cast<std::size_t>(j)])) =
           basis.row(j);
   }
-  const Matrix rest = null * own.matrixV().rightCols(null.cols() - seen);
-  for (std::size_t h = 0; h < numbers.size() && rest.cols() > 0; ++h)
-    result.unseen_states[static_cast<std::size_t>(numbers[h])] =
-        rest.middleRows(p + static_cast<Index>(h) * (1 + m), 1 + m).norm() > kOwn;
   return result;
 }
 

@@ -129,12 +129,15 @@ double criterion_of(const Problem& problem, const Baseline& base,
                                            static_cast<double>(explanation.fit.used), 0.0});
 }
 
-Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
-                       const std::vector<FittedEffect>& effects) {
-  Explanation best = explain(joint_fit(problem, base), start, effects);
+namespace {
+
+/// The likeliest of the fits from a start and, where states are hidden, from others.
+template <class Fit>
+Explanation likeliest(const Baseline& base, const Assimilation& start, Fit fit) {
+  Explanation best = fit(start);
   if (base.fit_options.hidden.empty()) return best;
   for (const Assimilation& other : other_starts(base)) {
-    Explanation next = explain(joint_fit(problem, base), other, effects);
+    Explanation next = fit(other);
     if (next.fit.deviance < best.fit.deviance - kUnnoticedDeviance ||
         !std::isfinite(best.fit.deviance))
       best = std::move(next);
@@ -142,10 +145,21 @@ Explanation explain_on(const Problem& problem, const Baseline& base, const Assim
   return best;
 }
 
+}  // namespace
+
+Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
+                       const std::vector<FittedEffect>& effects) {
+  return likeliest(base, start, [&](const Assimilation& from) {
+    return explain(joint_fit(problem, base), from, effects);
+  });
+}
+
 Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
                                const Assimilation& start,
                                const std::vector<FittedEffect>& effects) {
-  return explain_roughly(joint_fit(problem, base), start, effects);
+  return likeliest(base, start, [&](const Assimilation& from) {
+    return explain_roughly(joint_fit(problem, base), from, effects);
+  });
 }
 
 }  // namespace lacuna

@@ -40,6 +40,8 @@ std::string too(double coefficient) { return coefficient > 0.0 ? "too much" : "t
 }  // namespace
 
 std::vector<Candidate> channel_forms(const Scope& scope, Index state) {
+  // A channel that is measured as a formula is in no scope.
+  if (state >= scope.model.dimension()) return {};
   const Expression x = Expression::variable(scope.state(state).name);
   const Expression t = Expression::variable("t");
   std::vector<Candidate> forms{plain(x, x, state),

@@ -9,6 +9,7 @@
 #include "lacuna/hypotheses/named_effects.hpp"
 #include "lacuna/hypotheses/residual_function.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
+#include "lacuna/hypotheses/shared_process.hpp"
 #include "lacuna/hypotheses/unmeasured_input.hpp"
 
 namespace lacuna {
@@ -16,7 +17,7 @@ namespace lacuna {
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
   return in_order({NamedEffects{}, OtherChoices{}, SensorFault{}, UnmeasuredInput{},
                    ColouredNoiseHypothesis{}, BrokenIdentity{}, SensorCalibration{},
-                   ResidualFunction{}});
+                   ResidualFunction{}, SharedProcess{}});
 }
 
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "disturbed_alone.hpp"
 #include "lacuna/candidates/nesting.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/decision/effect_parts.hpp"
@@ -309,21 +310,57 @@ Problem alone(const Problem& problem, const RunContext& quiet) {
   return {problem.nominal, problem.records, problem.options, quiet};
 }
 
+/// A candidate of a short list, and where its fit starts if not from the explanation so far.
+struct Listed {
+  ScreenedCandidate screened;
+  const Assimilation* start = nullptr;
+};
+
+/// Candidates that are to be fitted, and how many were screened.
+struct ShortList {
+  std::vector<Listed> candidates;
+  Index screened = 0;
+  Index tried = 0;  ///< with all shapes
+};
+
+void append(const std::vector<ScreenedCandidate>& screened, const DecisionOptions& decision,
+            const Assimilation* start, ShortList& list) {
+  for (ScreenedCandidate& candidate : short_list(screened, decision))
+    list.candidates.push_back({std::move(candidate), start});
+  list.screened += static_cast<Index>(screened.size());
+  for (const ScreenedCandidate& candidate : screened) list.tried += candidate.tried;
+}
+
+/// Where states are hidden: the nominal model with one equation disturbed alone, for each.
+std::vector<std::pair<Index, Assimilation>> lone_starts(const EffectSearch& search,
+                                                        const Explanation& current) {
+  std::vector<std::pair<Index, Assimilation>> starts;
+  if (search.base.fit_options.hidden.empty() || !current.effects.empty()) return starts;
+  for (Index k = 0; k < search.problem.nominal.dimension(); ++k) {
+    if (current.fit.noise.disturbance[k] == 0.0) continue;
+    Assimilation alone = disturbed_alone(search.problem, search.base, k);
+    if (std::isfinite(alone.deviance)) starts.emplace_back(k, std::move(alone));
+  }
+  return starts;
+}
+
 RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current,
-                          const Requirements& required,
-                          const std::vector<ScreenedCandidate>& screened) {
+                          const Requirements& required, const ShortList& shortened) {
   const RunContext& context = search.problem.context;
   const DecisionOptions& decision = search.problem.options.decision;
-  const auto tried = static_cast<double>(screened.size());
-  const std::vector<ScreenedCandidate> list = short_list(screened, decision);
+  const auto tried = static_cast<double>(shortened.screened);
+  const std::vector<Listed>& list = shortened.candidates;
   context.report("fitting candidates", 0.0);
   const RunContext quiet{context.stop, {}, 1, context.seed};
   const Problem problem = alone(search.problem, quiet);
   RoughRanking rough{fitted_in_parallel(list.size(), context.threads, [&](std::size_t i) {
+    const ScreenedCandidate& one = list[i].screened;
     std::vector<FittedEffect> effects = current.effects;
-    effects.push_back({list[i].candidate, list[i].shapes, list[i].coefficient, 0.0});
-    return judged(search, current,
-                  explain_roughly_on(problem, search.base, current.fit, effects), tried);
+    effects.push_back({one.candidate, one.shapes, one.coefficient, 0.0});
+    const Assimilation start =
+        list[i].start ? loosened(*list[i].start, search.base) : current.fit;
+    return judged(search, current, explain_roughly_on(problem, search.base, start, effects),
+                  tried);
   })};
   // Numbers at shapes that are not settled say nothing against a name.
   std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
@@ -374,15 +411,26 @@ Ranking rank(const EffectSearch& search, const Explanation& current) {
   const Screening screening(current.fit);
   const double shape_price = search.problem.options.criterion->penalty(
       {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
-  const std::vector<ScreenedCandidate> screened =
-      screen(all_candidates(search, current), screening, {shape_price, decision.worth_shaping},
-             search.problem.context);
+  const ScreeningOptions screening_options{shape_price, decision.worth_shaping};
+  const std::vector<Candidate> candidates = all_candidates(search, current);
+  ShortList list;
+  append(screen(candidates, screening, screening_options, search.problem.context), decision,
+         nullptr, list);
+  const auto starts = lone_starts(search, current);
+  for (const auto& [equation, start] : starts) {
+    std::vector<Candidate> own = candidates;
+    std::erase_if(own, [k = equation](const Candidate& candidate) {
+      return candidate.place != Place::Rate || candidate.equation != k;
+    });
+    append(screen(own, Screening(start), screening_options, search.problem.context), decision,
+           &start, list);
+  }
   const Requirements required(search, current);
   Ranking ranking;
-  for (const ScreenedCandidate& candidate : screened) ranking.tried += candidate.tried;
+  ranking.tried = list.tried;
   ranking.effects =
-      rank_exactly(search, current, required, rank_roughly(search, current, required, screened),
-                   static_cast<double>(screened.size()));
+      rank_exactly(search, current, required, rank_roughly(search, current, required, list),
+                   static_cast<double>(list.screened));
   set_probabilities(ranking, criterion_of(search.problem, search.base, current));
   put_least_intricate_first(ranking.effects, search);
   return ranking;

@@ -12,8 +12,7 @@ namespace lacuna {
 struct UnseenChanges {
   /// p x h, orthonormal: relative changes of the free coefficients.
   Matrix coefficients;
-  /// m entries: hidden states that may be changed without any change of a coefficient: nothing
-  /// that is measured depends on them.
+  /// m entries: hidden states on which nothing that is measured depends.
   std::vector<bool> unseen_states;
 };
 

@@ -53,7 +53,7 @@ TEST(CoefficientChanges, WhatWasHeldHasNoError) {
   EXPECT_EQ(changes[0].term, "q") << "of v nothing is known";
   for (const CoefficientChange& change : changes) {
     EXPECT_EQ(change.determined, change.term != "v");
-    if (!change.determined) EXPECT_EQ(change.deviation, 0.0);
+    EXPECT_EQ(change.deviation == 0.0, change.term != "q");
   }
   EXPECT_FALSE(with_intervals(fit).equations()[1][1].ci95.has_value());
   EXPECT_TRUE(with_intervals(fit).equations()[1][0].ci95.has_value());

@@ -19,9 +19,10 @@ Dataset records_of(const OdeModel& model) {
   record.states.resize(n, model.dimension());
   record.inputs.resize(n, static_cast<Index>(model.inputs().size()));
   for (Index k = 0; k < model.dimension(); ++k)
-    record.states.col(k) = 1.5 + (record.time.array() * (1.0 + 0.37 * k)).sin();
+    record.states.col(k) =
+        1.5 + (record.time.array() * (1.0 + 0.37 * static_cast<double>(k))).sin();
   for (Index j = 0; j < record.inputs.cols(); ++j)
-    record.inputs.col(j) = (record.time.array() * (0.31 + 0.2 * j)).cos();
+    record.inputs.col(j) = (record.time.array() * (0.31 + 0.2 * static_cast<double>(j))).cos();
   data.trajectories = {record};
   return data;
 }
