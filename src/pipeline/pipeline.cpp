@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equation_terms.hpp"
+#include "constrained_equations.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
@@ -287,6 +287,8 @@ IdentificationResult run_equations(const Run& run) {
     append(result.trail, std::move(outcome.trail));
     append(result.warnings, std::move(outcome.warnings));
   }
+  satisfy_constraints(run.system, run.libraries, result);
+  if (!run.libraries.constraints.empty()) measure_residuals(run, result);
   note_noise_floors(run, result);
   if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result, run.context))
     measure_residuals(run, result);
@@ -302,7 +304,7 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   if (lacks_input_columns(data)) return identify(with_input_columns(data), pipeline, context);
   check_dataset(data);
   const EquationLibraries libraries =
-      equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline.equations);
+      equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
   const TermLibrary& library = libraries.library;
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
