@@ -58,6 +58,14 @@ CoefficientConstraint numbered(const EquationConstraint& constraint, const Datas
   return result;
 }
 
+/// A coefficient that has to be 0 is that of a term which the equation may not have.
+void enter(CoefficientConstraint constraint, EquationLibraries& libraries) {
+  if (constraint.summands.size() > 1 || constraint.value != 0.0)
+    return libraries.constraints.push_back(std::move(constraint));
+  const ConstrainedCoefficient& only = constraint.summands.front();
+  std::erase(libraries.allowed[static_cast<std::size_t>(only.equation)], only.term);
+}
+
 /// A constraint on those of its terms that are in the libraries of their equations.
 void add_known(const EquationConstraint& constraint, const Dataset& data,
                EquationLibraries& libraries) {
@@ -67,7 +75,7 @@ void add_known(const EquationConstraint& constraint, const Dataset& data,
     const TermSet& allowed = libraries.allowed[static_cast<std::size_t>(summand.equation)];
     return !std::binary_search(allowed.begin(), allowed.end(), summand.term);
   });
-  if (!all.summands.empty()) libraries.constraints.push_back(std::move(all));
+  if (!all.summands.empty()) enter(std::move(all), libraries);
 }
 
 /// @throws ConfigError when no coefficients satisfy all constraints.
@@ -121,7 +129,7 @@ EquationLibraries equation_libraries(TermLibrary basis, const Dataset& data,
     result.own[k] = true;
   }
   for (const EquationConstraint& constraint : pipeline.constraints)
-    result.constraints.push_back(numbered(constraint, data, result));
+    enter(numbered(constraint, data, result), result);
   if (pipeline.energy_preserving)
     for (const EquationConstraint& constraint : energy_preserving(data.states))
       add_known(constraint, data, result);
