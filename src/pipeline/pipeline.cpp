@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "constrained_equations.hpp"
 #include "lacuna/core/parallel.hpp"
@@ -264,9 +265,13 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   silent.threads = 1;
   const Run each{run.data,   run.pipeline, silent,    run.library,
                  run.system, run.filtered, run.noise, run.libraries};
+  std::mutex reporting;
+  std::size_t done = 0;
   parallel_for(states, run.context.threads, [&](std::size_t k) {
     silent.check_stop();
     outcomes[k] = outcome_of(each, static_cast<Index>(k));
+    const std::lock_guard lock(reporting);
+    run.context.report("fitting equations", double(++done) / double(states));
   });
   return outcomes;
 }
