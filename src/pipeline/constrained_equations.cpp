@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "lacuna/core/error.hpp"
-#include "lacuna/linear/constrained_least_squares.hpp"
 #include "lacuna/linear/subproblem.hpp"
+#include "lacuna/numerics/constrained_least_squares.hpp"
 
 namespace lacuna {
 namespace {

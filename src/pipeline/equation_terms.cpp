@@ -7,7 +7,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/linear/constrained_least_squares.hpp"
+#include "lacuna/numerics/constrained_least_squares.hpp"
 
 namespace lacuna {
 namespace {

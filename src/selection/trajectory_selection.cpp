@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lacuna/core/text.hpp"
-#include "lacuna/linear/constrained_least_squares.hpp"
+#include "lacuna/numerics/constrained_least_squares.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 #include "negligible_columns.hpp"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "candidate_screening.hpp"
-#include "lacuna/linear/constrained_least_squares.hpp"
+#include "lacuna/numerics/constrained_least_squares.hpp"
 #include "lacuna/selection/subset_search.hpp"
 #include "move_path.hpp"
 

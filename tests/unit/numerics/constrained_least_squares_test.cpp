@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/linear/constrained_least_squares.hpp"
+#include "lacuna/numerics/constrained_least_squares.hpp"
 
 #include <gtest/gtest.h>
 
