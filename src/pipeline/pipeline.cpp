@@ -262,8 +262,8 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   RunContext silent = run.context;
   silent.progress = nullptr;
   silent.threads = 1;
-  const Run each{run.data,   run.pipeline, silent,   run.library,
-                 run.system, run.filtered, run.noise};
+  const Run each{run.data,   run.pipeline, silent,    run.library,
+                 run.system, run.filtered, run.noise, run.libraries};
   parallel_for(states, run.context.threads, [&](std::size_t k) {
     silent.check_stop();
     outcomes[k] = outcome_of(each, static_cast<Index>(k));
