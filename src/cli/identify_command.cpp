@@ -20,7 +20,7 @@ struct Options {
   RunOptions run;
   std::optional<std::string> preset, config, terms;
   std::optional<int> degree, hidden;
-  std::vector<std::string> assignments, equations, added;
+  std::vector<std::string> assignments, equations, added, constraints;
   std::optional<std::string> model_out, json;
   ReportOptions report;
   bool full = false;
@@ -43,6 +43,10 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
       ->type_name("N");
   app.add_option("--add", options.added, "Terms beside the library, e.g. \"sin(th),w*abs(w)\"")
       ->type_name("LIST");
+  app.add_option("--fix,--constraint", options.constraints,
+                 "What coefficients satisfy: \"dth: w = 1\", \"y: x*z, z: x*y = 0\" (the sum), "
+                 "energy-preserving; repeatable")
+      ->type_name("STATE:TERM=VALUE");
   app.add_option("--equation", options.equations,
                  "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable")
       ->type_name("STATE:LIST");
@@ -71,6 +75,7 @@ Configuration make_configuration(const Options& options) {
   if (options.preset) configuration.set_preset(*options.preset);
   if (options.degree) configuration.set_degree(*options.degree);
   if (options.terms) configuration.set_terms(*options.terms);
+  for (const std::string& text : options.constraints) configuration.add_constraint(text);
   for (const std::string& terms : options.added) configuration.add_terms(terms);
   for (const std::string& equation : options.equations) configuration.set_equation(equation);
   for (const std::string& assignment : options.assignments) configuration.set(assignment);
@@ -135,7 +140,7 @@ IdentificationResult identified(const Session& session, const Options& options, 
   }
   const bool chosen = options.preset || options.config || options.terms || options.degree ||
                       !options.assignments.empty() || !options.equations.empty() ||
-                      !options.added.empty();
+                      !options.added.empty() || !options.constraints.empty();
   if (chosen) return identify(data, pipeline, context);
   return identify_with_forms(data, pipeline, session.registry.make_all<Effect>(), context);
 }

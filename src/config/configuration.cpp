@@ -98,7 +98,7 @@ Json with_stage_objects(Json root) {
 }
 
 void check_keys(const Json& root) {
-  std::vector<std::string> known = {"preset", "tolerances", "equations"};
+  std::vector<std::string> known = {"preset", "tolerances", "equations", "constraints"};
   known.insert(known.end(), kStageKeys.begin(), kStageKeys.end());
   for (const auto& [key, value] : root.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
@@ -147,13 +147,64 @@ std::vector<EquationTerms> read_equations(const Json& root) {
     throw ConfigError("$.equations", "this is no object",
                       R"x(write {"w": ["sin(th)", "w", "u"]})x");
   for (const auto& [state, terms] : root["equations"].items()) {
-  if (!terms.is_array() || !std::all_of(terms.begin(), terms.end(),
-                                        [](const Json& term) { return term.is_string(); }))
+    if (!terms.is_array() || !std::all_of(terms.begin(), terms.end(),
+                                          [](const Json& term) { return term.is_string(); }))
       throw ConfigError("$.equations." + state, "this is no list of formulas",
                         R"x(write ["sin(th)", "w", "u"])x");
     equations.push_back({state, terms.get<std::vector<std::string>>()});
+  }
+  return equations;
 }
-return equations;
+
+/// "-2 y: x*z": a factor, where there is one, an equation and a term.
+NamedCoefficient read_summand(const std::string& text, const std::string& where) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos)
+    throw ConfigError(where, "'" + text + "' is not STATE: TERM",
+                      "write e.g. --constraint \"y: x*z, z: x*y = 0\"");
+  std::string state(trim(std::string_view(text).substr(0, colon)));
+  double factor = 1.0;
+  if (const std::size_t blank = state.find(' '); blank != std::string::npos) {
+    const auto number = parse_number(state.substr(0, blank));
+    if (!number)
+      throw ConfigError(where, "'" + state.substr(0, blank) + "' is no number",
+                        "write the factor in front of the state: \"-2 y: x*z\"");
+    factor = *number;
+    state = trim(std::string_view(state).substr(blank));
+  }
+  return {state, std::string(trim(std::string_view(text).substr(colon + 1))), factor};
+}
+
+EquationConstraint read_constraint(const std::string& text, const std::string& where) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos)
+    throw ConfigError(
+        where, "'" + text + "' has no =", "write e.g. --constraint \"y: x*z, z: x*y = 0\"");
+  const auto value = parse_number(std::string(trim(std::string_view(text).substr(equals + 1))));
+  if (!value)
+    throw ConfigError(where, "what stands behind = is no number", "write e.g. \"w: u = 1\"");
+  EquationConstraint constraint{{}, *value};
+  for (const std::string& summand : split_list(std::string_view(text).substr(0, equals)))
+    constraint.summands.push_back(read_summand(summand, where));
+  return constraint;
+}
+
+/// Constraints: ["y: x*z, z: x*y = 0", "energy-preserving"].
+void read_constraints(const Json& root, Pipeline& pipeline) {
+  if (!root.contains("constraints")) return;
+  const Json& list = root["constraints"];
+  if (!list.is_array())
+    throw ConfigError("$.constraints", "this is no list", R"x(write ["y: x*z, z: x*y = 0"])x");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string where = "$.constraints[" + std::to_string(i) + "]";
+    if (!list[i].is_string())
+      throw ConfigError(where, "this is no text", R"x(write "y: x*z, z: x*y = 0")x");
+    const auto text = list[i].get<std::string>();
+    if (text == "energy-preserving")
+      pipeline.energy_preserving = true;
+    else
+      pipeline.constraints.push_back(read_constraint(text, where));
+  }
 }
 
 /// Moves the short form `differentiator` to where it belongs.
@@ -231,6 +282,12 @@ void Configuration::set_equation(std::string_view text) {
       split_list(text.substr(colon + 1));
 }
 
+void Configuration::add_constraint(const std::string& text) {
+  Json& constraints = document_->root["constraints"];
+  if (!constraints.is_array()) constraints = Json::array();
+  constraints.push_back(text);
+}
+
 std::string Configuration::text() const {
   return document_->root.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -246,6 +303,7 @@ Pipeline Configuration::build(const Registry& registry) const {
   override_stage(pipeline.pruner, registry, root, "pruner");
   override_stage(pipeline.refiner, registry, root, "refiner");
   pipeline.equations = read_equations(root);
+  read_constraints(root, pipeline);
   return pipeline;
 }
 

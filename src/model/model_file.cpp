@@ -16,6 +16,7 @@
 #include "lacuna/model/ode_text.hpp"
 #include "operations.hpp"
 #include "strict_json.hpp"
+#include "unbound_delays.hpp"
 
 namespace lacuna {
 namespace {
@@ -88,6 +89,7 @@ Expression read_formula(const JsonPlace& place, const Variables& variables) {
     for (const std::string& name : formula.variables())
       if (std::find(known.begin(), known.end(), name) == known.end())
         return parse_expression(text, known);  // tells where
+    check_delay_times(formula, variables.states);
     return formula;
   } catch (const FormulaError& error) {
     place.fail(error.problem(), error.remedy(), ", column " + std::to_string(error.column()));

@@ -16,6 +16,7 @@
 #include "linear_terms.hpp"
 #include "ode_line.hpp"
 #include "operations.hpp"
+#include "unbound_delays.hpp"
 
 namespace lacuna {
 namespace {
@@ -72,13 +73,15 @@ void take_name(const OdeLine& line, const std::string& name, Statements& said) {
 }
 
 /// A formula of known names; delays may have parameters.
-Expression read_formula(const WrittenEquation& written, const std::vector<std::string>& known) {
+Expression read_formula(const WrittenEquation& written, const std::vector<std::string>& known,
+                        const std::vector<std::string>& states = {}) {
   const auto& [text, place] = written;
   try {
     const Expression formula = parse_expression(text);
     for (const std::string& name : formula.variables())
       if (std::find(known.begin(), known.end(), name) == known.end())
         return parse_expression(text, known);  // tells where
+    check_delay_times(formula, states);
     return formula;
   } catch (const FormulaError& error) {
     throw ModelError(moved_place(place, error.column()), error.problem(), error.remedy());
@@ -261,7 +264,7 @@ std::vector<Equation> equations_of(const Statements& said, const Variables& vari
     if (found == said.equations.end())
       throw ModelError(said.source, "the state '" + state.name + "' has no equation",
                        "add d" + state.name + "/dt = ...; 0 means that it is constant");
-    const Expression formula = read_formula(found->second, variables.names());
+    const Expression formula = read_formula(found->second, variables.names(), variables.states);
     try {
       equations.push_back(linear_terms(formula, variables));
     } catch (const ModelError& error) {
@@ -293,7 +296,7 @@ void mark_fixed(const Statements& said, const SystemModel& system,
   const Variables variables = system.symbolic().variables();
   for (const auto& [state, term, fixed] : said.choices) {
     Equation& equation = equations[place_of_state(said, state, term.place)];
-    const Term chosen(read_formula(term, variables.names()), variables);
+    const Term chosen(read_formula(term, variables.names(), variables.states), variables);
     const auto found = std::find_if(equation.begin(), equation.end(), [&](const auto& summand) {
       return summand.term == chosen;
     });

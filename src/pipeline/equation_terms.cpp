@@ -7,6 +7,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/linear/constrained_least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -39,17 +40,84 @@ TermSet numbers_of(const std::vector<std::string>& formulas, TermLibrary& librar
   return numbers;
 }
 
+/// A constraint by numbers; its terms enter the libraries of their equations.
+CoefficientConstraint numbered(const EquationConstraint& constraint, const Dataset& data,
+                               EquationLibraries& libraries) {
+  CoefficientConstraint result{{}, constraint.value};
+  for (const NamedCoefficient& named : constraint.summands) {
+    const Index state = state_of(named.state, data);
+    if (data.rate_state(state))
+      throw ConfigError("constraint on " + named.state, "its equation is an identity",
+                        "constrain other equations");
+    const Index term = numbers_of({named.term}, libraries.library).front();
+    TermSet& allowed = libraries.allowed[static_cast<std::size_t>(state)];
+    if (!std::binary_search(allowed.begin(), allowed.end(), term))
+      allowed.insert(std::lower_bound(allowed.begin(), allowed.end(), term), term);
+    result.summands.push_back({state, term, named.factor});
+  }
+  return result;
+}
+
+/// A coefficient that has to be 0 is that of a term which the equation may not have.
+void enter(CoefficientConstraint constraint, EquationLibraries& libraries) {
+  if (constraint.summands.size() > 1 || constraint.value != 0.0)
+    return libraries.constraints.push_back(std::move(constraint));
+  const ConstrainedCoefficient& only = constraint.summands.front();
+  std::erase(libraries.allowed[static_cast<std::size_t>(only.equation)], only.term);
+}
+
+/// A constraint on those of its terms that are in the libraries of their equations.
+void add_known(const EquationConstraint& constraint, const Dataset& data,
+               EquationLibraries& libraries) {
+  EquationLibraries wider = libraries;
+  CoefficientConstraint all = numbered(constraint, data, wider);
+  std::erase_if(all.summands, [&](const ConstrainedCoefficient& summand) {
+    const TermSet& allowed = libraries.allowed[static_cast<std::size_t>(summand.equation)];
+    return !std::binary_search(allowed.begin(), allowed.end(), summand.term);
+  });
+  if (!all.summands.empty()) enter(std::move(all), libraries);
+}
+
+/// @throws ConfigError when no coefficients satisfy all constraints.
+void check_feasible(const std::vector<CoefficientConstraint>& constraints) {
+  const ConstraintMatrix all =
+      constraint_matrix(constraints, constrained_coefficients(constraints));
+  if (!is_feasible(all.a, all.b))
+    throw ConfigError("constraints", "they contradict one another", "leave some of them out");
+}
+
 }  // namespace
 
+std::vector<EquationConstraint> energy_preserving(const std::vector<Quantity>& states) {
+  const std::size_t m = states.size();
+  std::vector<EquationConstraint> constraints;
+  const auto add = [&](EquationConstraint& constraint, std::size_t of, std::size_t a,
+                       std::size_t b) {
+    const std::string product = states[a].name + "*" + states[b].name;
+    constraint.summands.push_back({states[of].name, product, 1.0});
+  };
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = i; j < m; ++j)
+      for (std::size_t k = j; k < m; ++k) {
+        EquationConstraint constraint;
+        add(constraint, i, j, k);
+        if (j != i) add(constraint, j, i, k);
+        if (k != j) add(constraint, k, i, j);
+        constraints.push_back(std::move(constraint));
+      }
+  return constraints;
+}
+
 EquationLibraries equation_libraries(TermLibrary basis, const Dataset& data,
-                                     const std::vector<EquationTerms>& equations) {
+                                     const Pipeline& pipeline) {
   EquationLibraries result{std::move(basis)};
-  if (equations.empty()) return result;
+  if (pipeline.equations.empty() && pipeline.constraints.empty() && !pipeline.energy_preserving)
+    return result;
   TermSet all(static_cast<std::size_t>(result.library.size()));
   std::iota(all.begin(), all.end(), Index{0});
   result.allowed.assign(data.states.size(), all);
   result.own.assign(data.states.size(), false);
-  for (const EquationTerms& equation : equations) {
+  for (const EquationTerms& equation : pipeline.equations) {
     const auto k = static_cast<std::size_t>(state_of(equation.state, data));
     if (result.own[k])
       throw ConfigError("equation " + equation.state, "it is named twice",
@@ -60,6 +128,12 @@ EquationLibraries equation_libraries(TermLibrary basis, const Dataset& data,
     result.allowed[k] = numbers_of(equation.terms, result.library);
     result.own[k] = true;
   }
+  for (const EquationConstraint& constraint : pipeline.constraints)
+    enter(numbered(constraint, data, result), result);
+  if (pipeline.energy_preserving)
+    for (const EquationConstraint& constraint : energy_preserving(data.states))
+      add_known(constraint, data, result);
+  check_feasible(result.constraints);
   return result;
 }
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
-#include "equation_terms.hpp"
+#include "constrained_equations.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/noise.hpp"
@@ -264,9 +265,13 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   silent.threads = 1;
   const Run each{run.data,   run.pipeline, silent,    run.library,
                  run.system, run.filtered, run.noise, run.libraries};
+  std::mutex reporting;
+  std::size_t done = 0;
   parallel_for(states, run.context.threads, [&](std::size_t k) {
     silent.check_stop();
     outcomes[k] = outcome_of(each, static_cast<Index>(k));
+    const std::lock_guard lock(reporting);
+    run.context.report("fitting equations", double(++done) / double(states));
   });
   return outcomes;
 }
@@ -287,6 +292,8 @@ IdentificationResult run_equations(const Run& run) {
     append(result.trail, std::move(outcome.trail));
     append(result.warnings, std::move(outcome.warnings));
   }
+  satisfy_constraints(run.system, run.libraries, result);
+  if (!run.libraries.constraints.empty()) measure_residuals(run, result);
   note_noise_floors(run, result);
   if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result, run.context))
     measure_residuals(run, result);
@@ -302,7 +309,7 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   if (lacks_input_columns(data)) return identify(with_input_columns(data), pipeline, context);
   check_dataset(data);
   const EquationLibraries libraries =
-      equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline.equations);
+      equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
   const TermLibrary& library = libraries.library;
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;

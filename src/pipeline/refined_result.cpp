@@ -105,8 +105,10 @@ double unexplained(const IdentificationResult& result) {
 bool apply_refiner(const Refiner& refiner, const Dataset& data,
                    const EquationLibraries& libraries, IdentificationResult& result,
                    const RunContext& context) {
-  RefinedModel refined = refiner.refine(
-      {data, libraries.library, result.model, unexplained(result), libraries.allowed}, context);
+  RefinedModel refined =
+      refiner.refine({data, libraries.library, result.model, unexplained(result),
+                      libraries.allowed, libraries.constraints},
+                     context);
   if (!refined.usable) {
     if (!refined.message.empty())
       result.warnings.push_back("not refined on the trajectories: " + refined.message);

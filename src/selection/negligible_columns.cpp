@@ -40,7 +40,8 @@ class ColumnElimination {
  public:
   ColumnElimination(WindowSearch& search, const NegligibleTerms& rule, double slack,
                     const RunContext& context)
-      : rule_(rule),
+      : search_(search),
+        rule_(rule),
         columns_(columns_of(search.fit)),
         linearised_(linearise(search.rates, search.path, {search.fit.coefficients, columns_},
                               search.folding, context)),
@@ -87,7 +88,10 @@ class ColumnElimination {
       if (!rule_.holds(shares[i], growth)) continue;
       if (fit.residual + losses[i] > limit_ && shares[i] > NegligibleTerms::kResolution)
         continue;
-      if (is_last(members_[static_cast<std::size_t>(i)])) continue;
+      const Index member = members_[static_cast<std::size_t>(i)];
+      if (is_last(member) ||
+          is_constrained(search_, columns_[static_cast<std::size_t>(member)]))
+        continue;
       if (!least || losses[i] < losses[*least]) least = i;
     }
     if (least)
@@ -97,6 +101,7 @@ class ColumnElimination {
     return least;
   }
 
+  const WindowSearch& search_;
   NegligibleTerms rule_;
   double limit_ = 0.0;  ///< of the residual
   std::vector<Coefficient> columns_;

@@ -131,6 +131,20 @@ Vector local_rms(const Vector& x, Index reach) {
   return result;
 }
 
+/// Whether differences are of unit variance in units of the growing noise, outliers apart. What
+/// a solver leaves comes in bursts, which a level does not explain.
+bool describes(const NoiseGrowth& growth, const SizedDifferences& differences) {
+  constexpr double kOutlier = 6.0, kMost = 1.2;
+  double squares = 0.0, count = 0.0;
+  for (Index i = 0; i < differences.sizes.size(); ++i) {
+    const double size = differences.sizes[i] / growth.at(differences.signal[i]);
+    if (size > kOutlier) continue;
+    squares += size * size;
+    ++count;
+  }
+  return squares <= kMost * kMost * count;
+}
+
 }  // namespace
 
 double NoiseGrowth::at(double x) const { return std::hypot(floor, share * x); }
@@ -151,7 +165,8 @@ std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& ord
     }
   if (same.squares - best.squares < kDrop) return std::nullopt;
   const double floor = std::exp(best.log_scale);
-  return NoiseGrowth{floor, floor * std::sqrt(ratio)};
+  const NoiseGrowth growth{floor, floor * std::sqrt(ratio)};
+  return describes(growth, orders.back()) ? std::optional(growth) : std::nullopt;
 }
 
 SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,

@@ -30,7 +30,8 @@ struct SizedDifferences {
 ///   log s_g = log sqrt(floor^2 + (share x_g)^2),   var log s_g = 1.36 / n_g
 /// (median absolute deviation of n_g normal values). Nothing where that is not better than one
 /// deviation for all by five standard deviations. A group whose deviation goes on falling from
-/// order to order shows the signal and does not count.
+/// order to order shows the signal and does not count. Nothing either where differences in
+/// units of the growing noise are not of unit variance.
 /// @param orders differences of rising order, from one on that shows the noise.
 std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders);
 

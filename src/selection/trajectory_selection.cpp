@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/linear/constrained_least_squares.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 #include "negligible_columns.hpp"
@@ -60,12 +61,13 @@ class Outcome {
     for (std::size_t k = 0; k < equations.size(); ++k)
       if (!task_.data.rate_state(static_cast<Index>(k))) equations[k].clear();
     const double spread = std::sqrt(std::max(fit_.misfit / std::max(1.0, fit_.scale), 1e-300));
-    const Vector variances = variances_of(problem_, fit_.subset);
+    const Vector variances = coefficient_variances();
     for (std::size_t i = 0; i < fit_.subset.size(); ++i) {
       const Coefficient column = fit_.columns[static_cast<std::size_t>(fit_.subset[i])];
       WeightedTerm summand{term(column), fit_.coefficients(column.equation, column.term)};
       const double error = spread * std::sqrt(variances[static_cast<Index>(i)]);
-      if (std::isfinite(error)) {
+      const bool is_fixed = error <= 1e-12 * std::abs(summand.coefficient);
+      if (std::isfinite(error) && !is_fixed) {
         summand.standard_error = error;
         summand.ci95 = {
             {summand.coefficient - kReach * error, summand.coefficient + kReach * error}};
@@ -74,6 +76,22 @@ class Outcome {
     }
     return OdeModel(task_.data.states, task_.data.inputs, std::move(equations),
                     task_.data.time_unit);
+  }
+
+  /// Of the coefficients, rows being of unit variance.
+  Vector coefficient_variances() const {
+    if (task_.constraints.empty()) return variances_of(problem_, fit_.subset);
+    CoefficientPlaces places;
+    for (const Index c : fit_.subset) {
+      const Coefficient& column = fit_.columns[static_cast<std::size_t>(c)];
+      places.emplace_back(column.equation, column.term);
+    }
+    const ConstraintMatrix constraints = constraint_matrix(task_.constraints, places);
+    const Matrix columns =
+        problem_.scaled(Eigen::all, fit_.subset) * problem_.norms(fit_.subset).asDiagonal();
+    return constrained_least_squares(columns, problem_.scaled.col(problem_.columns()),
+                                     constraints.a, constraints.b)
+        .variances;
   }
 
   const Term& term(const Coefficient& column) const {
@@ -286,8 +304,8 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   }
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
-  const SearchTask search =
-      search_task(std::move(data), task.library, task.allowed, noise, options().price);
+  const SearchTask search = search_task(
+      std::move(data), {task.library, task.allowed, task.constraints}, noise, options().price);
   auto [found, other] = search_windows(search, start, options().second_opinion, context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;
@@ -314,7 +332,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   }
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
-  if (!is_noise)
+  if (!is_noise && task.constraints.empty())
     if (std::optional<OdeModel> model =
             refitted(result.model, is_long ? search.data : task.data, context))
       result.model = std::move(*model);

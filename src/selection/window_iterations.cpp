@@ -7,11 +7,54 @@
 #include <numeric>
 
 #include "candidate_screening.hpp"
+#include "lacuna/linear/constrained_least_squares.hpp"
 #include "lacuna/selection/subset_search.hpp"
 #include "move_path.hpp"
 
 namespace lacuna {
 namespace {
+
+CoefficientPlaces places_of(const WindowFit& fit, const std::vector<Index>& subset) {
+  CoefficientPlaces places;
+  for (const Index c : subset) {
+    const Coefficient& column = fit.columns[static_cast<std::size_t>(c)];
+    places.emplace_back(column.equation, column.term);
+  }
+  return places;
+}
+
+/// A subset with what constraints ask for.
+std::vector<Index> with_constrained(const WindowSearch& search, std::vector<Index> subset) {
+  if (search.constraints.empty()) return subset;
+  const std::vector<Coefficient>& columns = search.fit.columns;
+  std::vector<Index> wider;
+  for (const auto& [equation, term] :
+       closure(search.constraints, places_of(search.fit, subset)))
+    wider.push_back(
+        std::lower_bound(columns.begin(), columns.end(), Coefficient{equation, term}) -
+        columns.begin());
+  return wider;
+}
+
+/// Least squares in the columns of a subset, under the constraints.
+/// @param columns [A y].
+Vector constrained_solution(const Matrix& columns, const WindowSearch& search,
+                            const std::vector<Index>& subset) {
+  const ConstraintMatrix constraints =
+      constraint_matrix(search.constraints, places_of(search.fit, subset));
+  const Index q = columns.cols() - 1;
+  return constrained_least_squares(columns.leftCols(q), columns.col(q), constraints.a,
+                                   constraints.b)
+      .h;
+}
+
+/// [A_S y] of a problem.
+Matrix columns_of(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  Matrix columns(problem.scaled.rows(), static_cast<Index>(subset.size()) + 1);
+  columns << problem.scaled(Eigen::all, subset) * problem.norms(subset).asDiagonal(),
+      problem.scaled.rightCols(1);
+  return columns;
+}
 
 /// Linearises in all candidates, chooses, moves the path. @return whether nothing changed.
 bool choose(const SearchTask& task, WindowSearch& search, const RunContext& context) {
@@ -33,8 +76,9 @@ bool choose(const SearchTask& task, WindowSearch& search, const RunContext& cont
   fit.subset = best_subset(problem, fit.price, {before}, Exchange::Single, context).columns;
   if (fit.subset == before)
     fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs, context).columns;
+  fit.subset = with_constrained(search, fit.subset);
   const std::optional<double> moved =
-      move_path(search.rates, linearised, solve_subset(problem, fit), search.path, context);
+      move_path(search.rates, linearised, solve_subset(problem, search), search.path, context);
   return moved && *moved < kSmallMove && fit.subset == before;
 }
 
@@ -66,8 +110,18 @@ SubsetProblem problem_of(const WindowFit& fit) {
   return subset_problem(fit.triangle / std::sqrt(fit.scale));
 }
 
-Vector solve_subset(const SubsetProblem& problem, WindowFit& fit) {
-  const Vector h = solution_of(problem, fit.subset);
+bool is_constrained(const WindowSearch& search, const Coefficient& column) {
+  const CoefficientPlaces places = constrained_coefficients(search.constraints);
+  return std::binary_search(places.begin(), places.end(),
+                            std::pair(column.equation, column.term));
+}
+
+Vector solve_subset(const SubsetProblem& problem, WindowSearch& search) {
+  WindowFit& fit = search.fit;
+  const Vector h =
+      search.constraints.empty()
+          ? solution_of(problem, fit.subset)
+          : constrained_solution(columns_of(problem, fit.subset), search, fit.subset);
   Vector values = Vector::Zero(static_cast<Index>(fit.columns.size()));
   fit.coefficients.setZero();
   for (std::size_t i = 0; i < fit.subset.size(); ++i) {
@@ -89,7 +143,9 @@ double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext
     context.check_stop();
     const Linearisation linearised = linearise(
         search.rates, search.path, {fit.coefficients, active}, search.folding, context);
-    const Vector h = solution_of(subset_problem(linearised.triangle), all);
+    const Vector h = search.constraints.empty()
+                         ? solution_of(subset_problem(linearised.triangle), all)
+                         : constrained_solution(linearised.triangle, search, fit.subset);
     if (!h.allFinite()) break;
     for (std::size_t c = 0; c < active.size(); ++c)
       fit.coefficients(active[c].equation, active[c].term) = h[static_cast<Index>(c)];

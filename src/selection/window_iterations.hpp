@@ -22,8 +22,11 @@ std::vector<Index> present_columns(const WindowFit& fit);
 /// The problem of a fit's triangle with rows of unit variance.
 SubsetProblem problem_of(const WindowFit& fit);
 
+/// Whether a constraint names a coefficient.
+bool is_constrained(const WindowSearch& search, const Coefficient& column);
+
 /// Gives a fit the coefficients of its subset. @return them as values of all candidates.
-Vector solve_subset(const SubsetProblem& problem, WindowFit& fit);
+Vector solve_subset(const SubsetProblem& problem, WindowSearch& search);
 
 /// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
 double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext& context);

@@ -25,6 +25,15 @@ Vector noise_or_floor(const Dataset& data, const std::vector<StateNoise>& noise)
   return sigma;
 }
 
+/// What constraints may ask for has to be there.
+void add_constrained(const SearchTask& task, std::vector<Coefficient>& columns) {
+  if (task.constraints.empty()) return;
+  for (const auto& [equation, term] : constrained_coefficients(task.constraints))
+    columns.push_back({equation, term});
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+}
+
 /// Coefficients of what is no column are 0.
 void drop_others(WindowFit& fit) {
   Matrix kept = Matrix::Zero(fit.coefficients.rows(), fit.coefficients.cols());
@@ -46,6 +55,7 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
   search.fit.samples = samples;
   search.fit.columns =
       is_wide(task) ? screen_candidates(task, search, context).plausible : task.candidates;
+  add_constrained(task, search.fit.columns);
   drop_others(search.fit);
   for (int pass = 0; pass < kPasses; ++pass) {
     converge(task, search, context);
@@ -83,8 +93,10 @@ bool acceptable(const WindowFit& before, const WindowFit& after) {
 }
 
 /// The terms left when the least valuable ones go as long as chi squared stays below a limit;
-/// each equation keeps its last one.
-std::vector<Index> simplest(const WindowFit& fit, const SubsetProblem& problem, double limit) {
+/// each equation keeps its last one, and constraints their coefficients.
+std::vector<Index> simplest(const WindowSearch& search, const SubsetProblem& problem,
+                            double limit) {
+  const WindowFit& fit = search.fit;
   std::vector<Index> subset = fit.subset;
   const auto equation = [&](Index c) {
     return fit.columns[static_cast<std::size_t>(c)].equation;
@@ -93,7 +105,8 @@ std::vector<Index> simplest(const WindowFit& fit, const SubsetProblem& problem, 
     Vector losses = losses_of(fit_subset(problem, subset));
     for (std::size_t i = 0; i < subset.size(); ++i)
       if (std::count_if(subset.begin(), subset.end(),
-                        [&](Index c) { return equation(c) == equation(subset[i]); }) == 1)
+                        [&](Index c) { return equation(c) == equation(subset[i]); }) == 1 ||
+          is_constrained(search, fit.columns[static_cast<std::size_t>(subset[i])]))
         losses[static_cast<Index>(i)] = std::numeric_limits<double>::infinity();
     Index least = 0;
     losses.minCoeff(&least);
@@ -119,14 +132,15 @@ Index first_window(const Dataset& data) {
   return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
 }
 
-SearchTask search_task(Dataset data, const TermLibrary& library,
-                       const std::vector<TermSet>& allowed, std::vector<StateNoise> noise,
-                       std::optional<double> price) {
+SearchTask search_task(Dataset data, const StructureTask& structure,
+                       std::vector<StateNoise> noise, std::optional<double> price) {
+  const auto& [library, allowed, constraints] = structure;
   SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise);
   for (std::size_t k = 0; k < noise.size(); ++k)
     if (sample_noise.growth[k]) noise[k].sigma = sample_noise.rms[static_cast<Index>(k)];
   SearchTask task{std::move(data),  {library, library.compile(), {}}, {},
-                  std::move(noise), std::move(sample_noise),          price};
+                  std::move(noise), std::move(sample_noise),          price,
+                  constraints};
   for (Index k = 0; k < task.data.state_count(); ++k) {
     task.equations.exact.push_back(task.data.rate_state(k));
     if (task.equations.exact.back()) continue;
@@ -147,7 +161,8 @@ WindowSearch prepared_search(const SearchTask& task, const RunContext& context) 
           .sigma = task.sample_noise.rms,
           .floor = rounding_floor(task.data),
           .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
-          .shortest = std::min(first_window(task.data), longest_record(task.data).samples())};
+          .shortest = std::min(first_window(task.data), longest_record(task.data).samples()),
+          .constraints = task.constraints};
 }
 
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
@@ -197,9 +212,9 @@ void simplify(const SearchTask& task, WindowSearch& search, double slack,
   fit.triangle = linearised.triangle;
   const SubsetProblem problem = problem_of(fit);
   const double limit = std::pow(1.0 + slack, 2) * fit_subset(problem, fit.subset).residual;
-  fit.subset = simplest(fit, problem, limit);
+  fit.subset = simplest(search, problem, limit);
   fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
-  move_path(search.rates, linearised, solve_subset(problem, fit), search.path, context);
+  move_path(search.rates, linearised, solve_subset(problem, search), search.path, context);
   finish(search, context);
   fit.sigma = found.sigma;  // the noise is what it was
   fit.triangle = linearise_all(search, context).triangle;

@@ -6,6 +6,7 @@
 
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/noise.hpp"
+#include "lacuna/stages/coefficient_constraint.hpp"
 #include "linearisation.hpp"
 #include "noise_growth.hpp"
 
@@ -19,6 +20,7 @@ struct SearchTask {
   std::vector<StateNoise> noise;        ///< of each state, as estimated from the record
   SampleNoise sample_noise;             ///< where it grows with the signal
   std::optional<double> price;          ///< of a term
+  std::vector<CoefficientConstraint> constraints = {};
 };
 
 /// Samples of the first windows: half the support of a test function, which is the time in
@@ -26,10 +28,15 @@ struct SearchTask {
 /// leave half of the samples.
 Index first_window(const Dataset& data);
 
-/// @param allowed terms of each equation; empty: all.
-SearchTask search_task(Dataset data, const TermLibrary& library,
-                       const std::vector<TermSet>& allowed, std::vector<StateNoise> noise,
-                       std::optional<double> price);
+/// What equations may have and have to satisfy.
+struct StructureTask {
+  const TermLibrary& library;
+  std::vector<TermSet> allowed = {};  ///< terms of each equation; empty: all
+  std::vector<CoefficientConstraint> constraints = {};
+};
+
+SearchTask search_task(Dataset data, const StructureTask& structure,
+                       std::vector<StateNoise> noise, std::optional<double> price);
 
 /// A structure with its coefficients at one length of windows.
 struct WindowFit {
@@ -60,6 +67,7 @@ struct WindowSearch {
   Index shortest = 0;               ///< samples of the first windows
   WindowFit fit = {};
   bool limited = false;  ///< longer windows were tried and the model fits them worse
+  std::vector<CoefficientConstraint> constraints = {};  ///< those of the task
 };
 
 /// A search that has not begun: with the smoothed samples as path.

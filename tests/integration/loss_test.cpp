@@ -160,12 +160,15 @@ std::string chain_model(int n) {
 
 TEST(Interrupt, EndsALongSearchAtOnce) {
   const TemporaryFolder folder;
-  const std::string model = folder.write("m.json", chain_model(5));
+  constexpr int kMasses = 12;
+  const std::string model = folder.write("m.json", chain_model(kMasses));
+  std::string start = "1";
+  for (int i = 1; i < 2 * kMasses; ++i) start += i % 3 == 0 ? ",0.5" : ",-0.3";
   const std::string orbit = folder.file("o.csv");
-  ASSERT_EQ(run_program("simulate " + model + " --x0 .5,0,-.6,.1,.8,0,-.9,.2,1,0 --t-end 60" +
-                        " --dt 0.02 -o " + orbit)
-                .status,
-            0);
+  ASSERT_EQ(
+      run_program("simulate " + model + " --x0 " + start + " --t-end 60 --dt 0.02 -o " + orbit)
+          .status,
+      0);
   const auto begin = std::chrono::steady_clock::now();
   const CommandResult result =
       run_program("identify " + orbit, "timeout --preserve-status -s INT 7");

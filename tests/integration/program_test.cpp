@@ -80,6 +80,15 @@ TEST(Program, EquationsHaveLibrariesOfTheirOwn) {
   const OdeModel found = read_model(model);
   EXPECT_NEAR(found.coefficient(0, "x"), -10.0, 0.01);
   EXPECT_EQ(found.equations()[2].size(), 2U);
+  ASSERT_EQ(run_program(identify +
+                        " --degree 2 --fix 'dy: y = -1.5' --constraint "
+                        "energy-preserving --model-out " +
+                        model)
+                .status,
+            0);
+  EXPECT_EQ(read_model(model).coefficient(1, "y"), -1.5);
+  expect_program_error(identify + " --fix 'x: y = 1' --fix 'x: y = 2'", 2, {"contradict"});
+  expect_program_error(identify + " --fix 'x: y'", 2, {"constraints[0]", "="});
   expect_program_error(identify + " --equation 'q: x'", 2, {"equation q", "x, y, z"});
   expect_program_error(identify + " --equation x", 2, {"colon"});
 }

@@ -55,6 +55,10 @@ class Configuration {
   /// The terms of one equation, "dw: sin(th),w,u". @throws ConfigError without the colon.
   void set_equation(std::string_view text);
 
+  /// What coefficients have to satisfy: "y: x*z, z: x*y = 0" (their sum is 0), "y: x, -2 z: w =
+  /// 0", "dth: w = 1" (fixed), or "energy-preserving".
+  void add_constraint(const std::string& text);
+
   /// What was asked for, as JSON text.
   std::string text() const;
 

@@ -19,6 +19,24 @@ struct EquationTerms {
   std::vector<std::string> terms;  ///< formulas in states, inputs and t
 };
 
+/// One summand of what coefficients have to satisfy.
+struct NamedCoefficient {
+  std::string state;  ///< of dx/dt
+  std::string term;   ///< a formula
+  double factor = 1.0;
+};
+
+/// sum_i factor_i h_i = value, over coefficients of terms in equations. One summand alone fixes
+/// a coefficient.
+struct EquationConstraint {
+  std::vector<NamedCoefficient> summands;
+  double value = 0.0;
+};
+
+/// Constraints under which the quadratic part keeps the energy sum_i x_i^2: for every product
+/// x_i x_j x_k, its coefficients in x_i dx_i/dt + x_j dx_j/dt + x_k dx_k/dt add up to 0.
+std::vector<EquationConstraint> energy_preserving(const std::vector<Quantity>& states);
+
 /// A composition of stages. An aggregate: a forgotten stage does not compile.
 struct Pipeline {
   Stage<Basis> basis;
@@ -28,12 +46,15 @@ struct Pipeline {
   Stage<TermPruner> pruner;
   Stage<Refiner> refiner;
   std::vector<EquationTerms> equations = {};  ///< libraries of their own; none: the basis
+  std::vector<EquationConstraint> constraints = {};  ///< terms in them enter the library
+  bool energy_preserving = false;  ///< see energy_preserving(); terms do not enter
 };
 
 /// Identifies one equation per state: basis -> formulation -> filter, then per equation
 /// pruner (refitting with the regressor) and a final fit. An equation the dataset knows as an
 /// identity (Dataset::rate_of) is taken over with coefficient 1. The refiner then fits the
-/// model to the trajectories and may change its structure.
+/// model to the trajectories and may change its structure. Coefficients
+/// satisfy the constraints; those of absent terms are 0.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.
 IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
                               const RunContext& context = {});

@@ -10,6 +10,7 @@
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/model/ode_model.hpp"
 #include "lacuna/model/term.hpp"
+#include "lacuna/stages/coefficient_constraint.hpp"
 
 namespace lacuna {
 
@@ -40,6 +41,7 @@ struct RefinerTask {
   double unexplained = 1.0;
   /// Terms that each equation may have, by their numbers; empty: all of them.
   std::vector<TermSet> allowed = {};
+  std::vector<CoefficientConstraint> constraints = {};  ///< which `start` satisfies
 };
 
 /// What a refiner makes of a model.

@@ -28,9 +28,14 @@ TermLibrary linear_library() {
   return Stage<Basis>(Monomials{{.max_degree = 1}})->library({{"x", "y"}, {}});
 }
 
+EquationLibraries libraries(std::vector<EquationTerms> equations) {
+  Pipeline pipeline = algorithm1();
+  pipeline.equations = std::move(equations);
+  return equation_libraries(linear_library(), circle(), pipeline);
+}
+
 TEST(EquationTerms, WidenTheLibraryAndKeepToTheirEquation) {
-  const EquationLibraries found =
-      equation_libraries(linear_library(), circle(), {{"dx", {"sin(y)", "y"}}});
+  const EquationLibraries found = libraries({{"dx", {"sin(y)", "y"}}});
   EXPECT_EQ(found.library.names(), (std::vector<std::string>{"1", "x", "y", "sin(y)"}));
   EXPECT_EQ(found.allowed[0], (TermSet{2, 3}));
   EXPECT_EQ(found.allowed[1], (TermSet{0, 1, 2}));
@@ -38,18 +43,16 @@ TEST(EquationTerms, WidenTheLibraryAndKeepToTheirEquation) {
 }
 
 TEST(EquationTerms, NothingNamedLeavesAllToAll) {
-  const EquationLibraries found = equation_libraries(linear_library(), circle(), {});
+  const EquationLibraries found = libraries({});
   EXPECT_TRUE(found.allowed.empty());
   EXPECT_EQ(found.library.size(), 3);
 }
 
 TEST(EquationTerms, ErrorsNameTheEquation) {
-  const Dataset data = circle();
-  EXPECT_THROW(equation_libraries(linear_library(), data, {{"z", {"x"}}}), ConfigError);
-  EXPECT_THROW(equation_libraries(linear_library(), data, {{"x", {}}}), ConfigError);
-  EXPECT_THROW(equation_libraries(linear_library(), data, {{"x", {"y"}}, {"dx/dt", {"x"}}}),
-               ConfigError);
-  EXPECT_THROW(equation_libraries(linear_library(), data, {{"x", {"q"}}}), ModelError);
+  EXPECT_THROW(libraries({{"z", {"x"}}}), ConfigError);
+  EXPECT_THROW(libraries({{"x", {}}}), ConfigError);
+  EXPECT_THROW(libraries({{"x", {"y"}}, {"dx/dt", {"x"}}}), ConfigError);
+  EXPECT_THROW(libraries({{"x", {"q"}}}), ModelError);
 }
 
 TEST(EquationTerms, OnlyTheyStandInTheModel) {

@@ -16,7 +16,7 @@ struct ScreeningCase {
   explicit ScreeningCase(Index states, double noise = 1e-3)
       : model(lorenz96(states)),
         library(Monomials{{.max_degree = 2}}.library(model.variables())),
-        task(search_task(lorenz96_record(states, 1500, noise, 1), library, {},
+        task(search_task(lorenz96_record(states, 1500, noise, 1), {library},
                          analyse_noise(lorenz96_record(states, 1500, noise, 1)), {})),
         search(prepared_search(task)) {
     search.shortest = 20;

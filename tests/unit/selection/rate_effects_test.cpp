@@ -28,7 +28,7 @@ Vector values_of(const std::string& term, const WindowSearch& search) {
 TEST(RateEffects, AreWhatTheOtherTermsCannotSay) {
   const Dataset data = noisy_record("van-der-pol", 300, 0.01, 1);
   const TermLibrary library = Monomials{}.library({{"x", "y"}, {}});
-  const SearchTask task = search_task(data, library, {}, analyse_noise(data), {});
+  const SearchTask task = search_task(data, {library}, analyse_noise(data), {});
   WindowSearch search = prepared_search(task);
   search.path.windows = windows_of(search.path.records, 50);
   search.fit.coefficients = Matrix::Zero(2, library.size());
