@@ -58,7 +58,7 @@ Outcome outcome_of(const System& system, const Diagnosis& diagnosis) {
       outcome.name = outcome.equation && has(system.names, effect.name);
     }
     outcome.named = true;
-    outcome.answer += (outcome.answer.empty() ? "" : ", ") + effect.name + " in " + state;
+    outcome.answer += (outcome.answer.empty() ? "" : " + ") + effect.name + " in " + state;
   }
   outcome.said =
       std::any_of(diagnosis.hints.begin(), diagnosis.hints.end(),
