@@ -196,7 +196,7 @@ class Turns {
     Vector size = Vector::Zero(static_cast<Index>(state_.free.size()) +
                                static_cast<Index>(state_.channel_terms.size()));
     for (std::size_t j = 0; j < options_.held_among && j < state_.free.size(); ++j)
-      size[static_cast<Index>(j)] = std::abs(coefficient_at(state_.model, state_.free[j]));
+      size[static_cast<Index>(j)] = coefficient_at(state_.model, state_.free[j]);
     return size;
   }
 

@@ -17,7 +17,7 @@ struct Parts {
 Parts parts_of(const Vector& size) {
   Parts parts;
   for (Index j = 0; j < size.size(); ++j)
-    (size[j] > 0.0 ? parts.sized : parts.free).push_back(j);
+    (size[j] != 0.0 ? parts.sized : parts.free).push_back(j);
   return parts;
 }
 

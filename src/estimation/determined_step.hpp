@@ -16,10 +16,9 @@ struct DeterminedStep {
 /// in them of which the equations tell less than `told` times that size - whatever the other
 /// unknowns do - are held: eigenvectors of the Schur complement, scaled by the sizes, with
 /// eigenvalues below 1 / told^2.
-/// @param size p entries: of each unknown, 0 where it is free to be anything.
+/// @param size p entries: of each unknown with its sign, 0 where it is free to be anything.
 /// @param unseen orthonormal columns, of relative changes of the first unknowns: directions
-/// that
-///   are held in any case; or 0 x 0.
+///   that are held in any case; or 0 x 0.
 DeterminedStep determined_step(const Matrix& normal, const Vector& right, const Vector& size,
                                double told, const Matrix& unseen = {});
 

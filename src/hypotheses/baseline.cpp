@@ -60,6 +60,28 @@ Scope scope_of(const OdeModel& nominal, const Dataset& data, const Assimilation&
   return make_scope(own, narrow, noise.head(states), std::move(lines));
 }
 
+/// The nominal coefficients fitted. Where states are hidden a large disturbance explains
+/// everything and tells the coefficients nothing; beside a small one they go where they belong.
+Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
+                           const Assimilation& given, const AssimilationOptions& options,
+                           const RunContext& context) {
+  const auto fit_from = [&](const Assimilation& start) {
+    return settled(assimilate_from(nominal, data, start, options, context), data, options,
+                   context);
+  };
+  Assimilation best = fit_from(given);
+  if (options.hidden.empty()) return best;
+  constexpr double kLess[] = {0.1, 0.01, 1e-3};
+  for (const double less : kLess) {
+    Assimilation start = given;
+    start.noise.disturbance *= less;
+    Assimilation next = fit_from(start);
+    if (next.deviance < best.deviance - kUnnoticedDeviance || !std::isfinite(best.deviance))
+      best = std::move(next);
+  }
+  return best;
+}
+
 }  // namespace
 
 Baseline plain_baseline(const Problem& problem) {
@@ -98,8 +120,7 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
                        fit_options.hidden, fit_options.free, fit_options.priors)
             .coefficients;
   }
-  Assimilation fitted = settled(assimilate_from(nominal, data, given, fit_options, context),
-                                data, fit_options, context);
+  Assimilation fitted = likeliest_fit(nominal, data, given, fit_options, context);
   fit_options.passes = kPassesFromBaseline;
   std::vector<std::string> notes;
   if (!std::isfinite(fitted.deviance)) {

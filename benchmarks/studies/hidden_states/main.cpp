@@ -18,7 +18,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/write.hpp"
 #include "lacuna/diagnosis/diagnose.hpp"
-#include "lacuna/differentiators/savitzky_golay.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/records/model_view.hpp"
 #include "support/parallel.hpp"
@@ -58,7 +58,7 @@ Outcome outcome_of(const System& system, const Diagnosis& diagnosis) {
       outcome.name = outcome.equation && has(system.names, effect.name);
     }
     outcome.named = true;
-    outcome.answer += (outcome.answer.empty() ? "" : ", ") + effect.name + " in " + state;
+    outcome.answer += (outcome.answer.empty() ? "" : " + ") + effect.name + " in " + state;
   }
   outcome.said =
       std::any_of(diagnosis.hints.begin(), diagnosis.hints.end(),
@@ -72,7 +72,7 @@ Outcome run_trial(const Trial& trial, const DiagnosisOptions& options) {
   try {
     const OdeModel nominal = nominal_of(trial.system);
     const Records records = make_records(trial.system, 0.01 * trial.percent, 5);
-    const SavitzkyGolay differentiator;
+    const FiniteDifferences differentiator;
     outcome = outcome_of(
         trial.system,
         diagnose(nominal, model_view(nominal, records.find, differentiator),

@@ -53,6 +53,16 @@ TEST_F(Answer, OtherRecordsConfirmLowerOrRefuteNames) {
   EXPECT_EQ(refuted.note.substr(0, 13), "with dry in v");
 }
 
+TEST_F(Answer, AFormInTwoEquationsHasToHoldOnOtherRecords) {
+  Account shared = account("sign(v)");
+  Gap open = gap(10.0, 1.8);
+  open.above_floor = 5.0;
+  EXPECT_FALSE(heard(shared, open).withdraw);
+  shared.hypothesis = "shared-process";
+  EXPECT_TRUE(heard(shared, open).withdraw);
+  EXPECT_FALSE(heard(shared, gap(10.0, 1.2)).withdraw);
+}
+
 TEST_F(Answer, ThresholdsDecideWhatOtherRecordsSay) {
   const Account friction = account("sign(v)");
   asked_.options.decision.negligible = 0.2;

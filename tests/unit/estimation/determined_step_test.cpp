@@ -48,6 +48,19 @@ TEST(DeterminedStep, HoldsWhatOnlyAProductTells) {
   EXPECT_NEAR((step.covariance * ratio.cwiseInverse()).norm(), 0.0, 1e-9);
 }
 
+TEST(DeterminedStep, RelativeChangesHaveTheSignsOfTheCoefficients) {
+  // The product of b = -2 and c = 5 is what equations tell: they grow alike or not at all.
+  const Matrix rows = 100.0 * Matrix::Identity(2, 2);
+  const Problem problem = problem_of(rows, rows * Vector{{-0.4, 0.0}});
+  Matrix unseen(2, 1);
+  unseen << std::sqrt(0.5), -std::sqrt(0.5);
+  const DeterminedStep step =
+      determined_step(problem.normal, problem.right, Vector{{-2.0, 5.0}}, 3.0, unseen);
+  ASSERT_EQ(step.held.cols(), 1);
+  EXPECT_LT(step.change[0], 0.0);
+  EXPECT_NEAR(step.change[0] / -2.0, step.change[1] / 5.0, 1e-12);
+}
+
 TEST(DeterminedStep, HoldsWhatItIsToldToHold) {
   const Matrix rows = 100.0 * Matrix::Identity(2, 2);
   const Problem problem = problem_of(rows, rows * Vector{{0.2, 0.0}});
