@@ -151,6 +151,8 @@ double NoiseGrowth::at(double x) const { return std::hypot(floor, share * x); }
 
 std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders) {
   constexpr double kDrop = 25.0;  // five standard deviations
+  // Instruments are no better; what is less than this of a value is a solver's or a digit's.
+  constexpr double kLeastShare = 1e-4;
   constexpr double kStep = 1.25893;
   const std::vector<Group> groups = noisy_groups(orders);
   if (groups.size() < 3 || !(groups.back().level > 0.0)) return std::nullopt;
@@ -166,7 +168,8 @@ std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& ord
   if (same.squares - best.squares < kDrop) return std::nullopt;
   const double floor = std::exp(best.log_scale);
   const NoiseGrowth growth{floor, floor * std::sqrt(ratio)};
-  return describes(growth, orders.back()) ? std::optional(growth) : std::nullopt;
+  if (growth.share < kLeastShare || !describes(growth, orders.back())) return std::nullopt;
+  return growth;
 }
 
 SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,

@@ -31,7 +31,8 @@ struct SizedDifferences {
 /// (median absolute deviation of n_g normal values). Nothing where that is not better than one
 /// deviation for all by five standard deviations. A group whose deviation goes on falling from
 /// order to order shows the signal and does not count. Nothing either where differences in
-/// units of the growing noise are not of unit variance.
+/// units of the growing noise are not of unit variance, or where it is less than 1e-4 of the
+/// value, as the errors of solvers and digits are.
 /// @param orders differences of rising order, from one on that shows the noise.
 std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders);
 

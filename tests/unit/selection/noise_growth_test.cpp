@@ -88,5 +88,10 @@ TEST(NoiseGrowth, FastStretchesAreNoNoise) {
   }
 }
 
+TEST(NoiseGrowth, ErrorsOfSolversAndDigitsAreNoNoise) {
+  EXPECT_FALSE(noise_of(growing(0.0, 1e-6, 4096, 1)).growth[0].has_value());
+  EXPECT_TRUE(noise_of(growing(0.0, 1e-3, 4096, 1)).growth[0].has_value());
+}
+
 }  // namespace
 }  // namespace lacuna
