@@ -14,6 +14,8 @@
 namespace lacuna {
 namespace {
 
+/// A fact of the interval: few blocks, so that each is longer than the attractor's memory;
+/// Student's t pays for their number.
 constexpr Index kBlocks = 5;
 
 /// A mean with half of its 95 % interval.

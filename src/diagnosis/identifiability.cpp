@@ -11,7 +11,8 @@
 namespace lacuna {
 namespace {
 
-/// Part of a unit vector that counts.
+/// Part of a unit vector that counts: what a hint names, and what has no interval. Estimates do
+/// not depend on it.
 constexpr double kPart = 0.05;
 
 /// The same space by columns with as many zeros as elimination makes: each tells of few
