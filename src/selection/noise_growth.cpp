@@ -112,12 +112,13 @@ SizedDifferences differences_of(const Dataset& data, Index state, Index order) {
   return all;
 }
 
-std::optional<NoiseGrowth> growth_of(const Dataset& data, Index state, Index order) {
+std::optional<NoiseGrowth> growth_of(const Dataset& data, Index state, Index order,
+                                     const GrowingNoise& rule) {
   constexpr Index kOrders = 5;
   std::vector<SizedDifferences> orders;
   for (Index o = order; o < order + kOrders; ++o)
     orders.push_back(differences_of(data, state, o));
-  return noise_growth(orders);
+  return noise_growth(orders, rule);
 }
 
 /// Root mean square of a signal over at most `reach` samples to either side.
@@ -133,8 +134,8 @@ Vector local_rms(const Vector& x, Index reach) {
 
 /// Whether differences are of unit variance in units of the growing noise, outliers apart. What
 /// a solver leaves comes in bursts, which a level does not explain.
-bool describes(const NoiseGrowth& growth, const SizedDifferences& differences) {
-  constexpr double kOutlier = 6.0, kMost = 1.2;
+bool describes(const NoiseGrowth& growth, const SizedDifferences& differences, double most) {
+  constexpr double kOutlier = 6.0;
   double squares = 0.0, count = 0.0;
   for (Index i = 0; i < differences.sizes.size(); ++i) {
     const double size = differences.sizes[i] / growth.at(differences.signal[i]);
@@ -142,17 +143,15 @@ bool describes(const NoiseGrowth& growth, const SizedDifferences& differences) {
     squares += size * size;
     ++count;
   }
-  return squares <= kMost * kMost * count;
+  return squares <= most * most * count;
 }
 
 }  // namespace
 
 double NoiseGrowth::at(double x) const { return std::hypot(floor, share * x); }
 
-std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders) {
-  constexpr double kDrop = 25.0;  // five standard deviations
-  // Instruments are no better; what is less than this of a value is a solver's or a digit's.
-  constexpr double kLeastShare = 1e-4;
+std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders,
+                                        const GrowingNoise& rule) {
   constexpr double kStep = 1.25893;
   const std::vector<Group> groups = noisy_groups(orders);
   if (groups.size() < 3 || !(groups.back().level > 0.0)) return std::nullopt;
@@ -165,15 +164,16 @@ std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& ord
       best = fit;
       ratio = trial * unit;
     }
-  if (same.squares - best.squares < kDrop) return std::nullopt;
+  if (same.squares - best.squares < rule.significance * rule.significance) return std::nullopt;
   const double floor = std::exp(best.log_scale);
   const NoiseGrowth growth{floor, floor * std::sqrt(ratio)};
-  if (growth.share < kLeastShare || !describes(growth, orders.back())) return std::nullopt;
+  if (growth.share < rule.least_share || !describes(growth, orders.back(), rule.unit_variance))
+    return std::nullopt;
   return growth;
 }
 
 SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
-                             const std::vector<StateNoise>& noise) {
+                             const std::vector<StateNoise>& noise, const GrowingNoise& rule) {
   SampleNoise result{{}, sigma, {}};
   for (const Trajectory& record : data.trajectories)
     result.deviations.push_back(sigma.transpose().replicate(record.samples(), 1));
@@ -181,7 +181,7 @@ SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
     const StateNoise& seen = noise[static_cast<std::size_t>(k)];
     std::optional<NoiseGrowth> growth;
     if (data.is_measured(k) && seen.kind == NoiseKind::White)
-      growth = growth_of(data, k, seen.order);
+      growth = growth_of(data, k, seen.order, rule);
     result.growth.push_back(growth);
     if (!growth) continue;
     double squares = 0.0;

@@ -7,6 +7,7 @@
 
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/data/noise.hpp"
+#include "lacuna/selection/growing_noise.hpp"
 
 namespace lacuna {
 
@@ -29,12 +30,13 @@ struct SizedDifferences {
 /// signal; the robust deviations s_g of the groups are fitted by
 ///   log s_g = log sqrt(floor^2 + (share x_g)^2),   var log s_g = 1.36 / n_g
 /// (median absolute deviation of n_g normal values). Nothing where that is not better than one
-/// deviation for all by five standard deviations. A group whose deviation goes on falling from
+/// deviation for all by the rule's significance. A group whose deviation goes on falling from
 /// order to order shows the signal and does not count. Nothing either where differences in
-/// units of the growing noise are not of unit variance, or where it is less than 1e-4 of the
-/// value, as the errors of solvers and digits are.
+/// units of the growing noise are not of unit variance, or where it is a smaller share of the
+/// value than instruments have.
 /// @param orders differences of rising order, from one on that shows the noise.
-std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders);
+std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders,
+                                        const GrowingNoise& rule);
 
 /// Standard deviation of the noise of every sample.
 struct SampleNoise {
@@ -47,6 +49,6 @@ struct SampleNoise {
 /// sample has the same.
 /// @param sigma of each state.
 SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
-                             const std::vector<StateNoise>& noise);
+                             const std::vector<StateNoise>& noise, const GrowingNoise& rule);
 
 }  // namespace lacuna

@@ -305,7 +305,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
   const SearchTask search = search_task(
-      std::move(data), {task.library, task.allowed, task.constraints}, noise, options().price);
+      std::move(data), {task.library, task.allowed, task.constraints}, noise, options());
   auto [found, other] = search_windows(search, start, options().second_opinion, context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;

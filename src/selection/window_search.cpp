@@ -133,13 +133,15 @@ Index first_window(const Dataset& data) {
 }
 
 SearchTask search_task(Dataset data, const StructureTask& structure,
-                       std::vector<StateNoise> noise, std::optional<double> price) {
+                       std::vector<StateNoise> noise,
+                       const TrajectorySelectionOptions& options) {
   const auto& [library, allowed, constraints] = structure;
-  SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise);
+  SampleNoise sample_noise =
+      noise_of_samples(data, noise_or_floor(data, noise), noise, options.growing_noise);
   for (std::size_t k = 0; k < noise.size(); ++k)
     if (sample_noise.growth[k]) noise[k].sigma = sample_noise.rms[static_cast<Index>(k)];
   SearchTask task{std::move(data),  {library, library.compile(), {}}, {},
-                  std::move(noise), std::move(sample_noise),          price,
+                  std::move(noise), std::move(sample_noise),          options.price,
                   constraints};
   for (Index k = 0; k < task.data.state_count(); ++k) {
     task.equations.exact.push_back(task.data.rate_state(k));

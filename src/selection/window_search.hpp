@@ -6,6 +6,7 @@
 
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/noise.hpp"
+#include "lacuna/selection/trajectory_selection.hpp"
 #include "lacuna/stages/coefficient_constraint.hpp"
 #include "linearisation.hpp"
 #include "noise_growth.hpp"
@@ -36,7 +37,8 @@ struct StructureTask {
 };
 
 SearchTask search_task(Dataset data, const StructureTask& structure,
-                       std::vector<StateNoise> noise, std::optional<double> price);
+                       std::vector<StateNoise> noise,
+                       const TrajectorySelectionOptions& options);
 
 /// A structure with its coefficients at one length of windows.
 struct WindowFit {

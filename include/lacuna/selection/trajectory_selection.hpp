@@ -6,6 +6,7 @@
 
 #include "lacuna/core/options.hpp"
 #include "lacuna/numerics/negligible.hpp"
+#include "lacuna/selection/growing_noise.hpp"
 #include "lacuna/stages/refiner.hpp"
 
 namespace lacuna {
@@ -27,6 +28,7 @@ struct TrajectorySelectionOptions {
   bool second_opinion = false;
   std::optional<double> price = {};
   NegligibleTerms negligible = {};
+  GrowingNoise growing_noise = {};
 
   void describe(OptionVisitor& v) {
     v.field({"start", "",
@@ -42,6 +44,7 @@ struct TrajectorySelectionOptions {
          0.0},
         price);
     negligible.describe(v);
+    growing_noise.describe(v);
   }
 };
 

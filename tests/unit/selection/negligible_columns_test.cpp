@@ -22,7 +22,7 @@ struct Searched {
                        1200)),
         library(Monomials{{.max_degree = 2}}.library(data_variables())) {
     for (Trajectory& record : data.trajectories) record.derivatives = Matrix();
-    task.emplace(search_task(data, {library}, analyse_noise(data), price));
+    task.emplace(search_task(data, {library}, analyse_noise(data), {.price = price}));
     search.emplace(
         begun(*task, prepared_search(*task), Matrix::Zero(3, library.size()), kContext));
     while (grow(*task, *search, kContext)) {

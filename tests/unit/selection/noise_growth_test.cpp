@@ -27,9 +27,9 @@ Dataset growing(double floor, double share, Index samples, std::uint64_t seed) {
   return data;
 }
 
-SampleNoise noise_of(const Dataset& data) {
+SampleNoise noise_of(const Dataset& data, const GrowingNoise& rule = {}) {
   const std::vector<StateNoise> noise = analyse_noise(data);
-  return noise_of_samples(data, Vector::Constant(1, noise[0].sigma), noise);
+  return noise_of_samples(data, Vector::Constant(1, noise[0].sigma), noise, rule);
 }
 
 TEST(NoiseGrowth, IsFoundWithItsShare) {
@@ -50,6 +50,13 @@ TEST(NoiseGrowth, KnowsAFloor) {
   EXPECT_NEAR(noise.growth[0]->floor, 1.0, 0.2);
   EXPECT_NEAR(noise.growth[0]->share, 0.05, 0.01);
   EXPECT_NEAR(noise.growth[0]->at(20.0), std::sqrt(2.0), 0.3);
+}
+
+TEST(NoiseGrowth, TheRuleDecides) {
+  const Dataset data = growing(0.0, 0.05, 512, 1);
+  EXPECT_FALSE(noise_of(data, {.least_share = 0.1}).growth[0].has_value());
+  EXPECT_FALSE(noise_of(data, {.significance = 1e3}).growth[0].has_value());
+  EXPECT_FALSE(noise_of(data, {.unit_variance = 0.5}).growth[0].has_value());
 }
 
 TEST(NoiseGrowth, ConstantNoiseDoesNotGrow) {

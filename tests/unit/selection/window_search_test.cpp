@@ -25,7 +25,7 @@ struct SearchCase {
              int degree = 3)
       : data(record),
         library(Monomials{{.max_degree = degree}}.library(model.variables())),
-        task(search_task(data, {library}, analyse_noise(data), price)),
+        task(search_task(data, {library}, analyse_noise(data), {.price = price})),
         search(begun(task, prepared_search(task),
                      Matrix::Zero(data.state_count(), library.size()), kContext)) {}
 
