@@ -9,6 +9,7 @@
 #include "effect_size.hpp"
 #include "lacuna/decision/effect_parts.hpp"
 #include "lacuna/hypotheses/named_effects.hpp"
+#include "shared_form.hpp"
 
 namespace lacuna {
 namespace {
@@ -127,6 +128,15 @@ void take_place(const EffectSearch& search, std::size_t e, NamedEffect named, Ex
   found.explanation = std::move(next);
 }
 
+/// Whether one of the effects, other than the e-th, has a form already.
+bool has_form(const FoundEffects& found, const Candidate& form,
+              std::optional<std::size_t> other_than = {}) {
+  const std::vector<FittedEffect>& effects = found.explanation.effects;
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    if (e != other_than && are_one_form(effects[e].candidate, form)) return true;
+  return false;
+}
+
 Explanation with_form(const EffectSearch& search, const FoundEffects& found, std::size_t e,
                       const FittedEffect& form) {
   std::vector<FittedEffect> effects = found.explanation.effects;
@@ -151,6 +161,7 @@ void compare_again(const EffectSearch& search, std::size_t e, FoundEffects& foun
   Explanation likeliest = found.explanation;
   double least = criterion_of(search, found.explanation) + decision_of(search).undecided;
   for (const OtherForm& form : plainer) {
+    if (has_form(found, form.effect.candidate, e)) continue;
     Explanation next = with_form(search, found, e, form.effect);
     const double value = criterion_of(search, next);
     if (!(value < least) || !all_named(search, next)) continue;
@@ -286,6 +297,7 @@ bool may_go_on(const EffectSearch& search, const FoundEffects& found) {
 bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
             const OtherForm& plainer, FoundEffects& found) {
   const Candidate& candidate = plainer.effect.candidate;
+  if (has_form(found, candidate, e)) return false;
   Explanation next = with_form(search, found, e, plainer.effect);
   if (!std::isfinite(next.fit.deviance) || !all_named(search, next) ||
       !size.is_near(next.fit, found.explanation.fit, candidate))
@@ -330,6 +342,8 @@ FoundEffects search_effects(const EffectSearch& search) {
     found.left = test_disturbances(found.explanation.fit, search.problem.context);
   } while (may_go_on(search, found) && add_one(search, size, found));
   prefer_plain(search, size, found);
+  if (agree_on_forms(search, found))
+    found.left = test_disturbances(found.explanation.fit, search.problem.context);
   settle_names(search, found);
   update_numbers(found.explanation, found.named);
   return found;
@@ -338,16 +352,10 @@ FoundEffects search_effects(const EffectSearch& search) {
 std::vector<std::string> rivals_elsewhere(const EffectSearch& search,
                                           const FoundEffects& found) {
   const double limit = criterion_of(search, found.explanation) + decision_of(search).undecided;
-  const auto is_there = [&](const FittedEffect& form) {
-    return std::any_of(found.explanation.effects.begin(), found.explanation.effects.end(),
-                       [&](const FittedEffect& effect) {
-                         return are_one_form(effect.candidate, form.candidate);
-                       });
-  };
   std::vector<std::string> result;
   for (std::size_t e = 0; e < found.named.size(); ++e)
     for (const OtherForm& form : found.elsewhere[e]) {
-      if (is_there(form.effect)) continue;
+      if (has_form(found, form.effect.candidate)) continue;
       const Explanation other = with_form(search, found, e, form.effect);
       if (criterion_of(search, other) > limit || !all_named(search, other)) continue;
       const auto k = static_cast<std::size_t>(form.named.equation);
