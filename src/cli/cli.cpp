@@ -18,9 +18,10 @@ namespace lacuna {
 namespace {
 
 constexpr int kBadInput = 2;
-/// After an interrupt a run has so long to end by itself. With the 20 ms between two looks at
-/// it the program is gone within 0.2 s.
-constexpr std::chrono::milliseconds kPatience{150};
+
+/// After an interrupt a run has so long to end by itself. With 20 ms between two looks at it,
+/// and the time to give gigabytes back, the program is gone within 0.2 s.
+constexpr std::chrono::milliseconds kPatience{100};
 
 std::string one_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
