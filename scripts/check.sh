@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sets up, builds with warnings as errors and runs all tests.
-# Usage: scripts/check.sh [PRESET]   (dev, asan-ubsan, tsan, coverage; default dev)
+# Usage: scripts/check.sh [PRESET]   (dev, variant, asan-ubsan, tsan, coverage; default dev)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-dev}

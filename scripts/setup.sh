@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build ccache git ca-certificates
+  g++ clang cmake ninja-build ccache git ca-certificates
   libeigen3-dev            # linear algebra
   libceres-dev             # nonlinear least squares: an inner solver
   libnlopt-dev libnlopt-cxx-dev  # nonlinear optimisation: an inner solver
@@ -15,26 +15,33 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 
-missing=()
-for package in "${packages[@]}"; do
-  # "install ok installed" is the only state in which a package is usable.
-  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' ||
-    missing+=("$package")
-done
-if [ ${#missing[@]} -eq 0 ]; then
-  echo "setup: nothing to install"
-  exit 0
-fi
-
 as_root=()
-if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || {
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+
+# "install ok installed" is the only state in which a package is usable.
+is_installed() {
+  dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'
+}
+
+install() {
+  local package missing=()
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  if [ ${#as_root[@]} -gt 0 ] && ! command -v sudo >/dev/null; then
     echo "setup: run as root, or install these packages yourself: ${missing[*]}" >&2
     exit 2
-  }
-  as_root=(sudo)
-fi
-echo "setup: installing ${missing[*]}"
-export DEBIAN_FRONTEND=noninteractive
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
+  fi
+  echo "setup: installing ${missing[*]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
+  installed=true
+}
+
+installed=false
+install "${packages[@]}"
+# The sanitizers of the clang that there is now.
+install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"
+$installed || echo "setup: nothing to install"

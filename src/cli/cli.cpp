@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <csignal>
 #include <iostream>
 #include <stdexcept>
@@ -17,7 +18,10 @@ namespace lacuna {
 namespace {
 
 constexpr int kBadInput = 2;
-constexpr int kInterrupted = 130;
+
+/// After an interrupt a run has so long to end by itself. With 20 ms between two looks at it,
+/// and the time to give gigabytes back, the program is gone within 0.2 s.
+constexpr std::chrono::milliseconds kPatience{100};
 
 std::string one_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -123,7 +127,7 @@ int run_chosen(const cli::Command& command, const cli::Session& session) {
   const CliStreams& streams = session.streams;
   const auto interrupted = [&] {
     streams.err << "lacuna: interrupted; nothing was written\n";
-    return kInterrupted;
+    return cli::kInterrupted;
   };
   try {
     const cli::MemoryLimit limit(memory_of(*command.app));
@@ -171,21 +175,9 @@ int with_output_checked(int status, const CliStreams& streams) {
               "there is space, or give a file (-o, --json)");
 }
 
-}  // namespace
-
-int run_cli(int argc, const char* const* argv) {
-  try {
-    return run_cli(argc, argv, default_registry());
-  } catch (const std::bad_alloc&) {  // before there is a command
-    return fail({std::cout, std::cerr}, "lacuna: not enough memory to start; raise the limit");
-  }
-}
-
-int run_cli(int argc, const char* const* argv, const Registry& registry) {
-  return run_cli(argc, argv, registry, {std::cout, std::cerr});
-}
-
-int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams) {
+/// Parses and runs. @param patience of the guard against interrupts.
+int run_words(int argc, const char* const* argv, const Registry& registry,
+              const CliStreams& streams, cli::InterruptGuard::Patience patience) {
   CLI::App app;
   describe_program(app);
   const std::vector<cli::Command> commands = {
@@ -199,9 +191,27 @@ int run_cli(int argc, const char* const* argv, const Registry& registry, CliStre
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
   const auto chosen = std::find_if(commands.begin(), commands.end(),
                                    [](const auto& command) { return command.app->parsed(); });
-  const cli::InterruptGuard interrupt;
+  const cli::InterruptGuard interrupt(patience);
   const cli::Session session{registry, streams, interrupt.token(), command_line(argc, argv)};
   return with_output_checked(run_chosen(*chosen, session), streams);
+}
+
+}  // namespace
+
+int run_cli(int argc, const char* const* argv) {
+  try {
+    return run_cli(argc, argv, default_registry());
+  } catch (const std::bad_alloc&) {  // before there is a command
+    return fail({std::cout, std::cerr}, "lacuna: not enough memory to start; raise the limit");
+  }
+}
+
+int run_cli(int argc, const char* const* argv, const Registry& registry) {
+  return run_words(argc, argv, registry, {std::cout, std::cerr}, kPatience);
+}
+
+int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams) {
+  return run_words(argc, argv, registry, streams, {});
 }
 
 }  // namespace lacuna

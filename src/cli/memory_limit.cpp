@@ -6,8 +6,11 @@
 namespace lacuna::cli {
 namespace {
 
+// Sanitizers reserve terabytes of addresses.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kBounded = false;
+#elif defined(__has_feature)
+constexpr bool kBounded = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool kBounded = true;
 #endif

@@ -32,6 +32,12 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
                   "check that the folder exists, is writable and has space");
 }
 
+/// Locked from the creation of a temporary file to its end.
+std::mutex& files() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 /// Removes the temporary file unless it has become the real one.
 class Temporary {
  public:
@@ -127,6 +133,7 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
     return;
   }
   const fs::path target = real_target(path);
+  const std::lock_guard one_at_a_time(files());
   Temporary temporary(temporary_name(target));
   // "x": never write into a file that somebody else has opened under the same name.
   File file(std::fopen(temporary.path().c_str(), "wbx"));
@@ -137,5 +144,7 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
   temporary.keep();
   sync_folder(target);
 }
+
+std::unique_lock<std::mutex> try_to_hold_files() { return {files(), std::try_to_lock}; }
 
 }  // namespace lacuna

@@ -16,14 +16,14 @@ class GrowingFactor {
 
   /// Smallest singular value of the accepted columns with this one, which stays as a candidate
   /// behind them until the next call or accept().
-  double smallest_singular_value_with(const Vector& column);
+  double smallest_singular_value_with(const Vector& column, const RunContext& context);
 
   /// Takes the last candidate in.
   void accept();
 
  private:
   void orthogonalise(const Vector& column);
-  double inverse_iteration(Index size) const;
+  double inverse_iteration(Index size, const RunContext& context) const;
 
   Matrix basis_;     ///< orthonormal columns, `size_` of them
   Matrix triangle_;  ///< upper triangular, `size_` columns and the candidate's
@@ -43,10 +43,11 @@ void GrowingFactor::orthogonalise(const Vector& column) {
   triangle_(size_, size_) = rest_.norm();
 }
 
-double GrowingFactor::smallest_singular_value_with(const Vector& column) {
+double GrowingFactor::smallest_singular_value_with(const Vector& column,
+                                                   const RunContext& context) {
   orthogonalise(column);
   if (triangle_(size_, size_) == 0.0) return 0.0;
-  return inverse_iteration(size_ + 1);
+  return inverse_iteration(size_ + 1, context);
 }
 
 void GrowingFactor::accept() {
@@ -55,11 +56,12 @@ void GrowingFactor::accept() {
 }
 
 /// Power iteration on (S'S)^-1; the estimate falls towards the singular value from above.
-double GrowingFactor::inverse_iteration(Index size) const {
+double GrowingFactor::inverse_iteration(Index size, const RunContext& context) const {
   const auto s = triangle_.topLeftCorner(size, size).triangularView<Eigen::Upper>();
   Vector v = s.solve(Vector::Unit(size, size - 1) + Vector::Constant(size, 1e-3));
   double sigma = 0.0;
   for (int iteration = 0; iteration < 200; ++iteration) {
+    context.check_stop();
     v /= v.norm();
     const Vector u = s.transpose().solve(v);
     v = s.solve(u);
@@ -85,8 +87,8 @@ FilterResult Abm::do_filter(const LeastSquaresSystem& system, const RunContext& 
   GrowingFactor accepted(factor.terms());
   FilterResult result;
   for (Index j = 0; j < factor.terms(); ++j) {
-    context.check_stop();
-    const double sigma = accepted.smallest_singular_value_with(column_of(factor, j, relative));
+    const double sigma =
+        accepted.smallest_singular_value_with(column_of(factor, j, relative), context);
     const double eigenvalue = sigma * sigma;
     if (eigenvalue >= eps && sigma > 0.0) {
       accepted.accept();

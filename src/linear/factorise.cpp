@@ -63,7 +63,7 @@ Factor gram_factor(const Shape& shape, const Vector& norms, GramFactor gram) {
 
 Factor factor_from_gram(const RowSource& rows, const Shape& shape, const Matrix& gram,
                         Folding folding, const RunContext& context) {
-  GramFactor cholesky = factor_gram(gram, shape.terms);
+  GramFactor cholesky = factor_gram(gram, shape.terms, context);
   const bool broke_down = cholesky.broke_down;
   const Vector norms = gram.diagonal().cwiseSqrt();
   Factor factor = gram_factor(shape, norms, std::move(cholesky));

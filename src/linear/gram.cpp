@@ -33,13 +33,14 @@ Matrix fold_gram(const RowSource& rows, const RunContext& context) {
   return symmetric(total.topLeftCorner(columns, columns));
 }
 
-GramFactor factor_gram(const Matrix& gram, Index terms) {
+GramFactor factor_gram(const Matrix& gram, Index terms, const RunContext& context) {
   const Index columns = gram.cols();
   const double tolerance =
       4.0 * static_cast<double>(columns) * std::numeric_limits<double>::epsilon();
   GramFactor factor{unit_diagonal(gram).triangularView<Eigen::Upper>(), false};
   Matrix& r = factor.triangle;
   for (Index j = 0; j < columns; ++j) {
+    context.check_stop();
     const bool zero = r(j, j) == 0.0;
     for (Index i = 0; i < j; ++i) {
       const double rest = r(i, j) - r.col(i).head(i).dot(r.col(j).head(i));

@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Drives a fuzz target. With libFuzzer: its entry point. Without: random changes of the seeds.
-// Usage: fuzz_NAME [SECONDS [SEED]]
+// Drives a fuzz target. With libFuzzer: its entry points. Without: random changes of the seeds.
+// Usage: fuzz_NAME [SECONDS [SEED]], or libFuzzer's options and folders of inputs.
 #include "fuzz/target.hpp"
 
 #ifdef LACUNA_LIBFUZZER
+
+#include <filesystem>
+#include <fstream>
+
+/// Puts the seeds into the folders of inputs, before libFuzzer reads them.
+extern "C" int LLVMFuzzerInitialize(const int* argc, char*** argv) {
+  const std::vector<std::string> good = lacuna::fuzz::seeds();
+  for (int i = 1; i < *argc; ++i) {
+    const std::filesystem::path folder = (*argv)[i];
+    if (!std::filesystem::is_directory(folder)) continue;
+    for (std::size_t k = 0; k < good.size(); ++k)
+      std::ofstream(folder / ("seed" + std::to_string(k)), std::ios::binary) << good[k];
+  }
+  return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   lacuna::fuzz::take({reinterpret_cast<const char*>(data), size});

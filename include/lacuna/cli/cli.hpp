@@ -15,6 +15,8 @@ struct CliStreams {
 
 /// The `lacuna` command as a function, so that a user's own program can have it, with parts of
 /// its own: `auto registry = default_registry(); registry.add<MyBasis>(); return run_cli(...)`.
+/// After an interrupt the forms without streams end the process themselves where a step cannot
+/// be stopped; the form with streams returns when that step is done.
 /// @return exit status: 0 done; 1 the numbers do not allow an answer; 2 bad arguments,
 ///   configuration or data; 130 interrupted.
 int run_cli(int argc, const char* const* argv);

@@ -19,6 +19,7 @@ struct GramFactor {
 /// Cholesky factor R'R = D^-1 G D^-1 of a Gram matrix scaled to unit diagonal, D = sqrt(diag
 /// G). Columns that depend on earlier ones, and columns of zeros, get a row of zeros in R.
 /// @param terms columns that are looked at for a breakdown; columns of zeros do not count.
-GramFactor factor_gram(const Matrix& gram, Index terms);
+/// @param context asked between columns whether to stop
+GramFactor factor_gram(const Matrix& gram, Index terms, const RunContext& context = {});
 
 }  // namespace lacuna

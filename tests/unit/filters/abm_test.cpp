@@ -63,20 +63,21 @@ TEST(Abm, PaperTolerancesHoldTheSmallestEigenvalueOfRawDataAgainstEps) {
   }
 }
 
-TEST(Abm, TermsThatHardlyDifferHaveTheSingularValueOfTheirOwn) {
-  // Behind terms that left, columns have to be orthogonalised. The last but one brings a
-  // direction of size 1e-7, which one pass knows to nine digits only; the last brings less.
-  Matrix theta = Matrix::Zero(8, 8);
-  theta.row(0).head(5).setOnes();
-  for (Index j = 1; j < 5; ++j) theta(j, j) = 1e-9;
-  theta.col(5).segment(1, 5) << 0.3, -0.7, 0.11, 0.53, 0.37;
-  theta.col(6) = theta.col(5) + 1e-7 * Vector::Unit(8, 6);
-  theta.col(7) = theta.col(5) + Vector::Unit(8, 6) + 1e-11 * Vector::Unit(8, 7);
-  const LeastSquaresSystem system(make_row_source(theta, Matrix::Ones(8, 1)),
-                                  {"a", "b", "c", "d", "e", "f", "g", "h"}, {"y"});
-  const FilterResult result = Abm({.eps = 1e-16}).filter(system);
-  ASSERT_EQ(result.kept, (TermSet{0, 5, 6}));
-  const Matrix columns = system.factor().triangle(Eigen::seqN(0, 8), {0, 5, 6, 7});
+TEST(Abm, WhatADirectionOfSize1e8LeavesOfLaterTermsIsNoDirectionOfTheirOwn) {
+  // Behind terms that left, columns have to be orthogonalised. "h" brings a direction of size
+  // 1e-8, which one pass knows to eight digits; the last term, which hardly has any of its own,
+  // would be given 1e-8 of that error.
+  Matrix theta = Matrix::Zero(9, 9);
+  theta.row(0).head(6).setOnes();
+  for (Index j = 1; j < 6; ++j) theta(j, j) = 1e-12;
+  theta.col(6).segment(1, 5) << 0.3, -0.7, 0.11, 0.53, 0.37;
+  theta.col(7) = 0.3 * theta.col(0) + 0.7 * theta.col(6) + 1e-8 * Vector::Unit(9, 7);
+  theta.col(8) = 0.37 * theta.col(0) + 0.9 * theta.col(6) + 2e-12 * Vector::Unit(9, 8);
+  const LeastSquaresSystem system(make_row_source(theta, Matrix::Ones(9, 1)),
+                                  {"a", "b", "c", "d", "e", "f", "g", "h", "i"}, {"y"});
+  const FilterResult result = Abm({.eps = 1e-20}).filter(system);
+  ASSERT_EQ(result.kept, (TermSet{0, 6, 7}));
+  const Matrix columns = system.factor().triangle(Eigen::seqN(0, 9), {0, 6, 7, 8});
   const double least = columns.jacobiSvd().singularValues()[3];
   EXPECT_NEAR(result.removed.back().value, least * least, 1e-2 * least * least);
 }

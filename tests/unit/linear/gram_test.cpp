@@ -54,6 +54,12 @@ TEST(FactorGram, BreaksDownWhereThePivotIsRounding) {
   EXPECT_TRUE(breaks_down(1e-8));
 }
 
+TEST(FactorGram, StopsWhenAsked) {
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(factor_gram(Matrix::Identity(3, 3), 3, {.stop = source.get_token()}), Cancelled);
+}
+
 TEST(FactorGram, TakesColumnsOfZerosAndExactTargets) {
   Matrix values = Matrix::Random(100, 4);
   values.col(1).setZero();

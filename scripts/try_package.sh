@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Installs the Debian package in a fresh Debian 12 and identifies and diagnoses there.
+# Usage (as root): scripts/try_package.sh [BUILD]
+# BUILD is a built folder (default: build/release, which is built first). The fresh Debian is made by
+# debootstrap in a temporary folder and removed at the end; it is the packages' only source of
+# libraries, so what the package does not ask for is missing there.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+[ "$(id -u)" -eq 0 ] || { echo "try_package: run as root" >&2; exit 2; }
+for tool in debootstrap:debootstrap dpkg-shlibdeps:dpkg-dev; do
+  command -v "${tool%:*}" > /dev/null ||
+    { echo "try_package: install the package ${tool#*:}" >&2; exit 2; }
+done
+
+build=${1:-build/release}
+if [ $# -eq 0 ]; then
+  scripts/setup.sh
+  cmake --preset release
+  cmake --build --preset release
+fi
+work=$(mktemp -d)
+# Nothing of the machine is mounted below this folder.
+trap 'rm -rf --one-file-system "$work"' EXIT
+cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work/package"
+root=$work/debian
+debootstrap --variant=minbase bookworm "$root" > "$work/debootstrap.log" ||
+  { tail -5 "$work/debootstrap.log" >&2; exit 1; }
+
+mkdir "$root/try"
+cp "$work"/package/*.deb "$root/try/lacuna.deb"
+cp data/*.csv.gz "$root/try"
+cat > "$root/try/pendulum.ode" <<'MODEL'
+time s
+input u [rad/s^2]
+state th [rad]
+state w [rad/s]
+dth/dt = w
+dw/dt = -9.81/0.5*sin(th) - 0.15*w + u
+MODEL
+cat > "$root/try/run.sh" <<'RUN'
+set -euxo pipefail
+cd /try
+export DEBIAN_FRONTEND=noninteractive
+apt-get update -q
+apt-get install -q -y --no-install-recommends ./lacuna.deb
+lacuna --version
+lacuna identify tl072_record.csv.gz --json identified.json
+lacuna diagnose --model pendulum.ode pendulum_scope_1.csv.gz \
+  --holdout pendulum_scope_2.csv.gz --map th=CH1,w=CH2,u=CH3 --json diagnosed.json
+[ -s identified.json ] && [ -s diagnosed.json ]
+[ -f /usr/share/man/man1/lacuna.1.gz ] || [ -f /usr/share/man/man1/lacuna.1 ]
+[ -f /usr/share/doc/lacuna/LICENSE ]
+apt-get remove -q -y lacuna
+[ ! -e /usr/bin/lacuna ] && [ ! -e /usr/include/lacuna ]
+RUN
+chroot "$root" /bin/bash /try/run.sh
+echo "try_package: $(basename "$work"/package/*.deb) installs, identifies and diagnoses"
