@@ -5,11 +5,15 @@
 #include "data_options.hpp"
 #include "lacuna/config/configuration.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/realisation/identify_hidden.hpp"
+#include "lacuna/records/read_records.hpp"
+#include "lacuna/relations/relations.hpp"
 #include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/pages.hpp"
+#include "lacuna/validation/validate.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {
@@ -20,7 +24,7 @@ struct Options {
   RunOptions run;
   std::optional<std::string> preset, config, terms;
   std::optional<int> degree, hidden;
-  std::vector<std::string> assignments, equations, added, constraints;
+  std::vector<std::string> assignments, equations, added, constraints, held_out;
   std::optional<std::string> model_out, json;
   ReportOptions report;
   bool full = false;
@@ -111,6 +115,36 @@ void verify(IdentificationReport& report, const Dataset& data, const Integrator&
   }
 }
 
+/// Records in the variables of a model, that were not identified from.
+std::optional<Dataset> held_out_records(const Options& options, const OdeModel& model,
+                                        const Dataset& data) {
+  if (options.held_out.empty()) return std::nullopt;
+  Dataset records =
+      read_records(model, options.held_out, common_roles(options.data), FiniteDifferences{});
+  records.rate_of = data.rate_of;
+  return records;
+}
+
+/// Says what the model is worth, and what else the data say. Not being able to is a warning.
+void judge_model(const Session& session, const Options& options, const Dataset& data,
+                 IdentificationReport& report, const RunContext& context) {
+  IdentificationResult& result = report.result;
+  const ValidationTask task{result, data, report.pipeline,
+                            held_out_records(options, result.model, data)};
+  try {
+    Validation validation = validate(task, {}, context);
+    const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
+                       validation.verdict == ValidationVerdict::WrongLibrary;
+    if (lacks)
+      validation.advice =
+          advice_for(result, data, session.registry.make_all<Effect>(), context);
+    result.validation = std::move(validation);
+    result.relations = find_relations(data, {}, context);
+  } catch (const DataError& error) {
+    result.warnings.push_back(std::string("not validated: ") + error.what());
+  }
+}
+
 bool found_a_model(const IdentificationResult& result) {
   for (std::size_t k = 0; k < result.fit.size(); ++k)
     if (!result.fit[k].identity && !result.model.equations()[k].empty()) return true;
@@ -146,13 +180,17 @@ IdentificationResult identified(const Session& session, const Options& options, 
 }
 
 int identify_command(const Session& session, const Options& options) {
-  check_outputs(files_read(options.data, options.config ? std::vector{*options.config}
-                                                        : std::vector<std::string>{}),
+  std::vector<std::string> files = files_read(options.data, options.held_out);
+  if (options.config) files.push_back(*options.config);
+  check_outputs(files,
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
   if (options.hidden && *options.hidden != 1)
     throw ConfigError("--hidden", "only one hidden state can be identified",
                       "give 1, or measure more");
+  if (options.hidden && !options.held_out.empty())
+    throw ConfigError("--holdout", "the hidden state of other records is not known",
+                      "leave it out, or use `lacuna fit MODEL DATA --holdout`");
   const Configuration configuration = make_configuration(options);
   const Pipeline pipeline = configuration.build(session.registry);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
@@ -165,6 +203,7 @@ int identify_command(const Session& session, const Options& options) {
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());
   verify(report, data, *integrator, context);
+  judge_model(session, options, data, report, context);
   finish_progress(session, options.run);
   write_results(session, options, report, data);
   if (found_a_model(report.result)) return 0;
@@ -181,6 +220,9 @@ Command declare_identify(CLI::App& root) {
       "identify", "Find the equations of motion in measured data and verify them");
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
       ->required();
+  app->add_option("--holdout", options->held_out,
+                  "Records to judge the model by [default: a quarter of DATA, in blocks]")
+      ->type_name("DATA");
   declare_column_options(*app, options->data, true);
   declare_pipeline_options(*app, *options);
   declare_output_options(*app, *options);

@@ -29,17 +29,6 @@ double mean_period(const Eigen::Ref<const Vector>& values) {
 // A window has no fewer samples, so that the fitted initial state takes up little.
 constexpr Index kShortest = 20;
 
-/// Samples of a window: the shortest mean period of the smoothed states, no fewer than 20
-/// samples.
-Index window_length(const std::vector<LinearisedRecord>& records, const NoiseModel& noise) {
-  double shortest = static_cast<double>(records.front().samples());
-  for (const LinearisedRecord& record : records)
-    for (Index k = 0; k < record.states(); ++k)
-      if (noise.measurement[static_cast<std::size_t>(k)])
-        shortest = std::min(shortest, mean_period(record.path.col(k)));
-  return std::max(kShortest, static_cast<Index>(shortest));
-}
-
 /// Square of what a sample is off, and whether it counts.
 struct Off {
   double square = 0.0;
@@ -148,7 +137,22 @@ Vector column_deviations(const std::vector<Matrix>& blocks) {
   return (sum / count).cwiseSqrt().cwiseMax(1e-300);
 }
 
-Index window_samples(const Assimilation& fit) { return window_length(fit.records, fit.noise); }
+Index window_samples(const std::vector<Matrix>& paths, const std::vector<bool>& measured) {
+  double shortest = static_cast<double>(paths.front().rows());
+  for (const Matrix& path : paths)
+    for (Index k = 0; k < path.cols(); ++k)
+      if (measured[static_cast<std::size_t>(k)])
+        shortest = std::min(shortest, mean_period(path.col(k)));
+  return std::max(kShortest, static_cast<Index>(shortest));
+}
+
+Index window_samples(const Assimilation& fit) {
+  std::vector<Matrix> paths;
+  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
+  std::vector<bool> measured;
+  for (const auto& noise : fit.noise.measurement) measured.push_back(noise.has_value());
+  return window_samples(paths, measured);
+}
 
 double window_gap(const Assimilation& fit) {
   std::vector<Matrix> paths;

@@ -69,12 +69,28 @@ void rewrite_trail(const RefinedModel& refined, const std::string& stage,
   }
 }
 
-void judge(const RefinedModel& refined, IdentificationResult& result) {
+/// The measured state whose samples test the equation of a state: itself, or the one whose
+/// derivative it is.
+std::optional<Index> tested_by(const Dataset& data, Index state) {
+  std::optional<Index> tested = state;
+  for (Index step = 0; step < data.state_count(); ++step) {
+    if (data.is_measured(*tested)) return tested;
+    std::optional<Index> origin;
+    for (Index k = 0; k < data.state_count(); ++k)
+      if (data.rate_state(k) == *tested) origin = k;
+    if (!origin) break;
+    tested = origin;
+  }
+  return std::nullopt;
+}
+
+void judge(const Dataset& data, const RefinedModel& refined, IdentificationResult& result) {
   for (std::size_t k = 0; k < result.fit.size(); ++k) {
     EquationFit& fit = result.fit[k];
-    if (fit.identity) continue;
-    fit.misfit = refined.misfit[k];
-    fit.fits_to_noise = refined.fits_to_noise[k];
+    const std::optional<Index> tested = tested_by(data, static_cast<Index>(k));
+    if (fit.identity || !tested) continue;
+    fit.misfit = refined.misfit[static_cast<std::size_t>(*tested)];
+    fit.fits_to_noise = refined.fits_to_noise[static_cast<std::size_t>(*tested)];
     if (fit.fits_to_noise && !*fit.fits_to_noise)
       result.warnings.push_back("d" + fit.equation +
                                 "/dt: trajectories of the model are off by " +
@@ -116,7 +132,7 @@ bool apply_refiner(const Refiner& refiner, const Dataset& data,
   }
   drop_void_warnings(refined.model, result.warnings);
   rewrite_trail(refined, "refiner " + std::string(refiner.info().name), result);
-  judge(refined, result);
+  judge(data, refined, result);
   for (Index k = 0; k < result.noise.size(); ++k)
     if (refined.noise[k] > 0.0) result.noise[k] = refined.noise[k];
   result.warnings.insert(result.warnings.end(), refined.notes.begin(), refined.notes.end());

@@ -8,6 +8,7 @@
 #include "lacuna/report/pages.hpp"
 #include "lacuna/report/stage_json.hpp"
 #include "readable.hpp"
+#include "relation_text.hpp"
 #include "run_figures.hpp"
 
 namespace lacuna {
@@ -30,6 +31,21 @@ std::vector<std::string> equations_where(const IdentificationResult& result, Hol
   return names;
 }
 
+/// The headline of a validated model.
+void tell_verdict(const Validation& validation, Page& page) {
+  page.headline = validation.sentence;
+  switch (validation.verdict) {
+    case ValidationVerdict::FitsToNoise:
+      page.tone = Tone::Good;
+      break;
+    case ValidationVerdict::WrongLibrary:
+      page.tone = Tone::Bad;
+      break;
+    default:
+      page.tone = Tone::Doubtful;
+  }
+}
+
 void tell_headline(const IdentificationReport& report, Page& page) {
   const IdentificationResult& result = report.result;
   const auto bad = equations_where(
@@ -39,6 +55,8 @@ void tell_headline(const IdentificationReport& report, Page& page) {
   if (lacks_terms(result)) {
     page.headline = "An equation has no terms: no candidate explains its derivative.";
     page.tone = Tone::Bad;
+  } else if (result.validation) {
+    tell_verdict(*result.validation, page);
   } else if (!bad.empty()) {
     page.headline = "Equations were found, but not all fit to the noise: " + join(bad, ", ") +
                     (bad.size() == 1 ? " does not." : " do not.");
@@ -51,7 +69,7 @@ void tell_headline(const IdentificationReport& report, Page& page) {
   if (report.sync && !report.sync->result.settled) page.tone = Tone::Doubtful;
 }
 
-std::vector<std::string> fit_sentences(const IdentificationResult& result) {
+std::vector<std::string> findings_of(const IdentificationResult& result) {
   std::vector<std::string> sentences;
   for (const EquationFit& fit : result.fit) {
     if (!is_fitted(fit)) continue;
@@ -63,6 +81,11 @@ std::vector<std::string> fit_sentences(const IdentificationResult& result) {
       text += "; trajectories are off by " + format_number(*fit.misfit, 3) + " times the noise";
     sentences.push_back(text + ".");
   }
+  if (result.validation)
+    sentences.insert(sentences.end(), result.validation->advice.begin(),
+                     result.validation->advice.end());
+  for (const Relation& relation : result.relations)
+    sentences.push_back(relation_sentence(relation) + ".");
   return sentences;
 }
 
@@ -114,6 +137,21 @@ PageSection coefficients(const OdeModel& model) {
           table({"equation", "term", "coefficient", "95 % interval", "unit"}, rows)};
 }
 
+/// Errors of both tests of a validation.
+PageSection prediction_section(const Validation& validation) {
+  std::vector<std::vector<std::string>> rows;
+  for (const PredictionTest* test : {&validation.one_step, &validation.windows})
+    for (const PredictionError& state : test->states)
+      rows.push_back({format_number(test->horizon, 3), state.state,
+                      format_number(state.error, 3),
+                      (state.noise_seen ? "" : "< ") + format_number(state.noise, 3),
+                      format_number(state.motion, 3), percent(state.share())});
+  return {"Predictions of samples held out",
+          table({"ahead [" + validation.time_unit + "]", "state", "error", "noise",
+                 "error without a model", "error beyond the noise"},
+                rows)};
+}
+
 PageSection trail_section(const IdentificationResult& result) {
   std::vector<std::vector<std::string>> rows;
   for (const TrailEntry& entry : result.trail)
@@ -150,11 +188,12 @@ Page identification_page(const IdentificationReport& report, const Dataset& data
       "Identification of " +
       (data.trajectories.empty() ? "a record" : short_name(file_of(data.trajectories.front())));
   tell_headline(report, page);
-  page.findings = fit_sentences(result);
+  page.findings = findings_of(result);
   page.facts = facts_of(report, data, runs);
   page.equations = equations_mathml(result.model);
   if (!runs.empty()) add_pictures(view, page);
   page.sections.push_back(coefficients(result.model));
+  if (result.validation) page.sections.push_back(prediction_section(*result.validation));
   if (!result.warnings.empty())
     page.sections.push_back({"What to know", bullets(result.warnings)});
   page.sections.push_back(trail_section(result));

@@ -5,6 +5,7 @@
 
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/report/stage_json.hpp"
+#include "relation_text.hpp"
 #include "sync_json.hpp"
 
 namespace lacuna {
@@ -64,6 +65,43 @@ Json list_to_json(const std::vector<T>& values, Convert convert) {
   return list;
 }
 
+Json error_to_json(const PredictionError& error) {
+  return {{"state", error.state},     {"error", error.error},
+          {"noise", error.noise},     {"noise_seen", error.noise_seen},
+          {"motion", error.motion},   {"share", error.share()},
+          {"freedom", error.freedom}, {"correlation", error.correlation}};
+}
+
+Json test_to_json(const PredictionTest& test) {
+  return {{"horizon", test.horizon},
+          {"windows", test.windows},
+          {"without_solution", test.lost},
+          {"states", list_to_json(test.states, error_to_json)}};
+}
+
+Json validation_to_json(const Validation& validation) {
+  return {{"verdict", to_string(validation.verdict)},
+          {"sentence", validation.sentence},
+          {"held_out", validation.given ? "records" : "parts"},
+          {"records", validation.records},
+          {"samples", validation.samples},
+          {"refitted", validation.refitted},
+          {"one_step", test_to_json(validation.one_step)},
+          {"windows", test_to_json(validation.windows)},
+          {"advice", validation.advice}};
+}
+
+Json relation_to_json(const Relation& relation) {
+  const auto term_to_json = [](const RelationTerm& term) {
+    return Json{{"term", term.term}, {"coefficient", term.coefficient}, {"stderr", term.error}};
+  };
+  return {{"terms", list_to_json(relation.terms, term_to_json)},
+          {"value", relation.value},
+          {"scatter", relation.scatter},
+          {"noise", relation.noise},
+          {"sentence", relation_sentence(relation)}};
+}
+
 }  // namespace
 
 std::string format_json(const IdentificationReport& report) {
@@ -80,6 +118,11 @@ std::string format_json(const IdentificationReport& report) {
   json["fit"] = list_to_json(result.fit, fit_to_json);
   json["path"] = list_to_json(result.path,
                               [&](const PathStep& step) { return step_to_json(result, step); });
+  json["verdict"] =
+      result.validation ? Json(to_string(result.validation->verdict)) : Json(nullptr);
+  json["validation"] =
+      result.validation ? validation_to_json(*result.validation) : Json(nullptr);
+  json["relations"] = list_to_json(result.relations, relation_to_json);
   json["sync"] = report.sync ? sync_to_json(*report.sync) : Json(nullptr);
   json["warnings"] = result.warnings;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

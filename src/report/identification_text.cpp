@@ -7,6 +7,7 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/report/identification_report.hpp"
 #include "readable.hpp"
+#include "relation_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -67,6 +68,17 @@ std::string noise_text(const IdentificationResult& result) {
                     (state.unit.empty() ? "" : " " + state.unit));
   }
   return "  " + join(parts, ", ") + "\n";
+}
+
+std::string validation_text(const Validation& validation) {
+  std::string text = "  " + validation.sentence + "\n  (on " +
+                     std::to_string(validation.samples) + " samples " +
+                     (validation.given      ? "of other records"
+                      : validation.refitted ? "that were held out of the coefficients' fit"
+                                            : "that were fitted") +
+                     ")\n";
+  for (const std::string& advice : validation.advice) text += "  " + advice + "\n";
+  return text;
 }
 
 /// "  dx/dt: x*y would be the next: chi squared - 3.2 (worth it from 17)".
@@ -130,6 +142,10 @@ std::string format_text(const IdentificationReport& report, bool full) {
       << result.model.time_unit() << "]\n"
       << coefficient_table(result.model, full) << "\nFit\n";
   for (const EquationFit& fit : result.fit) out << fit_line(fit);
+  if (result.validation) out << "\nVerdict\n" << validation_text(*result.validation);
+  if (!result.relations.empty()) out << "\nRelations\n";
+  for (const Relation& relation : result.relations)
+    out << "  " << relation_sentence(relation) << "\n";
   if (result.library_alone)
     out << "\nThe library alone does not reach the noise; it gives\n"
         << indented(to_text(*result.library_alone, 5));

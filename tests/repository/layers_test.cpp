@@ -31,7 +31,8 @@ Allowed allowed_includes() {
   allowed["formulations"].insert("records");
   allowed["selection"] = allowed["formulations"];
   allowed["selection"].insert({"records", "formulations", "flow", "shooting"});
-  allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages"};
+  allowed["relations"] = {"core", "numerics", "data", "model"};
+  allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages", "relations"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
   allowed["pipeline"].insert("selection");
   allowed["dynamics"] = {"core", "numerics", "data", "model", "records"};
@@ -53,6 +54,8 @@ Allowed allowed_includes() {
                           "estimation", "candidates", "decision", "hypotheses"};
   allowed["libraries"] = allowed["pipeline"];
   allowed["libraries"].insert({"pipeline", "candidates", "effects"});
+  allowed["validation"] = allowed["libraries"];
+  allowed["validation"].insert({"libraries", "records", "flow", "estimation"});
   allowed["realisation"] = allowed["pipeline"];
   allowed["realisation"].insert({"pipeline", "records", "shooting"});
   allowed["plot"] = {"core"};
@@ -64,8 +67,8 @@ Allowed allowed_includes() {
   allowed["config"].insert({"report", "effects"});
   allowed["codegen"] = {"core", "model"};
   allowed["cli"] = allowed["config"];
-  allowed["cli"].insert(
-      {"codegen", "config", "libraries", "realisation", "records", "systems", "attractor"});
+  allowed["cli"].insert({"codegen", "config", "libraries", "realisation", "records", "systems",
+                         "attractor", "relations", "validation"});
   return allowed;
 }
 

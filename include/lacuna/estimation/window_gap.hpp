@@ -49,8 +49,9 @@ WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples
                              const NoiseModel& noise, const Vector& scale,
                              const WindowGrid& grid);
 
-/// Samples of a window: the shortest mean period of a measured state along the paths, no fewer
-/// than 20.
+/// Samples of a window: the shortest mean period of a measured state along the paths (n x m
+/// each), the samples of the first path where no state has one; no fewer than 20.
+Index window_samples(const std::vector<Matrix>& paths, const std::vector<bool>& measured);
 Index window_samples(const Assimilation& fit);
 
 /// Root mean square of (measured - model) / (standard deviation of the path) in windows of

@@ -7,6 +7,8 @@
 
 #include "lacuna/core/types.hpp"
 #include "lacuna/model/ode_model.hpp"
+#include "lacuna/pipeline/validation.hpp"
+#include "lacuna/relations/relations.hpp"
 #include "lacuna/stages/refiner.hpp"
 
 namespace lacuna {
@@ -38,8 +40,8 @@ struct EquationFit {
   /// nothing but noise is left.
   std::optional<double> misfit = {};
 
-  /// Whether nothing but noise is left: by the misfit where there is one, else whether the residual
-  /// is not above twice the noise floor; nothing when that is not known.
+  /// Whether nothing but noise is left: by the misfit where there is one, else whether the
+  /// residual is not above twice the noise floor; nothing when that is not known.
   std::optional<bool> fits_to_noise = {};
 
   bool converged = true;  ///< of the final regression
@@ -56,6 +58,10 @@ struct IdentificationResult {
   std::vector<std::string> warnings;  ///< what a user should know: an empty equation, ...
   /// What the library alone gives, where forms beside it were taken in.
   std::optional<OdeModel> library_alone = {};
+  /// What the model is worth on samples that it was not fitted to, where that was looked at.
+  std::optional<Validation> validation = {};
+  /// Polynomials that are constant on the data, where they were looked for.
+  std::vector<Relation> relations = {};
 };
 
 }  // namespace lacuna

@@ -145,6 +145,55 @@ TEST(IdentifyCommand, NoModelIsStatus1) {
   EXPECT_FALSE(nlohmann::json::parse(result.out)["warnings"].empty());
 }
 
+TEST(IdentifyCommand, SaysWhatTheModelIsWorth) {
+  const Records records;
+  const auto right = identify({records.rossler(), "--degree", "2"});
+  EXPECT_EQ(right["verdict"], "fits to noise") << right["validation"].dump(2);
+  EXPECT_TRUE(right["validation"]["advice"].empty());
+  const auto wrong = identify({records.rossler(), "--degree", "1"});
+  EXPECT_EQ(wrong["verdict"], "wrong library") << wrong["validation"].dump(2);
+  EXPECT_FALSE(wrong["validation"]["advice"].empty());
+  EXPECT_THAT(run_command({"identify", records.rossler(), "--degree", "1"}).out,
+              HasSubstr("Verdict\n  Wrong library"));
+}
+
+TEST(IdentifyCommand, JudgesByRecordsThatAreHeldOut) {
+  const Records records;
+  const std::string other = records.folder().file("other.csv");
+  ASSERT_EQ(run_command({"simulate", "rossler", "--x0", "-3,2,0.1", "--t-end", "60", "--dt",
+                         "0.05", "-o", other})
+                .status,
+            0);
+  const auto found = identify({records.rossler(), "--degree", "2", "--holdout", other});
+  EXPECT_EQ(found["verdict"], "fits to noise") << found["validation"].dump(2);
+  EXPECT_EQ(found["validation"]["held_out"], "records");
+  EXPECT_EQ(found["validation"]["samples"], 1201);
+  EXPECT_THAT(found["validation"]["records"][0].get<std::string>(), HasSubstr("other.csv"));
+  // The model does not depend on them.
+  EXPECT_EQ(found["model"], identify({records.rossler(), "--degree", "2"})["model"]);
+  expect_failure(run_command({"identify", records.rossler(), "--holdout", "nowhere.csv"}), 2,
+                 {"nowhere.csv"});
+  expect_failure(
+      run_command({"identify", records.rossler(), "--hidden", "1", "--holdout", other}), 2,
+      {"--holdout", "hidden"});
+}
+
+TEST(IdentifyCommand, PrintsRelationsThatHoldOnTheData) {
+  const Records records;
+  const std::string file = records.folder().file("turn.csv");
+  const std::string model = records.folder().write("turn.ode", "dx/dt = v\ndv/dt = -4*x\n");
+  ASSERT_EQ(run_command(
+                {"simulate", model, "--x0", "1,0", "--t-end", "20", "--dt", "0.02", "-o", file})
+                .status,
+            0);
+  const auto found = identify({file, "--states", "x,v"});
+  ASSERT_EQ(found["relations"].size(), 1u);
+  EXPECT_EQ(found["relations"][0]["terms"][0]["term"], "x^2");
+  EXPECT_EQ(found["relations"][0]["terms"][1]["term"], "v^2");
+  EXPECT_NEAR(found["relations"][0]["terms"][1]["coefficient"].get<double>(), 0.25, 1e-3);
+  EXPECT_NEAR(found["relations"][0]["value"].get<double>(), 1.0, 1e-3);
+}
+
 TEST(IdentifyCommand, BadEmbeddingsAreNamed) {
   const Records records;
   for (const char* bad : {"x", "x=two", "x=1.5", "x=99"})

@@ -59,6 +59,24 @@ TEST(IdentificationReport, WhatIsNotKnownIsNull) {
   EXPECT_TRUE(json["fit"][1]["noise_floor"].is_null());
 }
 
+TEST(IdentificationReport, VerdictAndRelationsAreThere) {
+  EXPECT_TRUE(sample_json()["verdict"].is_null());
+  EXPECT_TRUE(sample_json()["validation"].is_null());
+  EXPECT_TRUE(sample_json()["relations"].empty());
+  IdentificationReport report = sample_report();
+  report.result.validation = testing::sample_validation();
+  report.result.relations = {testing::sample_relation()};
+  const auto json = nlohmann::json::parse(format_json(report));
+  EXPECT_EQ(json["verdict"], "approximation");
+  EXPECT_EQ(json["validation"]["held_out"], "parts");
+  EXPECT_EQ(json["validation"]["windows"]["states"][0]["state"], "x");
+  EXPECT_DOUBLE_EQ(json["validation"]["windows"]["states"][0]["share"], 0.04 / 0.75);
+  EXPECT_EQ(json["validation"]["one_step"]["windows"], 50);
+  EXPECT_EQ(json["validation"]["advice"][0], "try sin(x)");
+  EXPECT_EQ(json["relations"][0]["terms"][1]["term"], "y^2");
+  EXPECT_EQ(json["relations"][0]["value"], 4.0);
+}
+
 TEST(IdentificationReport, SaysWhatWasAskedAndWhatWasUsed) {
   const nlohmann::json pipeline = sample_json()["pipeline"];
   EXPECT_EQ(pipeline["asked"]["preset"], "algorithm1");

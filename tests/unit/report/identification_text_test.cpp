@@ -29,6 +29,18 @@ TEST(IdentificationText, ShowsWhichTermsWentWhenAndByWhatNumber) {
   EXPECT_THAT(text, HasSubstr("3. x^2              0.11       limit 0.12\n"));
 }
 
+TEST(IdentificationText, ShowsVerdictAndRelations) {
+  EXPECT_THAT(format_text(sample_report()), ::testing::Not(HasSubstr("Verdict")));
+  IdentificationReport report = sample_report();
+  report.result.validation = testing::sample_validation();
+  report.result.relations = {testing::sample_relation()};
+  const std::string text = format_text(report);
+  EXPECT_THAT(text, HasSubstr("Verdict\n  An approximation: it is 5.3 %"));
+  EXPECT_THAT(text, HasSubstr("100 samples that were held out"));
+  EXPECT_THAT(text, HasSubstr("  try sin(x)\n"));
+  EXPECT_THAT(text, HasSubstr("Relations\n  x^2 + y^2 = 4 +- 0.01 on these data"));
+}
+
 TEST(IdentificationText, ShowsSynchronisationAndWarnings) {
   const std::string text = format_text(sample_report());
   EXPECT_THAT(text, HasSubstr("relative 0.05 %"));

@@ -59,6 +59,24 @@ TEST(Pages, IdentificationThatDoesNotFitSaysSoFirst) {
   EXPECT_EQ(page.tone, Tone::Doubtful);
 }
 
+TEST(Pages, IdentificationBeginsWithItsVerdict) {
+  IdentificationReport report = sample_report();
+  report.result.validation = testing::sample_validation();
+  report.result.relations = {testing::sample_relation()};
+  const Page page = identification_page(report, oscillation());
+  EXPECT_THAT(page.headline, HasSubstr("An approximation"));
+  EXPECT_EQ(page.tone, Tone::Doubtful);
+  const std::string html = format_html(page);
+  EXPECT_EQ(support::first_fault(html), "");
+  EXPECT_THAT(html, HasSubstr("Predictions of samples held out"));
+  EXPECT_THAT(html, HasSubstr("try sin(x)"));
+  EXPECT_THAT(html, HasSubstr("cannot be told apart"));
+  report.result.validation->verdict = ValidationVerdict::WrongLibrary;
+  EXPECT_EQ(identification_page(report, oscillation()).tone, Tone::Bad);
+  report.result.validation->verdict = ValidationVerdict::FitsToNoise;
+  EXPECT_EQ(identification_page(report, oscillation()).tone, Tone::Good);
+}
+
 TEST(Pages, IdentificationOfAShortRecordHasNoRuns) {
   Dataset data = oscillation();
   data.trajectories[0] = rows_of(data.trajectories[0], 0, 10);

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/pipeline/presets.hpp"
 #include "lacuna/report/identification_report.hpp"
 
@@ -50,6 +52,25 @@ inline IdentificationReport sample_report() {
        .step = 3}};
   result.warnings = {"be careful"};
   return {std::move(result), algorithm1(), R"({"preset":"algorithm1"})", sample_sync()};
+}
+
+/// An error of 0.05 beside a noise of 0.03, where the motion is sqrt(0.03^2 + 0.75^2).
+inline Validation sample_validation() {
+  Validation validation{.verdict = ValidationVerdict::Approximation,
+                        .sentence = "An approximation: it is 5.3 % of the motion of x.",
+                        .records = {"run.csv"},
+                        .time_unit = "ms",
+                        .samples = 100,
+                        .refitted = true};
+  const double motion = std::sqrt(0.03 * 0.03 + 0.75 * 0.75);
+  validation.one_step = {0.1, 50, 0, {{"x", 0.03, 0.03, true, 0.05, 50.0}}};
+  validation.windows = {2.0, 5, 0, {{"x", 0.05, 0.03, true, motion, 90.0}}};
+  validation.advice = {"try sin(x)"};
+  return validation;
+}
+
+inline Relation sample_relation() {
+  return {{{"x^2", 1.0, 0.0}, {"y^2", 1.0, 0.001}}, 4.0, 0.01, 0.01};
 }
 
 }  // namespace lacuna::testing

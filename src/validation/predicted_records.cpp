@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "predicted_records.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lacuna/data/marks.hpp"
+#include "selection/noise_growth.hpp"
+#include "selection/reference_path.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Noise below this share of what a state moves between samples is not seen: smaller than any
+/// error that counts. Such states are weighed by it.
+constexpr double kOfMotion = 1e-4;
+
+/// rms of the difference of one sample to the next.
+Vector moves_of(const Dataset& data) {
+  Vector squares = Vector::Zero(data.state_count());
+  double count = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    const Index steps = record.samples() - 1;
+    squares += (record.states.bottomRows(steps) - record.states.topRows(steps))
+                   .colwise()
+                   .squaredNorm()
+                   .transpose();
+    count += static_cast<double>(steps);
+  }
+  return (squares / std::max(count, 1.0)).cwiseSqrt();
+}
+
+/// By what each sample is weighed: 0 where it does not count.
+void leave_out(const Trajectory& record, const Dataset& data, const PredictedRecords& all,
+               Matrix& deviations) {
+  for (Index k = 0; k < deviations.cols(); ++k) {
+    if (!data.is_measured(k)) {
+      deviations.col(k).setZero();
+      continue;
+    }
+    if (all.seen[static_cast<std::size_t>(k)])
+      for (const Index i : outlying_samples(record, k, Vector(deviations.col(k))))
+        deviations(i, k) = 0.0;
+    for (Index i = 0; i < record.samples(); ++i)
+      if (mark_of(record.marks, i, k) != Mark::Value) deviations(i, k) = 0.0;
+  }
+}
+
+}  // namespace
+
+PredictedRecords predicted_records(const Dataset& data, const std::vector<Block>& blocks,
+                                   const std::vector<StateNoise>& noise) {
+  PredictedRecords all;
+  const Index m = data.state_count();
+  all.sigma.resize(m);
+  Vector weights = kOfMotion * moves_of(data);
+  for (Index k = 0; k < m; ++k) {
+    const StateNoise& state = noise[static_cast<std::size_t>(k)];
+    const bool seen = state.kind != NoiseKind::None && state.sigma > weights[k];
+    all.seen.push_back(seen);
+    all.white.push_back(seen && state.kind == NoiseKind::White);
+    all.sigma[k] = state.sigma;
+    if (seen) weights[k] = state.sigma;
+  }
+  weights = weights.cwiseMax(std::numeric_limits<double>::min());
+  const SampleNoise samples = noise_of_samples(data, weights, noise);
+  for (const Block& block : blocks) {
+    const Trajectory record =
+        rows_of(data.trajectories[block.record], block.first, block.count);
+    Matrix deviations = samples.deviations[block.record].middleRows(block.first, block.count);
+    Matrix path = smoothed_states(record, data, deviations);
+    leave_out(record, data, all, deviations);
+    all.records.push_back({record, std::move(deviations), std::move(path)});
+  }
+  return all;
+}
+
+}  // namespace lacuna
