@@ -159,7 +159,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   if (fit.held.cols() > 0 && !result.effects.empty())
     result.notes.push_back(
         "where the records tell coefficients only together, sizes of effects hold for the "
-        "proportion that the model gives");
+        "coefficients that are kept");
   if (!result.remaining.structure) add_jitter_note(problem, fit, result);
   return result;
 }

@@ -8,12 +8,29 @@
 
 namespace lacuna {
 
+/// What a rate does when a number p of the model changes, relatively: p df_k/dp.
+struct RateChange {
+  Index equation = 0;
+  Expression rate;
+};
+
+/// The rates that a number of the model changes: a coefficient changes one.
+using NumberChange = std::vector<RateChange>;
+
+/// How rates change with the coefficients: c_j T_j each.
+std::vector<NumberChange> changes_of(const OdeModel& model,
+                                     const std::vector<CoefficientPlace>& places);
+
 /// Changes of a model that other hidden states make up for.
 struct UnseenChanges {
   /// p x h, orthonormal: relative changes of the free coefficients.
   Matrix coefficients;
+  /// h of these coefficients that, kept as they are, leave nothing of the changes: units of the
+  /// hidden states. Before others those by which a hidden state acts on one that is seen, so
+  /// that what moves the hidden state may be anything.
+  std::vector<Index> units = {};
   /// m entries: hidden states on which nothing that is measured depends.
-  std::vector<bool> unseen_states;
+  std::vector<bool> unseen_states = {};
 };
 
 /// Changes of variables x_k -> x_k + e (a_0 + sum_j a_j x_j) of hidden states that changes of
@@ -32,5 +49,15 @@ UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
                              const std::vector<bool>& hidden,
                              const std::vector<CoefficientPlace>& free,
                              const std::vector<CoefficientPrior>& known);
+
+/// The same where other numbers of the model are estimated besides: what they make up for is
+/// unseen too. Effects with coefficients and shapes of their own leave some of the changes
+/// unseen (an edge that is scaled with its state) and show others.
+/// @param others numbers of the model beside the free coefficients.
+UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
+                             const std::vector<bool>& hidden,
+                             const std::vector<CoefficientPlace>& free,
+                             const std::vector<CoefficientPrior>& known,
+                             const std::vector<NumberChange>& others);
 
 }  // namespace lacuna

@@ -49,6 +49,51 @@ TEST(UnseenChanges, TheScaleOfAHiddenStateIsOne) {
   EXPECT_FALSE(unseen.unseen_states[1]);
 }
 
+TEST(UnseenChanges, WhatAHiddenStateDoesToASeenOneIsItsUnit) {
+  // Its scale is told by c2 in dc1/dt and by c1 in dc2/dt: the first is how it is seen.
+  EXPECT_EQ(unseen_of(kCompartments, {false, true}).units, std::vector<Index>{1});
+}
+
+/// kCompartments with an effect in dc2/dt, whose numbers are estimated as well.
+UnseenChanges unseen_with(const std::string& effect, const std::vector<NumberChange>& numbers) {
+  const OdeModel nominal = parse_ode(kCompartments, "test");
+  const OdeModel model = parse_ode(
+      "input d\ndc1/dt = -0.7*c1 + 0.3*c2 + 0.1*d\ndc2/dt = 0.5*c1 - 0.3*c2" + effect + "\n",
+      "test");
+  return unseen_changes(model, records_of(model), {false, true}, free_coefficients(nominal), {},
+                        numbers);
+}
+
+TEST(UnseenChanges, AnEffectOfAPowerKeepsTheScaleUnseen) {
+  // With c2 = s y the term a c2^2 is a s y^2: its coefficient makes up for the scale.
+  EXPECT_EQ(unseen_with(" - 0.2*c2^2", {{{1, parse_expression("c2^2")}}}).coefficients.cols(),
+            1);
+}
+
+TEST(UnseenChanges, AnEdgeShowsTheScaleWhereItIsKnown) {
+  const NumberChange coefficient{{1, parse_expression("max(c2-1.5,0)")}};
+  const NumberChange edge{{1, parse_expression("-step(c2-1.5)")}};
+  EXPECT_EQ(unseen_with(" - 0.2*max(c2-1.5,0)", {coefficient}).coefficients.cols(), 0);
+  EXPECT_EQ(unseen_with(" - 0.2*max(c2-1.5,0)", {coefficient, edge}).coefficients.cols(), 1);
+}
+
+TEST(UnseenChanges, AnEffectShowsWhatMixesStates) {
+  // Of two hidden states behind each other the first may have a share of the second one, unless
+  // one of them acts by its square.
+  const std::string linear = "input u\ndx/dt = a - x\nda/dt = -2*a + b + u\ndb/dt = x - b";
+  const std::vector<bool> hidden{false, true, true};
+  const OdeModel nominal = parse_ode(linear + "\n", "test");
+  const OdeModel square = parse_ode(
+      "input u\ndx/dt = a - x\nda/dt = -2*a + b + u - 0.1*a^2\ndb/dt = x - b\n", "test");
+  const auto free = free_coefficients(nominal);
+  const Index without =
+      unseen_changes(nominal, records_of(nominal), hidden, free, {}).coefficients.cols();
+  const Index with = unseen_changes(square, records_of(square), hidden, free, {},
+                                    {{{1, parse_expression("a^2")}}})
+                         .coefficients.cols();
+  EXPECT_LT(with, without);
+}
+
 TEST(UnseenChanges, AFixedOrKnownCoefficientGivesTheScale) {
   EXPECT_EQ(unseen_of(kCompartments, {false, true}, {{{0, 1}, 0.3, 0.01}}).coefficients.cols(),
             0);
