@@ -227,9 +227,9 @@ class JointFit {
     if (std::any_of(effects.begin(), effects.end(), is_delayed)) return;
     std::vector<bool> hidden = options.hidden;
     hidden.resize(static_cast<std::size_t>(problem.model.dimension()), true);
-    UnseenChanges unseen =
-        unseen_changes(problem.model, problem.data, hidden, task_.options.free, options.priors,
-                       numbers_of(effects, task_.nominal.dimension()));
+    UnseenChanges unseen = unseen_changes(
+        problem.model, problem.data, hidden,
+        {task_.options.free, options.priors, numbers_of(effects, task_.nominal.dimension())});
     options.unseen = std::move(unseen.coefficients);
     options.units = std::move(unseen.units);
   }

@@ -110,8 +110,7 @@ std::vector<Hint> identifiability_hints(const Problem& problem, const Baseline& 
   for (const Direction& direction : sparse_directions(fit.held, fit.units))
     hints.push_back(hint_of(nominal, fit.free, direction));
   const std::vector<bool> unseen =
-      unseen_changes(nominal, base.records->data, hidden, base.fit_options.free,
-                     base.fit_options.priors)
+      unseen_changes(nominal, base.records->data, hidden, {base.fit_options.free})
           .unseen_states;
   for (std::size_t k = 0; k < unseen.size(); ++k)
     if (unseen[k])

@@ -218,27 +218,18 @@ std::vector<NumberChange> changes_of(const OdeModel& model,
 }
 
 UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
-                             const std::vector<bool>& hidden,
-                             const std::vector<CoefficientPlace>& free,
-                             const std::vector<CoefficientPrior>& known) {
-  return unseen_changes(model, data, hidden, free, known, {});
-}
-
-UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
-                             const std::vector<bool>& hidden,
-                             const std::vector<CoefficientPlace>& free,
-                             const std::vector<CoefficientPrior>& known,
-                             const std::vector<NumberChange>& others) {
+                             const std::vector<bool>& hidden, const EstimatedNumbers& numbers) {
+  const auto& [free, known, others] = numbers;
   const auto count = static_cast<Index>(free.size());
   UnseenChanges result{Matrix(count, 0), {}, unseen_states(model, hidden)};
-  const std::vector<Index> numbers = numbers_of(hidden);
-  if (numbers.empty() || !model.compile().delays().empty()) return result;
+  const std::vector<Index> states = numbers_of(hidden);
+  if (states.empty() || !model.compile().delays().empty()) return result;
   const std::vector<std::size_t> unknown = unknown_among(free, known);
   std::vector<CoefficientPlace> places;
   for (const std::size_t j : unknown) places.push_back(free[j]);
   std::vector<NumberChange> changes = changes_of(model, places);
   changes.insert(changes.end(), others.begin(), others.end());
-  System system = system_of(model, numbers, changes, points_of(data, model.dimension()));
+  System system = system_of(model, states, changes, points_of(data, model.dimension()));
   if (!system.columns.allFinite()) return result;
   const Vector scale = balance(system, model.dimension());
   const Matrix null = null_space(system.columns);

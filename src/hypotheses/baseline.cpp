@@ -123,7 +123,7 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
     fit_options.held_among = fit_options.free.size();
     UnseenChanges unseen =
         unseen_changes(nominal, with_paths_of(data, fit_options.hidden, paths_of(given)),
-                       fit_options.hidden, fit_options.free, fit_options.priors);
+                       fit_options.hidden, {fit_options.free, fit_options.priors, {}});
     fit_options.unseen = std::move(unseen.coefficients);
     fit_options.units = std::move(unseen.units);
   }

@@ -21,6 +21,14 @@ using NumberChange = std::vector<RateChange>;
 std::vector<NumberChange> changes_of(const OdeModel& model,
                                      const std::vector<CoefficientPlace>& places);
 
+/// What is estimated of a model.
+struct EstimatedNumbers {
+  std::vector<CoefficientPlace> free = {};
+  /// What is known beforehand of some of these: they are not changed.
+  std::vector<CoefficientPrior> known = {};
+  std::vector<NumberChange> others = {};  ///< beside the free coefficients
+};
+
 /// Changes of a model that other hidden states make up for.
 struct UnseenChanges {
   /// p x h, orthonormal: relative changes of the free coefficients.
@@ -42,22 +50,10 @@ struct UnseenChanges {
 /// this linear system in (v, a). A scale of a hidden state is one: in dx1/dt = -a x1 + b x2,
 /// dx2/dt = c x1 - d x2 with x1 measured only a, d and b c are seen. Source: Chappell and
 /// Godfrey, Math. Biosci. 108 (1992), similarity transformations, for affine ones.
-/// @param free coefficients that are estimated. @param known of which something is known
-///   beforehand: these are not changed.
+/// What else is estimated makes up for changes too: effects with coefficients and shapes of
+/// their own leave some unseen (an edge is scaled with its state) and show others.
 /// @param data records with paths of the hidden states. None for models with delays.
 UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
-                             const std::vector<bool>& hidden,
-                             const std::vector<CoefficientPlace>& free,
-                             const std::vector<CoefficientPrior>& known);
-
-/// The same where other numbers of the model are estimated besides: what they make up for is
-/// unseen too. Effects with coefficients and shapes of their own leave some of the changes
-/// unseen (an edge that is scaled with its state) and show others.
-/// @param others numbers of the model beside the free coefficients.
-UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
-                             const std::vector<bool>& hidden,
-                             const std::vector<CoefficientPlace>& free,
-                             const std::vector<CoefficientPrior>& known,
-                             const std::vector<NumberChange>& others);
+                             const std::vector<bool>& hidden, const EstimatedNumbers& numbers);
 
 }  // namespace lacuna

@@ -30,7 +30,8 @@ Dataset records_of(const OdeModel& model) {
 UnseenChanges unseen_of(const std::string& text, const std::vector<bool>& hidden,
                         const std::vector<CoefficientPrior>& known = {}) {
   const OdeModel model = parse_ode(text, "test");
-  return unseen_changes(model, records_of(model), hidden, free_coefficients(model), known);
+  return unseen_changes(model, records_of(model), hidden,
+                        {free_coefficients(model), known, {}});
 }
 
 const std::string kCompartments =
@@ -60,8 +61,8 @@ UnseenChanges unseen_with(const std::string& effect, const std::vector<NumberCha
   const OdeModel model = parse_ode(
       "input d\ndc1/dt = -0.7*c1 + 0.3*c2 + 0.1*d\ndc2/dt = 0.5*c1 - 0.3*c2" + effect + "\n",
       "test");
-  return unseen_changes(model, records_of(model), {false, true}, free_coefficients(nominal), {},
-                        numbers);
+  return unseen_changes(model, records_of(model), {false, true},
+                        {free_coefficients(nominal), {}, numbers});
 }
 
 TEST(UnseenChanges, AnEffectOfAPowerKeepsTheScaleUnseen) {
@@ -87,9 +88,9 @@ TEST(UnseenChanges, AnEffectShowsWhatMixesStates) {
       "input u\ndx/dt = a - x\nda/dt = -2*a + b + u - 0.1*a^2\ndb/dt = x - b\n", "test");
   const auto free = free_coefficients(nominal);
   const Index without =
-      unseen_changes(nominal, records_of(nominal), hidden, free, {}).coefficients.cols();
-  const Index with = unseen_changes(square, records_of(square), hidden, free, {},
-                                    {{{1, parse_expression("a^2")}}})
+      unseen_changes(nominal, records_of(nominal), hidden, {free}).coefficients.cols();
+  const Index with = unseen_changes(square, records_of(square), hidden,
+                                    {free, {}, {{{1, parse_expression("a^2")}}}})
                          .coefficients.cols();
   EXPECT_LT(with, without);
 }
