@@ -8,18 +8,23 @@ namespace lacuna {
 namespace {
 
 // Bouc-Wen loop of a spring: the restoring force r follows the position q until it yields,
-// dr/dt = v - (share |v| r + (1 - share) v |r|) / yield. v is the rate of q.
+// dr/dt = v - (|v| r + skew v |r|) / yield. v is the rate of q. While it is loaded it bends by
+// 1 + skew, while it is unloaded by 1 - skew: at -1 it is straight under load, below that it
+// stiffens; at 1 it is straight when it lets go.
+constexpr double kStiffest = -2.0;
+
 Candidate bouc_wen(const Scope& scope, Index position, const Expression& v) {
   const VariableRange& q = scope.state(position);
   Candidate candidate = plain_candidate(formula(scope, "loop"), own_state(scope, position));
-  candidate.memory = {
-      {"loop", formula(scope, "v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield", {{"v", v}}),
-       Expression::number(0.0)}};
+  candidate.memory = {{"loop",
+                       formula(scope, "v-(abs(v)*loop+skew*v*abs(loop))/yield", {{"v", v}}),
+                       Expression::number(0.0)}};
   const double reach = 0.5 * (q.high - q.low);
   candidate.shapes = {{"yield", q.unit, 0.01 * reach, 2.0 * reach, true},
-                      {"share", "", 0.5, 1.0, false}};
+                      {"skew", "", kStiffest, 1.0, false}};
   for (const double yield : {0.05 * reach, 0.2 * reach, 0.7 * reach})
-    candidate.starts.push_back(Vector{{yield, 0.7}});
+    candidate.starts.push_back(Vector{{yield, 0.4}});
+  candidate.starts.push_back(Vector{{0.7 * reach, -1.0}});
   return candidate;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/candidates/explanation.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,8 @@
 #include <utility>
 
 #include "lacuna/candidates/candidate_column.hpp"
+#include "lacuna/estimation/unseen_changes.hpp"
+#include "shape_step.hpp"
 
 namespace lacuna {
 namespace {
@@ -117,6 +118,44 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
   return true;
 }
 
+/// How rates change with the numbers of effects: coefficients of forms and their shapes.
+/// @param next number of the first memory state.
+std::vector<NumberChange> numbers_of(const std::vector<FittedEffect>& effects, Index next) {
+  std::vector<NumberChange> numbers;
+  for (const FittedEffect& effect : effects) {
+    const Candidate& candidate = effect.candidate;
+    const auto bound = [&](const Expression& formula) {
+      return bind_formula(candidate, formula, as_span(effect.shapes));
+    };
+    const bool in_equation = candidate.place == Place::Rate;
+    if (in_equation) numbers.push_back({{candidate.equation, bound(candidate.form)}});
+    for (const ShapeParameter& shape : candidate.shapes) {
+      NumberChange number;
+      if (in_equation)
+        number.push_back(
+            {candidate.equation, bound(differentiate(candidate.form, shape.name))});
+      for (std::size_t j = 0; j < candidate.memory.size(); ++j)
+        number.push_back({next + static_cast<Index>(j),
+                          bound(differentiate(candidate.memory[j].rate, shape.name))});
+      numbers.push_back(std::move(number));
+    }
+    next += static_cast<Index>(candidate.memory.size());
+  }
+  return numbers;
+}
+
+/// Standard errors of the coefficients of effects, as the covariance of the fit has them.
+void read_deviations(const JointFitTask& task, Explanation& result) {
+  auto place = static_cast<Index>(task.options.free.size());
+  auto channel = static_cast<Index>(result.fit.free.size());
+  for (FittedEffect& effect : result.effects) {
+    if (effect.candidate.is_driven()) continue;
+    const Index row = effect.candidate.place == Place::Rate ? place++ : channel++;
+    if (row < result.fit.covariance.rows())
+      effect.deviation = std::sqrt(std::max(0.0, result.fit.covariance(row, row)));
+  }
+}
+
 /// Fits with the shapes as they are.
 class JointFit {
  public:
@@ -132,7 +171,10 @@ class JointFit {
     if (!bridge(from, nominal, effects, problem)) return unknown(from, effects);
     AssimilationOptions options = given;
     options.free = problem.free;
-    if (options.held_among > 0) options.held_among = given.free.size();
+    if (options.held_among > 0) {
+      options.held_among = given.free.size();
+      see_changes(effects, problem, options);
+    }
     options.passes = passes;
     Assimilation start = widened(nominal_start(from, m), problem);
     set_drives(effects, m, start.noise.disturbance);
@@ -175,6 +217,23 @@ class JointFit {
     return next;
   }
 
+  /// What no record tells of the model with effects: they show changes that nothing shows
+  /// without them, and their own numbers make up for others.
+  void see_changes(const std::vector<FittedEffect>& effects, const AugmentedProblem& problem,
+                   AssimilationOptions& options) const {
+    const auto is_delayed = [](const FittedEffect& effect) {
+      return contains(effect.candidate.form, Operation::Delay);
+    };
+    if (std::any_of(effects.begin(), effects.end(), is_delayed)) return;
+    std::vector<bool> hidden = options.hidden;
+    hidden.resize(static_cast<std::size_t>(problem.model.dimension()), true);
+    UnseenChanges unseen = unseen_changes(
+        problem.model, problem.data, hidden,
+        {task_.options.free, options.priors, numbers_of(effects, task_.nominal.dimension())});
+    options.unseen = std::move(unseen.coefficients);
+    options.units = std::move(unseen.units);
+  }
+
   /// Noise that moves the free inputs, to begin with such that they take over from the
   /// disturbance of their equation.
   static void set_drives(const std::vector<FittedEffect>& effects, Index next,
@@ -214,25 +273,20 @@ class JointFit {
 
   void read_coefficients(Explanation& result) const {
     const Assimilation& fit = result.fit;
-    auto place = static_cast<Index>(task_.options.free.size());
-    auto channel = static_cast<Index>(fit.free.size());
-    std::size_t term = 0;
+    std::size_t place = task_.options.free.size(), channel = 0;
     for (FittedEffect& effect : result.effects) {
       if (effect.candidate.is_driven()) continue;
-      const bool in_equation = effect.candidate.place == Place::Rate;
-      const Index row = in_equation ? place++ : channel++;
-      if (in_equation) {
-        const CoefficientPlace& where = fit.free[static_cast<std::size_t>(row)];
-        effect.coefficient = fit.model
-                                 .equations()[static_cast<std::size_t>(where.equation)]
-                                             [static_cast<std::size_t>(where.term)]
-                                 .coefficient;
-      } else {
-        effect.coefficient = fit.channel_terms[term++].coefficient;
+      if (effect.candidate.place == Place::Channel) {
+        effect.coefficient = fit.channel_terms[channel++].coefficient;
+        continue;
       }
-      if (row < fit.covariance.rows())
-        effect.deviation = std::sqrt(std::max(0.0, fit.covariance(row, row)));
+      const CoefficientPlace& where = fit.free[place++];
+      effect.coefficient = fit.model
+                               .equations()[static_cast<std::size_t>(where.equation)]
+                                           [static_cast<std::size_t>(where.term)]
+                               .coefficient;
     }
+    read_deviations(task_, result);
   }
 
   /// One Gauss-Newton step of all shapes; false when there are none or it promises nothing.
@@ -242,72 +296,8 @@ class JointFit {
   const JointFitTask& task_;
 };
 
-/// d(column)/d(shape) times the coefficient, by central differences inside the range.
-std::optional<Vector> shape_column(const FittedEffect& effect, Index shape,
-                                   const Assimilation& fit, const InnovationSystem& system) {
-  const ShapeParameter& range = effect.candidate.shapes[static_cast<std::size_t>(shape)];
-  const double value = effect.shapes[shape];
-  const double reach =
-      1e-3 * (range.logarithmic ? std::abs(value) : std::abs(range.high - range.low));
-  Vector low = effect.shapes, high = effect.shapes;
-  low[shape] = std::max(range.low, value - reach);
-  high[shape] = std::min(range.high, value + reach);
-  if (!(high[shape] > low[shape])) return std::nullopt;
-  const auto size = static_cast<std::size_t>(low.size());
-  const auto below = candidate_column(effect.candidate, {low.data(), size}, fit, system);
-  const auto above = candidate_column(effect.candidate, {high.data(), size}, fit, system);
-  if (!below || !above) return std::nullopt;
-  return Vector(effect.coefficient / (high[shape] - low[shape]) * (*above - *below));
-}
-
-/// The joint least-squares problem of everything that is fitted; the shapes are its last
-/// columns.
-struct ShapeSystem {
-  std::vector<std::pair<std::size_t, Index>> places;  ///< effect and shape
-  Vector step, deviation;                             ///< one entry each
-  double promised = 0.0;                              ///< drop of the deviance by the step
-};
-
-ShapeSystem solve_shapes(const Matrix& fitted, const std::vector<Vector>& shapes,
-                         const Vector& innovations) {
-  const auto count = static_cast<Index>(shapes.size());
-  Matrix columns(fitted.rows(), fitted.cols() + count);
-  columns.leftCols(fitted.cols()) = fitted;
-  for (Index j = 0; j < count; ++j)
-    columns.col(fitted.cols() + j) = shapes[static_cast<std::size_t>(j)];
-  const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
-  columns = columns * scale.asDiagonal();
-  const Eigen::LDLT<Matrix> factor(Matrix(columns.transpose() * columns));
-  const Vector inner = columns.transpose() * innovations;
-  const Vector step = factor.solve(inner);
-  const Vector variance =
-      factor.solve(Matrix::Identity(columns.cols(), columns.cols())).diagonal();
-  return {{},
-          scale.cwiseProduct(step).tail(count),
-          scale.cwiseProduct(variance.cwiseMax(0.0).cwiseSqrt()).tail(count),
-          inner.dot(step)};
-}
-
-ShapeSystem shape_system(const Explanation& at) {
-  const InnovationSystem system(at.fit);
-  std::vector<Vector> columns;
-  std::vector<std::pair<std::size_t, Index>> places;
-  for (std::size_t e = 0; e < at.effects.size(); ++e) {
-    if (at.effects[e].candidate.is_driven()) continue;
-    for (Index s = 0; s < at.effects[e].shapes.size(); ++s)
-      if (auto column = shape_column(at.effects[e], s, at.fit, system)) {
-        columns.push_back(std::move(*column));
-        places.emplace_back(e, s);
-      }
-  }
-  if (columns.empty()) return {};
-  ShapeSystem result = solve_shapes(system.fitted_columns(), columns, system.innovations());
-  result.places = std::move(places);
-  return result;
-}
-
 bool JointFit::move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const {
-  const ShapeSystem found = shape_system(at);
+  const ShapeStep found = shape_step(at, task_.options);
   if (found.places.empty() || !found.step.allFinite()) return false;
   for (std::vector<FittedEffect>* all : {&at.effects, &effects})
     for (FittedEffect& effect : *all)
@@ -338,6 +328,20 @@ Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
   constexpr int kFew = 3;
   constexpr int kFewWithHidden = 8;  // a step may lead far from what it promises
   return JointFit(task).at(start, effects, task.options.hidden.empty() ? kFew : kFewWithHidden);
+}
+
+Explanation with_joint_errors(const JointFitTask& task, Explanation explanation) {
+  ShapeStep found = shape_step(explanation, task.options);
+  if (found.places.empty() || !found.covariance.allFinite()) return explanation;
+  explanation.fit.covariance = std::move(found.covariance);
+  read_deviations(task, explanation);
+  for (std::size_t j = 0; j < found.places.size(); ++j) {
+    FittedEffect& effect = explanation.effects[found.places[j].first];
+    if (effect.shape_deviations.size() == 0)
+      effect.shape_deviations = Vector::Zero(effect.shapes.size());
+    effect.shape_deviations[found.places[j].second] = found.deviation[static_cast<Index>(j)];
+  }
+  return explanation;
 }
 
 Explanation explain(const JointFitTask& task, const Assimilation& start,

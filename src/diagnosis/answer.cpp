@@ -100,13 +100,15 @@ void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis&
 Hearing hear_other_records(const Problem& problem, const Account& account,
                            const std::optional<Gap>& gap) {
   const std::vector<FittedEffect>& effects = account.explanation.effects;
-  if (!gap || account.named.empty() || std::any_of(effects.begin(), effects.end(), may_differ))
+  if (account.named.empty() || std::any_of(effects.begin(), effects.end(), may_differ))
     return {};
   const std::string names = "with " + list_of_names(account, problem.nominal) +
                             " the model fits the records that were used better and the others ";
   // With a coefficient in each of two equations a form follows hidden states far.
-  if (account.hypothesis == kSharedProcess.name && stays_open(*gap, problem.options.decision))
+  if (account.hypothesis == kSharedProcess.name &&
+      (!gap || stays_open(*gap, problem.options.decision)))
     return {true, false, names + "not to their noise; a form in two equations gets no name so"};
+  if (!gap) return {};
   switch (
       holdout_verdict({gap->before, gap->after, gap->noise_floor}, problem.options.decision)) {
     case HoldoutVerdict::Refuted:
@@ -159,7 +161,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   if (fit.held.cols() > 0 && !result.effects.empty())
     result.notes.push_back(
         "where the records tell coefficients only together, sizes of effects hold for the "
-        "proportion that the model gives");
+        "coefficients that are kept");
   if (!result.remaining.structure) add_jitter_note(problem, fit, result);
   return result;
 }

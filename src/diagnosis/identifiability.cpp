@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/estimation/hidden_states.hpp"
@@ -15,27 +17,45 @@ namespace {
 /// not depend on it.
 constexpr double kPart = 0.05;
 
-/// The same space by columns with as many zeros as elimination makes: each tells of few
-/// coefficients.
-Matrix sparse_columns(Matrix columns) {
-  std::vector<Index> taken;
-  for (Index c = 0; c < columns.cols(); ++c) {
-    Index pivot = 0;
-    double largest = 0.0;
-    for (Index j = 0; j < columns.rows(); ++j)
-      if (std::abs(columns(j, c)) > largest &&
-          std::find(taken.begin(), taken.end(), j) == taken.end()) {
-        pivot = j;
-        largest = std::abs(columns(j, c));
-      }
-    if (!(largest > 1e-6)) continue;
-    taken.push_back(pivot);
+/// A direction of coefficients that the records do not tell, and the one that is kept for it;
+/// none: all of them keep their proportion.
+struct Direction {
+  Vector parts;
+  std::optional<Index> unit;
+};
+
+/// The same space by directions with as many zeros as elimination makes, so that each tells of
+/// few coefficients; first those of the units, in which no other unit has a part.
+std::vector<Direction> sparse_directions(Matrix columns, const std::vector<Index>& units) {
+  constexpr double kNothing = 1e-6;
+  std::vector<Direction> result;
+  std::vector<bool> done(static_cast<std::size_t>(columns.cols()), false);
+  const auto eliminate = [&](Index pivot, Index c) {
     columns.col(c) /= columns(pivot, c);
     for (Index other = 0; other < columns.cols(); ++other)
       if (other != c) columns.col(other) -= (columns(pivot, other) * columns.col(c)).eval();
+    done[static_cast<std::size_t>(c)] = true;
+  };
+  std::vector<std::pair<Index, std::optional<Index>>> order;
+  for (const Index unit : units) {
+    Index c = -1;
+    for (Index other = 0; other < columns.cols(); ++other)
+      if (!done[static_cast<std::size_t>(other)] &&
+          (c < 0 || std::abs(columns(unit, other)) > std::abs(columns(unit, c))))
+        c = other;
+    if (c < 0 || !(std::abs(columns(unit, c)) > kNothing)) continue;
+    eliminate(unit, c);
+    order.emplace_back(c, unit);
   }
-  columns.colwise().normalize();
-  return columns;
+  for (Index c = 0; c < columns.cols(); ++c) {
+    if (done[static_cast<std::size_t>(c)]) continue;
+    Index pivot = 0;
+    if (!(columns.col(c).cwiseAbs().maxCoeff(&pivot) > kNothing)) continue;
+    eliminate(pivot, c);
+    order.emplace_back(c, std::nullopt);
+  }
+  for (const auto& [c, unit] : order) result.push_back({columns.col(c).normalized(), unit});
+  return result;
 }
 
 std::string name_of(const OdeModel& model, const CoefficientPlace& place) {
@@ -54,21 +74,24 @@ std::string combination(const std::vector<double>& parts) {
 }
 
 Hint hint_of(const OdeModel& model, const std::vector<CoefficientPlace>& free,
-             const Vector& direction) {
+             const Direction& direction) {
   std::vector<std::string> names;
   std::vector<double> parts;
-  for (Index j = 0; j < direction.size(); ++j) {
-    if (std::abs(direction[j]) < kPart) continue;
+  for (Index j = 0; j < direction.parts.size(); ++j) {
+    if (std::abs(direction.parts[j]) < kPart) continue;
     names.push_back(name_of(model, free[static_cast<std::size_t>(j)]));
-    parts.push_back(direction[j]);
+    parts.push_back(direction.parts[j]);
   }
-  const bool single = names.size() == 1;
+  const std::string kept =
+      direction.unit ? name_of(model, free[static_cast<std::size_t>(*direction.unit)]) +
+                           " is kept as the model gives it"
+                     : "they keep the proportion that the model gives";
   return {
       HintKind::NotIdentifiable,
-      single ? "the records do not tell the coefficient of " + names.front() +
-                   ": it is kept as the model gives it"
-             : "the records tell the coefficients of " + join(names, ", ") + " " +
-                   combination(parts) + ": they keep the proportion that the model gives",
+      names.size() == 1 ? "the records do not tell the coefficient of " + names.front() +
+                              ": it is kept as the model gives it"
+                        : "the records tell the coefficients of " + join(names, ", ") + " " +
+                              combination(parts) + ": " + kept,
       "fix one of them (\"fixed\": true, or --tolerance), or measure a state that is hidden"};
 }
 
@@ -84,12 +107,10 @@ std::vector<Hint> identifiability_hints(const Problem& problem, const Baseline& 
   std::vector<Hint> hints;
   if (hidden.empty()) return hints;
   const OdeModel& nominal = problem.nominal;
-  const Matrix held = sparse_columns(fit.held);
-  for (Index c = 0; c < held.cols(); ++c)
-    hints.push_back(hint_of(nominal, fit.free, held.col(c)));
+  for (const Direction& direction : sparse_directions(fit.held, fit.units))
+    hints.push_back(hint_of(nominal, fit.free, direction));
   const std::vector<bool> unseen =
-      unseen_changes(nominal, base.records->data, hidden, base.fit_options.free,
-                     base.fit_options.priors)
+      unseen_changes(nominal, base.records->data, hidden, {base.fit_options.free})
           .unseen_states;
   for (std::size_t k = 0; k < unseen.size(); ++k)
     if (unseen[k])

@@ -87,8 +87,14 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
 
 /// The account with names only where they explain most, and coefficients that hold.
 Account with_claims(const Problem& problem, Account account, std::vector<Rival>& trail) {
-  if (!leaves_structure(account, problem.options.decision)) return account;
+  const auto with_errors = [&](Account one) {
+    one.explanation = with_joint_errors(problem, *one.base, std::move(one.explanation));
+    update_numbers(one.explanation, one.named);
+    return one;
+  };
   if (account.named.empty()) return account;
+  if (!leaves_structure(account, problem.options.decision))
+    return with_errors(std::move(account));
   if (!closes_most(account, problem)) {
     trail.push_back({account.hypothesis,
                      says(account, problem.nominal),
@@ -99,11 +105,10 @@ Account with_claims(const Problem& problem, Account account, std::vector<Rival>&
                      problem.options.decision.major});
     return without_names(problem, account);
   }
-  if (account.refitted) {
-    account.explanation = std::move(*account.refitted);
-    account.refitted.reset();
-    update_numbers(account.explanation, account.named);
-  }
+  if (!account.refitted) return with_errors(std::move(account));
+  account.explanation = std::move(*account.refitted);
+  account.refitted.reset();
+  update_numbers(account.explanation, account.named);
   return account;
 }
 

@@ -191,15 +191,6 @@ class Turns {
     return paths;
   }
 
-  /// Sizes of the unknowns where directions may be undetermined: of the nominal coefficients.
-  Vector sizes() const {
-    Vector size = Vector::Zero(static_cast<Index>(state_.free.size()) +
-                               static_cast<Index>(state_.channel_terms.size()));
-    for (std::size_t j = 0; j < options_.held_among && j < state_.free.size(); ++j)
-      size[static_cast<Index>(j)] = coefficient_at(state_.model, state_.free[j]);
-    return size;
-  }
-
   void update_coefficients() {
     const InnovationSystem system(state_);
     state_.deviance = system.deviance();
@@ -208,7 +199,7 @@ class Turns {
     if (columns.cols() == 0) return;
     Matrix normal = columns.transpose() * columns;
     Vector right = columns.transpose() * system.innovations();
-    add_priors(normal, right);
+    add_priors(state_, options_.priors, normal, right);
     const Vector change = solved(normal, right);
     if (!change.allFinite()) return;
     state_.deviance -= change.dot(right);
@@ -222,11 +213,15 @@ class Turns {
 
   /// The step of least squares; leaves the covariance behind.
   Vector solved(const Matrix& normal, const Vector& right) {
-    constexpr double kTold = 3.0;  // of a coefficient: what its deviation is less than
     if (options_.held_among > 0) {
-      DeterminedStep step = determined_step(normal, right, sizes(), kTold, options_.unseen);
+      DeterminedStep step =
+          determined_step(normal, right, sizes_of(state_, options_.held_among), options_.units);
       state_.covariance = std::move(step.covariance);
-      state_.held = std::move(step.held);
+      state_.held = Matrix::Zero(right.size(), options_.unseen.cols() + step.held.cols());
+      state_.held.topLeftCorner(options_.unseen.rows(), options_.unseen.cols()) =
+          options_.unseen;
+      state_.held.rightCols(step.held.cols()) = step.held;
+      state_.units = options_.units;
       return std::move(step.change);
     }
     const Vector scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -264,17 +259,6 @@ class Turns {
       const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * equation, m, 3);
       record.defect.col(i) += w.lazyProduct(rate.segment<3>(record.grid.begin(i)));
     }
-  }
-
-  void add_priors(Matrix& normal, Vector& right) const {
-    for (const CoefficientPrior& prior : options_.priors)
-      for (std::size_t j = 0; j < state_.free.size(); ++j) {
-        if (!(state_.free[j] == prior.place)) continue;
-        const double now = coefficient_at(state_.model, prior.place);
-        const double weight = 1.0 / (prior.deviation * prior.deviation);
-        normal(static_cast<Index>(j), static_cast<Index>(j)) += weight;
-        right[static_cast<Index>(j)] += weight * (prior.mean - now);
-      }
   }
 
   const Dataset& data_;
@@ -343,6 +327,25 @@ std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {
       if (!equation[j].fixed) places.push_back({k, static_cast<Index>(j)});
   }
   return places;
+}
+
+Vector sizes_of(const Assimilation& fit, std::size_t count) {
+  Vector size = Vector::Zero(static_cast<Index>(fit.free.size() + fit.channel_terms.size()));
+  for (std::size_t j = 0; j < count && j < fit.free.size(); ++j)
+    size[static_cast<Index>(j)] = coefficient_at(fit.model, fit.free[j]);
+  return size;
+}
+
+void add_priors(const Assimilation& fit, const std::vector<CoefficientPrior>& priors,
+                Matrix& normal, Vector& right) {
+  for (const CoefficientPrior& prior : priors)
+    for (std::size_t j = 0; j < fit.free.size(); ++j) {
+      if (!(fit.free[j] == prior.place)) continue;
+      const auto row = static_cast<Index>(j);
+      const double weight = 1.0 / (prior.deviation * prior.deviation);
+      normal(row, row) += weight;
+      right[row] += weight * (prior.mean - coefficient_at(fit.model, prior.place));
+    }
 }
 
 Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "lacuna/core/types.hpp"
 
 namespace lacuna {
@@ -13,13 +15,12 @@ struct DeterminedStep {
 };
 
 /// Solves normal x change = right. Where some of the p unknowns have a size (not 0), directions
-/// in them of which the equations tell less than `told` times that size - whatever the other
-/// unknowns do - are held: eigenvectors of the Schur complement, scaled by the sizes, with
-/// eigenvalues below 1 / told^2.
+/// in them of which the equations tell less than their size by three standard deviations -
+/// whatever the other unknowns do - are held: eigenvectors of the Schur complement, scaled by
+/// the sizes, with eigenvalues below 1/9.
 /// @param size p entries: of each unknown with its sign, 0 where it is free to be anything.
-/// @param unseen orthonormal columns, of relative changes of the first unknowns: directions
-///   that are held in any case; or 0 x 0.
+/// @param kept unknowns that do not move.
 DeterminedStep determined_step(const Matrix& normal, const Vector& right, const Vector& size,
-                               double told, const Matrix& unseen = {});
+                               const std::vector<Index>& kept = {});
 
 }  // namespace lacuna

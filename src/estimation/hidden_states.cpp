@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/data/marks.hpp"
 #include "lacuna/flow/linearised_record.hpp"
 #include "lacuna/flow/record_steps.hpp"
@@ -116,15 +117,19 @@ Assimilation assimilate_from_starts(const OdeModel& model, const Dataset& data,
   if (options.hidden.empty()) return assimilate(model, data, omitted, options, context);
   const Vector given = given_begin(model);
   const Dataset first = with_hidden_paths(model, data, options.hidden, given);
-  std::optional<Assimilation> best;
-  for (const Vector& begin : hidden_begins(first, options.hidden, given)) {
-    const Dataset start = with_hidden_paths(model, first, options.hidden, begin);
-    Assimilation fit = assimilate(model, start, omitted, options, context);
-    if (!best || !std::isfinite(best->deviance) ||
-        fit.deviance < best->deviance - kUnnoticedDeviance)
-      best = std::move(fit);
-  }
-  return std::move(*best);
+  const std::vector<Vector> begins = hidden_begins(first, options.hidden, given);
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  std::vector<std::optional<Assimilation>> fits(begins.size());
+  parallel_for(begins.size(), context.threads, [&](std::size_t i) {
+    fits[i] = assimilate(model, with_hidden_paths(model, first, options.hidden, begins[i]),
+                         omitted, options, quiet);
+  });
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < fits.size(); ++i)
+    if (!std::isfinite(fits[best]->deviance) ||
+        fits[i]->deviance < fits[best]->deviance - kUnnoticedDeviance)
+      best = i;
+  return std::move(*fits[best]);
 }
 
 }  // namespace lacuna

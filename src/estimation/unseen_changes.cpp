@@ -31,10 +31,10 @@ Matrix points_of(const Dataset& data, Index states) {
   return points;
 }
 
-/// The linear system: columns of changes of coefficients, then of (hidden state, function).
+/// The linear system: columns of changes of numbers, then of (hidden state, function).
 struct System {
   Matrix columns;  ///< (points m) x (p + hidden (1 + m))
-  Index coefficients = 0;
+  Index numbers = 0;
 };
 
 std::vector<Index> numbers_of(const std::vector<bool>& hidden) {
@@ -44,32 +44,35 @@ std::vector<Index> numbers_of(const std::vector<bool>& hidden) {
   return numbers;
 }
 
-/// Terms of the free coefficients at points, times the coefficients.
-Matrix weighted_terms(const OdeModel& model, const std::vector<CoefficientPlace>& free,
-                      const Matrix& points) {
-  std::vector<Expression> terms;
-  Vector weight(static_cast<Index>(free.size()));
-  for (std::size_t j = 0; j < free.size(); ++j) {
-    const WeightedTerm& summand = model.equations()[static_cast<std::size_t>(free[j].equation)]
-                                                   [static_cast<std::size_t>(free[j].term)];
-    terms.push_back(summand.term.expression());
-    weight[static_cast<Index>(j)] = summand.coefficient;
-  }
-  Matrix values(points.rows(), weight.size());
-  if (terms.empty()) return values;
-  const Program program(terms, model.variables());
+/// What changes of the numbers do to the rates at points: one block of rows for each point.
+/// @return (points m) x numbers.
+Matrix changed_rates(const OdeModel& model, const std::vector<NumberChange>& numbers,
+                     const Matrix& points) {
+  const Index n = points.rows(), m = model.dimension();
+  Matrix result = Matrix::Zero(n * m, static_cast<Index>(numbers.size()));
+  std::vector<Expression> rates;
+  for (const NumberChange& number : numbers)
+    for (const RateChange& change : number) rates.push_back(change.rate);
+  if (rates.empty()) return result;
+  Matrix values(n, static_cast<Index>(rates.size()));
+  const Program program(rates, model.variables());
   Program::Workspace workspace;
   program.evaluate(points, values, workspace);
-  return values * weight.asDiagonal();
+  Index next = 0;
+  for (std::size_t j = 0; j < numbers.size(); ++j)
+    for (const RateChange& change : numbers[j])
+      result.col(static_cast<Index>(j))(Eigen::seqN(change.equation, n, m)) +=
+          values.col(next++);
+  return result;
 }
 
 System system_of(const OdeModel& model, const std::vector<Index>& hidden,
-                 const std::vector<CoefficientPlace>& free, const Matrix& points) {
-  const Index m = model.dimension(), p = static_cast<Index>(free.size());
+                 const std::vector<NumberChange>& numbers, const Matrix& points) {
+  const Index m = model.dimension(), p = static_cast<Index>(numbers.size());
   const Index n = points.rows(), functions = 1 + m;
-  const Matrix terms = weighted_terms(model, free, points);
   CompiledModel compiled = model.compile();
   System system{Matrix::Zero(n * m, p + functions * static_cast<Index>(hidden.size())), p};
+  system.columns.leftCols(p) = changed_rates(model, numbers, points);
   Vector rate(m), u(points.cols() - m - 1);
   Matrix slope(m, m);
   for (Index i = 0; i < n; ++i) {
@@ -78,8 +81,6 @@ System system_of(const OdeModel& model, const std::vector<Index>& hidden,
     const double t = points(i, points.cols() - 1);
     compiled.evaluate(t, x.data(), u.data(), nullptr, rate.data());
     compiled.jacobian(t, x.data(), u.data(), nullptr, slope);
-    for (Index j = 0; j < p; ++j)
-      system.columns(i * m + free[static_cast<std::size_t>(j)].equation, j) = terms(i, j);
     Index column = p;
     for (const Index k : hidden)
       for (Index g = 0; g < functions; ++g, ++column) {
@@ -144,39 +145,97 @@ std::vector<bool> unseen_states(const OdeModel& model, const std::vector<bool>& 
   return unseen;
 }
 
-}  // namespace
+bool has_hidden(const Expression& term, const OdeModel& model,
+                const std::vector<bool>& hidden) {
+  const auto names = term.variables();
+  for (std::size_t k = 0; k < hidden.size(); ++k)
+    if (hidden[k] && names.contains(model.states()[k].name)) return true;
+  return false;
+}
 
-UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
-                             const std::vector<bool>& hidden,
-                             const std::vector<CoefficientPlace>& free,
-                             const std::vector<CoefficientPrior>& known) {
-  const Index m = model.dimension();
-  UnseenChanges result{Matrix(static_cast<Index>(free.size()), 0),
-                       unseen_states(model, hidden)};
-  const std::vector<Index> numbers = numbers_of(hidden);
-  if (numbers.empty() || !model.compile().delays().empty()) return result;
-  const std::vector<std::size_t> unknown = unknown_among(free, known);
-  std::vector<CoefficientPlace> places;
-  for (const std::size_t j : unknown) places.push_back(free[j]);
-  System system = system_of(model, numbers, places, points_of(data, m));
-  if (!system.columns.allFinite()) return result;
-  const Vector scale = balance(system, m);
-  const Matrix null = null_space(system.columns);
-  if (null.cols() == 0) return result;
-  const Index p = system.coefficients;
+/// Rows of `directions`, one for each column, by which all of them are told: those of
+/// coefficients by which a hidden state acts on one that is seen before others, then the
+/// largest.
+std::vector<Index> units_of(Matrix directions, const OdeModel& model,
+                            const std::vector<bool>& hidden,
+                            const std::vector<CoefficientPlace>& free) {
+  constexpr double kShare = 0.3;  // of the largest: enough to tell a direction by
+  std::vector<Index> units;
+  while (static_cast<Index>(units.size()) < directions.cols()) {
+    const Vector size = directions.rowwise().norm();
+    Index best = 0;
+    const double largest = size.maxCoeff(&best);
+    double most = 0.0;
+    for (Index j = 0; j < size.size(); ++j) {
+      const auto& [k, term] = free[static_cast<std::size_t>(j)];
+      const auto equation = static_cast<std::size_t>(k);
+      const bool acts =
+          !(equation < hidden.size() && hidden[equation]) &&
+          has_hidden(
+              model.equations()[equation][static_cast<std::size_t>(term)].term.expression(),
+              model, hidden);
+      if (!acts || size[j] < kShare * largest || size[j] <= most) continue;
+      best = j;
+      most = size[j];
+    }
+    units.push_back(best);
+    const Vector told = directions.row(best).normalized().transpose();
+    directions -= (directions * told * told.transpose()).eval();
+  }
+  return units;
+}
+
+/// The part of a null space that is about the free coefficients: orthonormal relative changes.
+Matrix changes_in(const Matrix& null, const Vector& scale,
+                  const std::vector<std::size_t>& unknown, Index free) {
+  const auto p = static_cast<Index>(unknown.size());
   const Eigen::JacobiSVD<Matrix> own(null.topRows(p),
                                      Eigen::ComputeThinU | Eigen::ComputeFullV);
   Index seen = 0;
   while (seen < own.singularValues().size() && own.singularValues()[seen] > kOwn) ++seen;
-  if (seen > 0) {
-    const Matrix relative = scale.head(p).asDiagonal() * own.matrixU().leftCols(seen);
-    const Eigen::HouseholderQR<Matrix> factor(relative);
-    const Matrix basis = factor.householderQ() * Matrix::Identity(p, seen);
-    result.coefficients = Matrix::Zero(static_cast<Index>(free.size()), seen);
-    for (Index j = 0; j < p; ++j)
-      result.coefficients.row(static_cast<Index>(unknown[static_cast<std::size_t>(j)])) =
-          basis.row(j);
+  Matrix result = Matrix::Zero(free, seen);
+  if (seen == 0) return result;
+  const Matrix relative = scale.head(p).asDiagonal() * own.matrixU().leftCols(seen);
+  const Eigen::HouseholderQR<Matrix> factor(relative);
+  const Matrix basis = factor.householderQ() * Matrix::Identity(p, seen);
+  for (Index j = 0; j < p; ++j)
+    result.row(static_cast<Index>(unknown[static_cast<std::size_t>(j)])) = basis.row(j);
+  return result;
+}
+
+}  // namespace
+
+std::vector<NumberChange> changes_of(const OdeModel& model,
+                                     const std::vector<CoefficientPlace>& places) {
+  std::vector<NumberChange> changes;
+  for (const CoefficientPlace& place : places) {
+    const WeightedTerm& summand = model.equations()[static_cast<std::size_t>(place.equation)]
+                                                   [static_cast<std::size_t>(place.term)];
+    changes.push_back({{place.equation,
+                        Expression::number(summand.coefficient) * summand.term.expression()}});
   }
+  return changes;
+}
+
+UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
+                             const std::vector<bool>& hidden, const EstimatedNumbers& numbers) {
+  const auto& [free, known, others] = numbers;
+  const auto count = static_cast<Index>(free.size());
+  UnseenChanges result{Matrix(count, 0), {}, unseen_states(model, hidden)};
+  const std::vector<Index> states = numbers_of(hidden);
+  if (states.empty() || !model.compile().delays().empty()) return result;
+  const std::vector<std::size_t> unknown = unknown_among(free, known);
+  std::vector<CoefficientPlace> places;
+  for (const std::size_t j : unknown) places.push_back(free[j]);
+  std::vector<NumberChange> changes = changes_of(model, places);
+  changes.insert(changes.end(), others.begin(), others.end());
+  System system = system_of(model, states, changes, points_of(data, model.dimension()));
+  if (!system.columns.allFinite()) return result;
+  const Vector scale = balance(system, model.dimension());
+  const Matrix null = null_space(system.columns);
+  if (null.cols() == 0) return result;
+  result.coefficients = changes_in(null, scale, unknown, count);
+  result.units = units_of(result.coefficients, model, hidden, free);
   return result;
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The nominal model brought onto records under given assumptions.
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/estimation/outlier_check.hpp"
@@ -65,21 +68,24 @@ Scope scope_of(const OdeModel& nominal, const Dataset& data, const Assimilation&
 Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
                            const Assimilation& given, const AssimilationOptions& options,
                            const RunContext& context) {
+  const RunContext quiet{context.stop, {}, 1, context.seed};
   const auto fit_from = [&](const Assimilation& start) {
-    return settled(assimilate_from(nominal, data, start, options, context), data, options,
-                   context);
+    return settled(assimilate_from(nominal, data, start, options, quiet), data, options, quiet);
   };
-  Assimilation best = fit_from(given);
-  if (options.hidden.empty()) return best;
-  constexpr double kLess[] = {0.1, 0.01, 1e-3};
-  for (const double less : kLess) {
+  if (options.hidden.empty()) return fit_from(given);
+  constexpr std::array<double, 4> kShares{1.0, 0.1, 0.01, 1e-3};
+  std::array<std::optional<Assimilation>, kShares.size()> fits;
+  parallel_for(kShares.size(), context.threads, [&](std::size_t i) {
     Assimilation start = given;
-    start.noise.disturbance *= less;
-    Assimilation next = fit_from(start);
-    if (next.deviance < best.deviance - kUnnoticedDeviance || !std::isfinite(best.deviance))
-      best = std::move(next);
-  }
-  return best;
+    start.noise.disturbance *= kShares[i];
+    fits[i] = fit_from(start);
+  });
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < fits.size(); ++i)
+    if (fits[i]->deviance < fits[best]->deviance - kUnnoticedDeviance ||
+        !std::isfinite(fits[best]->deviance))
+      best = i;
+  return std::move(*fits[best]);
 }
 
 }  // namespace
@@ -115,10 +121,11 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
   fit_options.hidden = hidden_states(nominal, data);
   if (!fit_options.hidden.empty()) {
     fit_options.held_among = fit_options.free.size();
-    fit_options.unseen =
+    UnseenChanges unseen =
         unseen_changes(nominal, with_paths_of(data, fit_options.hidden, paths_of(given)),
-                       fit_options.hidden, fit_options.free, fit_options.priors)
-            .coefficients;
+                       fit_options.hidden, {fit_options.free, fit_options.priors, {}});
+    fit_options.unseen = std::move(unseen.coefficients);
+    fit_options.units = std::move(unseen.units);
   }
   Assimilation fitted = likeliest_fit(nominal, data, given, fit_options, context);
   fit_options.passes = kPassesFromBaseline;
@@ -175,12 +182,22 @@ Explanation explain_on(const Problem& problem, const Baseline& base, const Assim
   });
 }
 
+Explanation explain_further_on(const Problem& problem, const Baseline& base,
+                               const Explanation& start) {
+  return explain(joint_fit(problem, base), start.fit, start.effects);
+}
+
 Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
                                const Assimilation& start,
                                const std::vector<FittedEffect>& effects) {
   return likeliest(base, start, [&](const Assimilation& from) {
     return explain_roughly(joint_fit(problem, base), from, effects);
   });
+}
+
+Explanation with_joint_errors(const Problem& problem, const Baseline& base,
+                              Explanation explanation) {
+  return with_joint_errors(joint_fit(problem, base), std::move(explanation));
 }
 
 }  // namespace lacuna

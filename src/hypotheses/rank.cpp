@@ -15,6 +15,7 @@
 #include "lacuna/decision/effect_parts.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
 #include "lacuna/numerics/significance.hpp"
+#include "search_starts.hpp"
 
 namespace lacuna {
 namespace {
@@ -160,12 +161,16 @@ std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit
 /// place of the rate; then the likelihood rises and the disturbance does not fall. So it is
 /// with a channel that is corrected by the rate of a noisy path: an effect there has to take
 /// away most of what disturbs the equations together, so that it is judged on a smooth path.
+/// Where states are hidden the disturbance of one equation stands for what another one lacks:
+/// they have to fall together.
 bool lessens_disturbance(const RankedEffect& ranked, const Explanation& current,
                          const Vector& rates, double most) {
   const Candidate& candidate = ranked.effect().candidate;
-  if (candidate.place == Place::Channel)
+  const bool on_channel = candidate.place == Place::Channel;
+  const bool hidden = current.fit.held.rows() > 0;
+  if (on_channel || hidden)
     return total_disturbance(ranked.explanation.fit, rates) <
-           (1.0 - most) * total_disturbance(current.fit, rates);
+           (on_channel ? 1.0 - most : 1.0) * total_disturbance(current.fit, rates);
   const double before = current.fit.noise.disturbance[candidate.equation];
   return ranked.explanation.fit.noise.disturbance[candidate.equation] < before;
 }
@@ -331,19 +336,6 @@ void append(const std::vector<ScreenedCandidate>& screened, const DecisionOption
   for (const ScreenedCandidate& candidate : screened) list.tried += candidate.tried;
 }
 
-/// Where states are hidden: the nominal model with one equation disturbed alone, for each.
-std::vector<std::pair<Index, Assimilation>> lone_starts(const EffectSearch& search,
-                                                        const Explanation& current) {
-  std::vector<std::pair<Index, Assimilation>> starts;
-  if (search.base.fit_options.hidden.empty() || !current.effects.empty()) return starts;
-  for (Index k = 0; k < search.problem.nominal.dimension(); ++k) {
-    if (current.fit.noise.disturbance[k] == 0.0) continue;
-    Assimilation alone = disturbed_alone(search.problem, search.base, k);
-    if (std::isfinite(alone.deviance)) starts.emplace_back(k, std::move(alone));
-  }
-  return starts;
-}
-
 RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current,
                           const Requirements& required, const ShortList& shortened) {
   const RunContext& context = search.problem.context;
@@ -385,9 +377,9 @@ std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explana
   const Problem problem = alone(search.problem, quiet);
   std::vector<RankedEffect> fitted =
       fitted_in_parallel(rough.exact, context.threads, [&](std::size_t i) {
-        const Explanation& start = rough.effects[i].explanation;
         return judged(search, current,
-                      explain_on(problem, search.base, start.fit, start.effects), tried);
+                      explain_further_on(problem, search.base, rough.effects[i].explanation),
+                      tried);
       });
   std::move(fitted.begin(), fitted.end(), rough.effects.begin());
   std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
@@ -416,14 +408,15 @@ Ranking rank(const EffectSearch& search, const Explanation& current) {
   ShortList list;
   append(screen(candidates, screening, screening_options, search.problem.context), decision,
          nullptr, list);
-  const auto starts = lone_starts(search, current);
-  for (const auto& [equation, start] : starts) {
+  const std::vector<SearchStart> starts = search_starts(search, current);
+  for (const SearchStart& start : starts) {
     std::vector<Candidate> own = candidates;
-    std::erase_if(own, [k = equation](const Candidate& candidate) {
-      return candidate.place != Place::Rate || candidate.equation != k;
+    std::erase_if(own, [&](const Candidate& candidate) {
+      return candidate.place != Place::Rate ||
+             (start.equation && candidate.equation != *start.equation);
     });
-    append(screen(own, Screening(start), screening_options, search.problem.context), decision,
-           &start, list);
+    append(screen(own, Screening(start.fit), screening_options, search.problem.context),
+           decision, &start.fit, list);
   }
   const Requirements required(search, current);
   Ranking ranking;

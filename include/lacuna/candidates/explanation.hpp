@@ -67,4 +67,9 @@ Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
 Explanation explain(const JointFitTask& task, const Assimilation& start,
                     const std::vector<FittedEffect>& effects);
 
+/// The explanation with standard errors that hold whatever its shapes are: the covariance of
+/// the joint linearised problem of everything that was fitted. In a fit they are those at the
+/// shapes as they are.
+Explanation with_joint_errors(const JointFitTask& task, Explanation explanation);
+
 }  // namespace lacuna

@@ -51,9 +51,11 @@ struct AssimilationOptions {
   /// With hidden states: of the first so many free coefficients, directions of which the
   /// records tell nothing are held.
   std::size_t held_among = 0;
-  /// held_among x h, orthonormal: relative changes of these that are held whatever the records
-  /// say (UnseenChanges); empty: none.
+  /// held_among x h, orthonormal: relative changes of these that no record tells
+  /// (UnseenChanges); empty: none.
   Matrix unseen = {};
+  /// Free coefficients that are kept as they are, so that these changes do not happen.
+  std::vector<Index> units = {};
 };
 
 /// A model brought onto records: its coefficients, the path, and what separates the two.
@@ -79,6 +81,7 @@ struct Assimilation {
   /// As rows of `covariance` x h: relative changes of the coefficients of which the records
   /// tell nothing, and which were held; 0 columns where every state is known.
   Matrix held = {};
+  std::vector<Index> units = {};  ///< of the coefficients: those that were kept as they are
 };
 
 /// Standard deviations of the measurement noise below which nothing can be said: rounding of
@@ -87,6 +90,15 @@ Vector resolution_of(const Dataset& data);
 
 /// All coefficients of equations that are not identities (dq/dt = v).
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model);
+
+/// Sizes of everything that is fitted where directions may be undetermined: of the first
+/// `count` free coefficients; 0, free to be anything, of the others and of the channel terms.
+Vector sizes_of(const Assimilation& fit, std::size_t count);
+
+/// Adds what is known beforehand to a least-squares problem of everything that is fitted.
+/// @param normal, right normal matrix and right side, perhaps of more behind the coefficients.
+void add_priors(const Assimilation& fit, const std::vector<CoefficientPrior>& priors,
+                Matrix& normal, Vector& right);
 
 /// What was measured of a record (n x m), without the summands that the measurement has; these
 /// are taken on the record's path.

@@ -74,9 +74,17 @@ double criterion_of(const Problem& problem, const Baseline& base,
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects);
 
-/// The same in few passes: explain_roughly().
+/// explain() of an explanation's own effects, from where its fit has come.
+Explanation explain_further_on(const Problem& problem, const Baseline& base,
+                               const Explanation& start);
+
+/// explain_on() in few passes: explain_roughly().
 Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
                                const Assimilation& start,
                                const std::vector<FittedEffect>& effects);
+
+/// with_joint_errors() of an explanation on a baseline.
+Explanation with_joint_errors(const Problem& problem, const Baseline& base,
+                              Explanation explanation);
 
 }  // namespace lacuna

@@ -49,6 +49,23 @@ TEST(Identifiability, ASingleCoefficientIsKept) {
   EXPECT_NE(hints.front().message.find("is kept"), std::string::npos);
 }
 
+TEST(Identifiability, AUnitIsKept) {
+  const support::Asked asked = support::asked(support::nothing);
+  const Baseline base = base_of(asked, {false, true});
+  Assimilation fit = holding(base, Vector{{std::sqrt(0.5), 0.0, -std::sqrt(0.5)}});
+  for (const Index unit : {0, 2}) {
+    fit.units = {unit};
+    const auto hints = identifiability_hints(asked.problem(), base, fit);
+    ASSERT_FALSE(hints.empty());
+    const CoefficientPlace& place = fit.free[static_cast<std::size_t>(unit)];
+    const std::string kept =
+        fit.model.equations()[1][static_cast<std::size_t>(place.term)].term.name() +
+        " in dv/dt is kept as the model gives it";
+    EXPECT_NE(hints.front().message.find("only as their product: " + kept), std::string::npos)
+        << hints.front().message;
+  }
+}
+
 TEST(Identifiability, ARowOfTheHeldDirectionsTells) {
   Assimilation fit{support::oscillator()};
   fit.held = Vector{{0.0, 0.9}};

@@ -75,8 +75,7 @@ TEST(Hysteresis, HasALoopOfThePosition) {
   const Scope scope = oscillator_scope();
   const Candidate loop = candidate_of<kHysteresis>(scope, 1, "loop");
   EXPECT_EQ(loop.argument, parse_expression("q"));
-  EXPECT_EQ(loop.memory[0].rate,
-            parse_expression("v-(share*abs(v)*loop+(1-share)*v*abs(loop))/yield"));
+  EXPECT_EQ(loop.memory[0].rate, parse_expression("v-(abs(v)*loop+skew*v*abs(loop))/yield"));
 }
 
 TEST(Hysteresis, HasALoopOfATwist) {

@@ -22,8 +22,7 @@ TEST(DeterminedStep, IsLeastSquaresWhereAllIsDetermined) {
   rows *= 100.0;
   const Vector values = rows * Vector{{0.3, -0.2}};
   const Problem problem = problem_of(rows, values);
-  const DeterminedStep step =
-      determined_step(problem.normal, problem.right, Vector::Ones(2), 3.0);
+  const DeterminedStep step = determined_step(problem.normal, problem.right, Vector::Ones(2));
   EXPECT_EQ(step.held.cols(), 0);
   EXPECT_NEAR(step.change[0], 0.3, 1e-12);
   EXPECT_NEAR(step.change[1], -0.2, 1e-12);
@@ -38,7 +37,7 @@ TEST(DeterminedStep, HoldsWhatOnlyAProductTells) {
   const Vector values = rows.col(0) * 2.0 * 0.1;
   const Problem problem = problem_of(rows, values);
   const DeterminedStep step =
-      determined_step(problem.normal, problem.right, Vector{{2.0, 5.0}}, 3.0);
+      determined_step(problem.normal, problem.right, Vector{{2.0, 5.0}});
   ASSERT_EQ(step.held.cols(), 1);
   EXPECT_NEAR(step.held(0, 0), -step.held(1, 0), 1e-9) << "their ratio is held";
   // Both take half of the relative change of the product.
@@ -49,28 +48,31 @@ TEST(DeterminedStep, HoldsWhatOnlyAProductTells) {
 }
 
 TEST(DeterminedStep, RelativeChangesHaveTheSignsOfTheCoefficients) {
-  // The product of b = -2 and c = 5 is what equations tell: they grow alike or not at all.
-  const Matrix rows = 100.0 * Matrix::Identity(2, 2);
-  const Problem problem = problem_of(rows, rows * Vector{{-0.4, 0.0}});
-  Matrix unseen(2, 1);
-  unseen << std::sqrt(0.5), -std::sqrt(0.5);
+  // The equations tell the product of b = -2 and c = 5 alone: log(-b c), columns 1/b and 1/c.
+  // Both take half of a relative change of it by 0.2, so that b falls and c grows.
+  const Vector slope{{1.0 / -2.0, 1.0 / 5.0}};
+  const Matrix rows = 100.0 * slope.transpose();
+  const Problem problem = problem_of(rows, Vector{{100.0 * 0.2}});
   const DeterminedStep step =
-      determined_step(problem.normal, problem.right, Vector{{-2.0, 5.0}}, 3.0, unseen);
+      determined_step(problem.normal, problem.right, Vector{{-2.0, 5.0}});
   ASSERT_EQ(step.held.cols(), 1);
-  EXPECT_LT(step.change[0], 0.0);
-  EXPECT_NEAR(step.change[0] / -2.0, step.change[1] / 5.0, 1e-12);
+  EXPECT_NEAR(step.change[0], -0.2, 1e-12);
+  EXPECT_NEAR(step.change[1], 0.5, 1e-12);
 }
 
-TEST(DeterminedStep, HoldsWhatItIsToldToHold) {
-  const Matrix rows = 100.0 * Matrix::Identity(2, 2);
-  const Problem problem = problem_of(rows, rows * Vector{{0.2, 0.0}});
-  Matrix unseen(2, 1);
-  unseen << std::sqrt(0.5), -std::sqrt(0.5);
+TEST(DeterminedStep, WhatIsKeptDoesNotMove) {
+  // The difference alone is seen: with the second kept the first takes all of it.
+  Matrix rows(2, 2);
+  rows << 1, -1, 2, -2;
+  const Problem problem = problem_of(100.0 * rows, 100.0 * rows * Vector{{0.0, -0.4}});
   const DeterminedStep step =
-      determined_step(problem.normal, problem.right, Vector::Ones(2), 3.0, unseen);
-  ASSERT_EQ(step.held.cols(), 1);
-  EXPECT_NEAR(step.change[0], 0.1, 1e-12);
-  EXPECT_NEAR(step.change[1], 0.1, 1e-12);
+      determined_step(problem.normal, problem.right, Vector::Ones(2), {1});
+  EXPECT_EQ(step.held.cols(), 0) << "kept is not held by what the records do not tell";
+  EXPECT_NEAR(step.change[0], 0.4, 1e-12);
+  EXPECT_EQ(step.change[1], 0.0);
+  EXPECT_EQ(step.covariance(1, 1), 0.0);
+  // One column of squared length 100^2 (1 + 4).
+  EXPECT_NEAR(step.covariance(0, 0), 1.0 / 50000.0, 1e-15);
 }
 
 TEST(DeterminedStep, UnknownsWithoutASizeMayBeAnything) {
@@ -79,7 +81,7 @@ TEST(DeterminedStep, UnknownsWithoutASizeMayBeAnything) {
   rows << 1, -1, 2, -2;
   const Problem problem = problem_of(100.0 * rows, 100.0 * rows * Vector{{0.4, 0.0}});
   const DeterminedStep step =
-      determined_step(problem.normal, problem.right, Vector{{1.0, 0.0}}, 3.0);
+      determined_step(problem.normal, problem.right, Vector{{1.0, 0.0}});
   ASSERT_EQ(step.held.cols(), 1);
   EXPECT_NEAR(step.change[0], 0.0, 1e-12);
   EXPECT_NEAR(step.change[1], -0.4, 1e-12);
