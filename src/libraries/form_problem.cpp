@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "form_problem.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base_columns.hpp"
 #include "candidates/nelder_mead.hpp"
+#include "lacuna/selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {
@@ -139,6 +142,37 @@ Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
   return now;
 }
 
+Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
+                          double limit) const {
+  EquationForms all = from;
+  all.forms.push_back(form);
+  const Matrix members = columns(all);
+  const Trial none{all, std::numeric_limits<double>::infinity()};
+  if (!members.allFinite()) return none;
+  const Index last = members.cols() - 1;
+  Matrix system(members.rows(), members.cols() + 1);
+  system << members, rows_.target(from.equation);
+  const auto rows = static_cast<double>(rows_.rows());
+  const Matrix triangle = Eigen::HouseholderQR<Matrix>(system)
+                              .matrixQR()
+                              .topRows(system.cols())
+                              .template triangularView<Eigen::Upper>();
+  const Subset subset =
+      best_subset(subset_problem(triangle / std::sqrt(std::max(limit, 1e-300) / rows)),
+                  2.0 * std::log(rows), {{last}}, Exchange::Single, context_);
+  if (subset.columns.empty() || subset.columns.back() != last) return none;
+  EquationForms few{from.equation, {}, {}};
+  const auto terms = static_cast<Index>(from.terms.size());
+  for (const Index c : subset.columns) {
+    if (c == last) break;
+    if (c < terms)
+      few.terms.push_back(from.terms[static_cast<std::size_t>(c)]);
+    else
+      few.forms.push_back(from.forms[static_cast<std::size_t>(c - terms)]);
+  }
+  return thinned(std::move(few), form, limit);
+}
+
 bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness kind) const {
   constexpr double kFew = 0.15, kFar = 0.1, kActs = 0.3, kCorrelated = 0.99;
   const Matrix both = rows_.values({a.expression(), b.expression()});
@@ -159,16 +193,16 @@ double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
 
 double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations) const {
   MissingForm& form = equation.forms[place];
-  const Vector target = rows_.target(equation.equation);
-  Matrix all = columns(equation);
-  const Index column = static_cast<Index>(equation.terms.size() + place);
+  if (form.shapes.size() == 0) return left(equation);
+  EquationForms others = equation;
+  others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(place));
+  const BaseColumns base(columns(others), rows_.target(equation.equation));
   const auto left = [&](const Vector& at) {
     context_.check_stop();
     form.shapes = each_shape(form.candidate, at, from_unit);
-    all.col(column) = rows_.columns({form.expression()});
-    return std::log(std::max(squares_left(all, target), 1e-300));
+    const double rest = base.left_with(rows_.columns({form.expression()}).col(0));
+    return std::log(std::max(rest, 1e-300));
   };
-  if (form.shapes.size() == 0) return squares_left(all, target);
   const Vector start = each_shape(form.candidate, form.shapes, to_unit);
   const int most = evaluations * static_cast<int>(start.size() * start.size());
   return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
@@ -176,15 +210,18 @@ double FormProblem::polish(EquationForms& equation, std::size_t place, int evalu
 
 void FormProblem::rate(const EquationForms& equation, bool without_two,
                        std::vector<Start>& starts) const {
-  const Matrix base = columns(equation);
-  const Vector target = rows_.target(equation.equation);
-  std::vector<Expression> forms;
-  for (const Start& start : starts) forms.push_back(start.form.expression());
-  const Matrix added = rows_.columns(forms);
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    Matrix all(base.rows(), base.cols() + 1);
-    all << added.col(static_cast<Index>(i)), base;
-    starts[i].left = without_two ? least_without_two(all, target) : squares_left(all, target);
+  constexpr std::size_t kTogether = 256;  // columns of the samples in memory
+  const BaseColumns base(columns(equation), rows_.target(equation.equation));
+  for (std::size_t first = 0; first < starts.size(); first += kTogether) {
+    context_.check_stop();
+    const std::size_t end = std::min(starts.size(), first + kTogether);
+    std::vector<Expression> forms;
+    for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
+    const Matrix added = rows_.columns(forms);
+    for (std::size_t i = first; i < end; ++i) {
+      const Vector column = added.col(static_cast<Index>(i - first));
+      starts[i].left = without_two ? base.left_without_two(column) : base.left_with(column);
+    }
   }
 }
 
@@ -200,19 +237,6 @@ Trial FormProblem::without_least(const EquationForms& equation) const {
     if (without_it < best.left) best = {std::move(fewer), without_it};
   }
   return best;
-}
-
-double FormProblem::least_without_two(const Matrix& all, const Vector& target) {
-  double least = std::numeric_limits<double>::infinity();
-  Matrix fewer(all.rows(), all.cols() - 2);
-  for (Index i = 1; i < all.cols(); ++i)
-    for (Index j = i + 1; j < all.cols(); ++j) {
-      Index place = 0;
-      for (Index c = 0; c < all.cols(); ++c)
-        if (c != i && c != j) fewer.col(place++) = all.col(c);
-      least = std::min(least, squares_left(fewer, target));
-    }
-  return least;
 }
 
 }  // namespace lacuna

@@ -35,6 +35,8 @@ class FormProblem {
  public:
   FormProblem(const Dataset& data, Vector noise, RunContext context);
 
+  const FormRows& all_rows() const { return rows_; }
+  const RunContext& context() const { return context_; }
   Index rows() const { return rows_.rows(); }
 
   /// The sum of squares that noise leaves, or quadrature and rounding where there is none.
@@ -60,6 +62,10 @@ class FormProblem {
   /// as what is left stays within a limit; infinite where already the form does not.
   Trial thinned(EquationForms equation, const MissingForm& form, double limit) const;
 
+  /// The form with those terms of an equation that it needs beside it, chosen by a price for each
+  /// in units of what `limit` leaves on average in a row; thinned to the limit.
+  Trial chosen(const EquationForms& from, const MissingForm& form, double limit) const;
+
   /// Whether two forms are nearly the same at the samples: a jump differs from a slope at few
   /// of them, other forms hardly differ at all.
   bool alike(const MissingForm& a, const MissingForm& b, Plainness kind) const;
@@ -77,9 +83,6 @@ class FormProblem {
  private:
   /// The equation without that member, the last form apart, that is missed least.
   Trial without_least(const EquationForms& equation) const;
-
-  /// What is left when the two columns behind the first leave that are missed least.
-  static double least_without_two(const Matrix& all, const Vector& target);
 
   FormRows rows_;
   Vector noise_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lacuna/effects/forms.hpp"
+#include "product_forms.hpp"
 
 namespace lacuna {
 namespace {
@@ -20,6 +21,9 @@ constexpr const char* kOfLength[] = {"sin(x/a)",      "cos(x/a)",      "exp(x/a)
                                      "x^2/(a^2+x^2)", "tanh(x/a)"};
 constexpr const char* kOfLengthOfAmounts[] = {"x/(a+x)", "x^4/(a^4+x^4)"};
 
+constexpr const char* kLogistic[] = {"1/(1+exp((middle-x)/width))",
+                                     "1/(1+exp((x-middle)/width))"};
+
 void add_plain(const Scope& scope, const char* pattern, const Expression& x,
                std::vector<Candidate>& result) {
   result.push_back(plain_candidate(formula(scope, pattern, {{"x", x}}), x));
@@ -35,13 +39,13 @@ void add_of_length(const Scope& scope, const char* pattern, const Expression& x,
                        geometric_starts(0.05 * size, 4.0 * size, 9)));
 }
 
-/// 1 / (1 + exp(-(x - middle) / width)).
-void add_logistic(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+/// 1 / (1 + exp(-(x - middle) / width)), or what falls instead of rising.
+void add_logistic(const Scope& scope, const char* pattern, const Expression& x,
+                  std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
   const double size = range.high - range.low;
   if (!(size > 0.0)) return;
-  Candidate candidate =
-      plain_candidate(formula(scope, "1/(1+exp((middle-x)/width))", {{"x", x}}), x);
+  Candidate candidate = plain_candidate(formula(scope, pattern, {{"x", x}}), x);
   candidate.shapes = {
       {scope.free_name("middle"), range.unit, range.low - size, range.high + size, false},
       {scope.free_name("width"), range.unit, 0.005 * size, 2.0 * size, true}};
@@ -63,7 +67,7 @@ void add_functions_of(const Scope& scope, const VariableRange& range,
   const Expression x = Expression::variable(range.name);
   for (const char* pattern : kPlain) add_plain(scope, pattern, x, result);
   for (const char* pattern : kOfLength) add_of_length(scope, pattern, x, result);
-  add_logistic(scope, x, result);
+  for (const char* pattern : kLogistic) add_logistic(scope, pattern, x, result);
   if (range.is_amount())
     for (const char* pattern : kOfLengthOfAmounts) add_of_length(scope, pattern, x, result);
   if (!(range.low > 0.0)) return;
@@ -74,6 +78,29 @@ void add_functions_of(const Scope& scope, const VariableRange& range,
 bool has_delay(const Expression& expression) {
   return expression.operation() == Operation::Delay ||
          std::any_of(expression.operands().begin(), expression.operands().end(), has_delay);
+}
+
+/// |x| of an amount is x.
+Expression without_abs_of_amounts(const Expression& expression, const Scope& scope) {
+  const auto operands = expression.operands();
+  if (operands.empty() || expression.operation() == Operation::Delay) return expression;
+  if (expression.operation() == Operation::Abs &&
+      operands[0].operation() == Operation::Variable)
+    for (const VariableRange& range : scope.variables)
+      if (range.name == operands[0].name() && range.is_amount()) return operands[0];
+  std::vector<Expression> plain;
+  for (const Expression& operand : operands)
+    plain.push_back(without_abs_of_amounts(operand, scope));
+  return Expression::make(expression.operation(), std::move(plain));
+}
+
+/// Adds those that are not there.
+void add_new(const std::vector<Candidate>& more, std::vector<Candidate>& all) {
+  const std::size_t known = all.size();
+  for (const Candidate& candidate : more)
+    if (std::none_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(known),
+                     [&](const Candidate& other) { return are_one_form(other, candidate); }))
+      all.push_back(candidate);
 }
 
 /// Whether a candidate is a function of what is measured at the moment.
@@ -92,12 +119,17 @@ std::vector<Candidate> function_forms(const Scope& scope,
     if (!range.is_input) add_functions_of(scope, range, all);
   for (const Stage<Effect>& effect : effects)
     for (Candidate& candidate : effect->candidates(scope, equation))
-      if (acts_at_once(candidate)) all.push_back(std::move(candidate));
+      if (acts_at_once(candidate)) {
+        candidate.form = without_abs_of_amounts(candidate.form, scope);
+        all.push_back(std::move(candidate));
+      }
+  all = merged(all);
+  add_new(product_forms(scope), all);
   for (Candidate& candidate : all) {
     candidate.equation = equation;
     if (candidate.starts.empty()) candidate.starts = {Vector()};
   }
-  return merged(all);
+  return all;
 }
 
 }  // namespace lacuna

@@ -8,6 +8,7 @@
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/libraries/function_forms.hpp"
 #include "lacuna/libraries/missing_forms.hpp"
+#include "refined_shapes.hpp"
 
 namespace lacuna {
 namespace {
@@ -42,11 +43,30 @@ std::size_t terms_of(const IdentificationResult& result) {
   return count;
 }
 
-/// Whether forms have made the model better: it fits now, or leaves less by more than a tenth
-/// with no more terms.
-bool is_better(const IdentificationResult& with, const IdentificationResult& without) {
-  if (reaches_the_noise(with)) return true;
-  return misfit_of(with) < misfit_of(without) - kSlack && terms_of(with) <= terms_of(without);
+/// A model and its forms.
+struct Extension {
+  IdentificationResult result;
+  std::vector<EquationForms> equations;
+
+  /// Coefficients, and shapes of forms that are in the model.
+  std::size_t numbers() const {
+    std::size_t count = terms_of(result);
+    for (const EquationForms& equation : equations)
+      for (const MissingForm& form : equation.forms)
+        count += static_cast<std::size_t>(form.shapes.size());
+    return count;
+  }
+};
+
+/// Whether forms have made the model better. Where the library fits already they have to say
+/// the same by fewer numbers; else it fits now, or leaves less by more than a tenth with no more
+/// terms.
+bool is_better(const Extension& with, const IdentificationResult& without) {
+  if (reaches_the_noise(without))
+    return reaches_the_noise(with.result) && with.numbers() < terms_of(without);
+  if (reaches_the_noise(with.result)) return true;
+  return misfit_of(with.result) < misfit_of(without) - kSlack &&
+         terms_of(with.result) <= terms_of(without);
 }
 
 /// A run with forms beside the library.
@@ -61,38 +81,63 @@ class ExtendedRun {
         library_(pipeline.basis->library(alone.model.variables())),
         search_(data, alone.noise, context) {
     const Scope scope = make_scope(alone.model, data, alone.noise);
-    for (Index k = 0; k < data.state_count(); ++k)
-      candidates_.push_back(data.rate_state(k) ? std::vector<Candidate>()
-                                               : function_forms(scope, effects, k));
+    for (Index k = 0; k < data.state_count(); ++k) {
+      std::vector<Candidate>& all = candidates_.emplace_back();
+      if (data.rate_state(k)) continue;
+      all = function_forms(scope, effects, k);
+      for (Candidate& fraction : search_.fractions(scope, k, library_.terms))
+        all.push_back(std::move(fraction));
+    }
   }
 
   /// Whether there are rows enough to tell forms from the library.
   bool is_possible() const { return search_.rows() > 2 * library_.size(); }
 
   /// Forms that equations lack, and the model that the pipeline makes with them.
-  IdentificationResult result() const {
-    constexpr std::size_t kMostForms = 3;
-    std::vector<EquationForms> equations;
+  Extension result(const IdentificationResult& alone) const {
+    std::vector<EquationForms> equations = bare();
+    const bool fits = reaches_the_noise(alone);
+    if (!fits) equations = with_missing(std::move(equations));
+    const IdentificationResult found = fits ? alone : identified(equations);
+    bool changed = false;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      context_.report("searching forms", double(k) / double(candidates_.size()));
+      if (candidates_[k].empty()) continue;
+      context_.report("searching forms", 0.5 + 0.5 * double(k) / double(candidates_.size()));
+      const EquationForms kept = kept_in(found, k, equations[k].forms);
+      if (fits && kept.parameters() < kFewest) {
+        equations[k] = kept;
+        continue;
+      }
+      equations[k] = search_.with_fewer_terms(kept, candidates_[k], library_.terms);
+      equations[k] = search_.refitted(std::move(equations[k]));
+      changed = changed || !equations[k].forms.empty();
+    }
+    if (!changed) return {found, std::move(equations)};
+    return plain(std::move(equations));
+  }
+
+ private:
+  /// Fewer numbers than this are not said by fewer where they fit.
+  static constexpr std::size_t kFewest = 3;
+
+  std::vector<EquationForms> bare() const {
+    std::vector<EquationForms> equations;
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
       equations.push_back({static_cast<Index>(k), library_.terms, {}});
+    return equations;
+  }
+
+  std::vector<EquationForms> with_missing(std::vector<EquationForms> equations) const {
+    constexpr std::size_t kMostForms = 3;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      context_.report("searching forms", 0.5 * double(k) / double(candidates_.size()));
       if (!candidates_[k].empty())
         equations[k] =
             search_.with_missing_forms(std::move(equations[k]), candidates_[k], kMostForms);
     }
-    const IdentificationResult found = identified(equations);
-    bool changed = false;
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      if (candidates_[k].empty()) continue;
-      const EquationForms kept = kept_in(found, k, equations[k].forms);
-      equations[k] = search_.with_fewer_terms(kept, candidates_[k]);
-      equations[k] = search_.refitted(std::move(equations[k]));
-      changed = changed || !equations[k].forms.empty();
-    }
-    return changed ? plain(std::move(equations)) : found;
+    return equations;
   }
 
- private:
   /// @return whether something has changed.
   bool make_plainer(std::vector<EquationForms>& equations, Plainness kind) const {
     bool changed = false;
@@ -105,16 +150,44 @@ class ExtendedRun {
   }
 
   /// The model with these forms, or with plainer ones where they do the same.
-  IdentificationResult plain(std::vector<EquationForms> equations) const {
+  Extension plain(std::vector<EquationForms> equations) const {
     // What a solver makes of a jump is worse than what it makes of a steep slope: residuals do
     // not decide here.
     make_plainer(equations, Plainness::Jump);
-    IdentificationResult found = identified(equations);
-    if (!make_plainer(equations, Plainness::Any)) return found;
-    IdentificationResult other = identified(equations);
-    const bool same = misfit_of(other) <= misfit_of(found) + kSlack ||
-                      (reaches_the_noise(other) && reaches_the_noise(found));
-    return same && terms_of(other) <= terms_of(found) ? std::move(other) : std::move(found);
+    Extension found = settled(std::move(equations));
+    std::vector<EquationForms> plainer = found.equations;
+    if (!make_plainer(plainer, Plainness::Any)) return found;
+    Extension other = settled(std::move(plainer));
+    const bool same = misfit_of(other.result) <= misfit_of(found.result) + kSlack ||
+                      (reaches_the_noise(other.result) && reaches_the_noise(found.result));
+    return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
+  }
+
+  /// The model that the pipeline makes of these equations with nothing beside them, shapes as
+  /// the trajectories ask for; with the library beside the forms where that does not fit.
+  Extension settled(std::vector<EquationForms> equations) const {
+    IdentificationResult alone = identified_as(equations);
+    equations = refined_shapes(alone.model, std::move(equations), data_, context_);
+    alone = identified_as(equations);
+    if (reaches_the_noise(alone)) return {std::move(alone), std::move(equations)};
+    IdentificationResult beside = identified(equations);
+    const bool better = reaches_the_noise(beside) ||
+                        misfit_of(beside) < misfit_of(alone) - kSlack;
+    return {better ? std::move(beside) : std::move(alone), std::move(equations)};
+  }
+
+  /// With no other terms than these in equations that have forms.
+  IdentificationResult identified_as(const std::vector<EquationForms>& equations) const {
+    Pipeline extended = pipeline_;
+    for (const EquationForms& equation : equations) {
+      if (equation.forms.empty()) continue;
+      EquationTerms terms{data_.states[static_cast<std::size_t>(equation.equation)].name, {}};
+      for (const Term& term : equation.terms) terms.terms.push_back(term.name());
+      for (const MissingForm& form : equation.forms)
+        terms.terms.push_back(form.expression().to_string());
+      extended.equations.push_back(std::move(terms));
+    }
+    return identify(data_, extended, context_);
   }
 
   IdentificationResult identified(const std::vector<EquationForms>& equations) const {
@@ -161,14 +234,13 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
                                          const std::vector<Stage<Effect>>& effects,
                                          const RunContext& context) {
   IdentificationResult alone = identify(data, pipeline, context);
-  if (reaches_the_noise(alone) || leaves_nothing(alone) || lacks_input_columns(data))
-    return alone;
+  if (leaves_nothing(alone) || lacks_input_columns(data)) return alone;
   const ExtendedRun run(data, pipeline, effects, alone, context);
   if (!run.is_possible()) return alone;
-  IdentificationResult extended = run.result();
+  Extension extended = run.result(alone);
   if (!is_better(extended, alone)) return alone;
-  extended.library_alone = std::move(alone.model);
-  return extended;
+  extended.result.library_alone = std::move(alone.model);
+  return std::move(extended.result);
 }
 
 }  // namespace lacuna
