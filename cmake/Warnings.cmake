@@ -7,7 +7,7 @@ function(lacuna_compile_options target)
   # 105329), from precompiled headers even more.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow
-      -Wno-array-bounds)
+      -Wno-stringop-overread -Wno-array-bounds)
   endif()
   if(LACUNA_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
