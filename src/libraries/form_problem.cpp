@@ -13,6 +13,9 @@
 namespace lacuna {
 namespace {
 
+/// Less than so much of what noise leaves is mostly noise.
+constexpr double kMostlyNoise = 2.0;
+
 /// A value of a shape parameter on the unit interval and back.
 double to_unit(const ShapeParameter& shape, double value) {
   if (shape.logarithmic) return std::log(value / shape.low) / std::log(shape.high / shape.low);
@@ -69,6 +72,16 @@ std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
   return best;
 }
 
+double Limit::operator()(const EquationForms& equation) const {
+  const std::size_t now = equation.parameters();
+  return left + (now < parameters ? price * static_cast<double>(parameters - now) : 0.0);
+}
+
+bool Limit::prefers(const Trial& a, const Trial& b) const {
+  const std::size_t cost = a.equation.parameters(), other = b.equation.parameters();
+  return cost != other ? cost < other : a.left < b.left;
+}
+
 FormProblem::FormProblem(const Dataset& data, Vector noise, RunContext context)
     : rows_(data, noise), noise_(std::move(noise)), context_(std::move(context)) {}
 
@@ -79,11 +92,20 @@ double FormProblem::noise_left(Index equation) const {
 }
 
 double FormProblem::same_as(double left, Index equation) const {
-  constexpr double kTenth = 1.21, kMostlyNoise = 2.0;
+  constexpr double kTenth = 1.21;
   const double noise = noise_left(equation);
   const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
   if (left > kMostlyNoise * noise) return kTenth * left;
   return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
+}
+
+Limit FormProblem::limit_of(const EquationForms& equation) const {
+  const Index k = equation.equation;
+  const double now = left(equation), same = same_as(now, k), noise = noise_left(k);
+  const auto rows = static_cast<double>(rows_.rows());
+  const bool is_noise = now <= kMostlyNoise * noise;
+  return {same, is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
+          equation.parameters()};
 }
 
 Matrix FormProblem::columns(const EquationForms& equation) const {
@@ -127,23 +149,23 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
 }
 
 Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
-                           double limit) const {
+                           const Limit& limit) const {
   equation.forms.push_back(form);
   Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
   now.equation = equation;
-  if (now.left > limit) now.left = std::numeric_limits<double>::infinity();
-  while (now.left <= limit && now.equation.terms.size() + now.equation.forms.size() > 1) {
+  if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
+  while (now.left <= limit(now.equation) && now.equation.terms.size() + now.equation.forms.size() > 1) {
     Trial next = without_least(now.equation);
-    if (next.left > limit && !next.equation.forms.empty())
+    if (next.left > limit(next.equation) && !next.equation.forms.empty())
       next.left = polish(next.equation, next.equation.forms.size() - 1, kExact);
-    if (!(next.left <= limit)) break;
+    if (!(next.left <= limit(next.equation))) break;
     now = std::move(next);
   }
   return now;
 }
 
 Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
-                          double limit) const {
+                          const Limit& limit) const {
   EquationForms all = from;
   all.forms.push_back(form);
   const Matrix members = columns(all);
@@ -158,7 +180,7 @@ Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
                               .topRows(system.cols())
                               .template triangularView<Eigen::Upper>();
   const Subset subset =
-      best_subset(subset_problem(triangle / std::sqrt(std::max(limit, 1e-300) / rows)),
+      best_subset(subset_problem(triangle / std::sqrt(std::max(limit.left, 1e-300) / rows)),
                   2.0 * std::log(rows), {{last}}, Exchange::Single, context_);
   if (subset.columns.empty() || subset.columns.back() != last) return none;
   EquationForms few{from.equation, {}, {}};

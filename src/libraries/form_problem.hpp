@@ -30,6 +30,19 @@ struct Trial {
   double left = 0.0;  ///< sum of squares
 };
 
+/// How much an equation may leave in place of another.
+struct Limit {
+  double left = 0.0;           ///< with as many numbers
+  double price = 0.0;          ///< more for each number less; 0 where residuals are no noise
+  std::size_t parameters = 0;  ///< of the other
+
+  double operator()(const EquationForms& equation) const;
+
+  /// Whether one trial is the better of two: by Schwarz' criterion where residuals are noise,
+  /// else by fewer numbers, and by what is left where they have as many.
+  bool prefers(const Trial& a, const Trial& b) const;
+};
+
 /// Rows of the weak form, and what equations leave in them.
 class FormProblem {
  public:
@@ -46,6 +59,9 @@ class FormProblem {
   /// tenth (rms), noise to what chance does for the best of many forms.
   double same_as(double left, Index equation) const;
 
+  /// What may take the place of an equation.
+  Limit limit_of(const EquationForms& equation) const;
+
   /// Columns of an equation: terms, then forms.
   Matrix columns(const EquationForms& equation) const;
 
@@ -60,11 +76,11 @@ class FormProblem {
 
   /// The equation with one form more and without those members that are missed least, as long
   /// as what is left stays within a limit; infinite where already the form does not.
-  Trial thinned(EquationForms equation, const MissingForm& form, double limit) const;
+  Trial thinned(EquationForms equation, const MissingForm& form, const Limit& limit) const;
 
   /// The form with those terms of an equation that it needs beside it, chosen by a price for each
-  /// in units of what `limit` leaves on average in a row; thinned to the limit.
-  Trial chosen(const EquationForms& from, const MissingForm& form, double limit) const;
+  /// in units of what the limit leaves on average in a row; thinned to the limit.
+  Trial chosen(const EquationForms& from, const MissingForm& form, const Limit& limit) const;
 
   /// Whether two forms are nearly the same at the samples: a jump differs from a slope at few
   /// of them, other forms hardly differ at all.

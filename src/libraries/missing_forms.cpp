@@ -2,6 +2,7 @@
 #include "lacuna/libraries/missing_forms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -82,17 +83,15 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   constexpr std::size_t kTried = 60;
   if (equation.terms.size() + equation.forms.size() < 2) return equation;
   Trial best{equation, problem_->left(equation)};
-  const double limit = problem_->same_as(best.left, equation.equation);
+  const Limit limit = problem_->limit_of(equation);
   const EquationForms linear{equation.equation, problem_->linear_terms(), {}};
   const EquationForms whole{equation.equation, library, {}};
   const auto take = [&](const Trial& now) {
-    const std::size_t cost = now.equation.parameters(), least = best.equation.parameters();
-    const bool replaces = least < equation.parameters() && cost == least;
-    if (std::isfinite(now.left) && (cost < least || (replaces && now.left < best.left)))
-      best = now;
+    const bool is_fewer = now.equation.parameters() < equation.parameters();
+    if (std::isfinite(now.left) && is_fewer && limit.prefers(now, best)) best = now;
   };
   std::vector<Start> starts = all_starts(candidates);
-  for (const EquationForms* from : std::initializer_list<const EquationForms*>{&equation, &linear, &whole}) {
+  for (const EquationForms* from : std::array<const EquationForms*, 3>{&equation, &linear, &whole}) {
     const bool from_all = from == &equation;
     problem_->rate(*from, from_all, starts);
     for (const Start& start : best_of(starts, kTried)) {

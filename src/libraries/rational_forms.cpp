@@ -150,6 +150,15 @@ class Denominators {
   double unit_ = 1.0;  ///< rms of what the library leaves beside a constant denominator
 };
 
+/// Whether a variable is a factor of the numerator and of all of the denominator.
+bool is_reducible(const Expression& numerator, const Denominator& denominator) {
+  for (const std::string& name : numerator.variables())
+    if (std::all_of(denominator.monomials.begin(), denominator.monomials.end(),
+                    [&](const Expression& each) { return each.variables().contains(name); }))
+      return true;
+  return false;
+}
+
 Candidate fraction(const Scope& scope, const Denominators& all, const Denominator& denominator,
                    const Expression& numerator) {
   std::vector<Expression> names;
@@ -180,6 +189,7 @@ std::vector<Candidate> rational_forms(const Scope& scope, const FormRows& rows, 
   const Denominators all(scope, rows, equation, library, context);
   for (const Denominator& denominator : all.best(kDenominators))
     for (const Expression& numerator : monomials_of(scope, 2)) {
+      if (is_reducible(numerator, denominator)) continue;
       result.push_back(fraction(scope, all, denominator, numerator));
       result.back().equation = equation;
     }
