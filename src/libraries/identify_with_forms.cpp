@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "lacuna/bases/expressions.hpp"
@@ -43,17 +44,15 @@ std::size_t terms_of(const IdentificationResult& result) {
   return count;
 }
 
-/// A model and its forms.
+/// A model and its equations with forms as such.
 struct Extension {
   IdentificationResult result;
   std::vector<EquationForms> equations;
 
-  /// Coefficients, and shapes of forms that are in the model.
+  /// Coefficients, and shapes of forms.
   std::size_t numbers() const {
-    std::size_t count = terms_of(result);
-    for (const EquationForms& equation : equations)
-      for (const MissingForm& form : equation.forms)
-        count += static_cast<std::size_t>(form.shapes.size());
+    std::size_t count = 0;
+    for (const EquationForms& equation : equations) count += equation.parameters();
     return count;
   }
 };
@@ -99,20 +98,18 @@ class ExtendedRun {
     const bool fits = reaches_the_noise(alone);
     if (!fits) equations = with_missing(std::move(equations));
     const IdentificationResult found = fits ? alone : identified(equations);
+    const std::vector<EquationForms> kept = kept_in(found, equations);
     bool changed = false;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       if (candidates_[k].empty()) continue;
       context_.report("searching forms", 0.5 + 0.5 * double(k) / double(candidates_.size()));
-      const EquationForms kept = kept_in(found, k, equations[k].forms);
-      if (fits && kept.parameters() < kFewest) {
-        equations[k] = kept;
-        continue;
-      }
-      equations[k] = search_.with_fewer_terms(kept, candidates_[k], library_.terms);
+      equations[k] = kept[k];
+      if (fits && kept[k].parameters() < kFewest) continue;
+      equations[k] = search_.with_fewer_terms(kept[k], candidates_[k], library_.terms);
       equations[k] = search_.refitted(std::move(equations[k]));
       changed = changed || !equations[k].forms.empty();
     }
-    if (!changed) return {found, std::move(equations)};
+    if (!changed) return {found, kept};
     return plain(std::move(equations));
   }
 
@@ -173,7 +170,9 @@ class ExtendedRun {
     IdentificationResult beside = identified(equations);
     const bool better = reaches_the_noise(beside) ||
                         misfit_of(beside) < misfit_of(alone) - kSlack;
-    return {better ? std::move(beside) : std::move(alone), std::move(equations)};
+    if (better) alone = std::move(beside);
+    equations = kept_in(alone, equations);
+    return {std::move(alone), std::move(equations)};
   }
 
   /// With no other terms than these in equations that have forms.
@@ -204,18 +203,24 @@ class ExtendedRun {
     return identify(data_, extended, context_);
   }
 
-  /// The terms that a model has in one equation, those that are forms as such.
-  EquationForms kept_in(const IdentificationResult& found, std::size_t equation,
-                        const std::vector<MissingForm>& forms) const {
-    EquationForms kept{static_cast<Index>(equation), {}, {}};
-    for (const WeightedTerm& summand : found.model.equations()[equation]) {
-      const auto form = std::find_if(forms.begin(), forms.end(), [&](const MissingForm& each) {
-        return Term(each.expression(), library_.variables) == summand.term;
-      });
-      if (form == forms.end())
-        kept.terms.push_back(summand.term);
-      else
-        kept.forms.push_back(*form);
+  /// The equations of a model, terms that are forms of some equation as such: one equation may
+  /// take over what was found for another.
+  std::vector<EquationForms> kept_in(const IdentificationResult& found,
+                                     const std::vector<EquationForms>& equations) const {
+    std::map<std::string, MissingForm> forms;
+    for (const EquationForms& equation : equations)
+      for (const MissingForm& form : equation.forms)
+        forms.emplace(Term(form.expression(), library_.variables).name(), form);
+    std::vector<EquationForms> kept;
+    for (std::size_t k = 0; k < equations.size(); ++k) {
+      kept.push_back({static_cast<Index>(k), {}, {}});
+      for (const WeightedTerm& summand : found.model.equations()[k]) {
+        const auto form = forms.find(summand.term.name());
+        if (form == forms.end())
+          kept[k].terms.push_back(summand.term);
+        else
+          kept[k].forms.push_back(form->second);
+      }
     }
     return kept;
   }
