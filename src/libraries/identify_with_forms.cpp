@@ -30,11 +30,17 @@ bool leaves_nothing(const IdentificationResult& result) {
   });
 }
 
-/// Sum of the logarithms of the misfits; of the residuals where there are none.
-double misfit_of(const IdentificationResult& result) {
+/// Sum over equations of ln(what one model leaves / what another does): of the misfits, or of
+/// the residuals where not both have one.
+double excess(const IdentificationResult& of, const IdentificationResult& over) {
   double sum = 0.0;
-  for (const EquationFit& fit : result.fit)
-    if (!fit.identity) sum += std::log(std::max(fit.misfit.value_or(fit.residual_rms), 1e-300));
+  for (std::size_t k = 0; k < of.fit.size(); ++k) {
+    const EquationFit &one = of.fit[k], &other = over.fit[k];
+    if (one.identity) continue;
+    const bool both = one.misfit && other.misfit;
+    sum += std::log(std::max(both ? *one.misfit : one.residual_rms, 1e-300) /
+                    std::max(both ? *other.misfit : other.residual_rms, 1e-300));
+  }
   return sum;
 }
 
@@ -57,15 +63,26 @@ struct Extension {
   }
 };
 
+/// Whether fewer numbers say the same by Schwarz' criterion: 2 n ln(what is left) of each state
+/// and ln(n m) for each number.
+bool says_the_same(const Extension& with, const IdentificationResult& without,
+                   const Dataset& data) {
+  const auto n = static_cast<double>(data.samples());
+  const double price = std::log(n * static_cast<double>(data.state_count()));
+  const std::size_t numbers = with.numbers(), others = terms_of(without);
+  return numbers < others && 2.0 * n * excess(with.result, without) <
+                                 price * static_cast<double>(others - numbers);
+}
+
 /// Whether forms have made the model better. Where the library fits already they have to say
 /// the same by fewer numbers; else it fits now, or leaves less by more than a tenth with no more
 /// terms.
-bool is_better(const Extension& with, const IdentificationResult& without) {
+bool is_better(const Extension& with, const IdentificationResult& without,
+               const Dataset& data) {
   if (reaches_the_noise(without))
-    return reaches_the_noise(with.result) && with.numbers() < terms_of(without);
+    return reaches_the_noise(with.result) && says_the_same(with, without, data);
   if (reaches_the_noise(with.result)) return true;
-  return misfit_of(with.result) < misfit_of(without) - kSlack &&
-         terms_of(with.result) <= terms_of(without);
+  return excess(with.result, without) < -kSlack && terms_of(with.result) <= terms_of(without);
 }
 
 /// A run with forms beside the library.
@@ -155,7 +172,7 @@ class ExtendedRun {
     std::vector<EquationForms> plainer = found.equations;
     if (!make_plainer(plainer, Plainness::Any)) return found;
     Extension other = settled(std::move(plainer));
-    const bool same = misfit_of(other.result) <= misfit_of(found.result) + kSlack ||
+    const bool same = excess(other.result, found.result) <= kSlack ||
                       (reaches_the_noise(other.result) && reaches_the_noise(found.result));
     return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
   }
@@ -168,8 +185,7 @@ class ExtendedRun {
     alone = identified_as(equations);
     if (reaches_the_noise(alone)) return {std::move(alone), std::move(equations)};
     IdentificationResult beside = identified(equations);
-    const bool better = reaches_the_noise(beside) ||
-                        misfit_of(beside) < misfit_of(alone) - kSlack;
+    const bool better = reaches_the_noise(beside) || excess(beside, alone) < -kSlack;
     if (better) alone = std::move(beside);
     equations = kept_in(alone, equations);
     return {std::move(alone), std::move(equations)};
@@ -243,7 +259,7 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
   const ExtendedRun run(data, pipeline, effects, alone, context);
   if (!run.is_possible()) return alone;
   Extension extended = run.result(alone);
-  if (!is_better(extended, alone)) return alone;
+  if (!is_better(extended, alone, data)) return alone;
   extended.result.library_alone = std::move(alone.model);
   return std::move(extended.result);
 }
