@@ -130,20 +130,21 @@ std::vector<Term> FormProblem::linear_terms() const {
 std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
                                           const std::vector<Candidate>& candidates) const {
   constexpr int kRough = 25;
-  constexpr std::size_t kExactly = 6;
+  constexpr std::size_t kRoughly = 100, kExactly = 6;
   std::vector<Start> starts = all_starts(candidates);
   rate(equation, false, starts);
+  const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
-  for (const Start& start : best_of(std::move(starts), candidates.size())) {
+  for (const Start& start : best_of(std::move(starts), kRoughly)) {
     if (has_form(equation, start.form.candidate)) continue;
     trials.push_back({equation, 0.0});
     trials.back().equation.forms.push_back(start.form);
-    trials.back().left = polish(trials.back().equation, equation.forms.size(), kRough);
+    trials.back().left = fit_shapes(base, trials.back().equation.forms.back(), kRough);
   }
   const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   for (std::size_t i = 0; i < std::min(kExactly, trials.size()); ++i)
-    trials[i].left = polish(trials[i].equation, equation.forms.size(), kExact);
+    trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), kExact);
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   return trials;
 }
@@ -214,17 +215,21 @@ double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
 }
 
 double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations) const {
-  MissingForm& form = equation.forms[place];
-  if (form.shapes.size() == 0) return left(equation);
   EquationForms others = equation;
   others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(place));
   const BaseColumns base(columns(others), rows_.target(equation.equation));
+  return fit_shapes(base, equation.forms[place], evaluations);
+}
+
+double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
+                               int evaluations) const {
   const auto left = [&](const Vector& at) {
     context_.check_stop();
     form.shapes = each_shape(form.candidate, at, from_unit);
     const double rest = base.left_with(rows_.columns({form.expression()}).col(0));
     return std::log(std::max(rest, 1e-300));
   };
+  if (form.shapes.size() == 0) return base.left_with(rows_.columns({form.expression()}).col(0));
   const Vector start = each_shape(form.candidate, form.shapes, to_unit);
   const int most = evaluations * static_cast<int>(start.size() * start.size());
   return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));

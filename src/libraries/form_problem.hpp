@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base_columns.hpp"
 #include "form_rows.hpp"
 #include "lacuna/libraries/missing_forms.hpp"
 
@@ -99,6 +100,9 @@ class FormProblem {
  private:
   /// The equation without that member, the last form apart, that is missed least.
   Trial without_least(const EquationForms& equation) const;
+
+  /// Fits the shapes of a form beside columns that stay. @return what is left.
+  double fit_shapes(const BaseColumns& base, MissingForm& form, int evaluations) const;
 
   FormRows rows_;
   Vector noise_;

@@ -10,7 +10,9 @@ namespace lacuna {
 namespace {
 
 /// Forms without shape parameters; x is in its place wherever it may be.
-constexpr const char* kPlain[] = {"sin(x)", "cos(x)", "abs(x)", "x*abs(x)", "sign(x)"};
+constexpr const char* kPlain[] = {"sin(x)", "cos(x)"};
+/// The same for variables that are no amounts.
+constexpr const char* kPlainOfBothSigns[] = {"abs(x)", "x*abs(x)", "sign(x)"};
 /// The same for amounts, which are positive.
 constexpr const char* kPlainOfAmounts[] = {"sqrt(x)", "log(x)", "x*log(x)"};
 
@@ -66,6 +68,8 @@ void add_functions_of(const Scope& scope, const VariableRange& range,
                       std::vector<Candidate>& result) {
   const Expression x = Expression::variable(range.name);
   for (const char* pattern : kPlain) add_plain(scope, pattern, x, result);
+  if (!range.is_amount())
+    for (const char* pattern : kPlainOfBothSigns) add_plain(scope, pattern, x, result);
   for (const char* pattern : kOfLength) add_of_length(scope, pattern, x, result);
   for (const char* pattern : kLogistic) add_logistic(scope, pattern, x, result);
   if (range.is_amount())

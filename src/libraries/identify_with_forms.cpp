@@ -22,6 +22,13 @@ bool reaches_the_noise(const IdentificationResult& result) {
                      [](const EquationFit& fit) { return fit.fits_to_noise.value_or(true); });
 }
 
+/// Whether that is known, too: an equation that could not be judged is no success of forms.
+bool is_known_to_fit(const IdentificationResult& result) {
+  return std::all_of(result.fit.begin(), result.fit.end(), [](const EquationFit& fit) {
+    return fit.identity || fit.fits_to_noise.value_or(false);
+  });
+}
+
 /// Whether what the library leaves of the rates is not worth a form: errors of solvers.
 bool leaves_nothing(const IdentificationResult& result) {
   constexpr double kNothing = 1e-5;  // of the rate, rms
@@ -81,7 +88,7 @@ bool is_better(const Extension& with, const IdentificationResult& without,
                const Dataset& data) {
   if (reaches_the_noise(without))
     return reaches_the_noise(with.result) && says_the_same(with, without, data);
-  if (reaches_the_noise(with.result)) return true;
+  if (is_known_to_fit(with.result)) return true;
   return excess(with.result, without) < -kSlack && terms_of(with.result) <= terms_of(without);
 }
 
@@ -127,7 +134,9 @@ class ExtendedRun {
       changed = changed || !equations[k].forms.empty();
     }
     if (!changed) return {found, kept};
-    return plain(std::move(equations));
+    Extension thinned = plain(std::move(equations));
+    const bool is_lost = is_known_to_fit(found) && !is_known_to_fit(thinned.result);
+    return is_lost ? Extension{found, kept} : std::move(thinned);
   }
 
  private:
@@ -183,9 +192,9 @@ class ExtendedRun {
     IdentificationResult alone = identified_as(equations);
     equations = refined_shapes(alone.model, std::move(equations), data_, context_);
     alone = identified_as(equations);
-    if (reaches_the_noise(alone)) return {std::move(alone), std::move(equations)};
+    if (is_known_to_fit(alone)) return {std::move(alone), std::move(equations)};
     IdentificationResult beside = identified(equations);
-    const bool better = reaches_the_noise(beside) || excess(beside, alone) < -kSlack;
+    const bool better = is_known_to_fit(beside) || excess(beside, alone) < -kSlack;
     if (better) alone = std::move(beside);
     equations = kept_in(alone, equations);
     return {std::move(alone), std::move(equations)};

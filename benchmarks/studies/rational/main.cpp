@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "lacuna/bases/monomials.hpp"
 #include "lacuna/config/registry.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
@@ -36,7 +37,9 @@ Outcome run(const RationalSystem& system, double noise, std::uint64_t seed,
   const Dataset data = records_of(system, noise, seed);
   const double begin = thread_seconds();
   try {
-    const IdentificationResult found = identify_with_forms(data, algorithm1(), effects);
+    Pipeline pipeline = algorithm1();
+    if (system.degree != 3) pipeline.basis = Monomials{{.max_degree = system.degree}};
+    const IdentificationResult found = identify_with_forms(data, pipeline, effects);
     outcome.seconds = thread_seconds() - begin;
     outcome.exact = has_structure(found.model, system.model);
     outcome.claims =
@@ -117,8 +120,8 @@ int run_study(const std::filesystem::path& folder, std::size_t draws, const std:
       for_all(outcomes.size(),
               [&](std::size_t i) { outcomes[i] = run(system, noise, i + 1, effects); });
       add(system, noise, outcomes, tables);
+      write(folder, draws, tables);
     }
-  write(folder, draws, tables);
   return 0;
 }
 

@@ -19,7 +19,7 @@ using Starts = std::vector<std::vector<double>>;
 RationalSystem system(const std::string& name, const std::string& reference,
                       const std::string& text, const Starts& starts, double step,
                       Index samples) {
-  RationalSystem result{name, reference, parse_ode(text, name), {}, step, samples};
+  RationalSystem result{name, reference, parse_ode(text, name), {}, step, samples, 3};
   for (const std::vector<double>& start : starts)
     result.starts.push_back(
         Eigen::Map<const Vector>(start.data(), static_cast<Index>(start.size())));
@@ -70,7 +70,7 @@ RationalSystem yeast() {
       start.push_back(low[k] + place * (high[k] - low[k]));
     }
   }
-  return system("yeast glycolysis",
+  RationalSystem result = system("yeast glycolysis",
                 "Ruoff et al., Biophys. Chem. 106 (2003) 179; Mangan et al., IEEE Trans. Mol. "
                 "Biol. Multi-Scale Commun. 2 (2016) 52",
                 "dS1/dt = 2.5 - 100*S1*S6/(1+(S6/0.52)^4)\n"
@@ -81,6 +81,8 @@ RationalSystem yeast() {
                 "dS6/dt = -200*S1*S6/(1+(S6/0.52)^4) + 32*S3*(4-S6) - 1.28*S6\n"
                 "dS7/dt = 1.3*(S4-S7) - 1.8*S7",
                 starts, 0.01, 400);
+  result.degree = 2;
+  return result;
 }
 
 double squared_deviation(const Matrix& states) {

@@ -18,6 +18,7 @@ struct RationalSystem {
   std::vector<Vector> starts;  ///< of its records
   double step = 0.0;
   Index samples = 0;  ///< of each record
+  int degree = 3;     ///< of the monomials in the library
 };
 
 /// All systems.
