@@ -79,8 +79,7 @@ double BaseColumns::left_without_two(const Vector& column) const {
   double least = kInfinity;
   for (Index i = 0; i < h.size(); ++i)
     for (Index j = i + 1; j < h.size(); ++j)
-      least = std::min(least,
-                       worth(h[i], h[j], inverse(i, i), inverse(i, j), inverse(j, j)));
+      least = std::min(least, worth(h[i], h[j], inverse(i, i), inverse(i, j), inverse(j, j)));
   return more.left + least;
 }
 

@@ -155,7 +155,8 @@ Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
   Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
   now.equation = equation;
   if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
-  while (now.left <= limit(now.equation) && now.equation.terms.size() + now.equation.forms.size() > 1) {
+  while (now.left <= limit(now.equation) &&
+         now.equation.terms.size() + now.equation.forms.size() > 1) {
     Trial next = without_least(now.equation);
     if (next.left > limit(next.equation) && !next.equation.forms.empty())
       next.left = polish(next.equation, next.equation.forms.size() - 1, kExact);

@@ -79,8 +79,8 @@ class FormProblem {
   /// as what is left stays within a limit; infinite where already the form does not.
   Trial thinned(EquationForms equation, const MissingForm& form, const Limit& limit) const;
 
-  /// The form with those terms of an equation that it needs beside it, chosen by a price for each
-  /// in units of what the limit leaves on average in a row; thinned to the limit.
+  /// The form with those terms of an equation that it needs beside it, chosen by a price for
+  /// each in units of what the limit leaves on average in a row; thinned to the limit.
   Trial chosen(const EquationForms& from, const MissingForm& form, const Limit& limit) const;
 
   /// Whether two forms are nearly the same at the samples: a jump differs from a slope at few

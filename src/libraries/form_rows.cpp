@@ -50,7 +50,6 @@ TestFunction narrow_function(const Dataset& data) {
   return choose_test_function(data, {.radius = narrow, .order = {}});
 }
 
-
 }  // namespace
 
 FormRows::FormRows(const Dataset& data, const Vector& noise) {
@@ -67,8 +66,7 @@ FormRows::FormRows(const Dataset& data, const Vector& noise) {
     Part part{first, record.samples(), weak_projection(record, function, spacing), {}};
     slots_.middleRows(first, record.samples()) << record.states, record.inputs, record.time;
     for (Index k = 0; k < noise.size(); ++k) {
-      const Matrix smooth =
-          smooth_by_polynomials(record.time, record.states.col(k), noise[k]);
+      const Matrix smooth = smooth_by_polynomials(record.time, record.states.col(k), noise[k]);
       rates_.col(k).segment(first, record.samples()) = smooth.col(1);
       if (noise[k] > 0.0) slots_.col(k).segment(first, record.samples()) = smooth.col(0);
     }
@@ -114,8 +112,7 @@ Matrix FormRows::projected(const Matrix& samples) const {
 
 Vector FormRows::target(Index state) const {
   const Matrix values = states_.col(state);
-  return projected_by(values,
-                      [](const Projection& p) -> const SparseRows& { return p.rates; });
+  return projected_by(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
 }
 
 double squares_left(const Matrix& columns, const Vector& target) {

@@ -77,13 +77,13 @@ bool says_the_same(const Extension& with, const IdentificationResult& without,
   const auto n = static_cast<double>(data.samples());
   const double price = std::log(n * static_cast<double>(data.state_count()));
   const std::size_t numbers = with.numbers(), others = terms_of(without);
-  return numbers < others && 2.0 * n * excess(with.result, without) <
-                                 price * static_cast<double>(others - numbers);
+  return numbers < others &&
+         2.0 * n * excess(with.result, without) < price * static_cast<double>(others - numbers);
 }
 
 /// Whether forms have made the model better. Where the library fits already they have to say
-/// the same by fewer numbers; else it fits now, or leaves less by more than a tenth with no more
-/// terms.
+/// the same by fewer numbers; else it fits now, or leaves less by more than a tenth with no
+/// more terms.
 bool is_better(const Extension& with, const IdentificationResult& without,
                const Dataset& data) {
   if (reaches_the_noise(without))

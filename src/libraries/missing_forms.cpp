@@ -91,7 +91,8 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     if (std::isfinite(now.left) && is_fewer && limit.prefers(now, best)) best = now;
   };
   std::vector<Start> starts = all_starts(candidates);
-  for (const EquationForms* from : std::array<const EquationForms*, 3>{&equation, &linear, &whole}) {
+  for (const EquationForms* from :
+       std::array<const EquationForms*, 3>{&equation, &linear, &whole}) {
     const bool from_all = from == &equation;
     problem_->rate(*from, from_all, starts);
     for (const Start& start : best_of(starts, kTried)) {

@@ -58,10 +58,10 @@ class Products {
     constexpr int kStarts = 7;
     const Expression x = Expression::variable(range_.name);
     const double size = range_.magnitude();
-    result.push_back(shaped_candidate(
-        formula(scope_, pattern, {{"x", x}, {"m", monomial}}), x,
-        {scope_.free_name("a"), range_.unit, 0.02 * size, 20.0 * size, true},
-        geometric_starts(0.06 * size, 3.0 * size, kStarts)));
+    result.push_back(
+        shaped_candidate(formula(scope_, pattern, {{"x", x}, {"m", monomial}}), x,
+                         {scope_.free_name("a"), range_.unit, 0.02 * size, 20.0 * size, true},
+                         geometric_starts(0.06 * size, 3.0 * size, kStarts)));
   }
 
   const Scope& scope_;

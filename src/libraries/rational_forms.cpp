@@ -114,7 +114,8 @@ class Denominators {
     Vector numbers = -(solution.head(count).array() / norms.head(count).array());
     const double size = size_of(denominator.monomials[0]);
     for (Index j = 0; j < count; ++j) {
-      const double unit = size / size_of(denominator.monomials[static_cast<std::size_t>(j + 1)]);
+      const double unit =
+          size / size_of(denominator.monomials[static_cast<std::size_t>(j + 1)]);
       if (!(numbers[j] > 0.01 * unit)) numbers[j] = 0.1 * unit;
       numbers[j] = std::min(numbers[j], 50.0 * unit);
     }

@@ -37,9 +37,8 @@ void name_shapes(const OdeModel& model, const MissingForm& form, const ShapePlac
                  Symbolic& symbolic) {
   const Term numbers(form.expression(), model.variables());
   Equation& equation = symbolic.equations[at.equation];
-  const auto summand = std::find_if(equation.begin(), equation.end(), [&](const auto& each) {
-    return each.term == numbers;
-  });
+  const auto summand = std::find_if(equation.begin(), equation.end(),
+                                    [&](const auto& each) { return each.term == numbers; });
   if (summand == equation.end()) return;
   std::map<std::string, Expression> names;
   for (Index i = 0; i < form.shapes.size(); ++i) {
@@ -73,10 +72,10 @@ std::vector<EquationForms> refined_shapes(const OdeModel& model,
   std::vector<bool> exact;
   for (Index k = 0; k < model.dimension(); ++k) exact.push_back(data.rate_state(k).has_value());
   try {
-    const ParametrisedModel start = with_free_coefficients(
-        OdeModel(model.states(), std::move(symbolic.inputs), std::move(symbolic.equations),
-                 model.time_unit()),
-        exact, std::move(symbolic.shapes));
+    const ParametrisedModel start =
+        with_free_coefficients(OdeModel(model.states(), std::move(symbolic.inputs),
+                                        std::move(symbolic.equations), model.time_unit()),
+                               exact, std::move(symbolic.shapes));
     const Refinement fit = refine(start, data, {}, context);
     if (fit.status == RefineStatus::Diverged) return equations;
     for (std::size_t i = 0; i < symbolic.places.size(); ++i) {

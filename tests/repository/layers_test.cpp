@@ -52,7 +52,7 @@ Allowed allowed_includes() {
   allowed["diagnosis"] = {"core",       "numerics",   "data",     "model",     "records",
                           "estimation", "candidates", "decision", "hypotheses"};
   allowed["libraries"] = allowed["pipeline"];
-  allowed["libraries"].insert({"pipeline", "candidates", "effects"});
+  allowed["libraries"].insert({"pipeline", "candidates", "effects", "shooting"});
   allowed["realisation"] = allowed["pipeline"];
   allowed["realisation"].insert({"pipeline", "records", "shooting"});
   allowed["plot"] = {"core"};

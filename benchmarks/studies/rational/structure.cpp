@@ -36,7 +36,9 @@ Fraction sum(const Fraction& a, const Fraction& b) {
   return result;
 }
 
-Fraction inverse(const Fraction& fraction) { return {fraction.denominator, fraction.numerator}; }
+Fraction inverse(const Fraction& fraction) {
+  return {fraction.denominator, fraction.numerator};
+}
 
 Fraction factor(const std::string& name) { return {{Powers{{name, 1}}}, kOne}; }
 

@@ -46,8 +46,7 @@ std::vector<RationalSystem> oscillators() {
   return {
       system("x/(1+x^2) oscillator", "a spring that softens",
              "dx/dt = y\ndy/dt = -1.5*x/(1+x^2/1.21)", {{2.5, 0.0}, {1.0, 0.0}}, 0.04, 500),
-      system("prey and predator, Holling II",
-             "Rosenzweig & MacArthur, Am. Nat. 97 (1963) 209",
+      system("prey and predator, Holling II", "Rosenzweig & MacArthur, Am. Nat. 97 (1963) 209",
              "dx/dt = 1.1*x - 0.4*x^2 - 1.2*x*y/(0.45+x)\ndy/dt = 0.9*x*y/(0.45+x) - 0.5*y",
              {{0.5, 1.0}, {2.2, 0.3}}, 0.05, 500),
       system("prey and predator, Beddington-DeAngelis",
@@ -70,17 +69,18 @@ RationalSystem yeast() {
       start.push_back(low[k] + place * (high[k] - low[k]));
     }
   }
-  RationalSystem result = system("yeast glycolysis",
-                "Ruoff et al., Biophys. Chem. 106 (2003) 179; Mangan et al., IEEE Trans. Mol. "
-                "Biol. Multi-Scale Commun. 2 (2016) 52",
-                "dS1/dt = 2.5 - 100*S1*S6/(1+(S6/0.52)^4)\n"
-                "dS2/dt = 200*S1*S6/(1+(S6/0.52)^4) - 6*S2*(1-S5) - 12*S2*S5\n"
-                "dS3/dt = 6*S2*(1-S5) - 16*S3*(4-S6)\n"
-                "dS4/dt = 16*S3*(4-S6) - 100*S4*S5 - 13*(S4-S7)\n"
-                "dS5/dt = 6*S2*(1-S5) - 100*S4*S5 - 12*S2*S5\n"
-                "dS6/dt = -200*S1*S6/(1+(S6/0.52)^4) + 32*S3*(4-S6) - 1.28*S6\n"
-                "dS7/dt = 1.3*(S4-S7) - 1.8*S7",
-                starts, 0.01, 400);
+  RationalSystem result =
+      system("yeast glycolysis",
+             "Ruoff et al., Biophys. Chem. 106 (2003) 179; Mangan et al., IEEE Trans. Mol. "
+             "Biol. Multi-Scale Commun. 2 (2016) 52",
+             "dS1/dt = 2.5 - 100*S1*S6/(1+(S6/0.52)^4)\n"
+             "dS2/dt = 200*S1*S6/(1+(S6/0.52)^4) - 6*S2*(1-S5) - 12*S2*S5\n"
+             "dS3/dt = 6*S2*(1-S5) - 16*S3*(4-S6)\n"
+             "dS4/dt = 16*S3*(4-S6) - 100*S4*S5 - 13*(S4-S7)\n"
+             "dS5/dt = 6*S2*(1-S5) - 100*S4*S5 - 12*S2*S5\n"
+             "dS6/dt = -200*S1*S6/(1+(S6/0.52)^4) + 32*S3*(4-S6) - 1.28*S6\n"
+             "dS7/dt = 1.3*(S4-S7) - 1.8*S7",
+             starts, 0.01, 400);
   result.degree = 2;
   return result;
 }

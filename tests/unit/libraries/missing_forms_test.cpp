@@ -42,7 +42,8 @@ TEST(FormSearch, FindsAFormWithItsShape) {
   const FormSearch search(c.data, c.sigma);
   const EquationForms more = search.with_missing_forms(c.bare(), c.candidates(), 3);
   EXPECT_FALSE(more.forms.empty());
-  const EquationForms found = search.refitted(search.with_fewer_terms(more, c.candidates(), c.library.terms));
+  const EquationForms found =
+      search.refitted(search.with_fewer_terms(more, c.candidates(), c.library.terms));
   EXPECT_TRUE(found.terms.empty());
   ASSERT_EQ(found.forms.size(), 1u);
   EXPECT_EQ(found.forms[0].candidate.form.to_string(), "x/(1+x^2/a^2)");
