@@ -77,7 +77,7 @@ double Limit::operator()(const EquationForms& equation) const {
   return left + (now < parameters ? price * static_cast<double>(parameters - now) : 0.0);
 }
 
-bool Limit::prefers(const Trial& a, const Trial& b) const {
+bool Limit::prefers(const Trial& a, const Trial& b) {
   const std::size_t cost = a.equation.parameters(), other = b.equation.parameters();
   return cost != other ? cost < other : a.left < b.left;
 }

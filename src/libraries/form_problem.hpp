@@ -39,9 +39,10 @@ struct Limit {
 
   double operator()(const EquationForms& equation) const;
 
-  /// Whether one trial is the better of two: by Schwarz' criterion where residuals are noise,
-  /// else by fewer numbers, and by what is left where they have as many.
-  bool prefers(const Trial& a, const Trial& b) const;
+  /// Whether one trial is the better of two: by fewer numbers, and by what is left where they
+  /// have as many. Terms whose noise is not in the rows' whitening make Schwarz' criterion take
+  /// too many.
+  static bool prefers(const Trial& a, const Trial& b);
 };
 
 /// Rows of the weak form, and what equations leave in them.

@@ -264,7 +264,8 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
                                          const std::vector<Stage<Effect>>& effects,
                                          const RunContext& context) {
   IdentificationResult alone = identify(data, pipeline, context);
-  if (leaves_nothing(alone) || lacks_input_columns(data)) return alone;
+  if (leaves_nothing(alone) || lacks_input_columns(data) || !pipeline.equations.empty())
+    return alone;
   const ExtendedRun run(data, pipeline, effects, alone, context);
   if (!run.is_possible()) return alone;
   Extension extended = run.result(alone);

@@ -88,7 +88,7 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   const EquationForms whole{equation.equation, library, {}};
   const auto take = [&](const Trial& now) {
     const bool is_fewer = now.equation.parameters() < equation.parameters();
-    if (std::isfinite(now.left) && is_fewer && limit.prefers(now, best)) best = now;
+    if (std::isfinite(now.left) && is_fewer && Limit::prefers(now, best)) best = now;
   };
   std::vector<Start> starts = all_starts(candidates);
   for (const EquationForms* from :
