@@ -61,9 +61,9 @@ TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
 
 TEST(FormProblem, ChoosesTheTermsThatAFormNeeds) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms all{0, problem.linear_terms(), {}};
+  const EquationForms all{0, {problem.linear_terms()[0]}, {}};
   const double limit = 1e6 * problem.noise_left(0);
-  const Trial few = problem.chosen(all, {form_of_x("-x"), Vector()}, {limit, 0.0, 2});
+  const Trial few = problem.chosen(all, {form_of_x("2*x"), Vector()}, {limit, 0.0, 2});
   EXPECT_TRUE(few.equation.terms.empty());
   EXPECT_LE(few.left, limit);
 }
