@@ -45,8 +45,8 @@ class Products {
   void add(const Expression& monomial, int exponent, std::vector<Candidate>& result) const {
     const auto n = static_cast<std::size_t>(exponent - 1);
     std::vector<int> exponents = *Term(monomial, variables_).exponents();
-    // m x^n/(a^n+x^n) is m'/(1+x^n/a^n) with another monomial.
-    if (exponents[slot_] >= exponent) return push(kSaturated[n], monomial, result);
+    // m/(1+x^n/a^n) with a factor x^n in m is the saturated form of another monomial.
+    if (exponents[slot_] >= exponent) return;
     push(kInhibited[n], monomial, result);
     exponents[slot_] += exponent;
     push(kSaturated[n], Term::monomial(exponents, variables_).expression(), result);
