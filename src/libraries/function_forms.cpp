@@ -98,6 +98,15 @@ Expression without_abs_of_amounts(const Expression& expression, const Scope& sco
   return Expression::make(expression.operation(), std::move(plain));
 }
 
+/// Candidates for an equation, each with a start.
+std::vector<Candidate> placed(std::vector<Candidate> candidates, Index equation) {
+  for (Candidate& candidate : candidates) {
+    candidate.equation = equation;
+    if (candidate.starts.empty()) candidate.starts = {Vector()};
+  }
+  return candidates;
+}
+
 /// Adds those that are not there.
 void add_new(const std::vector<Candidate>& more, std::vector<Candidate>& all) {
   const std::size_t known = all.size();
@@ -127,12 +136,8 @@ std::vector<Candidate> function_forms(const Scope& scope,
         candidate.form = without_abs_of_amounts(candidate.form, scope);
         all.push_back(std::move(candidate));
       }
-  all = merged(all);
-  add_new(product_forms(scope), all);
-  for (Candidate& candidate : all) {
-    candidate.equation = equation;
-    if (candidate.starts.empty()) candidate.starts = {Vector()};
-  }
+  all = merged(placed(std::move(all), equation));
+  add_new(placed(product_forms(scope), equation), all);
   return all;
 }
 
