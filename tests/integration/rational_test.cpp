@@ -4,13 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/studies/rational/systems.hpp"
-#include "benchmarks/studies/solver_noise/records.hpp"
 #include "lacuna/config/registry.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/model/ode_text.hpp"
 #include "lacuna/pipeline/presets.hpp"
-#include "lacuna/systems/measurement.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -47,20 +45,6 @@ TEST(Rational, IsFoundAtOnePerCentNoise) {
     const OdeModel model = found_in(system, 0.01);
     EXPECT_TRUE(has_structure(model, system.model)) << name << '\n' << to_text(model);
     EXPECT_LT(rate_error(model, system), 0.02) << name;
-  }
-}
-
-TEST(Rational, NoFormsEnterWherePolynomialsAreTheTruth) {
-  const auto effects = default_registry().make_all<Effect>();
-  for (const Flow& flow : flows()) {
-    if (!flow.model.inputs().empty() || flow.name == "linear chain") continue;
-    const Dataset clean = solver_record(flow, {"", Making::Solver::Exact, 0.0, 1, 17});
-    for (const double noise : {0.01, 0.05}) {
-      const auto found =
-          identify_with_forms(add_relative_noise(clean, noise, 1), algorithm1(), effects);
-      EXPECT_FALSE(found.library_alone) << flow.name << ' ' << noise << '\n'
-                                        << to_text(found.model);
-    }
   }
 }
 
