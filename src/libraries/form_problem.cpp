@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "form_problem.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base_columns.hpp"
 #include "candidates/nelder_mead.hpp"
+#include "lacuna/selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {
+
+/// Less than so much of what noise leaves is mostly noise.
+constexpr double kMostlyNoise = 2.0;
 
 /// A value of a shape parameter on the unit interval and back.
 double to_unit(const ShapeParameter& shape, double value) {
@@ -66,6 +72,16 @@ std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
   return best;
 }
 
+double Limit::operator()(const EquationForms& equation) const {
+  const std::size_t now = equation.parameters();
+  return left + (now < parameters ? price * static_cast<double>(parameters - now) : 0.0);
+}
+
+bool Limit::prefers(const Trial& a, const Trial& b) {
+  const std::size_t cost = a.equation.parameters(), other = b.equation.parameters();
+  return cost != other ? cost < other : a.left < b.left;
+}
+
 FormProblem::FormProblem(const Dataset& data, Vector noise, RunContext context)
     : rows_(data, noise), noise_(std::move(noise)), context_(std::move(context)) {}
 
@@ -76,11 +92,20 @@ double FormProblem::noise_left(Index equation) const {
 }
 
 double FormProblem::same_as(double left, Index equation) const {
-  constexpr double kTenth = 1.21, kMostlyNoise = 2.0;
+  constexpr double kTenth = 1.21;
   const double noise = noise_left(equation);
   const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
   if (left > kMostlyNoise * noise) return kTenth * left;
   return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
+}
+
+Limit FormProblem::limit_of(const EquationForms& equation) const {
+  const Index k = equation.equation;
+  const double now = left(equation), same = same_as(now, k), noise = noise_left(k);
+  const auto rows = static_cast<double>(rows_.rows());
+  const bool is_noise = now <= kMostlyNoise * noise;
+  return {same, is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
+          equation.parameters()};
 }
 
 Matrix FormProblem::columns(const EquationForms& equation) const {
@@ -105,38 +130,71 @@ std::vector<Term> FormProblem::linear_terms() const {
 std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
                                           const std::vector<Candidate>& candidates) const {
   constexpr int kRough = 25;
-  constexpr std::size_t kExactly = 6;
+  constexpr std::size_t kRoughly = 100, kExactly = 6;
   std::vector<Start> starts = all_starts(candidates);
   rate(equation, false, starts);
+  const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
-  for (const Start& start : best_of(std::move(starts), candidates.size())) {
+  for (const Start& start : best_of(std::move(starts), kRoughly)) {
     if (has_form(equation, start.form.candidate)) continue;
     trials.push_back({equation, 0.0});
     trials.back().equation.forms.push_back(start.form);
-    trials.back().left = polish(trials.back().equation, equation.forms.size(), kRough);
+    trials.back().left = fit_shapes(base, trials.back().equation.forms.back(), kRough);
   }
   const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   for (std::size_t i = 0; i < std::min(kExactly, trials.size()); ++i)
-    trials[i].left = polish(trials[i].equation, equation.forms.size(), kExact);
+    trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), kExact);
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   return trials;
 }
 
 Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
-                           double limit) const {
+                           const Limit& limit) const {
   equation.forms.push_back(form);
   Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
   now.equation = equation;
-  if (now.left > limit) now.left = std::numeric_limits<double>::infinity();
-  while (now.left <= limit && now.equation.terms.size() + now.equation.forms.size() > 1) {
+  if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
+  while (now.left <= limit(now.equation) &&
+         now.equation.terms.size() + now.equation.forms.size() > 1) {
     Trial next = without_least(now.equation);
-    if (next.left > limit && !next.equation.forms.empty())
+    if (next.left > limit(next.equation) && !next.equation.forms.empty())
       next.left = polish(next.equation, next.equation.forms.size() - 1, kExact);
-    if (!(next.left <= limit)) break;
+    if (!(next.left <= limit(next.equation))) break;
     now = std::move(next);
   }
   return now;
+}
+
+Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
+                          const Limit& limit) const {
+  EquationForms all = from;
+  all.forms.push_back(form);
+  const Matrix members = columns(all);
+  const Trial none{all, std::numeric_limits<double>::infinity()};
+  if (!members.allFinite()) return none;
+  const Index last = members.cols() - 1;
+  Matrix system(members.rows(), members.cols() + 1);
+  system << members, rows_.target(from.equation);
+  const auto rows = static_cast<double>(rows_.rows());
+  const Matrix triangle = Eigen::HouseholderQR<Matrix>(system)
+                              .matrixQR()
+                              .topRows(system.cols())
+                              .template triangularView<Eigen::Upper>();
+  const Subset subset =
+      best_subset(subset_problem(triangle / std::sqrt(std::max(limit.left, 1e-300) / rows)),
+                  2.0 * std::log(rows), {{last}}, Exchange::Single, context_);
+  if (subset.columns.empty() || subset.columns.back() != last) return none;
+  EquationForms few{from.equation, {}, {}};
+  const auto terms = static_cast<Index>(from.terms.size());
+  for (const Index c : subset.columns) {
+    if (c == last) break;
+    if (c < terms)
+      few.terms.push_back(from.terms[static_cast<std::size_t>(c)]);
+    else
+      few.forms.push_back(from.forms[static_cast<std::size_t>(c - terms)]);
+  }
+  return thinned(std::move(few), form, limit);
 }
 
 bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness kind) const {
@@ -158,17 +216,21 @@ double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
 }
 
 double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations) const {
-  MissingForm& form = equation.forms[place];
-  const Vector target = rows_.target(equation.equation);
-  Matrix all = columns(equation);
-  const Index column = static_cast<Index>(equation.terms.size() + place);
+  EquationForms others = equation;
+  others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(place));
+  const BaseColumns base(columns(others), rows_.target(equation.equation));
+  return fit_shapes(base, equation.forms[place], evaluations);
+}
+
+double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
+                               int evaluations) const {
   const auto left = [&](const Vector& at) {
     context_.check_stop();
     form.shapes = each_shape(form.candidate, at, from_unit);
-    all.col(column) = rows_.columns({form.expression()});
-    return std::log(std::max(squares_left(all, target), 1e-300));
+    const double rest = base.left_with(rows_.columns({form.expression()}).col(0));
+    return std::log(std::max(rest, 1e-300));
   };
-  if (form.shapes.size() == 0) return squares_left(all, target);
+  if (form.shapes.size() == 0) return base.left_with(rows_.columns({form.expression()}).col(0));
   const Vector start = each_shape(form.candidate, form.shapes, to_unit);
   const int most = evaluations * static_cast<int>(start.size() * start.size());
   return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
@@ -176,15 +238,18 @@ double FormProblem::polish(EquationForms& equation, std::size_t place, int evalu
 
 void FormProblem::rate(const EquationForms& equation, bool without_two,
                        std::vector<Start>& starts) const {
-  const Matrix base = columns(equation);
-  const Vector target = rows_.target(equation.equation);
-  std::vector<Expression> forms;
-  for (const Start& start : starts) forms.push_back(start.form.expression());
-  const Matrix added = rows_.columns(forms);
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    Matrix all(base.rows(), base.cols() + 1);
-    all << added.col(static_cast<Index>(i)), base;
-    starts[i].left = without_two ? least_without_two(all, target) : squares_left(all, target);
+  constexpr std::size_t kTogether = 256;  // columns of the samples in memory
+  const BaseColumns base(columns(equation), rows_.target(equation.equation));
+  for (std::size_t first = 0; first < starts.size(); first += kTogether) {
+    context_.check_stop();
+    const std::size_t end = std::min(starts.size(), first + kTogether);
+    std::vector<Expression> forms;
+    for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
+    const Matrix added = rows_.columns(forms);
+    for (std::size_t i = first; i < end; ++i) {
+      const Vector column = added.col(static_cast<Index>(i - first));
+      starts[i].left = without_two ? base.left_without_two(column) : base.left_with(column);
+    }
   }
 }
 
@@ -200,19 +265,6 @@ Trial FormProblem::without_least(const EquationForms& equation) const {
     if (without_it < best.left) best = {std::move(fewer), without_it};
   }
   return best;
-}
-
-double FormProblem::least_without_two(const Matrix& all, const Vector& target) {
-  double least = std::numeric_limits<double>::infinity();
-  Matrix fewer(all.rows(), all.cols() - 2);
-  for (Index i = 1; i < all.cols(); ++i)
-    for (Index j = i + 1; j < all.cols(); ++j) {
-      Index place = 0;
-      for (Index c = 0; c < all.cols(); ++c)
-        if (c != i && c != j) fewer.col(place++) = all.col(c);
-      least = std::min(least, squares_left(fewer, target));
-    }
-  return least;
 }
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base_columns.hpp"
 #include "form_rows.hpp"
 #include "lacuna/libraries/missing_forms.hpp"
 
@@ -30,11 +31,27 @@ struct Trial {
   double left = 0.0;  ///< sum of squares
 };
 
+/// How much an equation may leave in place of another.
+struct Limit {
+  double left = 0.0;           ///< with as many numbers
+  double price = 0.0;          ///< more for each number less; 0 where residuals are no noise
+  std::size_t parameters = 0;  ///< of the other
+
+  double operator()(const EquationForms& equation) const;
+
+  /// Whether one trial is the better of two: by fewer numbers, and by what is left where they
+  /// have as many. Terms whose noise is not in the rows' whitening make Schwarz' criterion take
+  /// too many.
+  static bool prefers(const Trial& a, const Trial& b);
+};
+
 /// Rows of the weak form, and what equations leave in them.
 class FormProblem {
  public:
   FormProblem(const Dataset& data, Vector noise, RunContext context);
 
+  const FormRows& all_rows() const { return rows_; }
+  const RunContext& context() const { return context_; }
   Index rows() const { return rows_.rows(); }
 
   /// The sum of squares that noise leaves, or quadrature and rounding where there is none.
@@ -43,6 +60,9 @@ class FormProblem {
   /// The largest sum of squares that is the same as another: what is no noise is known to a
   /// tenth (rms), noise to what chance does for the best of many forms.
   double same_as(double left, Index equation) const;
+
+  /// What may take the place of an equation.
+  Limit limit_of(const EquationForms& equation) const;
 
   /// Columns of an equation: terms, then forms.
   Matrix columns(const EquationForms& equation) const;
@@ -58,7 +78,11 @@ class FormProblem {
 
   /// The equation with one form more and without those members that are missed least, as long
   /// as what is left stays within a limit; infinite where already the form does not.
-  Trial thinned(EquationForms equation, const MissingForm& form, double limit) const;
+  Trial thinned(EquationForms equation, const MissingForm& form, const Limit& limit) const;
+
+  /// The form with those terms of an equation that it needs beside it, chosen by a price for
+  /// each in units of what the limit leaves on average in a row; thinned to the limit.
+  Trial chosen(const EquationForms& from, const MissingForm& form, const Limit& limit) const;
 
   /// Whether two forms are nearly the same at the samples: a jump differs from a slope at few
   /// of them, other forms hardly differ at all.
@@ -78,8 +102,8 @@ class FormProblem {
   /// The equation without that member, the last form apart, that is missed least.
   Trial without_least(const EquationForms& equation) const;
 
-  /// What is left when the two columns behind the first leave that are missed least.
-  static double least_without_two(const Matrix& all, const Vector& target);
+  /// Fits the shapes of a form beside columns that stay. @return what is left.
+  double fit_shapes(const BaseColumns& base, MissingForm& form, int evaluations) const;
 
   FormRows rows_;
   Vector noise_;

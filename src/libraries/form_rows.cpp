@@ -50,15 +50,6 @@ TestFunction narrow_function(const Dataset& data) {
   return choose_test_function(data, {.radius = narrow, .order = {}});
 }
 
-Matrix slots_of(const Trajectory& record, const Vector& noise) {
-  Matrix slots(record.samples(), record.states.cols() + record.inputs.cols() + 1);
-  slots << record.states, record.inputs, record.time;
-  for (Index k = 0; k < noise.size(); ++k)
-    if (noise[k] > 0.0)
-      slots.col(k) = smooth_by_polynomials(record.time, record.states.col(k), noise[k]).col(0);
-  return slots;
-}
-
 }  // namespace
 
 FormRows::FormRows(const Dataset& data, const Vector& noise) {
@@ -69,10 +60,16 @@ FormRows::FormRows(const Dataset& data, const Vector& noise) {
       std::max(test_function_spacing(function), total_duration(data) / kMostRows);
   Index first = 0;
   states_.resize(data.samples(), data.state_count());
+  rates_.resize(data.samples(), data.state_count());
   slots_.resize(data.samples(), variables_.count());
   for (const Trajectory& record : data.trajectories) {
     Part part{first, record.samples(), weak_projection(record, function, spacing), {}};
-    slots_.middleRows(first, record.samples()) = slots_of(record, noise);
+    slots_.middleRows(first, record.samples()) << record.states, record.inputs, record.time;
+    for (Index k = 0; k < noise.size(); ++k) {
+      const Matrix smooth = smooth_by_polynomials(record.time, record.states.col(k), noise[k]);
+      rates_.col(k).segment(first, record.samples()) = smooth.col(1);
+      if (noise[k] > 0.0) slots_.col(k).segment(first, record.samples()) = smooth.col(0);
+    }
     states_.middleRows(first, record.samples()) = record.states;
     first += record.samples();
     if (part.projection.rows() == 0) continue;
@@ -83,7 +80,7 @@ FormRows::FormRows(const Dataset& data, const Vector& noise) {
 }
 
 template <class Functional>
-Matrix FormRows::projected(const Matrix& samples, Functional functional) const {
+Matrix FormRows::projected_by(const Matrix& samples, Functional functional) const {
   Matrix result(rows_, samples.cols());
   Index row = 0;
   for (const Part& part : parts_) {
@@ -105,13 +102,17 @@ Matrix FormRows::values(const std::vector<Expression>& forms) const {
 }
 
 Matrix FormRows::columns(const std::vector<Expression>& forms) const {
-  return projected(values(forms),
-                   [](const Projection& p) -> const SparseRows& { return p.values; });
+  return projected(values(forms));
+}
+
+Matrix FormRows::projected(const Matrix& samples) const {
+  return projected_by(samples,
+                      [](const Projection& p) -> const SparseRows& { return p.values; });
 }
 
 Vector FormRows::target(Index state) const {
   const Matrix values = states_.col(state);
-  return projected(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
+  return projected_by(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
 }
 
 double squares_left(const Matrix& columns, const Vector& target) {

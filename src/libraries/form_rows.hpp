@@ -30,6 +30,12 @@ class FormRows {
   /// Samples x forms: the values themselves.
   Matrix values(const std::vector<Expression>& forms) const;
 
+  /// K x columns: the rows of what is given at the samples.
+  Matrix projected(const Matrix& samples) const;
+
+  /// The smoothed rate of a state at the samples.
+  Vector rate(Index state) const { return rates_.col(state); }
+
  private:
   /// Rows of one record.
   struct Part {
@@ -39,11 +45,12 @@ class FormRows {
   };
 
   template <class Functional>
-  Matrix projected(const Matrix& samples, Functional functional) const;
+  Matrix projected_by(const Matrix& samples, Functional functional) const;
 
   Variables variables_;
   Matrix slots_;   ///< samples x variables, where forms are evaluated
   Matrix states_;  ///< samples x m, as measured
+  Matrix rates_;   ///< samples x m, smoothed
   std::vector<Part> parts_;
   Index rows_ = 0;
 };

@@ -4,12 +4,15 @@
 #include <algorithm>
 
 #include "lacuna/effects/forms.hpp"
+#include "product_forms.hpp"
 
 namespace lacuna {
 namespace {
 
 /// Forms without shape parameters; x is in its place wherever it may be.
-constexpr const char* kPlain[] = {"sin(x)", "cos(x)", "abs(x)", "x*abs(x)", "sign(x)"};
+constexpr const char* kPlain[] = {"sin(x)", "cos(x)"};
+/// The same for variables that are no amounts.
+constexpr const char* kPlainOfBothSigns[] = {"abs(x)", "x*abs(x)", "sign(x)"};
 /// The same for amounts, which are positive.
 constexpr const char* kPlainOfAmounts[] = {"sqrt(x)", "log(x)", "x*log(x)"};
 
@@ -19,6 +22,9 @@ constexpr const char* kOfLength[] = {"sin(x/a)",      "cos(x/a)",      "exp(x/a)
                                      "exp(-x/a)",     "1/(1+x^2/a^2)", "x/(1+x^2/a^2)",
                                      "x^2/(a^2+x^2)", "tanh(x/a)"};
 constexpr const char* kOfLengthOfAmounts[] = {"x/(a+x)", "x^4/(a^4+x^4)"};
+
+constexpr const char* kLogistic[] = {"1/(1+exp((middle-x)/width))",
+                                     "1/(1+exp((x-middle)/width))"};
 
 void add_plain(const Scope& scope, const char* pattern, const Expression& x,
                std::vector<Candidate>& result) {
@@ -35,13 +41,13 @@ void add_of_length(const Scope& scope, const char* pattern, const Expression& x,
                        geometric_starts(0.05 * size, 4.0 * size, 9)));
 }
 
-/// 1 / (1 + exp(-(x - middle) / width)).
-void add_logistic(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
+/// 1 / (1 + exp(-(x - middle) / width)), or what falls instead of rising.
+void add_logistic(const Scope& scope, const char* pattern, const Expression& x,
+                  std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
   const double size = range.high - range.low;
   if (!(size > 0.0)) return;
-  Candidate candidate =
-      plain_candidate(formula(scope, "1/(1+exp((middle-x)/width))", {{"x", x}}), x);
+  Candidate candidate = plain_candidate(formula(scope, pattern, {{"x", x}}), x);
   candidate.shapes = {
       {scope.free_name("middle"), range.unit, range.low - size, range.high + size, false},
       {scope.free_name("width"), range.unit, 0.005 * size, 2.0 * size, true}};
@@ -62,8 +68,10 @@ void add_functions_of(const Scope& scope, const VariableRange& range,
                       std::vector<Candidate>& result) {
   const Expression x = Expression::variable(range.name);
   for (const char* pattern : kPlain) add_plain(scope, pattern, x, result);
+  if (!range.is_amount())
+    for (const char* pattern : kPlainOfBothSigns) add_plain(scope, pattern, x, result);
   for (const char* pattern : kOfLength) add_of_length(scope, pattern, x, result);
-  add_logistic(scope, x, result);
+  for (const char* pattern : kLogistic) add_logistic(scope, pattern, x, result);
   if (range.is_amount())
     for (const char* pattern : kOfLengthOfAmounts) add_of_length(scope, pattern, x, result);
   if (!(range.low > 0.0)) return;
@@ -74,6 +82,38 @@ void add_functions_of(const Scope& scope, const VariableRange& range,
 bool has_delay(const Expression& expression) {
   return expression.operation() == Operation::Delay ||
          std::any_of(expression.operands().begin(), expression.operands().end(), has_delay);
+}
+
+/// |x| of an amount is x.
+Expression without_abs_of_amounts(const Expression& expression, const Scope& scope) {
+  const auto operands = expression.operands();
+  if (operands.empty() || expression.operation() == Operation::Delay) return expression;
+  if (expression.operation() == Operation::Abs &&
+      operands[0].operation() == Operation::Variable)
+    for (const VariableRange& range : scope.variables)
+      if (range.name == operands[0].name() && range.is_amount()) return operands[0];
+  std::vector<Expression> plain;
+  for (const Expression& operand : operands)
+    plain.push_back(without_abs_of_amounts(operand, scope));
+  return Expression::make(expression.operation(), std::move(plain));
+}
+
+/// Candidates for an equation, each with a start.
+std::vector<Candidate> placed(std::vector<Candidate> candidates, Index equation) {
+  for (Candidate& candidate : candidates) {
+    candidate.equation = equation;
+    if (candidate.starts.empty()) candidate.starts = {Vector()};
+  }
+  return candidates;
+}
+
+/// Adds those that are not there.
+void add_new(const std::vector<Candidate>& more, std::vector<Candidate>& all) {
+  const std::size_t known = all.size();
+  for (const Candidate& candidate : more)
+    if (std::none_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(known),
+                     [&](const Candidate& other) { return are_one_form(other, candidate); }))
+      all.push_back(candidate);
 }
 
 /// Whether a candidate is a function of what is measured at the moment.
@@ -92,12 +132,13 @@ std::vector<Candidate> function_forms(const Scope& scope,
     if (!range.is_input) add_functions_of(scope, range, all);
   for (const Stage<Effect>& effect : effects)
     for (Candidate& candidate : effect->candidates(scope, equation))
-      if (acts_at_once(candidate)) all.push_back(std::move(candidate));
-  for (Candidate& candidate : all) {
-    candidate.equation = equation;
-    if (candidate.starts.empty()) candidate.starts = {Vector()};
-  }
-  return merged(all);
+      if (acts_at_once(candidate)) {
+        candidate.form = without_abs_of_amounts(candidate.form, scope);
+        all.push_back(std::move(candidate));
+      }
+  all = merged(placed(std::move(all), equation));
+  add_new(placed(product_forms(scope), equation), all);
+  return all;
 }
 
 }  // namespace lacuna

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/libraries/function_forms.hpp"
 #include "lacuna/libraries/missing_forms.hpp"
+#include "refined_shapes.hpp"
 
 namespace lacuna {
 namespace {
@@ -20,6 +22,13 @@ bool reaches_the_noise(const IdentificationResult& result) {
                      [](const EquationFit& fit) { return fit.fits_to_noise.value_or(true); });
 }
 
+/// Whether that is known, too: an equation that could not be judged is no success of forms.
+bool is_known_to_fit(const IdentificationResult& result) {
+  return std::all_of(result.fit.begin(), result.fit.end(), [](const EquationFit& fit) {
+    return fit.identity || fit.fits_to_noise.value_or(false);
+  });
+}
+
 /// Whether what the library leaves of the rates is not worth a form: errors of solvers.
 bool leaves_nothing(const IdentificationResult& result) {
   constexpr double kNothing = 1e-5;  // of the rate, rms
@@ -28,11 +37,17 @@ bool leaves_nothing(const IdentificationResult& result) {
   });
 }
 
-/// Sum of the logarithms of the misfits; of the residuals where there are none.
-double misfit_of(const IdentificationResult& result) {
+/// Sum over equations of ln(what one model leaves / what another does): of the misfits, or of
+/// the residuals where not both have one.
+double excess(const IdentificationResult& of, const IdentificationResult& over) {
   double sum = 0.0;
-  for (const EquationFit& fit : result.fit)
-    if (!fit.identity) sum += std::log(std::max(fit.misfit.value_or(fit.residual_rms), 1e-300));
+  for (std::size_t k = 0; k < of.fit.size(); ++k) {
+    const EquationFit &one = of.fit[k], &other = over.fit[k];
+    if (one.identity) continue;
+    const bool both = one.misfit && other.misfit;
+    sum += std::log(std::max(both ? *one.misfit : one.residual_rms, 1e-300) /
+                    std::max(both ? *other.misfit : other.residual_rms, 1e-300));
+  }
   return sum;
 }
 
@@ -42,11 +57,39 @@ std::size_t terms_of(const IdentificationResult& result) {
   return count;
 }
 
-/// Whether forms have made the model better: it fits now, or leaves less by more than a tenth
-/// with no more terms.
-bool is_better(const IdentificationResult& with, const IdentificationResult& without) {
-  if (reaches_the_noise(with)) return true;
-  return misfit_of(with) < misfit_of(without) - kSlack && terms_of(with) <= terms_of(without);
+/// A model and its equations with forms as such.
+struct Extension {
+  IdentificationResult result;
+  std::vector<EquationForms> equations;
+
+  /// Coefficients, and shapes of forms.
+  std::size_t numbers() const {
+    std::size_t count = 0;
+    for (const EquationForms& equation : equations) count += equation.parameters();
+    return count;
+  }
+};
+
+/// Whether fewer numbers say the same by Schwarz' criterion: 2 n ln(what is left) of each state
+/// and ln(n m) for each number.
+bool says_the_same(const Extension& with, const IdentificationResult& without,
+                   const Dataset& data) {
+  const auto n = static_cast<double>(data.samples());
+  const double price = std::log(n * static_cast<double>(data.state_count()));
+  const std::size_t numbers = with.numbers(), others = terms_of(without);
+  return numbers < others &&
+         2.0 * n * excess(with.result, without) < price * static_cast<double>(others - numbers);
+}
+
+/// Whether forms have made the model better. Where the library fits already they have to say
+/// the same by fewer numbers; else it fits now, or leaves less by more than a tenth with no
+/// more terms.
+bool is_better(const Extension& with, const IdentificationResult& without,
+               const Dataset& data) {
+  if (reaches_the_noise(without))
+    return reaches_the_noise(with.result) && says_the_same(with, without, data);
+  if (is_known_to_fit(with.result)) return true;
+  return excess(with.result, without) < -kSlack && terms_of(with.result) <= terms_of(without);
 }
 
 /// A run with forms beside the library.
@@ -61,38 +104,63 @@ class ExtendedRun {
         library_(pipeline.basis->library(alone.model.variables())),
         search_(data, alone.noise, context) {
     const Scope scope = make_scope(alone.model, data, alone.noise);
-    for (Index k = 0; k < data.state_count(); ++k)
-      candidates_.push_back(data.rate_state(k) ? std::vector<Candidate>()
-                                               : function_forms(scope, effects, k));
+    for (Index k = 0; k < data.state_count(); ++k) {
+      std::vector<Candidate>& all = candidates_.emplace_back();
+      if (data.rate_state(k)) continue;
+      all = function_forms(scope, effects, k);
+      for (Candidate& fraction : search_.fractions(scope, k, library_.terms))
+        all.push_back(std::move(fraction));
+    }
   }
 
   /// Whether there are rows enough to tell forms from the library.
   bool is_possible() const { return search_.rows() > 2 * library_.size(); }
 
   /// Forms that equations lack, and the model that the pipeline makes with them.
-  IdentificationResult result() const {
-    constexpr std::size_t kMostForms = 3;
-    std::vector<EquationForms> equations;
+  Extension result(const IdentificationResult& alone) const {
+    std::vector<EquationForms> equations = bare();
+    const bool fits = reaches_the_noise(alone);
+    if (!fits) equations = with_missing(std::move(equations));
+    const IdentificationResult found = fits ? alone : identified(equations);
+    const std::vector<EquationForms> kept = kept_in(found, equations);
+    bool changed = false;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      context_.report("searching forms", double(k) / double(candidates_.size()));
+      if (candidates_[k].empty()) continue;
+      context_.report("searching forms", 0.5 + 0.5 * double(k) / double(candidates_.size()));
+      equations[k] = kept[k];
+      if (fits && kept[k].parameters() < kFewest) continue;
+      equations[k] = search_.with_fewer_terms(kept[k], candidates_[k], library_.terms);
+      equations[k] = search_.refitted(std::move(equations[k]));
+      changed = changed || !equations[k].forms.empty();
+    }
+    if (!changed) return {found, kept};
+    Extension thinned = plain(std::move(equations));
+    const bool is_lost = is_known_to_fit(found) && !is_known_to_fit(thinned.result);
+    return is_lost ? Extension{found, kept} : std::move(thinned);
+  }
+
+ private:
+  /// Fewer numbers than this are not said by fewer where they fit.
+  static constexpr std::size_t kFewest = 3;
+
+  std::vector<EquationForms> bare() const {
+    std::vector<EquationForms> equations;
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
       equations.push_back({static_cast<Index>(k), library_.terms, {}});
+    return equations;
+  }
+
+  std::vector<EquationForms> with_missing(std::vector<EquationForms> equations) const {
+    constexpr std::size_t kMostForms = 3;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      context_.report("searching forms", 0.5 * double(k) / double(candidates_.size()));
       if (!candidates_[k].empty())
         equations[k] =
             search_.with_missing_forms(std::move(equations[k]), candidates_[k], kMostForms);
     }
-    const IdentificationResult found = identified(equations);
-    bool changed = false;
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      if (candidates_[k].empty()) continue;
-      const EquationForms kept = kept_in(found, k, equations[k].forms);
-      equations[k] = search_.with_fewer_terms(kept, candidates_[k]);
-      equations[k] = search_.refitted(std::move(equations[k]));
-      changed = changed || !equations[k].forms.empty();
-    }
-    return changed ? plain(std::move(equations)) : found;
+    return equations;
   }
 
- private:
   /// @return whether something has changed.
   bool make_plainer(std::vector<EquationForms>& equations, Plainness kind) const {
     bool changed = false;
@@ -105,16 +173,45 @@ class ExtendedRun {
   }
 
   /// The model with these forms, or with plainer ones where they do the same.
-  IdentificationResult plain(std::vector<EquationForms> equations) const {
+  Extension plain(std::vector<EquationForms> equations) const {
     // What a solver makes of a jump is worse than what it makes of a steep slope: residuals do
     // not decide here.
     make_plainer(equations, Plainness::Jump);
-    IdentificationResult found = identified(equations);
-    if (!make_plainer(equations, Plainness::Any)) return found;
-    IdentificationResult other = identified(equations);
-    const bool same = misfit_of(other) <= misfit_of(found) + kSlack ||
-                      (reaches_the_noise(other) && reaches_the_noise(found));
-    return same && terms_of(other) <= terms_of(found) ? std::move(other) : std::move(found);
+    Extension found = settled(std::move(equations));
+    std::vector<EquationForms> plainer = found.equations;
+    if (!make_plainer(plainer, Plainness::Any)) return found;
+    Extension other = settled(std::move(plainer));
+    const bool same = excess(other.result, found.result) <= kSlack ||
+                      (reaches_the_noise(other.result) && reaches_the_noise(found.result));
+    return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
+  }
+
+  /// The model that the pipeline makes of these equations with nothing beside them, shapes as
+  /// the trajectories ask for; with the library beside the forms where that does not fit.
+  Extension settled(std::vector<EquationForms> equations) const {
+    IdentificationResult alone = identified_as(equations);
+    equations = refined_shapes(alone.model, std::move(equations), data_, context_);
+    alone = identified_as(equations);
+    if (is_known_to_fit(alone)) return {std::move(alone), std::move(equations)};
+    IdentificationResult beside = identified(equations);
+    const bool better = is_known_to_fit(beside) || excess(beside, alone) < -kSlack;
+    if (better) alone = std::move(beside);
+    equations = kept_in(alone, equations);
+    return {std::move(alone), std::move(equations)};
+  }
+
+  /// With no other terms than these in equations that have forms.
+  IdentificationResult identified_as(const std::vector<EquationForms>& equations) const {
+    Pipeline extended = pipeline_;
+    for (const EquationForms& equation : equations) {
+      if (equation.forms.empty()) continue;
+      EquationTerms terms{data_.states[static_cast<std::size_t>(equation.equation)].name, {}};
+      for (const Term& term : equation.terms) terms.terms.push_back(term.name());
+      for (const MissingForm& form : equation.forms)
+        terms.terms.push_back(form.expression().to_string());
+      extended.equations.push_back(std::move(terms));
+    }
+    return identify(data_, extended, context_);
   }
 
   IdentificationResult identified(const std::vector<EquationForms>& equations) const {
@@ -131,18 +228,24 @@ class ExtendedRun {
     return identify(data_, extended, context_);
   }
 
-  /// The terms that a model has in one equation, those that are forms as such.
-  EquationForms kept_in(const IdentificationResult& found, std::size_t equation,
-                        const std::vector<MissingForm>& forms) const {
-    EquationForms kept{static_cast<Index>(equation), {}, {}};
-    for (const WeightedTerm& summand : found.model.equations()[equation]) {
-      const auto form = std::find_if(forms.begin(), forms.end(), [&](const MissingForm& each) {
-        return Term(each.expression(), library_.variables) == summand.term;
-      });
-      if (form == forms.end())
-        kept.terms.push_back(summand.term);
-      else
-        kept.forms.push_back(*form);
+  /// The equations of a model, terms that are forms of some equation as such: one equation may
+  /// take over what was found for another.
+  std::vector<EquationForms> kept_in(const IdentificationResult& found,
+                                     const std::vector<EquationForms>& equations) const {
+    std::map<std::string, MissingForm> forms;
+    for (const EquationForms& equation : equations)
+      for (const MissingForm& form : equation.forms)
+        forms.emplace(Term(form.expression(), library_.variables).name(), form);
+    std::vector<EquationForms> kept;
+    for (std::size_t k = 0; k < equations.size(); ++k) {
+      kept.push_back({static_cast<Index>(k), {}, {}});
+      for (const WeightedTerm& summand : found.model.equations()[k]) {
+        const auto form = forms.find(summand.term.name());
+        if (form == forms.end())
+          kept[k].terms.push_back(summand.term);
+        else
+          kept[k].forms.push_back(form->second);
+      }
     }
     return kept;
   }
@@ -161,14 +264,14 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
                                          const std::vector<Stage<Effect>>& effects,
                                          const RunContext& context) {
   IdentificationResult alone = identify(data, pipeline, context);
-  if (reaches_the_noise(alone) || leaves_nothing(alone) || lacks_input_columns(data))
+  if (leaves_nothing(alone) || lacks_input_columns(data) || !pipeline.equations.empty())
     return alone;
   const ExtendedRun run(data, pipeline, effects, alone, context);
   if (!run.is_possible()) return alone;
-  IdentificationResult extended = run.result();
-  if (!is_better(extended, alone)) return alone;
-  extended.library_alone = std::move(alone.model);
-  return extended;
+  Extension extended = run.result(alone);
+  if (!is_better(extended, alone, data)) return alone;
+  extended.result.library_alone = std::move(alone.model);
+  return std::move(extended.result);
 }
 
 }  // namespace lacuna

@@ -2,10 +2,12 @@
 #include "lacuna/libraries/missing_forms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "form_problem.hpp"
+#include "rational_forms.hpp"
 
 namespace lacuna {
 namespace {
@@ -45,6 +47,11 @@ FormSearch::~FormSearch() = default;
 
 Index FormSearch::rows() const { return problem_->rows(); }
 
+std::vector<Candidate> FormSearch::fractions(const Scope& scope, Index equation,
+                                             const std::vector<Term>& library) const {
+  return rational_forms(scope, problem_->all_rows(), equation, library, problem_->context());
+}
+
 EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              const std::vector<Candidate>& candidates,
                                              std::size_t most_forms) const {
@@ -71,28 +78,31 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
 }
 
 EquationForms FormSearch::with_fewer_terms(EquationForms equation,
-                                           const std::vector<Candidate>& candidates) const {
-  constexpr std::size_t kTried = 40;
+                                           const std::vector<Candidate>& candidates,
+                                           const std::vector<Term>& library) const {
+  constexpr std::size_t kTried = 60;
   if (equation.terms.size() + equation.forms.size() < 2) return equation;
   Trial best{equation, problem_->left(equation)};
-  const double limit = problem_->same_as(best.left, equation.equation);
+  const Limit limit = problem_->limit_of(equation);
   const EquationForms linear{equation.equation, problem_->linear_terms(), {}};
-  for (const bool from_all : {true, false}) {
-    const EquationForms& from = from_all ? equation : linear;
-    std::vector<Start> starts = all_starts(candidates);
-    problem_->rate(from, from_all, starts);
-    for (const Start& start :
-         best_of(std::move(starts), from_all ? kTried : candidates.size())) {
-      const Trial now = problem_->thinned(from, start.form, limit);
-      const std::size_t cost = now.equation.parameters(), least = best.equation.parameters();
-      const bool replaces = least < equation.parameters() && cost == least;
-      if (std::isfinite(now.left) && (cost < least || (replaces && now.left < best.left)))
-        best = now;
+  const EquationForms whole{equation.equation, library, {}};
+  const auto take = [&](const Trial& now) {
+    const bool is_fewer = now.equation.parameters() < equation.parameters();
+    if (std::isfinite(now.left) && is_fewer && Limit::prefers(now, best)) best = now;
+  };
+  std::vector<Start> starts = all_starts(candidates);
+  for (const EquationForms* from :
+       std::array<const EquationForms*, 3>{&equation, &linear, &whole}) {
+    const bool from_all = from == &equation;
+    problem_->rate(*from, from_all, starts);
+    for (const Start& start : best_of(starts, kTried)) {
+      if (from != &whole) take(problem_->thinned(*from, start.form, limit));
+      if (from != &linear) take(problem_->chosen(whole, start.form, limit));
     }
   }
   // One form may do the work of some terms, another that of others.
   if (best.equation.parameters() < equation.parameters())
-    return with_fewer_terms(std::move(best.equation), candidates);
+    return with_fewer_terms(std::move(best.equation), candidates, library);
   return best.equation;
 }
 

@@ -53,7 +53,7 @@ Allowed allowed_includes() {
   allowed["diagnosis"] = {"core",       "numerics",   "data",     "model",     "records",
                           "estimation", "candidates", "decision", "hypotheses"};
   allowed["libraries"] = allowed["pipeline"];
-  allowed["libraries"].insert({"pipeline", "candidates", "effects"});
+  allowed["libraries"].insert({"pipeline", "candidates", "effects", "shooting"});
   allowed["validation"] = allowed["libraries"];
   allowed["validation"].insert({"libraries", "records", "flow", "estimation"});
   allowed["realisation"] = allowed["pipeline"];

@@ -8,10 +8,12 @@
 
 namespace lacuna {
 
-/// Identifies with the library of the pipeline and, where that does not reach the noise of the
-/// record in some equation, with forms beside it that are no polynomials (function_forms(),
-/// missing_forms()), chosen by the same pipeline. The result is the one that fits; the model of
-/// the library alone stands beside it (IdentificationResult::library_alone).
+/// Identifies with the library of the pipeline and with forms beside it that are no polynomials
+/// (function_forms(), missing_forms()). These are the answer where the library does not reach
+/// the noise of the record and they do, or leave less, and where they say the same by fewer
+/// numbers, shapes counted. The model of the library alone stands beside it
+/// (IdentificationResult::library_alone). A pipeline with libraries of single equations is run
+/// as it is.
 /// @throws as identify().
 IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pipeline,
                                          const std::vector<Stage<Effect>>& effects,

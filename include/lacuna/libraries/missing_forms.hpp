@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lacuna/candidates/candidate.hpp"
+#include "lacuna/candidates/scope.hpp"
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/model/term.hpp"
@@ -51,6 +52,11 @@ class FormSearch {
   /// Rows of the weak form; a search needs more of them than terms.
   Index rows() const;
 
+  /// Fractions with denominators in several variables, found in the implicit form of an
+  /// equation, as further candidates.
+  std::vector<Candidate> fractions(const Scope& scope, Index equation,
+                                   const std::vector<Term>& library) const;
+
   /// Takes in the candidate that leaves least beside what is there, the plainest of those that
   /// leave the same, as long as more than noise is left and forms take something away.
   EquationForms with_missing_forms(EquationForms equation,
@@ -58,9 +64,11 @@ class FormSearch {
                                    std::size_t most_forms) const;
 
   /// Looks for a form beside which so many terms and forms may leave that fewer parameters say
-  /// the same: sin(x) for x, x^3, x*y^2. @return the equation with the fewest.
+  /// the same: sin(x) for x, x^3, x*y^2, beside what the equation has, beside the constant and
+  /// the variables, and beside terms of a library. @return the equation with the fewest.
   EquationForms with_fewer_terms(EquationForms equation,
-                                 const std::vector<Candidate>& candidates) const;
+                                 const std::vector<Candidate>& candidates,
+                                 const std::vector<Term>& library) const;
 
   /// The equation with plain forms in the place of shaped ones that are nearly the same at the
   /// samples. Nothing where there is none.

@@ -52,11 +52,29 @@ TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   const EquationForms all{0, problem.linear_terms(), {}};
   const double limit = 1e6 * problem.noise_left(0);
-  const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, limit);
+  const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, {limit, 0.0, 2});
   EXPECT_LE(thin.left, limit);
   ASSERT_EQ(thin.equation.terms.size(), 1u);
   EXPECT_EQ(thin.equation.terms[0].name(), "x");
   EXPECT_EQ(thin.equation.forms.size(), 1u);
+}
+
+TEST(FormProblem, ChoosesTheTermsThatAFormNeeds) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms all{0, {problem.linear_terms()[0]}, {}};
+  const double limit = 1e6 * problem.noise_left(0);
+  const Trial few = problem.chosen(all, {form_of_x("2*x"), Vector()}, {limit, 0.0, 2});
+  EXPECT_TRUE(few.equation.terms.empty());
+  EXPECT_LE(few.left, limit);
+}
+
+TEST(Limit, ANumberLessMayCostItsPrice) {
+  const Limit limit{10.0, 2.0, 5};
+  EquationForms equation;
+  equation.forms.push_back({form_of_x("sin(x)"), Vector::Ones(2)});
+  EXPECT_DOUBLE_EQ(limit(equation), 14.0);
+  EXPECT_TRUE(Limit::prefers({{}, 9.0}, {equation, 1.0}));
+  EXPECT_FALSE(Limit::prefers({equation, 2.0}, {equation, 1.0}));
 }
 
 TEST(FormProblem, TriesEachCandidateAndPutsTheBestFirst) {

@@ -42,7 +42,8 @@ TEST(FormSearch, FindsAFormWithItsShape) {
   const FormSearch search(c.data, c.sigma);
   const EquationForms more = search.with_missing_forms(c.bare(), c.candidates(), 3);
   EXPECT_FALSE(more.forms.empty());
-  const EquationForms found = search.refitted(search.with_fewer_terms(more, c.candidates()));
+  const EquationForms found =
+      search.refitted(search.with_fewer_terms(more, c.candidates(), c.library.terms));
   EXPECT_TRUE(found.terms.empty());
   ASSERT_EQ(found.forms.size(), 1u);
   EXPECT_EQ(found.forms[0].candidate.form.to_string(), "x/(1+x^2/a^2)");
@@ -58,7 +59,7 @@ TEST(FormSearch, TakesNothingInWhereOnlyNoiseIsLeft) {
 TEST(FormSearch, OneFormDoesTheWorkOfManyTerms) {
   const Oscillator c("sin(x)", 0.002);
   const FormSearch search(c.data, c.sigma);
-  const EquationForms few = search.with_fewer_terms(c.bare(), c.candidates());
+  const EquationForms few = search.with_fewer_terms(c.bare(), c.candidates(), c.library.terms);
   EXPECT_TRUE(few.terms.empty());
   ASSERT_EQ(few.forms.size(), 1u);
   EXPECT_EQ(few.forms[0].expression().to_string(), "sin(x)");

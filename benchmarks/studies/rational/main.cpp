@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Systems whose right-hand sides are rational or logistic, identified by the default from clean
+// records and from noisy ones.
+// Usage: study_rational [OUTPUT_FOLDER] [DRAWS] [SYSTEM]
+//                       (default build/studies/rational, 50 draws of the noise, all systems)
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/config/registry.hpp"
+#include "lacuna/core/atomic_file.hpp"
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/text.hpp"
+#include "lacuna/libraries/identify_with_forms.hpp"
+#include "lacuna/pipeline/presets.hpp"
+#include "support/parallel.hpp"
+#include "support/table.hpp"
+#include "systems.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+/// What became of one draw.
+struct Outcome {
+  bool exact = false;
+  bool claims = false;  ///< says that it fits to the noise
+  double error = 1.0;   ///< of the rates
+  double determination = -1.0;
+  double seconds = 0.0;  ///< CPU time
+  std::string model;
+};
+
+Outcome run(const RationalSystem& system, double noise, std::uint64_t seed,
+            const std::vector<Stage<Effect>>& effects) {
+  Outcome outcome;
+  const Dataset data = records_of(system, noise, seed);
+  const double begin = thread_seconds();
+  try {
+    Pipeline pipeline = algorithm1();
+    if (system.degree != 3) pipeline.basis = Monomials{{.max_degree = system.degree}};
+    const IdentificationResult found = identify_with_forms(data, pipeline, effects);
+    outcome.seconds = thread_seconds() - begin;
+    outcome.exact = has_structure(found.model, system.model);
+    outcome.claims =
+        std::all_of(found.fit.begin(), found.fit.end(),
+                    [](const EquationFit& fit) { return fit.fits_to_noise.value_or(true); });
+    outcome.model = to_text(found.model, 4);
+    std::replace(outcome.model.begin(), outcome.model.end(), '\n', ';');
+    outcome.error = rate_error(found.model, system);
+    outcome.determination = determination(found.model, system);
+  } catch (const Error& error) {
+    outcome.model = error.what();
+  }
+  return outcome;
+}
+
+template <class Value>
+double median(const std::vector<Outcome>& outcomes, Value value) {
+  std::vector<double> values;
+  for (const Outcome& one : outcomes) values.push_back(one.*value);
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The tables as they grow.
+struct Tables {
+  ResultTable summary{{"system", "noise", "records", "exact", "not exact, but said to fit",
+                       "error of the rates", "solutions with R2 > 0.99", "CPU s"},
+                      {}};
+  ResultTable details{
+      {"system", "noise", "draw", "exact", "fits", "rate error", "R2", "CPU seconds", "model"},
+      {}};
+};
+
+void add(const RationalSystem& system, double noise, const std::vector<Outcome>& outcomes,
+         Tables& tables) {
+  const auto count = [&](auto holds) {
+    return std::to_string(std::count_if(outcomes.begin(), outcomes.end(), holds));
+  };
+  tables.summary.rows.push_back({system.name, format_number(noise),
+                                 std::to_string(outcomes.size()),
+                                 count([](const Outcome& o) { return o.exact; }),
+                                 count([](const Outcome& o) { return !o.exact && o.claims; }),
+                                 format_number(median(outcomes, &Outcome::error), 2),
+                                 count([](const Outcome& o) { return o.determination > 0.99; }),
+                                 format_number(median(outcomes, &Outcome::seconds), 2)});
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Outcome& one = outcomes[i];
+    tables.details.rows.push_back(
+        {system.name, format_number(noise), std::to_string(i + 1), one.exact ? "1" : "0",
+         one.claims ? "1" : "0", format_number(one.error, 3),
+         format_number(one.determination, 5), format_number(one.seconds, 3), one.model});
+  }
+  std::cout << join(tables.summary.rows.back(), "  ") << std::endl;
+}
+
+void write(const std::filesystem::path& folder, std::size_t draws, const Tables& tables) {
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "rational.csv", tables.details.csv());
+  write_file_atomically(
+      folder / "rational.md",
+      "# Rational and logistic right-hand sides\n\n`study_rational FOLDER " +
+          std::to_string(draws) + "`, " + today() + ", " + machine_description() +
+          ". Identified by the default, without a word about the functions. Noise: share of "
+          "each state's standard deviation. *Exact*: every right-hand side, written as one "
+          "fraction, has exactly the true monomials and no more numbers. Error of the rates: "
+          "rms over the clean samples, of the worst equation, median. Solutions: from the true "
+          "starts, all records.\n\n" +
+          tables.summary.markdown());
+}
+
+int run_study(const std::filesystem::path& folder, std::size_t draws, const std::string& only) {
+  const auto effects = default_registry().make_all<Effect>();
+  Tables tables;
+  for (const RationalSystem& system : rational_systems())
+    for (const double noise : {0.0, 0.01}) {
+      if (!only.empty() && system.name.find(only) == std::string::npos) continue;
+      std::vector<Outcome> outcomes(noise > 0.0 ? draws : 1);
+      for_all(outcomes.size(),
+              [&](std::size_t i) { outcomes[i] = run(system, noise, i + 1, effects); });
+      add(system, noise, outcomes, tables);
+      write(folder, draws, tables);
+    }
+  return 0;
+}
+
+}  // namespace
+}  // namespace lacuna::benchmarks
+
+int main(int argc, char** argv) {
+  try {
+    return lacuna::benchmarks::run_study(argc > 1 ? argv[1] : "build/studies/rational",
+                                         argc > 2 ? std::stoul(argv[2]) : 50,
+                                         argc > 3 ? argv[3] : "");
+  } catch (const std::exception& error) {
+    std::cerr << "study_rational: " << error.what() << '\n';
+    return 2;
+  }
+}
