@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/decision/effect_parts.hpp"
@@ -78,6 +79,22 @@ void add_idle(const Problem& problem, const Account& account, Sentences& said) {
   }
 }
 
+/// Of what acts on hidden states only what reaches a channel is seen: one channel cannot
+/// confirm several effects, each of which may stand for a part of another one.
+void add_unconfirmed(const Problem& problem, const Account& account, Sentences& said) {
+  if (account.base->fit_options.hidden.empty()) return;
+  std::set<std::string> names;  // one process in two equations is one effect
+  for (const NamedEffect& named : account.named) names.insert(named.name);
+  const Dataset& data = problem.records.data;
+  Index channels = 0;
+  for (Index k = 0; k < data.state_count(); ++k) channels += data.is_measured(k);
+  const auto count = static_cast<Index>(names.size());
+  if (count > channels)
+    said.push_back(std::to_string(count) + " effects beside hidden states, and " +
+                   (channels == 1 ? "one channel" : std::to_string(channels) + " channels") +
+                   " to see them by: together they may stand for another one");
+}
+
 }  // namespace
 
 bool stays_open(const Gap& gap, const DecisionOptions& decision) {
@@ -99,6 +116,7 @@ Sentences reservations(const Problem& problem, const Account& account,
   add_cancelling(problem, account, said);
   add_coefficients(problem, account, said);
   add_idle(problem, account, said);
+  add_unconfirmed(problem, account, said);
   return said;
 }
 

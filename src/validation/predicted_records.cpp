@@ -64,7 +64,7 @@ PredictedRecords predicted_records(const Dataset& data, const std::vector<Block>
     if (seen) weights[k] = state.sigma;
   }
   weights = weights.cwiseMax(std::numeric_limits<double>::min());
-  const SampleNoise samples = noise_of_samples(data, weights, noise);
+  const SampleNoise samples = noise_of_samples(data, weights, noise, {});
   for (const Block& block : blocks) {
     const Trajectory record =
         rows_of(data.trajectories[block.record], block.first, block.count);

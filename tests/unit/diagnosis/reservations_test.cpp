@@ -97,5 +97,19 @@ TEST_F(Reservations, AnEffectOfFewSamplesIsSaid) {
   EXPECT_TRUE(said(account(rare)).empty());
 }
 
+TEST_F(Reservations, OneChannelDoesNotConfirmTwoEffectsBesideAHiddenState) {
+  Account two = account(stop(-0.1));
+  two.named.push_back({.equation = 0, .name = "another"});
+  two.explanation.effects.push_back(stop(-0.1));
+  EXPECT_TRUE(said(two).empty()) << "every state is measured";
+  Baseline base = *two.base;
+  base.fit_options.hidden = {false, true};
+  two.base = std::make_shared<const Baseline>(std::move(base));
+  asked_.records.data.reconstructed = {false, true};
+  EXPECT_TRUE(speaks_of(said(two), "2 effects beside hidden states, and one channel"));
+  two.named[1].name = "stop";
+  EXPECT_TRUE(said(two).empty()) << "one process in two equations";
+}
+
 }  // namespace
 }  // namespace lacuna
