@@ -5,7 +5,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-dev}
 
-scripts/setup.sh
+case $preset in
+  dev | coverage) scripts/setup.sh ;;
+  *) scripts/setup.sh clang ;;
+esac
 cmake --preset "$preset"
 cmake --build --preset "$preset"
 ctest --preset "$preset" -j "$(nproc)"

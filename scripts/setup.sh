@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Installs what lacuna needs from the packages of Debian 12 or Ubuntu 24.04. Does nothing when all
 # of it is there. Run as root, or as a user who may use sudo.
+# Usage: scripts/setup.sh [clang]   (clang: and what builds with sanitizers and fuzzing need)
 set -euo pipefail
 
 packages=(
-  g++ clang cmake ninja-build ccache git ca-certificates
+  g++ cmake ninja-build ccache git ca-certificates
   libeigen3-dev            # linear algebra
   libceres-dev             # nonlinear least squares: an inner solver
   libnlopt-dev libnlopt-cxx-dev  # nonlinear optimisation: an inner solver
@@ -42,6 +43,9 @@ install() {
 
 installed=false
 install "${packages[@]}"
-# The sanitizers of the clang that there is now.
-install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"
+if [ "${1:-}" = clang ]; then
+  install clang
+  # The sanitizers of the clang that there is now.
+  install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"
+fi
 $installed || echo "setup: nothing to install"
