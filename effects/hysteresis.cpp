@@ -10,7 +10,8 @@ namespace {
 // Bouc-Wen loop of a spring: the restoring force r follows the position q until it yields,
 // dr/dt = v - (|v| r + skew v |r|) / yield. v is the rate of q. While it is loaded it bends by
 // 1 + skew, while it is unloaded by 1 - skew: at -1 it is straight under load, below that it
-// stiffens; at 1 it is straight when it lets go.
+// stiffens; at 1 it is straight when it lets go. The search ends as far beyond a straight loading
+// branch as the softening loop (0) is before it.
 constexpr double kStiffest = -2.0;
 
 Candidate bouc_wen(const Scope& scope, Index position, const Expression& v) {

@@ -27,7 +27,7 @@ struct Direction {
 /// The same space by directions with as many zeros as elimination makes, so that each tells of
 /// few coefficients; first those of the units, in which no other unit has a part.
 std::vector<Direction> sparse_directions(Matrix columns, const std::vector<Index>& units) {
-  constexpr double kNothing = 1e-6;
+  constexpr double kNothing = 1e-6;  // rounding of orthonormal columns after elimination
   std::vector<Direction> result;
   std::vector<bool> done(static_cast<std::size_t>(columns.cols()), false);
   const auto eliminate = [&](Index pivot, Index c) {

@@ -159,7 +159,9 @@ bool has_hidden(const Expression& term, const OdeModel& model,
 std::vector<Index> units_of(Matrix directions, const OdeModel& model,
                             const std::vector<bool>& hidden,
                             const std::vector<CoefficientPlace>& free) {
-  constexpr double kShare = 0.3;  // of the largest: enough to tell a direction by
+  // Of the largest: far from 0, so that elimination by it is exact. Any choice gives the same
+  // model in other units.
+  constexpr double kShare = 0.3;
   std::vector<Index> units;
   while (static_cast<Index>(units.size()) < directions.cols()) {
     const Vector size = directions.rowwise().norm();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of a column, so much has to be new: less is rounding.
+/// Of the square of a column, so much has to be new: less is rounding of a Gram matrix.
 constexpr double kNew = 1e-11;
 
 /// What two coefficients are worth together.

@@ -37,6 +37,9 @@ bool leaves_nothing(const IdentificationResult& result) {
   });
 }
 
+/// A model that does not stay finite has a misfit that says nothing of its size.
+bool is_judged(const EquationFit& fit) { return fit.misfit && std::isfinite(*fit.misfit); }
+
 /// Sum over equations of ln(what one model leaves / what another does): of the misfits, or of
 /// the residuals where not both have one.
 double excess(const IdentificationResult& of, const IdentificationResult& over) {
@@ -44,7 +47,7 @@ double excess(const IdentificationResult& of, const IdentificationResult& over) 
   for (std::size_t k = 0; k < of.fit.size(); ++k) {
     const EquationFit &one = of.fit[k], &other = over.fit[k];
     if (one.identity) continue;
-    const bool both = one.misfit && other.misfit;
+    const bool both = is_judged(one) && is_judged(other);
     sum += std::log(std::max(both ? *one.misfit : one.residual_rms, 1e-300) /
                     std::max(both ? *other.misfit : other.residual_rms, 1e-300));
   }
