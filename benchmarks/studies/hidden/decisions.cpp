@@ -7,10 +7,12 @@
 #include <functional>
 #include <iostream>
 #include <set>
+#include <span>
 
 #include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
+#include "support/parallel.hpp"
 #include "support/table.hpp"
 #include "trials.hpp"
 
@@ -64,13 +66,31 @@ std::vector<Change> all_changes() {
   return changes;
 }
 
-DecisionOptions with_change(const Change& change) {
+DecisionOptions with_changes(std::span<const Change> changes) {
   DecisionOptions options;
   NumberVisitor set([&](const FieldInfo& info, double value) {
-    return info.name == change.name ? change.value : value;
+    for (const Change& change : changes)
+      if (info.name == change.name) return change.value;
+    return value;
   });
   options.describe(set);
   return options;
+}
+
+/// Groups of at most so many changes that neither are neighbours nor of the same threshold.
+std::vector<std::vector<Change>> in_groups(const std::vector<Change>& changes) {
+  constexpr std::size_t kMembers = 8;
+  std::vector<std::vector<Change>> groups;
+  for (const double factor : {0.5, 2.0}) {
+    std::vector<Change> alike;
+    for (const Change& change : changes)
+      if (change.factor == factor) alike.push_back(change);
+    const std::size_t count = (alike.size() + kMembers - 1) / kMembers, first = groups.size();
+    groups.resize(first + count);
+    for (std::size_t i = 0; i < alike.size(); ++i)
+      groups[first + i % count].push_back(alike[i]);
+  }
+  return groups;
 }
 
 std::vector<Trial> trials_at_one_percent(const std::string& part) {
@@ -88,14 +108,41 @@ std::string answer_of(const Outcome& outcome) {
          std::to_string(score.name) + std::to_string(score.spurious);
 }
 
-/// Names of the cases with another answer.
-std::vector<std::string> changed(const std::vector<Trial>& trials,
-                                 const std::vector<Outcome>& before,
-                                 const std::vector<Outcome>& after) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    if (answer_of(before[i]) != answer_of(after[i])) names.push_back(trials[i].hidden.name);
+/// Those of the changes that alone give another answer. Changes that, made together, leave the
+/// answer as it was to the letter count as changing nothing; else each half of them is tried.
+std::vector<std::string> altering(std::span<const Change> changes, const Trial& trial,
+                                  const Outcome& before) {
+  DiagnosisOptions options = diagnosis_options({}, default_registry());
+  options.decision = with_changes(changes);
+  const Outcome after = run_trial(trial, options);
+  const bool same = answer_of(after) == answer_of(before);
+  if (changes.size() == 1)
+    return same ? std::vector<std::string>{} : std::vector{changes[0].name};
+  if (same && after.score.answer == before.score.answer) return {};
+  const std::size_t half = changes.size() / 2;
+  auto names = altering(changes.first(half), trial, before);
+  const auto others = altering(changes.subspan(half), trial, before);
+  names.insert(names.end(), others.begin(), others.end());
   return names;
+}
+
+/// A row for each change of a group: how many trials it alters, and which.
+std::string rows_of(const std::vector<Change>& group, const std::vector<Trial>& trials,
+                    const std::vector<Outcome>& before) {
+  std::vector<std::vector<std::string>> altered(trials.size());
+  for_all(trials.size(),
+          [&](std::size_t i) { altered[i] = altering(group, trials[i], before[i]); });
+  std::string rows;
+  for (const Change& change : group) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      if (std::ranges::count(altered[i], change.name) > 0)
+        names.push_back(trials[i].hidden.name);
+    rows += change.name + ',' + format_number(change.factor) + ',' +
+            format_number(change.value) + ',' + std::to_string(names.size()) + ',' +
+            (names.empty() ? "-" : join(names, " ")) + '\n';
+  }
+  return rows;
 }
 
 std::vector<std::vector<std::string>> read_rows(const std::filesystem::path& path) {
@@ -108,13 +155,16 @@ std::vector<std::vector<std::string>> read_rows(const std::filesystem::path& pat
 void write_markdown(const std::filesystem::path& folder, std::size_t cases) {
   auto rows = read_rows(folder / "decisions.csv");
   if (rows.empty()) return;
+  std::sort(rows.begin() + 1, rows.end());
   ResultTable table{rows.front(), {rows.begin() + 1, rows.end()}};
   write_file_atomically(folder / "decisions.md",
                         "# Decisions at half and at double\n\n`study_hidden decisions`, " +
                             today() + ", " + machine_description() + ". Of " +
                             std::to_string(cases) +
                             " hidden cases at 1 % noise those whose answer (verdict, equation, "
-                            "name, names too many) is another one than with the default.\n\n" +
+                            "name, names too many) is another one than with the default. "
+                            "Thresholds are moved in groups, "
+                            "and one by one where a group changes an answer.\n\n" +
                             table.markdown());
 }
 
@@ -128,17 +178,14 @@ int run_decisions(const std::filesystem::path& folder, const std::string& part) 
     if (row.size() > 1) done.insert(row[0] + row[1]);
   if (done.empty()) std::ofstream(csv) << "decision,factor,value,changed,cases\n";
   const std::vector<Trial> trials = trials_at_one_percent(part);
-  DiagnosisOptions options = diagnosis_options({}, default_registry());
-  const std::vector<Outcome> before = run_trials(trials, options);
-  for (const Change& change : all_changes()) {
-    const std::string factor = format_number(change.factor);
-    if (done.contains(change.name + factor)) continue;
-    options.decision = with_change(change);
-    const auto names = changed(trials, before, run_trials(trials, options));
-    std::ofstream(csv, std::ios::app)
-        << change.name << ',' << factor << ',' << format_number(change.value) << ','
-        << names.size() << ',' << (names.empty() ? "-" : join(names, " ")) << '\n';
-  }
+  const std::vector<Outcome> before =
+      run_trials(trials, diagnosis_options({}, default_registry()));
+  std::vector<Change> changes = all_changes();
+  std::erase_if(changes, [&](const Change& change) {
+    return done.contains(change.name + format_number(change.factor));
+  });
+  for (const std::vector<Change>& group : in_groups(changes))
+    std::ofstream(csv, std::ios::app) << rows_of(group, trials, before);
   write_markdown(folder, trials.size());
   std::cout << "table in " << folder << '\n';
   return 0;
