@@ -13,6 +13,7 @@ packages=(
   nlohmann-json3-dev       # model files and configurations
   libcli11-dev             # command line
   zlib1g-dev               # compressed records
+  libmatio-dev libhdf5-dev # records of MATLAB, HDF5 and netCDF
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 

@@ -14,9 +14,8 @@ struct Kind {
 
 constexpr std::string_view kColumns = "save the columns as .csv or NumPy's .npy";
 
-constexpr std::array<Kind, 14> kKinds{
-    {{"MATLAB ", "a MATLAB file", kColumns},
-     {"\x89HDF\r\n\x1a\n", "an HDF5 file", kColumns},
+constexpr std::array<Kind, 13> kKinds{
+    {{"MATLAB ", "a damaged MATLAB file", "save it again, or the columns as .csv"},
      {"\xD0\xCF\x11\xE0", "an old Excel workbook (.xls)", "save the sheet as .csv"},
      {"TDSm", "a LabVIEW TDMS file", "export it as .lvm or .csv"},
      {"PAR1", "a Parquet file", kColumns},

@@ -3,11 +3,12 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lacuna/core/error.hpp"
+#include "named_arrays.hpp"
 #include "npy.hpp"
 
 namespace lacuna {
@@ -96,35 +97,11 @@ std::string name_of(const std::string& file) {
 }  // namespace
 
 Table parse_npz(std::string_view bytes, const std::string& source) {
-  std::vector<Table> arrays;
-  std::vector<std::string> names;
-  Index rows = 0;
-  for (const Entry& entry : entries_of(bytes, source)) {
-    arrays.push_back(parse_npy(entry.bytes, source + ", " + entry.name));
-    names.push_back(name_of(entry.name));
-    rows = std::max(rows, arrays.back().values.rows());
-  }
-  Table table;
-  table.source = source;
-  std::vector<Quantity> columns;
-  std::vector<std::string> notes;
-  for (std::size_t a = 0; a < arrays.size(); ++a) {
-    const Matrix& values = arrays[a].values;
-    if (values.rows() != rows) {
-      notes.push_back(source + ": the array '" + names[a] + "' has " +
-                      std::to_string(values.rows()) + " rows, not " + std::to_string(rows) +
-                      ", and is left out");
-      continue;
-    }
-    for (Index c = 0; c < values.cols(); ++c)
-      columns.push_back({values.cols() == 1 ? names[a] : names[a] + std::to_string(c + 1), ""});
-    table.values.conservativeResize(rows, static_cast<Index>(columns.size()));
-    table.values.rightCols(values.cols()) = values;
-  }
-  if (columns.empty()) fail(source, "there is no array in it");
-  name_columns(table, columns, std::nullopt);
-  table.notes.insert(table.notes.end(), notes.begin(), notes.end());
-  return table;
+  std::vector<NamedArray> arrays;
+  for (const Entry& entry : entries_of(bytes, source))
+    arrays.push_back(
+        {name_of(entry.name), parse_npy(entry.bytes, source + ", " + entry.name).values});
+  return table_of_arrays(std::move(arrays), source);
 }
 
 }  // namespace lacuna

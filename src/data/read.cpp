@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "file_kinds.hpp"
+#include "hdf5.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/file_bytes.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read_text.hpp"
 #include "lacuna/data/text_field.hpp"
+#include "mat.hpp"
 #include "npy.hpp"
 #include "npz.hpp"
 
@@ -37,7 +39,22 @@ void check_format(std::string_view bytes, const std::string& source) {
     throw DataError(source, "this is " + kind->what + ", which cannot be read", kind->remedy);
 }
 
-bool starts_as_npy(std::string_view bytes) { return bytes.substr(0, 6) == "\x93NUMPY"; }
+/// Version of a MATLAB file, as the two bytes behind its text say; 0 where it is none.
+int mat_version(std::string_view bytes) {
+  const std::string_view mark = bytes.substr(std::min<std::size_t>(bytes.size(), 124), 4);
+  if (mark == std::string_view("\0\1IM", 4) || mark == std::string_view("\1\0MI", 4)) return 5;
+  if (mark == std::string_view("\0\2IM", 4) || mark == std::string_view("\2\0MI", 4)) return 7;
+  return 0;
+}
+
+/// A MATLAB file of version 5 is read by its name, not from memory.
+/// @throws DataError where there is no such name.
+Table read_named_mat(const fs::path& path) {
+  if (path == "-" || lower_case(path.extension().string()) == ".gz")
+    throw DataError(path.string(), "a MATLAB file can be read neither from a pipe nor packed",
+                    "unpack it and give its name");
+  return read_mat(path);
+}
 
 bool is_pattern(const std::string& path) {
   std::error_code ignored;
@@ -131,8 +148,12 @@ Table read_table(const fs::path& path) {
   const FileBytes content = read_bytes(piped ? fs::path("/dev/stdin") : path);
   const std::string_view bytes = content.view();
   const std::string source = piped ? "standard input" : path.string();
-  if (is_named(path, ".npy") || starts_as_npy(bytes)) return parse_npy(bytes, source);
+  const auto begins = [&](std::string_view mark) { return bytes.starts_with(mark); };
+  if (is_named(path, ".npy") || begins("\x93NUMPY")) return parse_npy(bytes, source);
   if (is_named(path, ".npz")) return parse_npz(bytes, source);
+  const int mat = mat_version(bytes);
+  if (mat == 7 || begins("\x89HDF\r\n\x1a\n")) return parse_hdf5(bytes, source);
+  if (mat == 5) return read_named_mat(path);
   check_format(bytes, source);
   return parse_text_table(bytes, source);
 }

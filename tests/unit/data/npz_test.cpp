@@ -64,7 +64,7 @@ TEST(Npz, ArraysAreColumns) {
     EXPECT_EQ(table.columns[2].name, "x2");
     EXPECT_EQ(table.values.col(0), t);
     EXPECT_EQ(table.values.rightCols(2), x);
-    EXPECT_THAT(table.notes.at(0), ::testing::HasSubstr("'note' has 1 rows, not 50"));
+    EXPECT_THAT(table.notes.at(0), ::testing::HasSubstr("'note' has 1 x 1 values, not 50 samples"));
   }
 }
 

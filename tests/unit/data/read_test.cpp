@@ -47,7 +47,9 @@ TEST(ReadTable, NamesFilesItCannotRead) {
   const std::string matlab = folder.write("a.mat", "MATLAB 5.0 MAT-file, made by hand");
   expect_error<DataError>([&] { read_table(matlab); }, matlab, "MATLAB file", ".csv");
   const std::string hdf = folder.write("a.h5", "\x89HDF\r\n\x1a\n");
-  expect_error<DataError>([&] { read_table(hdf); }, hdf, "HDF5 file", ".npy");
+  expect_error<DataError>([&] { read_table(hdf); }, hdf, "HDF5 file", ".csv");
+  const std::string tdms = folder.write("a.tdms", "TDSm1234");
+  expect_error<DataError>([&] { read_table(tdms); }, tdms, "LabVIEW TDMS file", ".lvm");
   expect_error<FileError>([&] { read_table(folder.file("b.csv")); }, folder.file("b.csv"),
                           "cannot be read", "check the name");
   const std::string empty = folder.write("empty.csv", "");

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// MATLAB files, as a user gives them; the samples say in their README what is in them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/data/read.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+const std::filesystem::path kSamples = LACUNA_SOURCE_DIR "/tests/unit/data/samples";
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Column by column: t, sin(5 t), cos(5 t), as the samples have them.
+void expect_sine_and_cosine(const Table& table, Index sine, Index cosine) {
+  ASSERT_EQ(table.values.rows(), 50);
+  for (Index i = 0; i < 50; ++i) {
+    const double t = 0.02 * static_cast<double>(i);
+    EXPECT_NEAR(table.values(i, sine), std::sin(5.0 * t), 1e-15) << i;
+    EXPECT_NEAR(table.values(i, cosine), std::cos(5.0 * t), 1e-15) << i;
+  }
+}
+
+TEST(Matio, ArraysAreColumns) {
+  const Table table = read_table(kSamples / "arrays_v7.mat");
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_EQ(table.columns[0].name, "t");
+  EXPECT_EQ(table.columns[3].name, "u");
+  expect_sine_and_cosine(table, 1, 2);
+  EXPECT_EQ(table.values(7, 3), std::round(100.0 * std::sin(0.7)));
+  EXPECT_EQ(table.notes.size(), 3u);  // a text, a complex number, three dimensions
+  EXPECT_THAT(table.notes, ::testing::Contains(::testing::HasSubstr("the variable 'cube'")));
+}
+
+TEST(Matio, StructuresAreOpened) {
+  const Table table = read_table(kSamples / "structure_v6.mat");
+  ASSERT_EQ(table.columns.size(), 3u);
+  EXPECT_EQ(table.columns[0].name, "time");
+  EXPECT_EQ(table.columns[1].name, "signals_th");
+  expect_sine_and_cosine(table, 1, 2);
+}
+
+TEST(Matio, DamageIsTold) {
+  const testing::TemporaryFolder folder;
+  const std::string good = bytes_of(kSamples / "arrays_v7.mat");
+  const Table whole = read_table(kSamples / "arrays_v7.mat");
+  for (std::size_t size = 130; size + 1 < good.size(); size += 97) {
+    std::ofstream(folder.file("cut.mat"), std::ios::binary) << good.substr(0, size);
+    try {
+      const Table cut = read_table(folder.file("cut.mat"));
+      EXPECT_EQ(cut.values, whole.values.leftCols(cut.values.cols())) << size;
+    } catch (const DataError& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("cut.mat")) << size;
+    }
+  }
+  std::string huge = good;  // rows of the first matrix, behind the header and three tags
+  huge[128 + 8 + 16 + 8 + 3] = '\x7F';
+  std::ofstream(folder.file("huge.mat"), std::ios::binary) << huge;
+  EXPECT_THROW(read_table(folder.file("huge.mat")), DataError);
+}
+
+TEST(Matio, APackedFileHasToBeUnpackedFirst) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::copy(kSamples / "arrays_v7.mat", folder.file("run.mat.gz"));
+  EXPECT_THROW(read_table(folder.file("run.mat.gz")), DataError);
+}
+
+}  // namespace
+}  // namespace lacuna
