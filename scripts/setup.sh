@@ -15,6 +15,7 @@ packages=(
   zlib1g-dev               # compressed records
   libmatio-dev libhdf5-dev # records of MATLAB, HDF5 and netCDF
   libgtest-dev libgmock-dev libbenchmark-dev
+  rapidjson-dev            # checks of JSON schemas, in the tests
 )
 
 as_root=()

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What commands write as JSON is what the schemas say, by an independent validator.
+#include <rapidjson/document.h>
+#include <rapidjson/error/en.h>
+#include <rapidjson/schema.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "integration/program.hpp"
+
+namespace lacuna::testing {
+namespace {
+
+const std::string kRepository = LACUNA_SOURCE_DIR;
+
+rapidjson::Document parsed(const std::string& text) {
+  rapidjson::Document document;
+  document.Parse(text.c_str());
+  EXPECT_FALSE(document.HasParseError())
+      << rapidjson::GetParseError_En(document.GetParseError()) << " in " << text.substr(0, 200);
+  return document;
+}
+
+rapidjson::Document schema_text(const std::string& name) {
+  std::ifstream file(kRepository + "/docs/schemas/" + name);
+  EXPECT_TRUE(file) << name;
+  return parsed({std::istreambuf_iterator<char>(file), {}});
+}
+
+/// The schema to which others refer.
+class ModelSchema : public rapidjson::IRemoteSchemaDocumentProvider {
+ public:
+  const rapidjson::SchemaDocument* GetRemoteDocument(const char*,
+                                                     rapidjson::SizeType) override {
+    return &schema_;
+  }
+
+ private:
+  rapidjson::SchemaDocument schema_{schema_text("model.schema.json")};
+};
+
+/// Where and by which rule a text is not what a schema says; empty where it is.
+std::string violation(const std::string& name, const std::string& text) {
+  ModelSchema model;
+  const rapidjson::Document source = schema_text(name + ".schema.json");
+  const rapidjson::SchemaDocument schema(source, &model);
+  rapidjson::SchemaValidator validator(schema);
+  if (parsed(text).Accept(validator)) return "";
+  rapidjson::StringBuffer place;
+  validator.GetInvalidDocumentPointer().StringifyUriFragment(place);
+  return std::string(place.GetString()) + " breaks " + validator.GetInvalidSchemaKeyword();
+}
+
+/// A driven pendulum with noise of 0.1 %; with dry friction or without.
+std::string pendulum(double friction) {
+  std::string text = "t [s],th [rad],w [rad/s],u [1/s^2]\n";
+  double th = 0.3, w = 0.0;
+  std::uint64_t noise = 4711;
+  const auto off = [&] {
+    noise = noise * 6364136223846793005ULL + 1442695040888963407ULL;
+    return 0.003 * (static_cast<double>(noise >> 40U) / 16777216.0 - 0.5);
+  };
+  constexpr int kSteps = 20;
+  for (int i = 0; i < 800; ++i) {
+    const double t = 0.02 * i, u = 3.0 * std::sin(1.7 * t) + 2.0 * std::cos(0.6 * t);
+    text += std::to_string(t) + "," + std::to_string(th + off()) + "," +
+            std::to_string(w + off()) + "," + std::to_string(u) + "\n";
+    for (int s = 0; s < kSteps; ++s) {
+      const double h = 0.02 / kSteps, now = t + h * s;
+      const double drive = 3.0 * std::sin(1.7 * now) + 2.0 * std::cos(0.6 * now);
+      w += h * (-9.81 * std::sin(th) - 0.2 * w - friction * std::tanh(w / 0.001) + drive);
+      th += h * w;
+    }
+  }
+  return text;
+}
+
+class Schemas : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("m.ode",
+                  "input u [1/s^2] hold smooth\nstate th [rad]\nstate w [rad/s]\n"
+                  "dth/dt = w\ndw/dt = -9.81*sin(th) - 0.2*w + u\n");
+    folder_.write("free.csv", pendulum(0.0));
+    folder_.write("rough.csv", pendulum(1.0));
+  }
+
+  std::string path(const std::string& name) const { return "'" + folder_.file(name) + "'"; }
+
+  /// Runs a command and holds what it writes against a schema.
+  void expect_conforms(const std::string& schema, const std::string& arguments) {
+    const CommandResult result = run_program(arguments + " --json " + path("out.json"));
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(violation(schema, folder_.read("out.json")), "") << arguments;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Schemas, DescribeDiagnoses) {
+  const std::string model = "diagnose --model " + path("m.ode") + " ";
+  expect_conforms("diagnosis", model + path("free.csv"));
+  expect_conforms("diagnosis", model + path("rough.csv"));
+  EXPECT_THAT(folder_.read("out.json"), ::testing::HasSubstr("coulomb-friction"));
+}
+
+TEST_F(Schemas, DescribeIdentifications) {
+  expect_conforms("identification",
+                  "identify " + path("free.csv") + " --inputs u --add 'sin(th)'");
+  expect_conforms("identification", "identify '" + kRepository + "/data/tl072_record.csv.gz'");
+}
+
+TEST_F(Schemas, DescribeFitsSynchronisationsComparisonsAndChecks) {
+  folder_.write("fit.ode",
+                "input u\nparam g = 8 in 1..20\nparam b = 0.1\n"
+                "dth/dt = w\ndw/dt = -g*sin(th) - b*w + u\ninitial w = 0 fixed\n");
+  expect_conforms("fit", "fit " + path("fit.ode") + " " + path("free.csv") + " --holdout " +
+                             path("free.csv"));
+  expect_conforms("sync", "sync " + path("m.ode") + " " + path("free.csv"));
+  expect_conforms("comparison", "compare " + path("free.csv") + " " + path("free.csv"));
+  expect_conforms("check", "check " + path("free.csv") + " --model " + path("m.ode"));
+}
+
+TEST_F(Schemas, DescribeModels) {
+  folder_.write(
+      "all.ode",
+      "input u [V] hold zero\nparam k = 0.05 [1/s] in 0..1\ndx1/dt = -k*sqrt(x1) + u\n"
+      "dx2/dt = k*sqrt(x1) - 0.05*sqrt(x2)\ny = x2 [V]\ninitial x2 = 0 fixed\n");
+  const CommandResult result =
+      run_program("model " + path("all.ode") + " -o " + path("all.json"));
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(violation("model", folder_.read("all.json")), "");
+}
+
+TEST(SchemaViolations, AreFound) {
+  const std::string good = R"({"format": "lacuna.model/1", "time_unit": "s",
+    "states": [{"name": "x", "unit": ""}], "inputs": [],
+    "equations": [{"state": "x", "terms": [{"term": "x", "coefficient": 1.5}]}]})";
+  EXPECT_EQ(violation("model", good), "");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_EQ(violation("model", with("1.5", "\"a\"")),
+            "#/equations/0/terms/0/coefficient breaks type");
+  EXPECT_EQ(violation("model", with("\"inputs\"", "\"input\"")),
+            "#/input breaks additionalProperties");
+}
+
+}  // namespace
+}  // namespace lacuna::testing
