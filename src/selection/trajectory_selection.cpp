@@ -292,6 +292,7 @@ void note_length(const Dataset& whole, const Dataset& part, std::vector<std::str
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
                                             const RunContext& context) const {
+  check_flow(task.start, "refiner trajectory");
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
   Dataset data = stretches_of(task.data);
   const bool is_long = data.samples() < task.data.samples() / 2;
