@@ -179,9 +179,10 @@ IdentificationResult identified(const Session& session, const Options& options, 
     data = std::move(found.data);
     return std::move(found.result);
   }
-  const bool chosen = options.discrete || options.preset || options.config || options.terms || options.degree ||
-                      !options.assignments.empty() || !options.equations.empty() ||
-                      !options.added.empty() || !options.constraints.empty();
+  const bool chosen = options.discrete || options.preset || options.config || options.terms ||
+                      options.degree || !options.assignments.empty() ||
+                      !options.equations.empty() || !options.added.empty() ||
+                      !options.constraints.empty();
   if (chosen) return identify(data, pipeline, context);
   return identify_with_forms(data, pipeline, session.registry.make_all<Effect>(), context);
 }

@@ -255,7 +255,7 @@ Solution simulate(const DrivenModel& driven, const Integrator& integrator, const
   Solution solution = model.is_map() ? Iteration{}.integrate(flow, x0, times, context)
                       : in_pieces    ? PiecewiseIntegrator(integrator, flow, driven.breaks)
                                         .integrate(flow, x0, times, context)
-                                     : integrator.integrate(flow, x0, times, context);
+                                  : integrator.integrate(flow, x0, times, context);
   solution.message = end_message(solution.status, solution.end_time, solution.end_state,
                                  state_names(model), model.time_unit());
   return solution;

@@ -153,7 +153,8 @@ OdeModel OdeModel::with_evolution(Evolution evolution) const {
     for (const Equation& equation : equations_)
       for (const WeightedTerm& summand : equation)
         if (contains(summand.term.expression(), Operation::Delay))
-          throw ModelError("model", "the map has the delayed term '" + summand.term.name() + "'",
+          throw ModelError("model",
+                           "the map has the delayed term '" + summand.term.name() + "'",
                            "make the earlier sample a state: its next value is the present one "
                            "of the other");
   OdeModel result = *this;

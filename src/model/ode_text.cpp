@@ -315,10 +315,10 @@ void mark_fixed(const Statements& said, const SystemModel& system,
       return summand.term == chosen;
     });
     if (found == equation.end())
-      throw ModelError(term.place,
-                       left_hand_side(state, *said.evolution) + " has no term '" +
-                           chosen.name() + "'",
-                       "write it as `lacuna model` shows it");
+      throw ModelError(
+          term.place,
+          left_hand_side(state, *said.evolution) + " has no term '" + chosen.name() + "'",
+          "write it as `lacuna model` shows it");
     found->fixed = fixed;
   }
 }

@@ -157,11 +157,10 @@ void write_equation(const Run& run, Index state, const Regression& regression,
       outcome.warnings.push_back(left + ": the data do not determine the coefficient of " +
                                  summand.term.name());
   }
-  if (outcome.equation.empty())
-    outcome.warnings.push_back(left + ": no term was found");
+  if (outcome.equation.empty()) outcome.warnings.push_back(left + ": no term was found");
   if (!regression.converged)
-    outcome.warnings.push_back(left + ": the regression did not converge in " + std::to_string(regression.iterations) +
-                               " iterations");
+    outcome.warnings.push_back(left + ": the regression did not converge in " +
+                               std::to_string(regression.iterations) + " iterations");
 }
 
 EquationOutcome fit_equation(const Run& run, Index state) {

@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kMostSamples = 5000;  // more would change no answer
+constexpr Index kMostSamples = 2000;  // more would change no answer
 constexpr Index kSamplesOfTerm = 4;
 
 /// Samples and those that follow, in deviations about the mean.
@@ -73,7 +73,8 @@ double roughness_of(const std::vector<Trajectory>& records) {
   return std::sqrt((near.array() / far.array()).minCoeff());
 }
 
-/// Monomials of so many variables up to a degree, that of degree 0 first, then degree by degree.
+/// Monomials of so many variables up to a degree, that of degree 0 first, then degree by
+/// degree.
 std::vector<Factors> monomials(Index variables, int degree) {
   std::vector<Factors> all{{}};
   for (std::size_t begin = 0; degree > 0; --degree) {
@@ -152,6 +153,35 @@ double reversed_share(const std::vector<Factors>& terms, const Matrix& theta,
   return double(reversed) / double(theta.rows());
 }
 
+/// Sets mean and standard error of the logarithm by which neighbours part. @param remainder in
+/// deviations.
+void measure_divergence(const Pairs& pairs, double remainder, MapEvidence& seen) {
+  const Index n = pairs.before.rows(), m = pairs.after.cols();
+  constexpr double kBeyond = 5.0, kRounding = 1e-9;
+  const double least = std::max(kBeyond * remainder * std::sqrt(double(m)), kRounding);
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    Index nearest = i;
+    double distance = std::numeric_limits<double>::infinity();
+    for (Index j = 0; j < n; ++j) {
+      const double apart = (pairs.before.row(j) - pairs.before.row(i)).squaredNorm();
+      if (apart < least * least || apart >= distance) continue;
+      distance = apart;
+      nearest = j;
+    }
+    if (nearest == i) continue;
+    const double after = (pairs.after.row(nearest) - pairs.after.row(i)).norm();
+    const double growth = std::log(std::max(after, kRounding) / std::sqrt(distance));
+    sum += growth;
+    squares += growth * growth;
+    ++count;
+  }
+  if (count < 2.0) return;
+  seen.divergence = sum / count;
+  seen.divergence_error =
+      std::sqrt(std::max(squares / count - seen.divergence * seen.divergence, 0.0) / count);
+}
+
 bool has_rates(const Dataset& data) {
   return std::any_of(data.trajectories.begin(), data.trajectories.end(),
                      [](const Trajectory& t) { return t.has_derivatives(); }) ||
@@ -170,12 +200,19 @@ void MapHintOptions::describe(OptionVisitor& v) {
   v.field({"remainder", "", "A map leaves less than this share of the deviation.", 0.0, 1.0},
           remainder);
   v.field({"bend", "",
-           "A linear map leaves so many times more: a linear one may be samples far apart.", 1.0,
-           1e6},
+           "A linear map leaves so many times more: a linear one may be samples far apart.",
+           1.0, 1e6},
           bend);
-  v.field({"reversed", "",
-           "Share of samples at which the map turns the orientation, as no flow does.", 0.0, 1.0},
-          reversed);
+  v.field(
+      {"reversed", "",
+       "Share of samples at which the map turns the orientation, as no flow does.", 0.0, 1.0},
+      reversed);
+  v.field(
+      {"divergence", "",
+       "Neighbours part by this logarithm in a step, and by three of its standard errors: on "
+       "closed orbits of a flow they do not.",
+       0.0, 10.0},
+      divergence);
 }
 
 std::optional<MapEvidence> map_evidence(const Dataset& data) {
@@ -191,19 +228,23 @@ std::optional<MapEvidence> map_evidence(const Dataset& data) {
   if (!enough(terms)) terms = monomials(pairs.before.cols(), 2);
   if (!enough(terms)) return std::nullopt;
   const Matrix theta = design(terms, pairs.before);
-  return MapEvidence{.roughness = roughness_of(records),
-                     .remainder = remainder_of(theta, pairs.after),
-                     .linear_remainder =
-                         remainder_of(theta.leftCols(1 + pairs.before.cols()), pairs.after),
-                     .reversed = reversed_share(terms, theta, pairs)};
+  MapEvidence seen{
+      .roughness = roughness_of(records),
+      .remainder = remainder_of(theta, pairs.after),
+      .linear_remainder = remainder_of(theta.leftCols(1 + pairs.before.cols()), pairs.after),
+      .reversed = reversed_share(terms, theta, pairs)};
+  measure_divergence(pairs, seen.remainder, seen);
+  return seen;
 }
 
 std::optional<Hint> map_hint(const Dataset& data, const MapHintOptions& options) {
+  constexpr double kErrors = 3.0;
   const std::optional<MapEvidence> seen = map_evidence(data);
-  const bool holds = seen && seen->roughness >= options.roughness &&
-                     seen->remainder <= options.remainder &&
-                     seen->linear_remainder >= options.bend * seen->remainder &&
-                     seen->reversed >= options.reversed;
+  const bool holds =
+      seen && seen->roughness >= options.roughness && seen->remainder <= options.remainder &&
+      seen->linear_remainder >= options.bend * seen->remainder &&
+      seen->reversed >= options.reversed && seen->divergence >= options.divergence &&
+      seen->divergence >= kErrors * seen->divergence_error;
   if (!holds) return std::nullopt;
   return Hint{HintKind::DiscreteMap,
               "the record looks like a map x[n+1] = f(x[n]): each sample follows from the one "

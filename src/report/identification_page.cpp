@@ -135,10 +135,9 @@ PageSection coefficients(const OdeModel& model) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k])
-      rows.push_back(
-          {left_hand_side(model.states()[k].name, model.evolution()), summand.term.name(),
-           coefficient_text(summand), interval_text(summand),
-           with_unit_of_term(target_unit(model, static_cast<Index>(k)))});
+      rows.push_back({left_hand_side(model.states()[k].name, model.evolution()),
+                      summand.term.name(), coefficient_text(summand), interval_text(summand),
+                      with_unit_of_term(target_unit(model, static_cast<Index>(k)))});
   return {"Coefficients",
           table({"equation", "term", "coefficient", "95 % interval", "unit"}, rows)};
 }

@@ -130,8 +130,8 @@ std::string trail_of(const IdentificationResult& result, const std::string& equa
   }
   const std::size_t kept = candidates - removed.size();
   return "  " + left_hand_side(equation, result.model.evolution()) + ": " +
-         std::to_string(candidates) + " candidates, " +
-         std::to_string(kept) + " kept\n" + removals_of(std::move(removed));
+         std::to_string(candidates) + " candidates, " + std::to_string(kept) + " kept\n" +
+         removals_of(std::move(removed));
 }
 
 }  // namespace

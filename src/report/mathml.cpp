@@ -171,8 +171,8 @@ Markup to_mathml(const Expression& expression) {
 Markup equations_mathml(const OdeModel& model, const TermNames& fresh) {
   Markup rows;
   for (Index k = 0; k < model.dimension(); ++k) {
-    const Markup left = left_hand_side_markup(
-        model.states()[static_cast<std::size_t>(k)].name, model.evolution());
+    const Markup left = left_hand_side_markup(model.states()[static_cast<std::size_t>(k)].name,
+                                              model.evolution());
     bool first = true;
     for (const Markup& line : right_hand_side(model, k, fresh)) {
       rows += element("mtr", element("mtd", first ? left : Markup()) +

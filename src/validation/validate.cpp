@@ -141,8 +141,12 @@ Validation validate_map(const ValidationTask& task, const ValidationOptions& opt
                         .given = held_out.has_value(),
                         .refitted = refitted.has_value()};
   for (const Block& block : blocks) validation.samples += block.count;
-  validation.one_step = predict_map(model, tested, blocks, 1);
-  validation.windows = predict_map(model, tested, blocks, kStepsOfMap);
+  validation.one_step = predict_map(model, tested, blocks, 1, options);
+  validation.windows = predict_map(model, tested, blocks, kStepsOfMap, options);
+  // What may be noise over several steps says nothing beside what one step says.
+  std::erase_if(validation.windows.states, [](const PredictionError& state) {
+    return !state.noise_seen && state.error <= state.noise;
+  });
   judge(options, validation);
   return validation;
 }

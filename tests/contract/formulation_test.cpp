@@ -25,7 +25,8 @@ Dataset oscillator(Index samples) {
   return data;
 }
 
-/// Coefficients of 1, x, y in both equations: of the flow, or of the map that it makes of a step.
+/// Coefficients of 1, x, y in both equations: of the flow, or of the map that it makes of a
+/// step.
 Matrix true_coefficients(Evolution evolution) {
   const double c = std::cos(2.0 * kStep), s = std::sin(2.0 * kStep);
   Matrix coefficients(3, 2);

@@ -25,13 +25,13 @@ inline Dataset orbit_of_map(const MapFunction& map, const Vector& start, Index s
   Random random(noise.seed);
   const Index m = start.size();
   Dataset data;
-  for (Index k = 0; k < m; ++k) data.states.push_back({std::string(1, char('x' + k)), ""});
+  for (Index k = 0; k < m; ++k)
+    data.states.push_back({std::string(1, char((m > 3 ? 'a' : 'x') + k)), ""});
   Trajectory record{"orbit", Vector::LinSpaced(samples, 0.0, double(samples - 1)),
                     Matrix(samples, m), Matrix(samples, 0), Matrix()};
   Vector x = start;
   for (Index i = 0; i < samples; ++i) {
-    for (Index k = 0; k < m; ++k)
-      record.states(i, k) = x[k] + noise.measured * random.normal();
+    for (Index k = 0; k < m; ++k) record.states(i, k) = x[k] + noise.measured * random.normal();
     x = map(x);
     for (Index k = 0; k < m; ++k) x[k] += noise.disturbance * random.normal();
   }
@@ -47,16 +47,21 @@ inline Vector henon(const Vector& x) {
 /// The logistic map at 3.9.
 inline Vector logistic(const Vector& x) { return Vector{{3.9 * x[0] * (1.0 - x[0])}}; }
 
-/// Two logistic maps of different rates that feed one another.
+/// Two logistic maps of different rates, each of which gets a share of the other's.
 inline Vector coupled_logistic(const Vector& x) {
   const double f = 3.7 * x[0] * (1.0 - x[0]), g = 3.8 * x[1] * (1.0 - x[1]);
-  return Vector{{f + 0.05 * (x[1] - x[0]), g + 0.1 * (x[0] - x[1])}};
+  return Vector{{0.95 * f + 0.05 * g, 0.9 * g + 0.1 * f}};
 }
 
 /// The Tinkerbell map: quadratic, turning and stretching as Ikeda's does.
 inline Vector tinkerbell(const Vector& x) {
   return Vector{{x[0] * x[0] - x[1] * x[1] + 0.9 * x[0] - 0.6013 * x[1],
                  2.0 * x[0] * x[1] + 2.0 * x[0] + 0.5 * x[1]}};
+}
+
+/// The Burgers map (Whitehead and Macdonald, Physica D 13 (1984) 401), which bears noise.
+inline Vector burgers(const Vector& x) {
+  return Vector{{0.75 * x[0] - x[1] * x[1], 1.75 * x[1] + x[0] * x[1]}};
 }
 
 }  // namespace lacuna::testing

@@ -19,8 +19,9 @@ struct NextSampleOptions {
 ///
 ///   sum_j h_kj tau_j(t[n], x[n], u[n]) ~ x_k[n+1],   k = 1..m.
 ///
-/// Rows are white where the map is disturbed at random. Noise of the measurement is in the target
-/// and in the terms: a residual is v[n+1] - Df v[n], coefficients are biased by its square.
+/// Rows are white where the map is disturbed at random. Noise of the measurement is in the
+/// target and in the terms: a residual is v[n+1] - Df v[n], coefficients are biased by its
+/// square.
 ///
 /// assemble() throws DataError for records with derivatives or with states that are derivatives
 /// of others, and ConfigError for delayed terms.

@@ -189,8 +189,9 @@ std::optional<Index> identity_of(const OdeModel& model, Index equation);
 /// The state that an output is, where its formula is a state alone.
 std::optional<Index> state_of(const OdeModel& model, const Output& output);
 
-/// Equations for people, one per line: "dx/dt = -y - z", "x[n+1] = 1 - x^2". Numbers are unrounded unless a number
-/// of significant digits is given, so that what is printed is the model.
+/// Equations for people, one per line: "dx/dt = -y - z", "x[n+1] = 1 - x^2". Numbers are
+/// unrounded unless a number of significant digits is given, so that what is printed is the
+/// model.
 std::string to_text(const OdeModel& model, std::optional<int> significant_digits = {});
 
 }  // namespace lacuna

@@ -24,7 +24,7 @@ std::string to_string(ValidationVerdict verdict);
 /// freedom), state units.
 struct PredictionError {
   std::string state;
-  double error = 0.0;       ///< r: sample minus prediction of the model
+  double error = 0.0;  ///< r: sample minus prediction of the model
   double noise = 0.0;  ///< of the measurement; what the error of a true model would be (of a
                        ///< map: of any function of the sample before)
   bool noise_seen = false;  ///< false: the samples show no noise, `noise` is an upper bound

@@ -14,8 +14,8 @@
 namespace lacuna {
 
 /// Plug point: turns records and candidate terms into a linear problem. In the strong form a
-/// row is a sample and the target its derivative; other forms have other rows, and the target of
-/// a map is the next sample. All that comes after sees rows only.
+/// row is a sample and the target its derivative; other forms have other rows, and the target
+/// of a map is the next sample. All that comes after sees rows only.
 class Formulation : public StageInterface {
  public:
   static constexpr std::string_view kKind = "formulation";

@@ -60,7 +60,8 @@ TEST(CheckCommand, SaysThatARecordLooksLikeAMap) {
   for (int i = 0; i < 200; ++i, x = 3.9 * x * (1.0 - x))
     text += std::to_string(i) + "," + std::to_string(x) + "\n";
   const std::string map = records.folder().write("map.csv", text);
-  EXPECT_THAT(run_command({"check", map}).out, HasSubstr("discrete-map: the record looks like"));
+  EXPECT_THAT(run_command({"check", map}).out,
+              HasSubstr("discrete-map: the record looks like"));
   EXPECT_THAT(run_command({"check", records.rossler()}).out, Not(HasSubstr("discrete-map")));
 }
 

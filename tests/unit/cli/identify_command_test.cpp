@@ -222,9 +222,9 @@ class HenonRecord {
 
 TEST(IdentifyCommand, FindsAMap) {
   const HenonRecord record;
-  const auto result = run_command({"identify", record.data(), "--discrete", "--model-out",
-                                   record.file("found.json"), "--report",
-                                   record.file("found.html")});
+  const auto result =
+      run_command({"identify", record.data(), "--discrete", "--model-out",
+                   record.file("found.json"), "--report", record.file("found.html")});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("x[n+1] = 1 + y - 1.4*x^2\n  y[n+1] = 0.3*x\n"));
   EXPECT_THAT(result.out, HasSubstr("Fits to the noise"));
@@ -232,10 +232,10 @@ TEST(IdentifyCommand, FindsAMap) {
     EXPECT_THAT(result.out, Not(HasSubstr(flow)));
   const auto text = run_command({"model", record.file("found.json")});
   EXPECT_THAT(text.out, HasSubstr("\ny[n+1] = 0."));
-  EXPECT_EQ(run_command({"simulate", record.file("found.json"), "--x0", "0.1,0.1", "--t-end",
-                         "20"})
-                .status,
-            0);
+  EXPECT_EQ(
+      run_command({"simulate", record.file("found.json"), "--x0", "0.1,0.1", "--t-end", "20"})
+          .status,
+      0);
 }
 
 TEST(IdentifyCommand, SaysThatARecordLooksLikeAMap) {
@@ -262,10 +262,9 @@ TEST(IdentifyCommand, OtherCommandsRefuseMaps) {
         {"export", model, "--format", "c"}})
     expect_failure(run_command(arguments), 2, {"the model is a map", "simulate"});
   for (const char* option : {"--embed", "--hidden"})
-    expect_failure(
-        run_command({"identify", record.data(), "--discrete", option,
-                     option == std::string("--embed") ? "x=2" : "1"}),
-        2, {"--discrete", "no derivatives"});
+    expect_failure(run_command({"identify", record.data(), "--discrete", option,
+                                option == std::string("--embed") ? "x=2" : "1"}),
+                   2, {"--discrete", "no derivatives"});
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ TEST(SimulateCommand, OutputsStandBehindTheStates) {
   const std::string model = records.folder().write(
       "m.ode", "input u\nstate x\nparam k = 2\ndx/dt = -x\ny = k*abs(x)+u [V]\nx = x\n");
   const std::string inputs = records.folder().write("u.csv", "t,u\n0,5\n1,5\n2,5\n");
-  const auto result = run_command({"simulate", model, "--x0", "-3", "--t-end", "1", "--dt", "1",
-                                   "--input-data", inputs});
+  const auto result = run_command(
+      {"simulate", model, "--x0", "-3", "--t-end", "1", "--dt", "1", "--input-data", inputs});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("t [s],x,y [V]\n0,-3,11\n"));
 }

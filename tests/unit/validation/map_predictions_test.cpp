@@ -48,8 +48,7 @@ TEST(MapPredictions, AnExactModelLeavesNothing) {
 }
 
 TEST(MapPredictions, NoiseIsThatOfTheDisturbance) {
-  const Dataset data =
-      orbit_of_map(henon, Vector{{0.1, 0.1}}, 3000, {.disturbance = 2e-3});
+  const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 3000, {.disturbance = 2e-3});
   const OdeModel model = parse_ode("x[n+1] = 1 + y - 1.4*x^2\ny[n+1] = 0.3*x\n", "test");
   const PredictionTest test = predict_map(model, data, whole(data), 1);
   for (const PredictionError& state : test.states) {
@@ -72,12 +71,12 @@ TEST(MapPredictions, NoiseIsNotSeenWhereNoNeighbourIsNear) {
   const auto eight = [](const Vector& x) {
     return Vector(3.9 * x.array() * (1.0 - x.array()));
   };
-  const Dataset data =
-      orbit_of_map(eight, Vector::LinSpaced(8, 0.11, 0.83), 1000);
+  const Dataset data = orbit_of_map(eight, Vector::LinSpaced(8, 0.11, 0.83), 1000);
   std::string text;
   for (const Quantity& state : data.states) text += state.name + "[n+1] = 0.5\n";
   const PredictionTest test = predict_map(parse_ode(text, "test"), data, whole(data), 1);
-  for (const PredictionError& state : test.states) EXPECT_FALSE(state.noise_seen) << state.state;
+  for (const PredictionError& state : test.states)
+    EXPECT_FALSE(state.noise_seen) << state.state;
 }
 
 TEST(MapPredictions, OrbitsWithoutABoundAreLost) {
@@ -90,13 +89,12 @@ TEST(MapPredictions, OrbitsWithoutABoundAreLost) {
 
 TEST(MapPredictions, OnlyPairsInsideBlocksCount) {
   const Dataset data = orbit_of_map(logistic, Vector{{0.3}}, 100);
-  const PredictionTest test =
-      predict_map(logistic_model(), data, {{0, 10, 5}, {0, 50, 11}}, 4);
+  const PredictionTest test = predict_map(logistic_model(), data, {{0, 10, 5}, {0, 50, 11}}, 4);
   EXPECT_EQ(test.windows, 1 + 7);
 }
 
 TEST(MapPredictions, VerdictOfMaps) {
-  for (const double disturbance : {0.0, 1e-3, 1e-2}) {
+  for (const double disturbance : {0.0, 1e-3, 3e-3}) {
     const Dataset data =
         orbit_of_map(henon, Vector{{0.1, 0.1}}, 1000, {.disturbance = disturbance});
     const Validation right = validated_map(data);
@@ -108,16 +106,37 @@ TEST(MapPredictions, VerdictOfMaps) {
   }
 }
 
-TEST(MapPredictions, NoiseOfTheMeasurementFitsToNoise) {
-  const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 2000, {.measured = 5e-3});
-  const Validation validation = validated_map(data, {"1", "x", "y", "x^2"});
-  EXPECT_EQ(validation.verdict, ValidationVerdict::FitsToNoise) << validation.sentence;
+TEST(MapPredictions, NoiseOfTheMeasurementIsNotTakenForStructure) {
+  for (const double noise : {1e-3, 5e-3, 2e-2}) {
+    const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 2000, {.measured = noise});
+    const Validation right = validated_map(data, {"1", "x", "y", "x^2"});
+    EXPECT_TRUE(right.verdict == ValidationVerdict::FitsToNoise ||
+                right.verdict == ValidationVerdict::CannotTell)
+        << noise << " " << right.sentence;
+    const Validation wrong = validated_map(data, {"1", "x", "y"});
+    EXPECT_EQ(wrong.verdict, ValidationVerdict::WrongLibrary) << wrong.sentence;
+  }
+}
+
+TEST(MapPredictions, ABoundOfTheNoiseHasTheSlopesOfTheMap) {
+  // Residuals of the fixed right-hand side 0.5 x are white: error = noise sqrt(1 + 0.25) at
+  // most.
+  const auto half = [](const Vector& x) { return Vector{{0.5 * x[0]}}; };
+  const Dataset data = orbit_of_map(half, Vector{{0.0}}, 2000, {.disturbance = 1.0, .seed = 3});
+  const OdeModel off = parse_ode("x[n+1] = 0.5*x + 0.4\n", "test");
+  ValidationOptions strict;
+  strict.noise_slack = 0.0;
+  strict.scatter = 0.0;
+  const PredictionError state = predict_map(off, data, whole(data), 1, strict).states[0];
+  EXPECT_FALSE(state.noise_seen);
+  EXPECT_NEAR(state.error, std::sqrt(1.0 + 0.4 * 0.4), 0.05);
+  EXPECT_NEAR(state.noise, std::sqrt(1.25), 0.06);
 }
 
 TEST(MapPredictions, ACubicApproximatesASine) {
-  const Dataset data = orbit_of_map(
-      [](const Vector& x) { return Vector{{0.95 * std::sin(3.14159 * x[0])}}; },
-      Vector{{0.3}}, 1000);
+  const Dataset data =
+      orbit_of_map([](const Vector& x) { return Vector{{0.95 * std::sin(3.14159 * x[0])}}; },
+                   Vector{{0.3}}, 1000);
   const Validation cubic = validated_map(data, {"1", "x", "x^2", "x^3", "x^4"});
   EXPECT_EQ(cubic.verdict, ValidationVerdict::Approximation) << cubic.sentence;
   const Validation sine = validated_map(data, {"1", "sin(3.14159*x)"});
