@@ -317,6 +317,10 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
   const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
+  if (is_map && pipeline.energy_preserving)
+    throw ConfigError("constraint energy-preserving",
+                      "it is one of rates, which a map has none of",
+                      "leave it out, or identify a flow");
   const Vector noise = is_map ? Vector() : estimate_noise(data);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
   const LeastSquaresSystem system = fitted.formulation->assemble(data, library, context);

@@ -24,9 +24,18 @@ struct Pairs {
 /// The factors of one monomial, with repeats: {0, 0, 1} is x0^2 x1.
 using Factors = std::vector<Index>;
 
-/// The first records, of no more samples than are looked at.
+bool has_rates(const Dataset& data) {
+  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& t) { return t.has_derivatives(); }) ||
+         std::any_of(data.rate_of.begin(), data.rate_of.end(),
+                     [](const auto& rate) { return rate.has_value(); });
+}
+
+/// The first records, of no more samples than are looked at; none where there is nothing to
+/// look at.
 std::vector<Trajectory> looked_at(const Dataset& data) {
   std::vector<Trajectory> records;
+  if (data.states.empty() || has_rates(data)) return records;
   Index left = kMostSamples;
   for (const Trajectory& record : data.trajectories) {
     const Index count = std::min(left, record.samples());
@@ -182,13 +191,6 @@ void measure_divergence(const Pairs& pairs, double remainder, MapEvidence& seen)
       std::sqrt(std::max(squares / count - seen.divergence * seen.divergence, 0.0) / count);
 }
 
-bool has_rates(const Dataset& data) {
-  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
-                     [](const Trajectory& t) { return t.has_derivatives(); }) ||
-         std::any_of(data.rate_of.begin(), data.rate_of.end(),
-                     [](const auto& rate) { return rate.has_value(); });
-}
-
 }  // namespace
 
 void MapHintOptions::describe(OptionVisitor& v) {
@@ -216,7 +218,6 @@ void MapHintOptions::describe(OptionVisitor& v) {
 }
 
 std::optional<MapEvidence> map_evidence(const Dataset& data) {
-  if (data.trajectories.empty() || data.states.empty() || has_rates(data)) return std::nullopt;
   const std::vector<Trajectory> records = looked_at(with_input_columns(data));
   if (records.empty()) return std::nullopt;
   const Pairs pairs = pairs_of(records);
@@ -239,12 +240,15 @@ std::optional<MapEvidence> map_evidence(const Dataset& data) {
 
 std::optional<Hint> map_hint(const Dataset& data, const MapHintOptions& options) {
   constexpr double kErrors = 3.0;
+  // Most records end here, at no cost.
+  const std::vector<Trajectory> records = looked_at(data);
+  if (records.empty() || roughness_of(records) < options.roughness) return std::nullopt;
   const std::optional<MapEvidence> seen = map_evidence(data);
-  const bool holds =
-      seen && seen->roughness >= options.roughness && seen->remainder <= options.remainder &&
-      seen->linear_remainder >= options.bend * seen->remainder &&
-      seen->reversed >= options.reversed && seen->divergence >= options.divergence &&
-      seen->divergence >= kErrors * seen->divergence_error;
+  const bool holds = seen && seen->remainder <= options.remainder &&
+                     seen->linear_remainder >= options.bend * seen->remainder &&
+                     seen->reversed >= options.reversed &&
+                     seen->divergence >= options.divergence &&
+                     seen->divergence >= kErrors * seen->divergence_error;
   if (!holds) return std::nullopt;
   return Hint{HintKind::DiscreteMap,
               "the record looks like a map x[n+1] = f(x[n]): each sample follows from the one "

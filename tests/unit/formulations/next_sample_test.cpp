@@ -123,6 +123,16 @@ TEST(NextSample, StructureOfMapsIsExactCleanAndDisturbed) {
       }
 }
 
+TEST(NextSample, StructureBearsALittleNoiseOfTheMeasurement) {
+  for (const KnownMap& known : known_maps())
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+      const Dataset data =
+          orbit_of_map(known.map, known.start, 1000, {.measured = 5e-4, .seed = seed});
+      EXPECT_EQ(structure(identify(data, map_pipeline()).model), known.structure)
+          << known.name << " seed " << seed;
+    }
+}
+
 TEST(NextSample, StructureOfTheTinkerbellMapIsExact) {
   const Dataset data = orbit_of_map(tinkerbell, Vector{{-0.1, -0.2}}, 500);
   EXPECT_EQ(structure(identify(data, map_pipeline()).model), "x y x^2 y^2 | x y x*y ");
@@ -146,7 +156,23 @@ TEST(NextSample, IntervalsHoldTheCoefficientOfADisturbedMap) {
 TEST(NextSample, ARefinerOfFlowsIsRefused) {
   Pipeline pipeline = map_pipeline();
   pipeline.refiner = Configuration{}.build(default_registry()).refiner;
-  EXPECT_THROW(identify(orbit_of_map(henon, Vector{{0.1, 0.1}}, 100), pipeline), ModelError);
+  const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 100);
+  expect_error<ConfigError>([&] { identify(data, pipeline); }, "refiner trajectory", "a map",
+                            "--discrete");
+}
+
+TEST(NextSample, EquationsAndConstraintsAreThoseOfMaps) {
+  const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 300, {.disturbance = 1e-3});
+  Configuration configuration;
+  configuration.set_discrete();
+  configuration.set_equation("x[n+1]: 1, x, x^2, y");
+  configuration.add_constraint("x: y = 1");
+  const OdeModel model = identify(data, configuration.build(default_registry())).model;
+  EXPECT_TRUE(model.is_map());
+  EXPECT_NEAR(model.coefficient(0, "y"), 1.0, 1e-12);
+  configuration.add_constraint("energy-preserving");
+  expect_error<ConfigError>([&] { identify(data, configuration.build(default_registry())); },
+                            "constraint energy-preserving", "a map", "identify a flow");
 }
 
 }  // namespace
