@@ -10,7 +10,7 @@ namespace lacuna {
 struct NextSampleOptions {
   static constexpr StageInfo kInfo{"next-sample",
                                    "Rows are samples, the target is the next sample: a map",
-                                   "Brunton, Proctor & Kutz, PNAS 113 (2016) 3932, Sect. S4"};
+                                   "Brunton, Proctor & Kutz, PNAS 113 (2016) 3932"};
 
   void describe(OptionVisitor&) {}
 };
