@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/records/gaps.hpp"
+#include "lacuna/records/map_hint.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/report/data_summary.hpp"
 
@@ -27,7 +28,7 @@ bool is_all_measured(const OdeModel& model, const Dataset& data) {
 
 /// The records in the variables of a model, with what is odd about the two together.
 DataSummary summary_for(const Session& session, const Options& options) {
-  const OdeModel model = with_holds(load_model(*options.model), options.data);
+  const OdeModel model = with_holds(load_flow(*options.model, "check --model"), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   ColumnRoles roles = common_roles(options.data);
   roles.blanks = Blanks::Mark;
@@ -53,6 +54,7 @@ int check_command(const Session& session, const Options& options) {
   } else {
     const Dataset data = read_data(options.data);
     summary = summarise(data, data.input_count());
+    if (const std::optional<Hint> hint = map_hint(data)) summary.hints.push_back(*hint);
   }
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(summary));

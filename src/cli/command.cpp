@@ -136,6 +136,12 @@ void check_outputs(const std::vector<std::string>& inputs,
 
 OdeModel load_model(const std::string& path) { return load_system(path).model(); }
 
+OdeModel load_flow(const std::string& path, const std::string& command) {
+  OdeModel model = load_model(path);
+  check_flow(model, command);
+  return model;
+}
+
 SystemModel load_system(const std::string& path) {
   std::error_code unreadable;
   if (!fs::exists(path, unreadable))

@@ -78,6 +78,9 @@ void check_outputs(const std::vector<std::string>& inputs,
 /// A model file, or a test system by its name when there is no such file.
 OdeModel load_model(const std::string& path);
 
+/// The same for a command that needs a flow. @throws ModelError for a map.
+OdeModel load_flow(const std::string& path, const std::string& command);
+
 /// The same with its parameters.
 SystemModel load_system(const std::string& path);
 

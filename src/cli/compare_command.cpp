@@ -54,7 +54,7 @@ int show_comparison(const Session& session, const Options& options,
 }
 
 int compare_model(const Session& session, const Options& options) {
-  const OdeModel model = with_holds(load_model(options.first), options.data);
+  const OdeModel model = with_holds(load_flow(options.first, "compare"), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);

@@ -9,6 +9,7 @@
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/realisation/identify_hidden.hpp"
+#include "lacuna/records/map_hint.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/relations/relations.hpp"
 #include "lacuna/report/data_summary.hpp"
@@ -27,7 +28,7 @@ struct Options {
   std::vector<std::string> assignments, equations, added, constraints, held_out;
   std::optional<std::string> model_out, json;
   ReportOptions report;
-  bool full = false;
+  bool full = false, discrete = false;
   std::string integrator = "rk4";
 };
 
@@ -42,6 +43,8 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
       ->type_name("D");
   app.add_option("--terms", options.terms, "Candidate terms outright, e.g. \"sign(q_d1),1,F\"")
       ->type_name("LIST");
+  app.add_flag("--discrete", options.discrete,
+               "Find a map x[n+1] = f(x[n]) instead of a flow dx/dt = f(x)");
   app.add_option("--hidden", options.hidden,
                  "States that nobody measured: 1, found by the derivative of a measured one")
       ->type_name("N");
@@ -77,6 +80,7 @@ Configuration make_configuration(const Options& options) {
   Configuration configuration;
   if (options.config) configuration.merge_file(*options.config);
   if (options.preset) configuration.set_preset(*options.preset);
+  if (options.discrete) configuration.set_discrete();
   if (options.degree) configuration.set_degree(*options.degree);
   if (options.terms) configuration.set_terms(*options.terms);
   for (const std::string& text : options.constraints) configuration.add_constraint(text);
@@ -93,9 +97,11 @@ Dataset load(const Options& options, const Pipeline& pipeline) {
   return embed(data, orders, *differentiator_of(*pipeline.formulation));
 }
 
-/// Drives the model with the record itself. Not being able to is a warning, not a failure.
+/// Drives the model with the record itself, where it is a flow. Not being able to is a warning,
+/// not a failure.
 void verify(IdentificationReport& report, const Dataset& data, const Integrator& integrator,
             const RunContext& context) {
+  if (report.result.model.is_map()) return;
   std::vector<std::string>& warnings = report.result.warnings;
   try {
     SyncResult sync = synchronise(report.result.model, data, integrator, {}, context);
@@ -135,11 +141,12 @@ void judge_model(const Session& session, const Options& options, const Dataset& 
     Validation validation = validate(task, {}, context);
     const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
                        validation.verdict == ValidationVerdict::WrongLibrary;
-    if (lacks)
+    const bool is_map = result.model.is_map();
+    if (lacks && !is_map)
       validation.advice =
           advice_for(result, data, session.registry.make_all<Effect>(), context);
     result.validation = std::move(validation);
-    result.relations = find_relations(data, {}, context);
+    if (!is_map) result.relations = find_relations(data, {}, context);
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not validated: ") + error.what());
   }
@@ -172,9 +179,10 @@ IdentificationResult identified(const Session& session, const Options& options, 
     data = std::move(found.data);
     return std::move(found.result);
   }
-  const bool chosen = options.preset || options.config || options.terms || options.degree ||
-                      !options.assignments.empty() || !options.equations.empty() ||
-                      !options.added.empty() || !options.constraints.empty();
+  const bool chosen = options.discrete || options.preset || options.config || options.terms ||
+                      options.degree || !options.assignments.empty() ||
+                      !options.equations.empty() || !options.added.empty() ||
+                      !options.constraints.empty();
   if (chosen) return identify(data, pipeline, context);
   return identify_with_forms(data, pipeline, session.registry.make_all<Effect>(), context);
 }
@@ -188,6 +196,9 @@ int identify_command(const Session& session, const Options& options) {
   if (options.hidden && *options.hidden != 1)
     throw ConfigError("--hidden", "only one hidden state can be identified",
                       "give 1, or measure more");
+  if (options.discrete && (options.hidden || !embedding_orders(options.data).empty()))
+    throw ConfigError("--discrete", "a map has no derivatives",
+                      "leave out --hidden and --embed; earlier samples can be columns");
   if (options.hidden && !options.held_out.empty())
     throw ConfigError("--holdout", "the hidden state of other records is not known",
                       "leave it out, or use `lacuna fit MODEL DATA --holdout`");
@@ -202,6 +213,8 @@ int identify_command(const Session& session, const Options& options) {
                               configuration.text()};
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());
+  if (const auto hint = report.result.model.is_map() ? std::nullopt : map_hint(data))
+    report.result.warnings.push_back(hint->message + "; try " + hint->remedy);
   verify(report, data, *integrator, context);
   judge_model(session, options, data, report, context);
   finish_progress(session, options.run);

@@ -18,7 +18,8 @@ namespace {
 struct Options {
   std::string model;
   std::string x0;
-  double t_start = 0.0, t_end = 0.0, step = 0.0;
+  double t_start = 0.0, t_end = 0.0;
+  std::optional<double> step;
   std::optional<std::string> output, input_data, input_time;
   DataOptions data;
   std::string integrator = "dopri5";
@@ -42,16 +43,18 @@ Vector parse_start(const OdeModel& model, const std::string& text) {
   return start;
 }
 
-Vector parse_times(const Options& options) {
+/// @param usual step where none is given.
+Vector parse_times(const Options& options, double usual) {
+  const double step = options.step.value_or(usual);
   const double span = options.t_end - options.t_start;
-  if (!(options.step > 0.0) || !(span > 0.0) || !std::isfinite(span / options.step))
+  if (!(step > 0.0) || !(span > 0.0) || !std::isfinite(span / step))
     throw ConfigError("--dt, --t-end", "the step and the duration must be above 0",
                       "give --t-end later than --t-start and --dt above 0");
-  if (span / options.step > 1e9)
+  if (span / step > 1e9)
     throw ConfigError("--dt, --t-end", "this asks for more than 1e9 samples",
                       "take a longer --dt or an earlier --t-end");
-  const auto steps = static_cast<Index>(std::floor(span / options.step * (1.0 + 1e-12) + 1e-9));
-  return sample_times(options.t_start, options.step, steps + 1);
+  const auto steps = static_cast<Index>(std::floor(span / step * (1.0 + 1e-12) + 1e-9));
+  return sample_times(options.t_start, step, steps + 1);
 }
 
 /// The input file in the inputs of the model; its first record is the one.
@@ -95,7 +98,8 @@ Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
 Run run(const Session& session, const OdeModel& model, const Integrator& integrator,
         const Options& options, const RunContext& context) {
   const Vector start = parse_start(model, options.x0);
-  const Vector times = parse_times(options);
+  constexpr double kStepOfMaps = 1.0, kNone = 0.0;
+  const Vector times = parse_times(options, model.is_map() ? kStepOfMaps : kNone);
   if (model.inputs().empty())
     return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};
   const Dataset record = input_records(model, options);
@@ -163,8 +167,9 @@ void declare_options(CLI::App& app, Options& options) {
   app.add_option("--t-start", options.t_start, "First time, in the model's time unit")
       ->capture_default_str();
   app.add_option("--t-end", options.t_end, "Last time, in the model's time unit")->required();
-  app.add_option("--dt", options.step, "Step of the output, in the model's time unit")
-      ->required();
+  app.add_option("--dt", options.step,
+                 "Step of the output, in the model's time unit; of a map, time from one value "
+                 "to the next [default: 1]");
   app.add_option("-o,--output", options.output, "CSV file [default: standard output]")
       ->type_name("FILE");
   app.add_option("--integrator", options.integrator, "Method; see `lacuna list integrator`")

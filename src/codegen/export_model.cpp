@@ -278,6 +278,7 @@ std::string export_model(const OdeModel& model, const std::string& format) {
   if (found == exporters().end())
     throw ConfigError("export", "there is no format '" + format + "'",
                       suggestion(format, export_formats()));
+  check_flow(model, "export");
   return found->second(model);
 }
 

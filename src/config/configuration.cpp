@@ -260,6 +260,11 @@ void Configuration::set(std::string_view assignment) {
 
 void Configuration::set_preset(const std::string& name) { document_->root["preset"] = name; }
 
+void Configuration::set_discrete() {
+  document_->root["formulation"] = Json{{"type", "next-sample"}};
+  document_->root["refiner"] = Json{{"type", "none"}};
+}
+
 void Configuration::set_degree(int degree) {
   merge_text(Json{{"basis", {{"type", "monomials"}, {"max_degree", degree}}}}.dump(),
              "--degree");

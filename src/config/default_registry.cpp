@@ -11,6 +11,7 @@
 #include "lacuna/filters/none.hpp"
 #include "lacuna/filters/svd_filter.hpp"
 #include "lacuna/formulations/integral_form.hpp"
+#include "lacuna/formulations/next_sample.hpp"
 #include "lacuna/formulations/strong_form.hpp"
 #include "lacuna/formulations/weak_form.hpp"
 #include "lacuna/hypotheses/broken_identity.hpp"
@@ -54,6 +55,7 @@ void add_formulations(Registry& registry) {
   registry.add<StrongForm>({.differentiator = FiniteDifferences{}});
   registry.add<WeakForm>();
   registry.add<IntegralForm>();
+  registry.add<NextSample>();
 }
 
 void add_selection(Registry& registry) {

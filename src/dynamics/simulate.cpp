@@ -190,6 +190,36 @@ class PiecewiseIntegrator final : public Integrator {
   const Vector& breaks_;
 };
 
+/// One step of a map, whatever time it takes.
+class MapStepper final : public Stepper {
+ public:
+  explicit MapStepper(Index dimension) : next_(dimension) {}
+
+  IntegrationStatus advance(RightHandSide map, double& t0, double t1, double* x) override {
+    map(t0, x, next_.data());
+    std::copy(next_.begin(), next_.end(), x);
+    t0 = t1;
+    return IntegrationStatus::Completed;
+  }
+
+ private:
+  Vector next_;
+};
+
+/// Takes a map for what integrators take a right-hand side for.
+class Iteration final : public Integrator {
+ public:
+  const StageInfo& info() const override {
+    static const StageInfo info{"iteration", "Applies a map from sample to sample", ""};
+    return info;
+  }
+  void visit_options(OptionVisitor&) const override {}
+  int order() const override { return 1; }
+  std::unique_ptr<Stepper> make_stepper(Index dimension) const override {
+    return std::make_unique<MapStepper>(dimension);
+  }
+};
+
 std::vector<std::string> state_names(const OdeModel& model) {
   std::vector<std::string> names;
   for (const Quantity& state : model.states()) names.push_back(state.name);
@@ -221,10 +251,11 @@ Solution simulate(const DrivenModel& driven, const Integrator& integrator, const
   const OdeModel& model = driven.model;
   check_initial_state(model, x0);
   Flow flow(driven);
-  const bool whole = flow.delays().empty() && driven.breaks.size() == 0;
-  Solution solution = whole ? integrator.integrate(flow, x0, times, context)
-                            : PiecewiseIntegrator(integrator, flow, driven.breaks)
-                                  .integrate(flow, x0, times, context);
+  const bool in_pieces = !flow.delays().empty() || driven.breaks.size() > 0;
+  Solution solution = model.is_map() ? Iteration{}.integrate(flow, x0, times, context)
+                      : in_pieces    ? PiecewiseIntegrator(integrator, flow, driven.breaks)
+                                        .integrate(flow, x0, times, context)
+                                  : integrator.integrate(flow, x0, times, context);
   solution.message = end_message(solution.status, solution.end_time, solution.end_state,
                                  state_names(model), model.time_unit());
   return solution;

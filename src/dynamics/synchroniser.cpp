@@ -266,6 +266,7 @@ std::string divergence_message(const Trajectory& trajectory, const Run& run,
 SyncResult synchronise(const OdeModel& model, const Dataset& record,
                        const Integrator& integrator, const SyncOptions& options,
                        const RunContext& context) {
+  check_flow(model, "synchronise");
   check_shapes(model, options);
   const LagrangeWindow window = LagrangeWindow::driving(integrator.order());
   const Dataset view = model_view(model, record);

@@ -112,6 +112,7 @@ std::string format_model(const SystemModel& system) {
     equations.push_back(equation_text(model.states()[i].name, model.equations()[i]));
   std::string text = "{\"format\": \"lacuna.model/1\",\n \"time_unit\": ";
   text.append(dump(model.time_unit()));
+  if (model.is_map()) text.append(",\n \"time\": \"discrete\"");
   text.append(",\n \"states\": ").append(quantities_text(model.states()));
   text.append(",\n \"inputs\": ").append(quantities_text(system.inputs()));
   text.append(",\n \"equations\": ").append(list_text(equations, "  "));

@@ -34,8 +34,10 @@ std::string choices_text(const SystemModel& system) {
       const bool read_so = any_free && std::abs(summand.coefficient) == 1.0 &&
                            !system.gives_size(summand.term.expression());
       if (summand.fixed != read_so && summand.coefficient != 0.0)
-        text += (summand.fixed ? "fixed d" : "free d") + system.symbolic().states()[k].name +
-                "/dt: " + summand.term.name() + "\n";
+        text +=
+            (summand.fixed ? "fixed " : "free ") +
+            left_hand_side(system.symbolic().states()[k].name, system.symbolic().evolution()) +
+            ": " + summand.term.name() + "\n";
     }
   return text;
 }

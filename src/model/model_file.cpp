@@ -251,9 +251,22 @@ std::vector<std::optional<InitialValue>> read_initial(const JsonPlace& object,
   return initial;
 }
 
+/// The model as the flow or the map that the document says it is.
+OdeModel with_time(const JsonPlace& root, const OdeModel& model) {
+  const std::optional<JsonPlace> time = root.find("time");
+  if (!time || time->text() == "continuous") return model;
+  if (time->text() != "discrete")
+    time->fail("there is no time '" + time->text() + "'", "write continuous or discrete");
+  try {
+    return model.with_evolution(Evolution::Map);
+  } catch (const ModelError& error) {
+    time->fail(error.problem(), error.remedy());
+  }
+}
+
 SystemModel read_document(const JsonPlace& root) {
-  root.expect_keys({"format", "description", "time_unit", "states", "inputs", "equations",
-                    "parameters", "outputs", "initial"});
+  root.expect_keys({"format", "description", "time_unit", "time", "states", "inputs",
+                    "equations", "parameters", "outputs", "initial"});
   check_format(root);
   if (const auto description = root.find("description")) description->text();
   std::set<std::string> taken;
@@ -278,7 +291,7 @@ SystemModel read_document(const JsonPlace& root) {
     model = model.with_outputs(read_outputs(*list, model, std::move(others)));
   if (const auto object = root.find("initial"))
     model = model.with_initial(read_initial(*object, model));
-  return {std::move(model), std::move(parameters)};
+  return {with_time(root, model), std::move(parameters)};
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ std::string to_text(const OdeModel& model, std::optional<int> significant_digits
   std::string text;
   for (std::size_t i = 0; i < model.equations().size(); ++i) {
     if (i > 0) text += '\n';
-    text.append("d").append(model.states()[i].name).append("/dt = ");
+    text.append(left_hand_side(model.states()[i].name, model.evolution())).append(" = ");
     text += right_hand_side(model.equations()[i], significant_digits);
   }
   return text;

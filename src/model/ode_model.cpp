@@ -145,6 +145,20 @@ OdeModel OdeModel::with_equations(std::vector<Equation> equations) const {
   OdeModel result(states_, inputs_, std::move(equations), time_unit_);
   result.outputs_ = outputs_;
   result.initial_ = initial_;
+  return result.with_evolution(evolution_);
+}
+
+OdeModel OdeModel::with_evolution(Evolution evolution) const {
+  if (evolution == Evolution::Map)
+    for (const Equation& equation : equations_)
+      for (const WeightedTerm& summand : equation)
+        if (contains(summand.term.expression(), Operation::Delay))
+          throw ModelError("model",
+                           "the map has the delayed term '" + summand.term.name() + "'",
+                           "make the earlier sample a state: its next value is the present one "
+                           "of the other");
+  OdeModel result = *this;
+  result.evolution_ = evolution;
   return result;
 }
 
@@ -188,9 +202,19 @@ OdeModel OdeModel::with_holds(const std::vector<std::optional<Hold>>& holds) con
   return result;
 }
 
+void check_flow(const OdeModel& model, const std::string& task) {
+  if (!model.is_map()) return;
+  throw ModelError(task, "the model is a map x[n+1] = f(x[n])",
+                   "only `identify --discrete`, `simulate` and `model` work with maps");
+}
+
+std::string left_hand_side(const std::string& state, Evolution evolution) {
+  return evolution == Evolution::Map ? state + "[n+1]" : "d" + state + "/dt";
+}
+
 std::optional<Index> identity_of(const OdeModel& model, Index equation) {
   const Equation& summands = equation_at(model, equation);
-  if (summands.size() != 1 || summands.front().coefficient != 1.0 ||
+  if (model.is_map() || summands.size() != 1 || summands.front().coefficient != 1.0 ||
       is_formula_channel(model.states()[static_cast<std::size_t>(equation)]))
     return std::nullopt;
   const std::string& name = summands.front().term.name();

@@ -48,6 +48,7 @@ struct WrittenChoice {
 struct Statements {
   const std::string& source;
   std::string time_unit = "s";
+  std::optional<Evolution> evolution = {};  ///< that of the first equation
   std::vector<Quantity> states = {}, inputs = {};
   std::vector<Parameter> parameters = {};
   std::map<std::string, Expression> values = {};  ///< of the parameters
@@ -181,7 +182,8 @@ void read_initial(OdeLine& line, Statements& said) {
 void read_output(OdeLine& line, const std::string& name, Statements& said) {
   if (!line.take("="))
     line.fail("'" + name + "' begins no statement",
-              "write time, input, state, param, initial, d(name)/dt = ... or output = ...");
+              "write time, input, state, param, initial, d(name)/dt = ..., name[n+1] = ... or "
+              "output = ...");
   const std::string_view formula = line.value();
   const std::string place = line.place_of(formula);
   for (const WrittenOutput& other : said.outputs)
@@ -190,24 +192,36 @@ void read_output(OdeLine& line, const std::string& name, Statements& said) {
   said.outputs.push_back({name, line.unit(), {formula, place}});
 }
 
+/// What stands on the left of an equation.
+struct LeftHandSide {
+  std::string state;
+  Evolution evolution;
+};
+
+/// That of "dx/dt" or "x[n+1]"; nothing for another beginning of a line.
+std::optional<LeftHandSide> take_left_hand_side(const std::string& name, OdeLine& line) {
+  if (line.take("[n+1]")) return LeftHandSide{name, Evolution::Map};
+  if (name.size() < 2 || name.front() != 'd' || !line.take("/dt")) return std::nullopt;
+  return LeftHandSide{name.substr(1), Evolution::Flow};
+}
+
 /// "dx/dt: TERM" behind `fixed` or `free`.
 void read_choice(OdeLine& line, bool fixed, Statements& said) {
   const std::string name = line.identifier("dNAME/dt");
-  if (name.front() != 'd' || !line.take("/dt"))
-    line.fail("'" + name + "' is no dNAME/dt", "write e.g. fixed dx/dt: u");
+  const std::optional<LeftHandSide> left = take_left_hand_side(name, line);
+  if (!left)
+    line.fail("'" + name + "' is no dNAME/dt and no NAME[n+1]", "write e.g. fixed dx/dt: u");
   line.expect(':');
   line.at_end();
   const std::string_view term = line.formula();
-  said.choices.push_back({name.substr(1), {term, line.place_of(term)}, fixed});
+  said.choices.push_back({left->state, {term, line.place_of(term)}, fixed});
 }
 
-/// "x" of "dx/dt"; nothing for another beginning of a line.
-std::optional<std::string> state_of_rate(const std::string& name, OdeLine& line) {
-  if (name.size() < 2 || name.front() != 'd' || !line.take("/dt")) return std::nullopt;
-  return name.substr(1);
-}
-
-void read_equation(OdeLine& line, const std::string& name, Statements& said) {
+void read_equation(OdeLine& line, const LeftHandSide& left, Statements& said) {
+  const std::string& name = left.state;
+  if (said.evolution.value_or(left.evolution) != left.evolution)
+    line.fail("a model is either a flow, dx/dt, or a map, x[n+1]", "write all equations alike");
+  said.evolution = left.evolution;
   if (!is_identifier(name) || is_reserved_name(name))
     line.fail("'" + name + "' cannot be a state", "use another name");
   state_named(line, name, said);
@@ -236,8 +250,8 @@ void read_statement(OdeLine& line, Statements& said) {
     read_choice(line, false, said);
   } else {
     const std::string name = line.identifier("statement");
-    if (const std::optional<std::string> state = state_of_rate(name, line))
-      read_equation(line, *state, said);
+    if (const std::optional<LeftHandSide> left = take_left_hand_side(name, line))
+      read_equation(line, *left, said);
     else
       read_output(line, name, said);
   }
@@ -301,8 +315,10 @@ void mark_fixed(const Statements& said, const SystemModel& system,
       return summand.term == chosen;
     });
     if (found == equation.end())
-      throw ModelError(term.place, "d" + state + "/dt has no term '" + chosen.name() + "'",
-                       "write it as `lacuna model` shows it");
+      throw ModelError(
+          term.place,
+          left_hand_side(state, *said.evolution) + " has no term '" + chosen.name() + "'",
+          "write it as `lacuna model` shows it");
     found->fixed = fixed;
   }
 }
@@ -350,8 +366,9 @@ SystemModel parse_ode_system(std::string_view bytes, const std::string& source) 
                        said.time_unit);
   std::vector<Equation> equations = equations_of(said, frame.variables());
   mark_fixed(said, SystemModel(frame, said.parameters), equations);
-  return {with_initial(said, with_outputs(said, frame.with_equations(std::move(equations)))),
-          said.parameters};
+  const OdeModel model = frame.with_equations(std::move(equations))
+                             .with_evolution(said.evolution.value_or(Evolution::Flow));
+  return {with_initial(said, with_outputs(said, model)), said.parameters};
 }
 
 OdeModel parse_ode(std::string_view bytes, const std::string& source) {

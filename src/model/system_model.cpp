@@ -186,7 +186,8 @@ OdeModel SystemModel::model() const {
   }
   return frame.with_equations(std::move(equations))
       .with_outputs(substituted(symbolic_.outputs(), numbers))
-      .with_initial(symbolic_.initial());
+      .with_initial(symbolic_.initial())
+      .with_evolution(symbolic_.evolution());
 }
 
 ParametrisedModel SystemModel::parametrised() const {

@@ -105,8 +105,7 @@ void satisfy_constraints(const LeastSquaresSystem& system, const EquationLibrari
     equations[k].push_back(summand_of(term, solution.h[at], solution.variances[at]));
     enter_in_trail(result.fit[k].equation, equations[k].back(), result.trail);
   }
-  result.model = OdeModel(result.model.states(), result.model.inputs(), std::move(equations),
-                          result.model.time_unit());
+  result.model = result.model.with_equations(std::move(equations));
 }
 
 }  // namespace lacuna

@@ -12,13 +12,15 @@
 namespace lacuna {
 namespace {
 
-/// Number of a state by what a user calls its equation: "w", "dw" or "dw/dt".
+/// Number of a state by what a user calls its equation: "w", "dw", "dw/dt" or "w[n+1]".
 Index state_of(const std::string& name, const Dataset& data) {
   std::vector<std::string> names;
   for (const Quantity& state : data.states) names.push_back(state.name);
   std::string other = name.rfind('d', 0) == 0 ? name.substr(1) : name;
   if (const std::size_t slash = other.rfind("/dt"); slash != std::string::npos)
     other.resize(slash);
+  if (const std::size_t index = name.rfind("[n+1]"); index != std::string::npos)
+    other = name.substr(0, index);
   for (const std::string& trial : {name, other})
     if (const auto found = std::find(names.begin(), names.end(), trial); found != names.end())
       return found - names.begin();

@@ -23,7 +23,7 @@ struct Run {
   const TermLibrary& library;
   const LeastSquaresSystem& system;
   const FilterResult& filtered;
-  const Vector& noise;  ///< of the states, as the record itself tells it
+  const Vector& noise;  ///< of the states, as the record itself tells it; of a map it does not
   const EquationLibraries& libraries;
 };
 
@@ -147,21 +147,20 @@ WeightedTerm weighted_term(const Run& run, const Regression& regression,
 void write_equation(const Run& run, Index state, const Regression& regression,
                     EquationOutcome& outcome, TrailWriter& trail) {
   const Vector variances = coefficient_variances(run, state, regression);
+  const std::string left =
+      left_hand_side(outcome.fit.equation, run.pipeline.formulation->evolution());
   for (Index i = 0; i < static_cast<Index>(regression.active.size()); ++i) {
     outcome.equation.push_back(weighted_term(run, regression, variances, i));
     const WeightedTerm& summand = outcome.equation.back();
     trail.kept(regression.active[static_cast<std::size_t>(i)], summand.coefficient);
     if (variances.size() > 0 && !summand.standard_error)
-      outcome.warnings.push_back("d" + outcome.fit.equation +
-                                 "/dt: the data do not determine " + "the coefficient of " +
+      outcome.warnings.push_back(left + ": the data do not determine the coefficient of " +
                                  summand.term.name());
   }
-  if (outcome.equation.empty())
-    outcome.warnings.push_back("d" + outcome.fit.equation + "/dt: no term was found");
+  if (outcome.equation.empty()) outcome.warnings.push_back(left + ": no term was found");
   if (!regression.converged)
-    outcome.warnings.push_back("d" + outcome.fit.equation + "/dt: the regression did not " +
-                               "converge in " + std::to_string(regression.iterations) +
-                               " iterations");
+    outcome.warnings.push_back(left + ": the regression did not converge in " +
+                               std::to_string(regression.iterations) + " iterations");
 }
 
 EquationOutcome fit_equation(const Run& run, Index state) {
@@ -202,6 +201,7 @@ void compare_with_noise(EquationFit& fit, std::vector<std::string>& warnings) {
 }
 
 void note_noise_floors(const Run& run, IdentificationResult& result) {
+  if (result.model.is_map()) return;
   const std::optional<Vector> floor =
       run.pipeline.formulation->target_noise(run.data, result.noise);
   for (std::size_t k = 0; k < result.fit.size() && floor; ++k)
@@ -215,9 +215,11 @@ void judge_fits(IdentificationResult& result) {
     if (fit.identity) continue;
     compare_with_noise(fit, result.warnings);
     if (!fit.fits_to_noise && fit.residual_rms > kPoorFit * fit.target_rms)
-      result.warnings.push_back("d" + fit.equation + "/dt: the terms leave " +
+      result.warnings.push_back(left_hand_side(fit.equation, result.model.evolution()) +
+                                ": the terms leave " +
                                 format_number(100.0 * fit.residual_rms / fit.target_rms, 2) +
-                                " % of the derivative unexplained");
+                                (result.model.is_map() ? " % of the next sample unexplained"
+                                                       : " % of the derivative unexplained"));
   }
 }
 
@@ -281,7 +283,8 @@ IdentificationResult run_equations(const Run& run) {
   std::vector<Equation> equations;
   for (const EquationOutcome& outcome : outcomes) equations.push_back(outcome.equation);
   IdentificationResult result{
-      OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit),
+      OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit)
+          .with_evolution(run.pipeline.formulation->evolution()),
       run.noise,
       {},
       {},
@@ -313,7 +316,12 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
   const TermLibrary& library = libraries.library;
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
-  const Vector noise = estimate_noise(data);
+  const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
+  if (is_map && pipeline.energy_preserving)
+    throw ConfigError("constraint energy-preserving",
+                      "it is one of rates, which a map has none of",
+                      "leave it out, or identify a flow");
+  const Vector noise = is_map ? Vector() : estimate_noise(data);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
   const LeastSquaresSystem system = fitted.formulation->assemble(data, library, context);
   context.report("filtering terms", 0.0);

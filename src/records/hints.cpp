@@ -54,6 +54,8 @@ std::string to_string(HintKind kind) {
       return "sampling";
     case HintKind::NotIdentifiable:
       return "not-identifiable";
+    case HintKind::DiscreteMap:
+      return "discrete-map";
   }
   return "";
 }

@@ -27,7 +27,8 @@ template <class Holds>
 std::vector<std::string> equations_where(const IdentificationResult& result, Holds holds) {
   std::vector<std::string> names;
   for (const EquationFit& fit : result.fit)
-    if (is_fitted(fit) && holds(fit)) names.push_back("d" + fit.equation + "/dt");
+    if (is_fitted(fit) && holds(fit))
+      names.push_back(left_hand_side(fit.equation, result.model.evolution()));
   return names;
 }
 
@@ -53,7 +54,8 @@ void tell_headline(const IdentificationReport& report, Page& page) {
   const auto unknown =
       equations_where(result, [](const EquationFit& fit) { return !fit.fits_to_noise; });
   if (lacks_terms(result)) {
-    page.headline = "An equation has no terms: no candidate explains its derivative.";
+    page.headline = std::string("An equation has no terms: no candidate explains its ") +
+                    (result.model.is_map() ? "next value." : "derivative.");
     page.tone = Tone::Bad;
   } else if (result.validation) {
     tell_verdict(*result.validation, page);
@@ -73,7 +75,7 @@ std::vector<std::string> findings_of(const IdentificationResult& result) {
   std::vector<std::string> sentences;
   for (const EquationFit& fit : result.fit) {
     if (!is_fitted(fit)) continue;
-    std::string text = "d" + fit.equation + "/dt: residual " +
+    std::string text = left_hand_side(fit.equation, result.model.evolution()) + ": residual " +
                        format_number(fit.residual_rms, 3) + " of " +
                        format_number(fit.target_rms, 3) + " rms";
     if (fit.noise_floor) text += ", noise alone gives " + format_number(*fit.noise_floor, 3);
@@ -125,14 +127,17 @@ std::string interval_text(const WeightedTerm& summand) {
          format_number((*summand.ci95)[1], digits);
 }
 
+std::string with_unit_of_term(const std::string& unit) {
+  return (unit.empty() ? "1" : unit) + " per unit of the term";
+}
+
 PageSection coefficients(const OdeModel& model) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k])
-      rows.push_back(
-          {"d" + model.states()[k].name + "/dt", summand.term.name(), coefficient_text(summand),
-           interval_text(summand),
-           rate_unit(model.states()[k].unit, model.time_unit()) + " per unit of the term"});
+      rows.push_back({left_hand_side(model.states()[k].name, model.evolution()),
+                      summand.term.name(), coefficient_text(summand), interval_text(summand),
+                      with_unit_of_term(target_unit(model, static_cast<Index>(k)))});
   return {"Coefficients",
           table({"equation", "term", "coefficient", "95 % interval", "unit"}, rows)};
 }
@@ -155,7 +160,7 @@ PageSection prediction_section(const Validation& validation) {
 PageSection trail_section(const IdentificationResult& result) {
   std::vector<std::vector<std::string>> rows;
   for (const TrailEntry& entry : result.trail)
-    rows.push_back({"d" + entry.equation + "/dt", entry.term,
+    rows.push_back({left_hand_side(entry.equation, result.model.evolution()), entry.term,
                     entry.kept ? "kept" : "removed by " + entry.stage, entry.quantity,
                     format_number(entry.value, 4),
                     entry.kept ? "" : format_number(entry.threshold, 4)});
@@ -181,7 +186,10 @@ void add_pictures(const RunView& view, Page& page) {
 
 Page identification_page(const IdentificationReport& report, const Dataset& data) {
   const IdentificationResult& result = report.result;
-  const std::vector<GapRecord> runs = free_runs(result.model, data, result.noise);
+  // The curves of a map between its samples would mean nothing.
+  const std::vector<GapRecord> runs = result.model.is_map()
+                                          ? std::vector<GapRecord>()
+                                          : free_runs(result.model, data, result.noise);
   const RunView view{runs, data.states, data.time_unit, result.noise};
   Page page;
   page.title =

@@ -33,8 +33,9 @@ std::string coefficient_table(const OdeModel& model, bool full) {
       {"equation", "term", "coefficient", "standard error"}};
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k])
-      rows.push_back({"d" + model.states()[k].name + "/dt", summand.term.name(),
-                      coefficient_text(summand, full), error_text(summand)});
+      rows.push_back({left_hand_side(model.states()[k].name, model.evolution()),
+                      summand.term.name(), coefficient_text(summand, full),
+                      error_text(summand)});
   std::array<std::size_t, 4> widths{};
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
@@ -48,8 +49,8 @@ std::string coefficient_table(const OdeModel& model, bool full) {
   return table;
 }
 
-std::string fit_line(const EquationFit& fit) {
-  std::string line = "  d" + fit.equation + "/dt: ";
+std::string fit_line(const EquationFit& fit, Evolution evolution) {
+  std::string line = "  " + left_hand_side(fit.equation, evolution) + ": ";
   if (fit.identity) return line + "known without a fit\n";
   line += "residual rms " + format_number(fit.residual_rms, 3) + " of " +
           format_number(fit.target_rms, 3) + ", " + std::to_string(fit.rows) + " rows";
@@ -119,17 +120,18 @@ std::string removals_of(std::vector<TrailEntry> removed) {
   return text;
 }
 
-std::string trail_of(const std::vector<TrailEntry>& trail, const std::string& equation) {
+std::string trail_of(const IdentificationResult& result, const std::string& equation) {
   std::vector<TrailEntry> removed;
   std::size_t candidates = 0;
-  for (const TrailEntry& entry : trail) {
+  for (const TrailEntry& entry : result.trail) {
     if (entry.equation != equation) continue;
     ++candidates;
     if (!entry.kept) removed.push_back(entry);
   }
   const std::size_t kept = candidates - removed.size();
-  return "  d" + equation + "/dt: " + std::to_string(candidates) + " candidates, " +
-         std::to_string(kept) + " kept\n" + removals_of(std::move(removed));
+  return "  " + left_hand_side(equation, result.model.evolution()) + ": " +
+         std::to_string(candidates) + " candidates, " + std::to_string(kept) + " kept\n" +
+         removals_of(std::move(removed));
 }
 
 }  // namespace
@@ -138,10 +140,10 @@ std::string format_text(const IdentificationReport& report, bool full) {
   const IdentificationResult& result = report.result;
   std::ostringstream out;
   out << "Equations\n"
-      << indented(equations_text(result.model, full)) << "\nCoefficients [state unit / "
-      << result.model.time_unit() << "]\n"
+      << indented(equations_text(result.model, full)) << "\nCoefficients [state unit"
+      << (result.model.is_map() ? "" : " / " + result.model.time_unit()) << "]\n"
       << coefficient_table(result.model, full) << "\nFit\n";
-  for (const EquationFit& fit : result.fit) out << fit_line(fit);
+  for (const EquationFit& fit : result.fit) out << fit_line(fit, result.model.evolution());
   if (result.validation) out << "\nVerdict\n" << validation_text(*result.validation);
   if (!result.relations.empty()) out << "\nRelations\n";
   for (const Relation& relation : result.relations)
@@ -149,9 +151,11 @@ std::string format_text(const IdentificationReport& report, bool full) {
   if (result.library_alone)
     out << "\nThe library alone does not reach the noise; it gives\n"
         << indented(to_text(*result.library_alone, 5));
-  out << "\nMeasurement noise (standard deviation)\n" << noise_text(result) << "\nTerms\n";
+  if (result.noise.size() > 0)
+    out << "\nMeasurement noise (standard deviation)\n" << noise_text(result);
+  out << "\nTerms\n";
   for (const EquationFit& fit : result.fit)
-    if (!fit.identity) out << trail_of(result.trail, fit.equation);
+    if (!fit.identity) out << trail_of(result, fit.equation);
   out << next_terms(result);
   if (report.sync) out << "\n" << format_text(*report.sync);
   if (!result.warnings.empty()) out << "\nWarnings\n";

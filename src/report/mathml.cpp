@@ -152,6 +152,16 @@ std::vector<Markup> right_hand_side(const OdeModel& model, Index k, const TermNa
   return lines;
 }
 
+/// dx/dt, or x with the index n + 1 of a map.
+Markup left_hand_side_markup(const std::string& state, Evolution evolution) {
+  const Markup name = name_markup(state);
+  if (evolution == Evolution::Map)
+    return element("msub", in_row(name) + in_row(element("mi", Markup::text("n")) +
+                                                 sign_of("+") + number_markup("1")));
+  const Markup d = element("mi", {{"mathvariant", "normal"}}, Markup::text("d"));
+  return element("mfrac", in_row(d + name) + in_row(d + element("mi", Markup::text("t"))));
+}
+
 }  // namespace
 
 Markup to_mathml(const Expression& expression) {
@@ -161,10 +171,8 @@ Markup to_mathml(const Expression& expression) {
 Markup equations_mathml(const OdeModel& model, const TermNames& fresh) {
   Markup rows;
   for (Index k = 0; k < model.dimension(); ++k) {
-    const Markup d = element("mi", {{"mathvariant", "normal"}}, Markup::text("d"));
-    const Markup name = name_markup(model.states()[static_cast<std::size_t>(k)].name);
-    const Markup left =
-        element("mfrac", in_row(d + name) + in_row(d + element("mi", Markup::text("t"))));
+    const Markup left = left_hand_side_markup(model.states()[static_cast<std::size_t>(k)].name,
+                                              model.evolution());
     bool first = true;
     for (const Markup& line : right_hand_side(model, k, fresh)) {
       rows += element("mtr", element("mtd", first ? left : Markup()) +

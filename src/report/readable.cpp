@@ -60,6 +60,11 @@ std::string rate_unit(const std::string& unit, const std::string& time_unit) {
   return base + "/" + time_unit + "^" + std::to_string(*power + 1);
 }
 
+std::string target_unit(const OdeModel& model, Index equation) {
+  const std::string& unit = model.states()[static_cast<std::size_t>(equation)].unit;
+  return model.is_map() ? unit : rate_unit(unit, model.time_unit());
+}
+
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
@@ -73,7 +78,7 @@ std::string short_name(const std::string& source) {
 std::string equations_text(const OdeModel& model, bool full) {
   std::string text;
   for (std::size_t k = 0; k < model.states().size(); ++k) {
-    text += "d" + model.states()[k].name + "/dt =";
+    text += left_hand_side(model.states()[k].name, model.evolution()) + " =";
     bool first = true;
     for (const WeightedTerm& summand : model.equations()[k]) {
       std::string number = coefficient_text(summand, full);

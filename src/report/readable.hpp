@@ -25,6 +25,9 @@ std::string percent(double share);
 /// Unit of a rate of change: "V" per "s" is V/s, "rad/s" per "s" is rad/s^2, "" per "s" is 1/s.
 std::string rate_unit(const std::string& unit, const std::string& time_unit);
 
+/// Unit of what an equation gives: of a rate of change, or of a map the state's own.
+std::string target_unit(const OdeModel& model, Index equation);
+
 /// "x [V]", or the name alone where there is no unit.
 std::string with_unit(const std::string& name, const std::string& unit);
 

@@ -292,6 +292,9 @@ void note_length(const Dataset& whole, const Dataset& part, std::vector<std::str
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
                                             const RunContext& context) const {
+  if (task.start.is_map())
+    throw ConfigError("refiner trajectory", "it fits flows, and the model is a map",
+                      "take the refiner none, as --discrete does");
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
   Dataset data = stretches_of(task.data);
   const bool is_long = data.samples() < task.data.samples() / 2;

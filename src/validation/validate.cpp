@@ -7,6 +7,7 @@
 #include "judgement.hpp"
 #include "lacuna/estimation/window_gap.hpp"
 #include "lacuna/records/shown_holds.hpp"
+#include "map_predictions.hpp"
 #include "predicted_records.hpp"
 #include "refit.hpp"
 
@@ -18,6 +19,7 @@ constexpr Index kShortestFitted = 20;  // samples of a stretch that coefficients
 constexpr Index kMostSamples = 20000;  // more would change no verdict
 constexpr Index kCorrelatedSamples = 10;  // of a window
 constexpr Index kFewestOfNoise = 100;     // samples that tell their noise to a tenth
+constexpr Index kStepsOfMap = 4;  // errors add up in them, and a chaotic map is not yet lost
 
 /// Samples of the shortest windows that leave a residual, as far as all states can be seen from
 /// the measured ones: one more than the states that follow from each of these.
@@ -121,6 +123,34 @@ std::vector<std::string> sources_of(const Dataset& data, const std::vector<Block
   return sources;
 }
 
+/// Predictions of a map, whose samples show no noise by themselves.
+Validation validate_map(const ValidationTask& task, const ValidationOptions& options,
+                        const RunContext& context) {
+  const auto& [result, data, pipeline, held_out] = task;
+  const Dataset& tested = held_out ? *held_out : data;
+  std::vector<Block> blocks =
+      held_out ? all_blocks(tested) : held_blocks(tested, 2 * kStepsOfMap);
+  std::optional<OdeModel> refitted;
+  if (!held_out && !blocks.empty())
+    refitted = refitted_on(without_blocks(data, blocks, kShortestFitted), result.model,
+                           pipeline, context);
+  if (!held_out && !refitted) blocks = all_blocks(tested);
+  const OdeModel& model = refitted ? *refitted : result.model;
+  Validation validation{.records = sources_of(tested, blocks),
+                        .time_unit = "steps",
+                        .given = held_out.has_value(),
+                        .refitted = refitted.has_value()};
+  for (const Block& block : blocks) validation.samples += block.count;
+  validation.one_step = predict_map(model, tested, blocks, 1, options);
+  validation.windows = predict_map(model, tested, blocks, kStepsOfMap, options);
+  // What may be noise over several steps says nothing beside what one step says.
+  std::erase_if(validation.windows.states, [](const PredictionError& state) {
+    return !state.noise_seen && state.error <= state.noise;
+  });
+  judge(options, validation);
+  return validation;
+}
+
 }  // namespace
 
 Validation validate(const ValidationTask& task, const ValidationOptions& options,
@@ -129,6 +159,7 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
   context.report("predicting samples held out", 0.0);
   const Dataset& tested = held_out ? *held_out : data;
   check_dataset(tested);
+  if (result.model.is_map()) return validate_map(task, options, context);
   const bool own_noise = !held_out || tested.samples() >= kFewestOfNoise;
   const std::vector<StateNoise> noise = analyse_noise(own_noise ? tested : data);
   const Index period = period_of(tested, noise);

@@ -61,7 +61,9 @@ std::vector<Composition> all_compositions(const Registry& registry) {
                                   .refiner = NoRefiner{}}});
   };
   compose("exact", formulations.front().stage);
-  for (const auto& formulation : formulations) compose(formulation.label, formulation.stage);
+  for (const auto& formulation : formulations)
+    if (formulation.stage->evolution() == Evolution::Flow)
+      compose(formulation.label, formulation.stage);
   return all;
 }
 

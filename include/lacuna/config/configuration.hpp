@@ -43,6 +43,9 @@ class Configuration {
   /// Names the preset to start from.
   void set_preset(const std::string& name);
 
+  /// A map x[n+1] = f(x[n]) instead of a flow: the formulation `next-sample`, no refiner.
+  void set_discrete();
+
   /// The monomial library up to a degree, with any options given for it before.
   void set_degree(int degree);
 

@@ -22,7 +22,8 @@ struct DrivenModel {
 /// Simulates a model from x0 at the given times; one that has inputs with their signals.
 /// Delayed states are taken from the orbit so far (cubic Hermite polynomials between points at
 /// most a quarter of the shortest delay apart); before the first time they have the value x0.
-/// Delayed inputs are the signal at the earlier time.
+/// Delayed inputs are the signal at the earlier time. A map goes one step from each time to the
+/// next, by no integrator.
 /// @throws ArgumentError when x0 does not have m entries or inputs are missing.
 Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
                   const Vector& times, const RunContext& context = {});

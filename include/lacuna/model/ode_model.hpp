@@ -22,8 +22,14 @@ struct WeightedTerm {
   bool fixed = false;                              ///< known: not to be estimated
 };
 
-/// The right-hand side of one state: dx_k/dt = sum_i c_i tau_i.
+/// The right-hand side of one state: dx_k/dt = sum_i c_i tau_i, or x_k[n+1] of a map.
 using Equation = std::vector<WeightedTerm>;
+
+/// What the equations of a model give.
+enum class Evolution {
+  Flow,  ///< dx/dt = f(t, x, u)
+  Map,   ///< x[n+1] = f(t[n], x[n], u[n]): the next sample, in state units
+};
 
 /// A channel that is measured as a formula: y = h(t, x, u).
 struct Output {
@@ -41,8 +47,8 @@ struct InitialValue {
 
 class CompiledModel;
 
-/// A system of ordinary differential equations dx/dt = f(t, x, u), with what is known of its
-/// outputs and its start: a value.
+/// A system of ordinary differential equations dx/dt = f(t, x, u), or a map
+/// x[n+1] = f(t[n], x[n], u[n]), with what is known of its outputs and its start: a value.
 class OdeModel {
  public:
   /// Terms get their canonical names in this model's variables.
@@ -58,6 +64,8 @@ class OdeModel {
   const std::vector<Equation>& equations() const noexcept { return equations_; }
   const std::string& time_unit() const noexcept { return time_unit_; }
   Index dimension() const noexcept { return static_cast<Index>(states_.size()); }
+  Evolution evolution() const noexcept { return evolution_; }
+  bool is_map() const noexcept { return evolution_ == Evolution::Map; }
 
   /// Channels that are measured as formulas; a column with the name of a state measures it.
   const std::vector<Output>& outputs() const noexcept { return outputs_; }
@@ -96,6 +104,10 @@ class OdeModel {
   /// The model with other equations. @throws ModelError as the constructor.
   OdeModel with_equations(std::vector<Equation> equations) const;
 
+  /// The model with the same right-hand sides as a flow or as a map.
+  /// @throws ModelError for a map with a delay: an earlier sample is a state of its own.
+  OdeModel with_evolution(Evolution evolution) const;
+
   /// A flat evaluator of f and of its Jacobian.
   CompiledModel compile() const;
 
@@ -106,7 +118,15 @@ class OdeModel {
   std::string time_unit_;
   std::vector<Output> outputs_;
   std::vector<std::optional<InitialValue>> initial_;
+  Evolution evolution_ = Evolution::Flow;
 };
+
+/// Says that a task needs a flow. @param task as in "diagnose".
+/// @throws ModelError when the model is a map.
+void check_flow(const OdeModel& model, const std::string& task);
+
+/// What an equation gives: "dx/dt" or "x[n+1]".
+std::string left_hand_side(const std::string& state, Evolution evolution);
 
 /// Evaluates f(t, x, u) and its Jacobian without allocation (the Jacobian is compiled by its
 /// first use). Cheap to copy; one per thread.
@@ -120,7 +140,7 @@ class CompiledModel {
   /// Delayed variables whose values evaluate() needs, in order.
   const std::vector<DelayedVariable>& delays() const noexcept { return rate_.program.delays(); }
 
-  /// Writes dx/dt (m entries).
+  /// Writes dx/dt, of a map the next state (m entries).
   /// @param x m states; @param u p inputs (may be null when p is 0);
   /// @param delayed values of delays() (may be null when there are none).
   void evaluate(double t, const double* x, const double* u, const double* delayed,
@@ -169,8 +189,9 @@ std::optional<Index> identity_of(const OdeModel& model, Index equation);
 /// The state that an output is, where its formula is a state alone.
 std::optional<Index> state_of(const OdeModel& model, const Output& output);
 
-/// Equations for people, one per line: "dx/dt = -y - z". Numbers are unrounded unless a number
-/// of significant digits is given, so that what is printed is the model.
+/// Equations for people, one per line: "dx/dt = -y - z", "x[n+1] = 1 - x^2". Numbers are
+/// unrounded unless a number of significant digits is given, so that what is printed is the
+/// model.
 std::string to_text(const OdeModel& model, std::optional<int> significant_digits = {});
 
 }  // namespace lacuna

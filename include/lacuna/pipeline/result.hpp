@@ -30,7 +30,7 @@ struct EquationFit {
   std::string equation;       ///< name of the state
   bool identity = false;      ///< known without a fit; the numbers below are then 0
   Index rows = 0;             ///< n
-  double residual_rms = 0.0;  ///< |y - Theta h| / sqrt(n), state unit per time unit
+  double residual_rms = 0.0;  ///< |y - Theta h| / sqrt(n), in the unit of the target
   double target_rms = 0.0;    ///< |y| / sqrt(n)
 
   /// rms of the target that measurement noise alone gives, when it can be known.
@@ -51,7 +51,8 @@ struct EquationFit {
 /// A model and how it came about.
 struct IdentificationResult {
   OdeModel model;
-  Vector noise;                       ///< estimated measurement noise per state, state units
+  Vector noise;                       ///< estimated measurement noise per state, state units;
+                                      ///< empty for a map, whose samples do not show it
   std::vector<EquationFit> fit;       ///< one per state
   std::vector<TrailEntry> trail;      ///< every candidate term of every equation
   std::vector<PathStep> path;         ///< models of each equation, where the refiner made them

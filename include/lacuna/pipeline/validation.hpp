@@ -20,11 +20,13 @@ enum class ValidationVerdict {
 std::string to_string(ValidationVerdict verdict);
 
 /// Errors of the predictions of one state over many windows. In each window the initial state
-/// is the one that fits best; all three numbers are sqrt(sum r^2 / freedom), state units.
+/// is the one that fits best, of a map the sample; all three numbers are sqrt(sum r^2 /
+/// freedom), state units.
 struct PredictionError {
   std::string state;
-  double error = 0.0;       ///< r: sample minus prediction of the model
-  double noise = 0.0;       ///< the measurement noise; what the error of a true model would be
+  double error = 0.0;  ///< r: sample minus prediction of the model
+  double noise = 0.0;  ///< of the measurement; what the error of a true model would be (of a
+                       ///< map: of any function of the sample before)
   bool noise_seen = false;  ///< false: the samples show no noise, `noise` is an upper bound
   double motion = 0.0;   ///< r with all rates 0 that have to be found: what is to be explained
   double freedom = 0.0;  ///< samples less what the initial states take of them

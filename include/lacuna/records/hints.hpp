@@ -22,6 +22,7 @@ enum class HintKind {
   Excitation,       ///< hardly any motion
   Sampling,         ///< too few samples in a period, too few periods
   NotIdentifiable,  ///< coefficients that the records do not tell apart
+  DiscreteMap,      ///< samples follow from one another by a map, on no path in between
 };
 
 /// "time-unit", "channel-unit", "sign", ...

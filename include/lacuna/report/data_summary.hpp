@@ -34,7 +34,7 @@ struct DataSummary {
   std::string time_unit;
   std::vector<RecordSummary> records;
   std::vector<ChannelSummary> channels;
-  std::vector<Hint> hints;         ///< where there is a model
+  std::vector<Hint> hints;         ///< of records and model, or that records look like a map
   std::vector<std::string> notes;  ///< of the reader and of the channels
 };
 

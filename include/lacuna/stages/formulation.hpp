@@ -8,13 +8,14 @@
 #include "lacuna/core/stage.hpp"
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/linear/least_squares_system.hpp"
+#include "lacuna/model/ode_model.hpp"
 #include "lacuna/model/term.hpp"
 
 namespace lacuna {
 
 /// Plug point: turns records and candidate terms into a linear problem. In the strong form a
-/// row is a sample and the target its derivative; other forms have other rows. All that comes
-/// after sees rows only.
+/// row is a sample and the target its derivative; other forms have other rows, and the target
+/// of a map is the next sample. All that comes after sees rows only.
 class Formulation : public StageInterface {
  public:
   static constexpr std::string_view kKind = "formulation";
@@ -26,6 +27,9 @@ class Formulation : public StageInterface {
   ///   term is not finite on the data: names the place and the remedy.
   LeastSquaresSystem assemble(const Dataset& data, const TermLibrary& library,
                               const RunContext& context = {}) const;
+
+  /// What the equations are that the targets make.
+  Evolution evolution() const { return do_evolution(); }
 
   /// rms of each target that measurement noise alone causes.
   ///
@@ -45,6 +49,8 @@ class Formulation : public StageInterface {
 
   virtual LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,
                                          const RunContext& context) const = 0;
+
+  virtual Evolution do_evolution() const { return Evolution::Flow; }
 
   /// Called with a checked dataset of which no record brings derivatives.
   virtual std::optional<Vector> do_target_noise(const Dataset& data,

@@ -8,6 +8,7 @@ namespace {
 
 using testing::expect_failure;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Records;
 using testing::run_command;
 
@@ -50,6 +51,18 @@ TEST(CheckCommand, FilesThatAreNoRecordsAreNamed) {
   const Records records;
   const std::string book = records.folder().write("a.xlsx", "PK\x03\x04....xl/workbook.xml");
   expect_failure(run_command({"check", book}), 2, {"Excel workbook", "save the sheet as .csv"});
+}
+
+TEST(CheckCommand, SaysThatARecordLooksLikeAMap) {
+  const Records records;
+  std::string text = "n,x\n";
+  double x = 0.3;
+  for (int i = 0; i < 200; ++i, x = 3.9 * x * (1.0 - x))
+    text += std::to_string(i) + "," + std::to_string(x) + "\n";
+  const std::string map = records.folder().write("map.csv", text);
+  EXPECT_THAT(run_command({"check", map}).out,
+              HasSubstr("discrete-map: the record looks like"));
+  EXPECT_THAT(run_command({"check", records.rossler()}).out, Not(HasSubstr("discrete-map")));
 }
 
 }  // namespace

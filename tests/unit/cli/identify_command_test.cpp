@@ -12,6 +12,7 @@ namespace {
 using testing::CommandResult;
 using testing::expect_failure;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Records;
 using testing::run_command;
 using testing::TemporaryFolder;
@@ -200,6 +201,70 @@ TEST(IdentifyCommand, BadEmbeddingsAreNamed) {
     expect_failure(run_command({"identify", records.oscillator(), "--embed", bad}), 2,
                    {"--embed", bad, "q=2"});
   expect_failure(run_command({"identify", records.oscillator(), "--embed", "w=2"}), 2, {"'w'"});
+}
+
+/// A folder with an orbit of Henon's map in "henon.csv".
+class HenonRecord {
+ public:
+  HenonRecord() {
+    const std::string model =
+        folder_.write("truth.ode", "x[n+1] = 1 - 1.4*x^2 + y\ny[n+1] = 0.3*x\n");
+    const auto orbit = run_command(
+        {"simulate", model, "--x0", "0.1,0.1", "--t-end", "999", "-o", file("henon.csv")});
+    EXPECT_EQ(orbit.status, 0) << orbit.err;
+  }
+  std::string file(const std::string& name) const { return folder_.file(name); }
+  std::string data() const { return file("henon.csv"); }
+
+ private:
+  testing::TemporaryFolder folder_;
+};
+
+TEST(IdentifyCommand, FindsAMap) {
+  const HenonRecord record;
+  const auto result =
+      run_command({"identify", record.data(), "--discrete", "--model-out",
+                   record.file("found.json"), "--report", record.file("found.html")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("x[n+1] = 1 + y - 1.4*x^2\n  y[n+1] = 0.3*x\n"));
+  EXPECT_THAT(result.out, HasSubstr("Fits to the noise"));
+  for (const char* flow : {"dx/dt", "Synchronisation", "Measurement noise", "Warnings"})
+    EXPECT_THAT(result.out, Not(HasSubstr(flow)));
+  const auto text = run_command({"model", record.file("found.json")});
+  EXPECT_THAT(text.out, HasSubstr("\ny[n+1] = 0."));
+  EXPECT_EQ(
+      run_command({"simulate", record.file("found.json"), "--x0", "0.1,0.1", "--t-end", "20"})
+          .status,
+      0);
+}
+
+TEST(IdentifyCommand, SaysThatARecordLooksLikeAMap) {
+  const HenonRecord record;
+  const auto found = identify({record.data()});
+  EXPECT_THAT(found["warnings"].dump(), HasSubstr("looks like a map"));
+  EXPECT_THAT(found["warnings"].dump(), HasSubstr("--discrete"));
+  const auto map = identify({record.data(), "--discrete"});
+  EXPECT_EQ(map["warnings"].size(), 0u);
+  EXPECT_EQ(map["model"]["time"], "discrete");
+  EXPECT_EQ(map["noise"].size(), 0u);
+  EXPECT_EQ(map["verdict"], "fits to noise");
+}
+
+TEST(IdentifyCommand, OtherCommandsRefuseMaps) {
+  const HenonRecord record;
+  const std::string model = record.file("truth.ode");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"diagnose", "--model", model, record.data()},
+        {"sync", model, record.data()},
+        {"fit", model, record.data()},
+        {"compare", model, record.data()},
+        {"check", record.data(), "--model", model},
+        {"export", model, "--format", "c"}})
+    expect_failure(run_command(arguments), 2, {"the model is a map", "simulate"});
+  for (const char* option : {"--embed", "--hidden"})
+    expect_failure(run_command({"identify", record.data(), "--discrete", option,
+                                option == std::string("--embed") ? "x=2" : "1"}),
+                   2, {"--discrete", "no derivatives"});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ using testing::expect_failure;
 using ::testing::HasSubstr;
 using testing::Records;
 using testing::run_command;
+using testing::TemporaryFolder;
 
 TEST(SimulateCommand, WritesTheOrbitAsCsv) {
   const auto result = run_command(
@@ -42,8 +43,8 @@ TEST(SimulateCommand, OutputsStandBehindTheStates) {
   const std::string model = records.folder().write(
       "m.ode", "input u\nstate x\nparam k = 2\ndx/dt = -x\ny = k*abs(x)+u [V]\nx = x\n");
   const std::string inputs = records.folder().write("u.csv", "t,u\n0,5\n1,5\n2,5\n");
-  const auto result = run_command({"simulate", model, "--x0", "-3", "--t-end", "1", "--dt", "1",
-                                   "--input-data", inputs});
+  const auto result = run_command(
+      {"simulate", model, "--x0", "-3", "--t-end", "1", "--dt", "1", "--input-data", inputs});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("t [s],x,y [V]\n0,-3,11\n"));
 }
@@ -81,6 +82,16 @@ TEST(SimulateCommand, BadStartsAndTimesAreNamed) {
   expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt",
                               "0.1", "--integrator", "rk5"}),
                  2, {"rk5", "rk4"});
+}
+
+TEST(SimulateCommand, IteratesMapsOneStepASample) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("m.ode", "x[n+1] = 2*x - x*y\ny[n+1] = x\n");
+  const auto result = run_command({"simulate", model, "--x0", "0.5,0.5", "--t-end", "2"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\n0,0.5,0.5\n1,0.75,0.5\n2,1.125,0.75\n"));
+  expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "2"}), 2,
+                 {"--dt"});
 }
 
 }  // namespace

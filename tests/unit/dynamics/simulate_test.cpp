@@ -145,5 +145,33 @@ TEST(SampleTimes, DoNotAccumulateRounding) {
   EXPECT_EQ(times[100000], 10001.0);
 }
 
+TEST(Simulate, MapsAreIterated) {
+  const OdeModel map =
+      scalar_model({{"x", 3.5}, {"x^2", -3.5}}, false).with_evolution(Evolution::Map);
+  const Solution orbit = simulate(map, Rk4{}, Vector{{0.4}}, sample_times(0.0, 0.1, 6));
+  double x = 0.4;
+  for (Index i = 0; i < 6; ++i, x = 3.5 * x * (1.0 - x))
+    EXPECT_NEAR(orbit.states(i, 0), x, 1e-14);
+}
+
+TEST(Simulate, MapsTakeInputsAndTimeAtTheSampleBefore) {
+  const OdeModel map =
+      scalar_model({{"x", 0.5}, {"u", 1.0}, {"t", 2.0}}).with_evolution(Evolution::Map);
+  RecordInput input(Vector{{0.0, 1.0, 2.0, 3.0}}, Vector{{5.0, -1.0, 7.0, 9.0}},
+                    Interpolation::Held);
+  const Solution orbit = simulate(DrivenModel{map, input, input.breaks()}, Rk4{}, Vector{{0.0}},
+                                  sample_times(0.0, 1.0, 4));
+  EXPECT_EQ(orbit.states(1, 0), 5.0);
+  EXPECT_EQ(orbit.states(2, 0), 2.5 - 1.0 + 2.0);
+  EXPECT_EQ(orbit.states(3, 0), 1.75 + 7.0 + 4.0);
+}
+
+TEST(Simulate, MapsThatDivergeSaySo) {
+  const OdeModel map = scalar_model({{"x^2", 1.0}}, false).with_evolution(Evolution::Map);
+  const Solution orbit = simulate(map, Rk4{}, Vector{{10.0}}, sample_times(0.0, 1.0, 20));
+  EXPECT_EQ(orbit.status, IntegrationStatus::Diverged);
+  EXPECT_EQ(orbit.time.size(), 4);  // 10, 1e2, 1e4, 1e8
+}
+
 }  // namespace
 }  // namespace lacuna

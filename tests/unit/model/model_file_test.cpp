@@ -267,5 +267,24 @@ TEST(ModelFile, ReadsTheModelsOfTheMeasuredRecords) {
   if (models == 0) GTEST_SKIP() << "no nominal.json under " << root;
 }
 
+TEST(ModelFile, TimeIsContinuousOrDiscrete) {
+  const auto text = [](const std::string& time, const std::string& term) {
+    return R"({"format": "lacuna.model/1", )" + time +
+           R"("states": [{"name": "x"}], "equations": [{"state": "x", "terms": [{"term": ")" +
+           term + R"(", "coefficient": 2}]}]})";
+  };
+  const auto parse = [&](const std::string& time, const std::string& term) {
+    return parse_model(text(time, term), "m.json");
+  };
+  EXPECT_FALSE(parse("", "x").is_map());
+  EXPECT_FALSE(parse(R"("time": "continuous", )", "x").is_map());
+  const OdeModel map = parse(R"("time": "discrete", )", "x");
+  EXPECT_TRUE(map.is_map());
+  EXPECT_THAT(format_model(map), HasSubstr("\"time\": \"discrete\""));
+  EXPECT_EQ(format_model(parse_model(format_model(map), "again")), format_model(map));
+  EXPECT_THROW(parse(R"("time": "hourly", )", "x"), ModelError);
+  EXPECT_THROW(parse(R"("time": "discrete", )", "delay(x,1)"), ModelError);
+}
+
 }  // namespace
 }  // namespace lacuna

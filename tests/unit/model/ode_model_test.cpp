@@ -157,5 +157,22 @@ TEST(OdeModel, OutputsAndStartsThatDoNotFit) {
   EXPECT_THROW(model.with_initial({std::nullopt, InitialValue{0.0, false, 0.0}}), ModelError);
 }
 
+TEST(OdeModel, AMapStaysAMap) {
+  const OdeModel flow({{"x", ""}, {"y", ""}}, {},
+                      {{{Term::parse("y", {{"x", "y"}, {}}), 1.0}}, {}});
+  EXPECT_EQ(flow.evolution(), Evolution::Flow);
+  EXPECT_EQ(identity_of(flow, 0), 1);
+  EXPECT_NO_THROW(check_flow(flow, "this"));
+  const OdeModel map = flow.with_evolution(Evolution::Map);
+  EXPECT_TRUE(map.is_map());
+  EXPECT_FALSE(identity_of(map, 0)) << "the next x is y, which is no derivative of it";
+  EXPECT_TRUE(map.with_equations({{}, {}}).is_map());
+  EXPECT_TRUE(map.with_term(1, {Term::parse("x", map.variables()), 0.3}).is_map());
+  EXPECT_TRUE(map.with_holds({}).is_map());
+  EXPECT_EQ(to_text(map), "x[n+1] = y\ny[n+1] = 0");
+  EXPECT_THROW(check_flow(map, "this"), ModelError);
+  EXPECT_FALSE(map.with_evolution(Evolution::Flow).is_map());
+}
+
 }  // namespace
 }  // namespace lacuna

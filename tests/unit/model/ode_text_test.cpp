@@ -7,10 +7,13 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/systems/test_systems.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna {
 namespace {
+
+using testing::expect_error;
 
 constexpr const char* kTanks = R"(# two tanks
 time min
@@ -139,6 +142,37 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"state sin\ndx/dt = 1", "m.ode:1:7", "word of the formula"},
                       Wrong{"param k = 1 in 3\ndx/dt = k", "m.ode:1:17", "no '..'"},
                       Wrong{"dx/dt = x/0", "m.ode:1:9", "not finite"}));
+
+constexpr const char* kMap = R"(time s
+state x
+state y
+param a = 1.4
+x[n+1] = 1 + y - a*x^2
+y[n+1] = 0.3*x
+fixed x[n+1]: x^2*a
+)";
+
+TEST(OdeText, NextValuesMakeAMap) {
+  const SystemModel system = parse_ode_system(kMap, "m.ode");
+  const OdeModel model = system.model();
+  EXPECT_TRUE(model.is_map());
+  EXPECT_EQ(model.coefficient(0, "x^2"), -1.4);
+  EXPECT_THAT(format_ode(system), ::testing::HasSubstr("\nx[n+1] = 1 + y - "));
+  const SystemModel again = parse_ode_system(format_ode(system), "again");
+  EXPECT_EQ(format_ode(again), format_ode(system));
+  EXPECT_EQ(format_model(parse_system(format_model(system), "again")), format_model(system));
+  EXPECT_TRUE(parse_system(format_model(system), "again").model().is_map());
+}
+
+TEST(OdeText, AModelIsAFlowOrAMap) {
+  const auto parse = [](const char* text) { parse_ode(text, "m.ode"); };
+  expect_error<ModelError>([&] { parse("x[n+1] = y\ndy/dt = x\n"); }, "m.ode:2:6",
+                           "either a flow", "alike");
+  expect_error<ModelError>([&] { parse("x[n+1] = delay(x,1)\n"); }, "model", "delay(x,1)",
+                           "a state");
+  expect_error<ModelError>([&] { parse("fixed x[n+1]: x^3\nx[n+1] = x\n"); }, "m.ode:1:15",
+                           "x[n+1] has no term 'x^3'", "lacuna model");
+}
 
 }  // namespace
 }  // namespace lacuna

@@ -64,5 +64,12 @@ TEST(MathMl, AnEmptyEquationIsZero) {
   EXPECT_THAT(equations_mathml(model).string(), HasSubstr("<mn>0</mn>"));
 }
 
+TEST(MathMl, NextValuesOfMapsHaveAnIndex) {
+  const OdeModel map = OdeModel({{"x", ""}}, {}, {{}}).with_evolution(Evolution::Map);
+  EXPECT_THAT(equations_mathml(map).string(),
+              HasSubstr("<msub><mrow><mi>x</mi></mrow><mrow><mi>n</mi>"));
+  EXPECT_THAT(equations_mathml(map).string(), Not(HasSubstr("mfrac")));
+}
+
 }  // namespace
 }  // namespace lacuna
