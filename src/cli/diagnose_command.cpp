@@ -106,7 +106,7 @@ int diagnose_command(const Session& session, const Options& options) {
   check_outputs(inputs_of(options),
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
-  const OdeModel model = with_holds(load_flow(options.model, "diagnose"), options.data);
+  const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);

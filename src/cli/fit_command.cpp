@@ -50,7 +50,6 @@ int fit_command(const Session& session, const Options& options) {
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
   const SystemModel system = load_system(options.model);
-  check_flow(system.symbolic(), "fit");
   const OdeModel given = with_holds(system.model(), options.data);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);

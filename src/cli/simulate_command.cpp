@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "command.hpp"
 #include "data_options.hpp"
+#include "lacuna/core/random.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/write.hpp"
 #include "lacuna/dynamics/record_input.hpp"
@@ -21,6 +23,7 @@ struct Options {
   double t_start = 0.0, t_end = 0.0;
   std::optional<double> step;
   std::optional<std::string> output, input_data, input_time;
+  std::vector<std::string> noise;
   DataOptions data;
   std::string integrator = "dopri5";
   RunOptions run;
@@ -136,6 +139,35 @@ Dataset as_dataset(const OdeModel& model, Run run) {
   return data;
 }
 
+/// Standard deviations of the noise by column, as NAME=SD gives them.
+Vector parse_noise(const std::vector<std::string>& assignments, const Dataset& data) {
+  Vector sigma = Vector::Zero(data.state_count());
+  for (const std::string& text : split_list(join(assignments, ","))) {
+    const std::size_t equals = text.find('=');
+    const auto column = std::find_if(
+        data.states.begin(), data.states.end(),
+        [&](const Quantity& state) { return state.name == text.substr(0, equals); });
+    const auto number = equals == std::string::npos ? std::optional<double>()
+                                                    : parse_number(text.substr(equals + 1));
+    if (column == data.states.end())
+      throw ConfigError("--noise " + text, "the simulation has no such column",
+                        "name a state or an output, as in x=0.01");
+    if (!number || !std::isfinite(*number) || *number < 0.0)
+      throw ConfigError("--noise " + text, "the standard deviation is no number from 0 on",
+                        "write " + column->name + "=0.01");
+    sigma[column - data.states.begin()] = *number;
+  }
+  return sigma;
+}
+
+/// Adds white noise with a standard deviation for each column.
+void add_noise(const Vector& sigma, std::uint64_t seed, Trajectory& record) {
+  Random random(seed);
+  for (Index k = 0; k < sigma.size(); ++k)
+    for (Index i = 0; sigma[k] > 0.0 && i < record.samples(); ++i)
+      record.states(i, k) += sigma[k] * random.normal();
+}
+
 int simulate_command(const Session& session, const Options& options) {
   std::vector<std::string> inputs{options.model};
   if (options.input_data) inputs.push_back(*options.input_data);
@@ -150,7 +182,8 @@ int simulate_command(const Session& session, const Options& options) {
                         << "; nothing was written, end earlier or start elsewhere\n";
     return 1;
   }
-  const Dataset data = as_dataset(model, std::move(done));
+  Dataset data = as_dataset(model, std::move(done));
+  add_noise(parse_noise(options.noise, data), context.seed, data.trajectories.front());
   if (options.output)
     write_csv(*options.output, data);
   else
@@ -178,6 +211,9 @@ void declare_options(CLI::App& app, Options& options) {
   app.add_option("--input-data", options.input_data,
                  "Record with a column for each input of the model")
       ->type_name("FILE");
+  app.add_option("--noise", options.noise,
+                 "Standard deviation of white noise that is added to a state or an output")
+      ->type_name("NAME=SD");
   declare_hold_option(app, options.data);
   declare_map_option(app, options.data);
   app.add_option("--time", options.input_time, "Time column of the input record")

@@ -106,6 +106,7 @@ std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
 
 Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& held_out,
                    const DiagnosisOptions& options, const RunContext& context) {
+  check_flow(model, "diagnose");
   const OdeModel nominal = with_output_channels(model, data);
   Records records = prepared(nominal, data, held_out, options.decision);
   std::vector<Hint> hints;

@@ -187,6 +187,7 @@ std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
 
 Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
         const FitOptions& options, const RunContext& context) {
+  check_flow(system.symbolic(), "fit");
   const ParametrisedModel model = system.parametrised();
   FitEngine engine = fit_engine(model, fit_records(model, data));
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));

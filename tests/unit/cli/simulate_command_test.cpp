@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/data/read_text.hpp"
 #include "unit/cli/records.hpp"
 
 namespace lacuna {
@@ -82,6 +83,32 @@ TEST(SimulateCommand, BadStartsAndTimesAreNamed) {
   expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt",
                               "0.1", "--integrator", "rk5"}),
                  2, {"rk5", "rk4"});
+}
+
+TEST(SimulateCommand, AddsNoiseOfTheGivenSize) {
+  const auto columns = [](const std::string& noise) {
+    std::vector<std::string> words{"simulate", "lorenz", "--x0", "1,1,1",
+                                   "--t-end",  "20",     "--dt", "0.01"};
+    if (!noise.empty()) words.insert(words.end(), {"--noise", "y=0.5", "--seed", noise});
+    const auto result = run_command(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return parse_text_table(result.out, "orbit").values;
+  };
+  const Matrix clean = columns(""), noisy = columns("7");
+  EXPECT_EQ(clean.col(1), noisy.col(1));
+  const Vector added = noisy.col(2) - clean.col(2);
+  EXPECT_NEAR(added.mean(), 0.0, 0.05);
+  EXPECT_NEAR(std::sqrt(added.squaredNorm() / double(added.size())), 0.5, 0.03);
+  EXPECT_EQ(noisy, columns("7"));
+  EXPECT_NE(noisy, columns("8"));
+  const std::vector<std::string> start{"simulate", "lorenz", "--x0", "1,1,1",  "--t-end",
+                                       "1",        "--dt",   "0.1",  "--noise"};
+  for (const auto& [noise, part] : std::vector<std::pair<std::string, std::string>>{
+           {"q=1", "no such column"}, {"x=-1", "x=0.01"}, {"x", "x=0.01"}}) {
+    std::vector<std::string> words = start;
+    words.push_back(noise);
+    expect_failure(run_command(words), 2, {"--noise " + noise, part});
+  }
 }
 
 TEST(SimulateCommand, IteratesMapsOneStepASample) {
