@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tutorial as a reader types it: files are written, commands run, what is shown is looked
-// for in what they print.
+// Pages as a reader types them: files are written, commands run, what is shown is looked for
+// in what they print.
 #include <fstream>
 #include <sstream>
 
@@ -38,21 +38,21 @@ std::string plain(const std::string& text) {
   return result;
 }
 
-TEST(Tutorial, RunsAsItStands) {
-  const TemporaryFolder folder;
+/// Does what a page says in a folder. @return number of commands that were run.
+int follow(const std::string& page, const TemporaryFolder& folder) {
   std::filesystem::create_directory_symlink(std::string(LACUNA_SOURCE_DIR) + "/data",
                                             folder.file("data"));
   const std::string here = "cd '" + folder.path().string() + "' &&";
   std::string printed;
   int commands = 0;
-  for (const Block& block : blocks_of(std::string(LACUNA_SOURCE_DIR) + "/docs/tutorial.md")) {
+  for (const Block& block : blocks_of(std::string(LACUNA_SOURCE_DIR) + "/docs/" + page)) {
     if (block.kind.rfind("ode ", 0) == 0) {
       std::ofstream file(folder.file(block.kind.substr(4)));
       for (const std::string& line : block.lines) file << line << "\n";
     } else if (block.kind == "sh") {
       printed.clear();
       for (const std::string& line : block.lines) {
-        ASSERT_EQ(line.rfind("lacuna ", 0), 0u) << line;
+        EXPECT_EQ(line.rfind("lacuna ", 0), 0u) << line;
         const CommandResult result = run_program(line.substr(7), here);
         EXPECT_EQ(result.status, 0) << line << "\n" << result.err;
         printed += result.out;
@@ -63,9 +63,25 @@ TEST(Tutorial, RunsAsItStands) {
         EXPECT_THAT(plain(printed), ::testing::HasSubstr(plain(line)));
     }
   }
-  EXPECT_GE(commands, 7);
+  return commands;
+}
+
+TEST(Pages, TheTutorialRunsAsItStands) {
+  const TemporaryFolder folder;
+  EXPECT_GE(follow("tutorial.md", folder), 7);
   EXPECT_THAT(folder.read("pendulum.html"), ::testing::HasSubstr("coulomb-friction"));
   EXPECT_NE(folder.read("pendulum.c"), "");
+}
+
+TEST(Pages, TheCookbookRunsAsItStands) {
+  const TemporaryFolder folder;
+  EXPECT_GE(follow("cookbook.md", folder), 15);
+  EXPECT_THAT(folder.read("circuit.cir"), ::testing::HasSubstr("exp("));
+  const std::string lynx = folder.read("lynx.ode");
+  for (const char* equation : {"dhare/dt = 0.", "dlynx/dt = -0."})
+    EXPECT_THAT(lynx, ::testing::HasSubstr(equation));
+  for (const char* cubic : {"hare^2", "lynx^2", "^3"})
+    EXPECT_THAT(lynx, ::testing::Not(::testing::HasSubstr(cubic)));
 }
 
 }  // namespace
