@@ -13,9 +13,6 @@
 namespace lacuna {
 namespace {
 
-/// Less than so much of what noise leaves is mostly noise.
-constexpr double kMostlyNoise = 2.0;
-
 /// A value of a shape parameter on the unit interval and back.
 double to_unit(const ShapeParameter& shape, double value) {
   if (shape.logarithmic) return std::log(value / shape.low) / std::log(shape.high / shape.low);
@@ -82,8 +79,12 @@ bool Limit::prefers(const Trial& a, const Trial& b) {
   return cost != other ? cost < other : a.left < b.left;
 }
 
-FormProblem::FormProblem(const Dataset& data, Vector noise, RunContext context)
-    : rows_(data, noise), noise_(std::move(noise)), context_(std::move(context)) {}
+FormProblem::FormProblem(const Dataset& data, Vector noise, FormOptions options,
+                         RunContext context)
+    : rows_(data, noise),
+      noise_(std::move(noise)),
+      options_(options),
+      context_(std::move(context)) {}
 
 double FormProblem::noise_left(Index equation) const {
   constexpr double kResolution = 1e-8;  // of the target
@@ -92,10 +93,10 @@ double FormProblem::noise_left(Index equation) const {
 }
 
 double FormProblem::same_as(double left, Index equation) const {
-  constexpr double kTenth = 1.21;
   const double noise = noise_left(equation);
   const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
-  if (left > kMostlyNoise * noise) return kTenth * left;
+  if (left > options_.mostly_noise * noise)
+    return (1.0 + options_.same) * (1.0 + options_.same) * left;
   return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
 }
 
@@ -103,7 +104,7 @@ Limit FormProblem::limit_of(const EquationForms& equation) const {
   const Index k = equation.equation;
   const double now = left(equation), same = same_as(now, k), noise = noise_left(k);
   const auto rows = static_cast<double>(rows_.rows());
-  const bool is_noise = now <= kMostlyNoise * noise;
+  const bool is_noise = now <= options_.mostly_noise * noise;
   return {same, is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
           equation.parameters()};
 }
@@ -130,12 +131,12 @@ std::vector<Term> FormProblem::linear_terms() const {
 std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
                                           const std::vector<Candidate>& candidates) const {
   constexpr int kRough = 25;
-  constexpr std::size_t kRoughly = 100, kExactly = 6;
   std::vector<Start> starts = all_starts(candidates);
   rate(equation, false, starts);
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
-  for (const Start& start : best_of(std::move(starts), kRoughly)) {
+  for (const Start& start :
+       best_of(std::move(starts), static_cast<std::size_t>(options_.rough_fits))) {
     if (has_form(equation, start.form.candidate)) continue;
     trials.push_back({equation, 0.0});
     trials.back().equation.forms.push_back(start.form);
@@ -143,7 +144,8 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
   }
   const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
-  for (std::size_t i = 0; i < std::min(kExactly, trials.size()); ++i)
+  for (std::size_t i = 0;
+       i < std::min(static_cast<std::size_t>(options_.exact_fits), trials.size()); ++i)
     trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), kExact);
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   return trials;
@@ -198,15 +200,16 @@ Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
 }
 
 bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness kind) const {
-  constexpr double kFew = 0.15, kFar = 0.1, kActs = 0.3, kCorrelated = 0.99;
   const Matrix both = rows_.values({a.expression(), b.expression()});
   const double factor = both.col(0).dot(both.col(1)) / both.col(1).squaredNorm();
   const Vector scaled = factor * both.col(1);
   const double size = std::sqrt(scaled.squaredNorm() / static_cast<double>(scaled.size()));
-  if (kind == Plainness::Any) return likeness(a, b) > kCorrelated;
+  if (kind == Plainness::Any) return likeness(a, b) > options_.alike;
   const double spread = std::sqrt((scaled.array() - scaled.mean()).square().mean());
-  return spread > kActs * size &&
-         ((both.col(0) - scaled).array().abs() > kFar * size).cast<double>().mean() < kFew;
+  return spread > options_.jump_varies * size &&
+         ((both.col(0) - scaled).array().abs() > options_.jump_far * size)
+                 .cast<double>()
+                 .mean() < options_.jump_samples;
 }
 
 double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {

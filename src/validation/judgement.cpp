@@ -27,8 +27,8 @@ double with_chance(double noise, const PredictionError& state,
 /// Whether errors that are hardly above the noise are no noise because neighbours have them in
 /// common.
 bool has_structure(const PredictionError& state, const ValidationOptions& options) {
-  constexpr double kAbove = 2.0;  // standard deviations
-  return state.error > state.noise * (1.0 + kAbove / std::sqrt(2.0 * state.freedom)) &&
+  return state.error >
+             state.noise * (1.0 + options.structure / std::sqrt(2.0 * state.freedom)) &&
          state.correlation * std::sqrt(state.freedom) > options.scatter;
 }
 
