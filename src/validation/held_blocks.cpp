@@ -58,6 +58,16 @@ std::vector<Block> limited(const std::vector<Block>& blocks, Index samples) {
   return chosen;
 }
 
+Dataset thinned(const Dataset& data, Index samples) {
+  if (data.samples() <= samples) return data;
+  Dataset some = data;
+  some.trajectories.clear();
+  for (const Block& block : limited(all_blocks(data), samples))
+    some.trajectories.push_back(
+        rows_of(data.trajectories[block.record], block.first, block.count));
+  return some;
+}
+
 Dataset without_blocks(const Dataset& data, const std::vector<Block>& blocks, Index shortest) {
   Dataset rest = data;
   rest.trajectories.clear();

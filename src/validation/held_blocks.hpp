@@ -34,4 +34,7 @@ std::vector<Block> limited(const std::vector<Block>& blocks, Index samples);
 /// @param blocks in the order of records and time.
 Dataset without_blocks(const Dataset& data, const std::vector<Block>& blocks, Index shortest);
 
+/// No more than so many samples of records, in stretches as limited() takes them.
+Dataset thinned(const Dataset& data, Index samples);
+
 }  // namespace lacuna

@@ -129,15 +129,17 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
   check_dataset(tested);
   const bool own_noise = !held_out || tested.samples() >= options.noise_samples;
   const std::vector<StateNoise> noise = analyse_noise(own_noise ? tested : data);
-  const Index period = period_of(tested, noise, options.most_samples);
+  const Index period = period_of(tested, noise, options.held_every * options.most_samples);
+  const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);
   std::vector<Block> blocks =
       held_out ? all_blocks(tested) : held_blocks(tested, period, options);
   std::optional<OdeModel> refitted;
   if (!held_out && !blocks.empty() && !has_hidden_state(data))
-    refitted = refitted_on(without_blocks(data, blocks, kShortestFitted), result.model,
-                           pipeline, context);
+    refitted = refitted_on(thinned(without_blocks(data, blocks, kShortestFitted),
+                                   (options.held_every - 1) * needed),
+                           result.model, pipeline, context);
   if (!held_out && !refitted) blocks = all_blocks(tested);
-  blocks = limited(blocks, options.most_samples);
+  blocks = limited(blocks, needed);
 
   const OdeModel model = with_shown_holds(refitted.value_or(result.model), tested);
   const OdeModel still = without_rates(model, tested);

@@ -14,12 +14,16 @@ void describe_samples(ValidationOptions& o, OptionVisitor& v) {
       o.blocks);
   v.field({"fewest_blocks", "", "And no fewer, whatever room they have.", 1.0},
           o.fewest_blocks);
+  v.field({"most_samples", "samples",
+           "Samples that are predicted at most, evenly spread, and for each of them held_every "
+           "less one that coefficients are fitted to: what chance adds to an error is half of "
+           "noise_slack then.",
+           100.0},
+          o.most_samples);
   v.field(
-      {"most_samples", "samples",
-       "Samples that are predicted at most, evenly spread: beyond them chance adds less to an "
-       "error than noise_slack allows.",
-       100.0},
-      o.most_samples);
+      {"least_windows", "",
+       "But no fewer than so many windows of a mean period, where the records have them.", 1.0},
+      o.least_windows);
   v.field({"noise_samples", "samples",
            "Records held out that have fewer do not tell their own noise; the records of the "
            "identification do.",

@@ -21,7 +21,8 @@ struct ValidationOptions {
   int held_every = 4;
   int blocks = 20;
   int fewest_blocks = 8;
-  int most_samples = 20000;
+  int most_samples = 6000;
+  int least_windows = 10;
   int noise_samples = 100;
   int correlated_samples = 10;
 

@@ -57,6 +57,17 @@ TEST(HeldBlocks, OfManyShortRecordsEveryFourthIsHeldOut) {
   }
 }
 
+TEST(HeldBlocks, ThinnedRecordsAreStretchesOfAll) {
+  const Dataset data = counted({500, 300, 200});
+  EXPECT_EQ(thinned(data, 1000).trajectories.size(), 3U);
+  const Dataset some = thinned(data, 300);
+  EXPECT_LE(some.samples(), 300);
+  EXPECT_GE(some.samples(), 150);
+  for (const Trajectory& record : some.trajectories)
+    for (Index i = 1; i < record.samples(); ++i)
+      EXPECT_EQ(record.states(i, 0) - record.states(i - 1, 0), 1.0);
+}
+
 TEST(HeldBlocks, WithThemTheRestIsTheWholeRecord) {
   const Dataset data = counted({500, 300});
   const std::vector<Block> blocks = held_blocks(data, 20);

@@ -25,5 +25,19 @@ TEST(ValidationOptions, ReachTheVerdict) {
   EXPECT_EQ(verdict({.least_freedom = 100000}), ValidationVerdict::CannotTell);
 }
 
+TEST(ValidationOptions, NoMoreSamplesAreUsedThanATestNeeds) {
+  const Dataset data = testing::lorenz_record(0.01, 6000);
+  const Pipeline pipeline = algorithm1();
+  const IdentificationResult found = identify(data, pipeline);
+  const Validation whole = validate({found, data, pipeline}, {.most_samples = 100000});
+  const Validation few = validate({found, data, pipeline}, {.most_samples = 600});
+  EXPECT_NEAR(double(whole.samples), 1500.0, 100.0);
+  EXPECT_NEAR(double(few.samples), 600.0, 30.0);
+  EXPECT_EQ(few.verdict, whole.verdict) << few.sentence;
+  const Validation long_windows =
+      validate({found, data, pipeline}, {.most_samples = 100, .least_windows = 20});
+  EXPECT_GE(long_windows.windows.windows, 15);
+}
+
 }  // namespace
 }  // namespace lacuna
