@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base_columns.hpp"
 #include "candidates/nelder_mead.hpp"
@@ -37,6 +38,24 @@ bool has_form(const EquationForms& equation, const Candidate& candidate) {
   return std::any_of(
       equation.forms.begin(), equation.forms.end(),
       [&](const MissingForm& form) { return are_one_form(form.candidate, candidate); });
+}
+
+/// By how much the sum of squares grows without each of the columns, h_i^2 / ((A'A)^-1)_ii.
+/// Nothing where columns depend on one another, to within what squares_left() counts.
+std::optional<Vector> column_losses(const Matrix& columns, const Vector& target) {
+  constexpr double kIndependent = 1e-9;  // well above the rank of squares_left()
+  if (columns.cols() < 2 || columns.rows() < columns.cols() || !columns.allFinite())
+    return std::nullopt;
+  const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
+  Eigen::ColPivHouseholderQR<Matrix> factor(columns * norms.cwiseInverse().asDiagonal());
+  factor.setThreshold(kIndependent);
+  const Index count = columns.cols();
+  if (factor.rank() < count) return std::nullopt;
+  const Matrix inverse =
+      factor.matrixR().topRows(count).template triangularView<Eigen::Upper>().solve(
+          Matrix::Identity(count, count));
+  const Vector variances = factor.colsPermutation() * inverse.rowwise().squaredNorm();
+  return Vector(factor.solve(target).array().square() / variances.array());
 }
 
 template <class T>
@@ -258,12 +277,17 @@ void FormProblem::rate(const EquationForms& equation, bool without_two,
 
 Trial FormProblem::without_least(const EquationForms& equation) const {
   Trial best{equation, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i + 1 < equation.terms.size() + equation.forms.size(); ++i) {
+  const auto members = static_cast<Index>(equation.terms.size() + equation.forms.size());
+  const auto losses = column_losses(columns(equation), rows_.target(equation.equation));
+  for (Index i = 0; i + 1 < members; ++i) {
+    // Where columns depend on one another each is tried.
+    if (losses && (*losses)[i] > losses->head(members - 1).minCoeff()) continue;
     EquationForms fewer = equation;
-    if (i < equation.terms.size())
-      fewer.terms = without(equation.terms, i);
+    const auto place = static_cast<std::size_t>(i);
+    if (place < equation.terms.size())
+      fewer.terms = without(equation.terms, place);
     else
-      fewer.forms = without(equation.forms, i - equation.terms.size());
+      fewer.forms = without(equation.forms, place - equation.terms.size());
     const double without_it = left(fewer);
     if (without_it < best.left) best = {std::move(fewer), without_it};
   }
