@@ -53,11 +53,12 @@ void ValidationOptions::describe(OptionVisitor& v) {
            "Correlated residuals are structure where the error is above the noise by so many.",
            0.0},
           structure);
-  v.field({"resolution", "",
-           "Errors below this share of the motion are those of the solver that made a record "
-           "without noise, of its digits and of the interpolation of inputs.",
-           0.0, 1.0},
-          resolution);
+  v.field(
+      {"resolution", "",
+       "Errors over a mean period below this share of the motion are those of the solver "
+       "that made a record without noise, of its digits and of the interpolation of inputs.",
+       0.0, 1.0},
+      resolution);
   v.field({"wrong_share", "", "An error of a larger share of the motion is no approximation.",
            0.0, 1.0},
           wrong_share);

@@ -27,12 +27,20 @@ struct Judged {
   bool exact = false;
   std::array<ValidationVerdict, kFloors.size()> verdicts{};
   double step = 0.0, window = 0.0;  ///< largest errors of both tests, of the motion
+  double noise = 0.0;               ///< the most that the noise can be, of the motion
 };
 
 double largest_share(const PredictionTest& test) {
   double share = 0.0;
   for (const PredictionError& state : test.states)
     if (state.freedom >= 1.0) share = std::max(share, state.share());
+  return share;
+}
+
+double largest_noise(const PredictionTest& test) {
+  double share = 0.0;
+  for (const PredictionError& state : test.states)
+    if (state.freedom >= 1.0) share = std::max(share, state.noise / state.motion);
   return share;
 }
 
@@ -49,6 +57,7 @@ Judged judged(const Flow& flow, const Making& making) {
       outcome.verdicts[i] = validation.verdict;
       outcome.step = largest_share(validation.one_step);
       outcome.window = largest_share(validation.windows);
+      outcome.noise = largest_noise(validation.windows);
     }
     outcome.done = true;
   } catch (const Error& error) {
@@ -97,8 +106,9 @@ void write_verdicts(const std::filesystem::path& folder) {
   const std::size_t polynomial = all.size();
   for (Flow& flow : flows_beyond_polynomials()) all.push_back(std::move(flow));
   ResultTable summary{header(), {}};
-  ResultTable details{
-      {"records by", "flow", "exact", "verdict", "error of a step", "error of a period"}, {}};
+  ResultTable details{{"records by", "flow", "exact", "verdict", "error of a step",
+                       "error of a period", "noise at most"},
+                      {}};
   for (const Making& making : makings()) {
     std::vector<Judged> outcomes(all.size());
     for_all(all.size(), [&](std::size_t i) { outcomes[i] = judged(all[i], making); });
@@ -112,7 +122,7 @@ void write_verdicts(const std::filesystem::path& folder) {
         exact.add(one);
       details.rows.push_back({making.name, all[i].name, one.exact ? "1" : "0",
                               to_string(one.verdicts[1]), format_number(one.step, 3),
-                              format_number(one.window, 3)});
+                              format_number(one.window, 3), format_number(one.noise, 3)});
     }
     std::vector<std::string> row{making.name};
     exact.write(true, row);

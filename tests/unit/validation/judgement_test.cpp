@@ -81,6 +81,18 @@ TEST(Judgement, TheOptionsAreWhatDecides) {
   EXPECT_EQ(with({.wrong_share = 0.005}, 0.013, 0.0), ValidationVerdict::WrongLibrary);
 }
 
+TEST(Judgement, WithoutNoiseErrorsThatDoNotAddUpAreNotOfTheModel) {
+  const PredictionError digits = error_of(1e-5, 1e-10, false, 0.01);  // 1e-3 of a step
+  EXPECT_EQ(judged(digits, error_of(1e-5, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(judged(digits, error_of(1e-3, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::Approximation);
+  Validation steps_only{.samples = 500, .refitted = true};
+  steps_only.one_step = {0.01, 200, 0, {digits}};
+  judge({}, steps_only);
+  EXPECT_EQ(steps_only.verdict, ValidationVerdict::Approximation);
+}
+
 TEST(Judgement, NoiseThatIsNotKnownCannotBeHeldAgainstAModel) {
   const PredictionError fine = error_of(1e-9, 1e-10, false, 0.01);
   const Validation validation = judged(fine, error_of(0.02, 0.03, false, 1.0));
