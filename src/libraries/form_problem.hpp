@@ -110,7 +110,7 @@ class FormProblem {
 
   FormRows rows_;
   Vector noise_;
-  FormOptions options_;
+  const FormOptions options_;
   RunContext context_;
 };
 

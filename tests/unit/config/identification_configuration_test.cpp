@@ -41,8 +41,8 @@ TEST(IdentificationConfiguration, TheyDoNotMakeAnotherPipeline) {
 
 TEST(IdentificationConfiguration, MistakesNameThePathAndTheNearest) {
   expect_error<ConfigError>([] { read({"forms.sam=0.2"}); }, "$.forms.sam", "sam", "same");
-  expect_error<ConfigError>([] { read({"validation.blocks=0"}); }, "blocks", "out of range",
-                            "at least 1");
+  expect_error<ConfigError>([] { read({"validation.blocks=0"}); }, "$.validation.blocks",
+                            "out of range", "at least 1");
   expect_error<ConfigError>([] { with({"form.same=1"}).build(default_registry()); }, "$.form",
                             "no key 'form'", "forms");
 }
