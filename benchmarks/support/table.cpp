@@ -24,11 +24,18 @@ std::string markdown_row(const std::vector<std::string>& cells) {
   return "| " + join(cells, " | ") + " |\n";
 }
 
+/// Cells with commas in quotes.
+std::string csv_row(std::vector<std::string> cells) {
+  for (std::string& cell : cells)
+    if (cell.find(',') != std::string::npos) cell = "\"" + cell + "\"";
+  return join(cells, ",") + "\n";
+}
+
 }  // namespace
 
 std::string ResultTable::csv() const {
-  std::string text = join(header, ",") + "\n";
-  for (const auto& row : rows) text += join(row, ",") + "\n";
+  std::string text = csv_row(header);
+  for (const auto& row : rows) text += csv_row(row);
   return text;
 }
 

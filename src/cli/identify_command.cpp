@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 #include "data_options.hpp"
-#include "lacuna/config/configuration.hpp"
+#include "lacuna/config/identification_configuration.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
@@ -58,7 +58,8 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
                  "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable")
       ->type_name("STATE:LIST");
   app.add_option("--set", options.assignments,
-                 "One value of the configuration, e.g. regressor.threshold=0.05; repeatable")
+                 "One value of the configuration, e.g. regressor.threshold=0.05 or "
+                 "validation.resolution=1e-4 (see `describe validation`); repeatable")
       ->type_name("PATH=VALUE");
 }
 
@@ -131,22 +132,35 @@ std::optional<Dataset> held_out_records(const Options& options, const OdeModel& 
   return records;
 }
 
+/// What is done with a record.
+struct Plan {
+  Pipeline pipeline;
+  bool is_chosen;  ///< the user has said what the library is
+  IdentificationOptions rules;
+  std::vector<Stage<Effect>> effects;
+};
+
+Plan plan_of(const Session& session, const Configuration& configuration) {
+  return {configuration.build(session.registry), configuration.says_pipeline(),
+          identification_options(configuration, session.registry),
+          session.registry.make_all<Effect>()};
+}
+
 /// Says what the model is worth, and what else the data say. Not being able to is a warning.
-void judge_model(const Session& session, const Options& options, const Dataset& data,
+void judge_model(const Plan& plan, const Options& options, const Dataset& data,
                  IdentificationReport& report, const RunContext& context) {
   IdentificationResult& result = report.result;
   const ValidationTask task{result, data, report.pipeline,
                             held_out_records(options, result.model, data)};
   try {
-    Validation validation = validate(task, {}, context);
+    Validation validation = validate(task, plan.rules.validation, context);
     const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
                        validation.verdict == ValidationVerdict::WrongLibrary;
     const bool is_map = result.model.is_map();
     if (lacks && !is_map)
-      validation.advice =
-          advice_for(result, data, session.registry.make_all<Effect>(), context);
+      validation.advice = advice_for(result, data, plan.effects, plan.rules.advice, context);
     result.validation = std::move(validation);
-    if (!is_map) result.relations = find_relations(data, {}, context);
+    if (!is_map) result.relations = find_relations(data, plan.rules.relations, context);
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not validated: ") + error.what());
   }
@@ -171,20 +185,17 @@ void write_results(const Session& session, const Options& options,
 }
 
 /// Forms beside the library enter where the user has not said what the library is.
-IdentificationResult identified(const Session& session, const Options& options, Dataset& data,
-                                const Pipeline& pipeline, const RunContext& context) {
+IdentificationResult identified(const Plan& plan, const Options& options, Dataset& data,
+                                const RunContext& context) {
+  const Pipeline& pipeline = plan.pipeline;
   if (options.hidden) {
     HiddenIdentification found = identify_hidden(
         data, pipeline, *differentiator_of(*pipeline.formulation), "h1", context);
     data = std::move(found.data);
     return std::move(found.result);
   }
-  const bool chosen = options.discrete || options.preset || options.config || options.terms ||
-                      options.degree || !options.assignments.empty() ||
-                      !options.equations.empty() || !options.added.empty() ||
-                      !options.constraints.empty();
-  if (chosen) return identify(data, pipeline, context);
-  return identify_with_forms(data, pipeline, session.registry.make_all<Effect>(), context);
+  if (plan.is_chosen) return identify(data, pipeline, context);
+  return identify_with_forms(data, pipeline, plan.effects, plan.rules.forms, context);
 }
 
 int identify_command(const Session& session, const Options& options) {
@@ -203,20 +214,20 @@ int identify_command(const Session& session, const Options& options) {
     throw ConfigError("--holdout", "the hidden state of other records is not known",
                       "leave it out, or use `lacuna fit MODEL DATA --holdout`");
   const Configuration configuration = make_configuration(options);
-  const Pipeline pipeline = configuration.build(session.registry);
+  const Plan plan = plan_of(session, configuration);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  Dataset data = load(options, pipeline);
+  Dataset data = load(options, plan.pipeline);
 
-  IdentificationReport report{identified(session, options, data, pipeline, context), pipeline,
+  IdentificationReport report{identified(plan, options, data, context), plan.pipeline,
                               configuration.text()};
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());
   if (const auto hint = report.result.model.is_map() ? std::nullopt : map_hint(data))
     report.result.warnings.push_back(hint->message + "; try " + hint->remedy);
   verify(report, data, *integrator, context);
-  judge_model(session, options, data, report, context);
+  judge_model(plan, options, data, report, context);
   finish_progress(session, options.run);
   write_results(session, options, report, data);
   if (found_a_model(report.result)) return 0;

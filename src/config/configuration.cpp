@@ -23,10 +23,16 @@ namespace {
 const std::vector<std::string> kStageKeys = {
     "basis", "formulation", "differentiator", "filter", "regressor", "pruner", "refiner"};
 
+/// What `identify` does besides a pipeline: options that change no stage.
+const std::vector<std::string> kRuleKeys = {"forms", "validation", "relations", "advice"};
+
+bool is_in(const std::vector<std::string>& list, const std::string& key) {
+  return std::find(list.begin(), list.end(), key) != list.end();
+}
+
 /// Whatever may be given by its name alone.
 bool is_stage_key(const std::string& key) {
-  return key == "criterion" ||
-         std::find(kStageKeys.begin(), kStageKeys.end(), key) != kStageKeys.end();
+  return key == "criterion" || is_in(kStageKeys, key);
 }
 
 /// Levels of objects and lists; a stage in a stage in a stage has five.
@@ -100,6 +106,7 @@ Json with_stage_objects(Json root) {
 void check_keys(const Json& root) {
   std::vector<std::string> known = {"preset", "tolerances", "equations", "constraints"};
   known.insert(known.end(), kStageKeys.begin(), kStageKeys.end());
+  known.insert(known.end(), kRuleKeys.begin(), kRuleKeys.end());
   for (const auto& [key, value] : root.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
       throw ConfigError("$." + key, "a configuration has no key '" + key + "'",
@@ -295,6 +302,12 @@ void Configuration::add_constraint(const std::string& text) {
 
 std::string Configuration::text() const {
   return document_->root.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool Configuration::says_pipeline() const {
+  const Json& root = document_->root;
+  return std::any_of(root.items().begin(), root.items().end(),
+                     [](const auto& item) { return !is_in(kRuleKeys, item.key()); });
 }
 
 Pipeline Configuration::build(const Registry& registry) const {

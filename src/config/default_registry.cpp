@@ -2,6 +2,7 @@
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/fourier.hpp"
 #include "lacuna/bases/monomials.hpp"
+#include "lacuna/config/identification_configuration.hpp"
 #include "lacuna/config/registry.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/differentiators/savitzky_golay.hpp"
@@ -110,6 +111,13 @@ void add_effects(Registry& registry) {
                kTimeTrend, kDelay, kLag, kUnmeasuredInput, kChannelSkew>(registry);
 }
 
+void add_identification(Registry& registry) {
+  registry.add<Rules<FormOptions>>();
+  registry.add<Rules<ValidationOptions>>();
+  registry.add<Rules<RelationOptions>>();
+  registry.add<Rules<AdviceOptions>>();
+}
+
 void add_diagnosis(Registry& registry) {
   registry.add<StandardDecision>();
   registry.add<ExtendedBic>();
@@ -133,6 +141,7 @@ Registry default_registry() {
   add_solvers(registry);
   add_integrators(registry);
   add_effects(registry);
+  add_identification(registry);
   add_diagnosis(registry);
   return registry;
 }

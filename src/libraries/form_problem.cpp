@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base_columns.hpp"
 #include "candidates/nelder_mead.hpp"
@@ -12,9 +13,6 @@
 
 namespace lacuna {
 namespace {
-
-/// Less than so much of what noise leaves is mostly noise.
-constexpr double kMostlyNoise = 2.0;
 
 /// A value of a shape parameter on the unit interval and back.
 double to_unit(const ShapeParameter& shape, double value) {
@@ -40,6 +38,24 @@ bool has_form(const EquationForms& equation, const Candidate& candidate) {
   return std::any_of(
       equation.forms.begin(), equation.forms.end(),
       [&](const MissingForm& form) { return are_one_form(form.candidate, candidate); });
+}
+
+/// By how much the sum of squares grows without each of the columns, h_i^2 / ((A'A)^-1)_ii.
+/// Nothing where columns depend on one another, to within what squares_left() counts.
+std::optional<Vector> column_losses(const Matrix& columns, const Vector& target) {
+  constexpr double kIndependent = 1e-9;  // well above the rank of squares_left()
+  if (columns.cols() < 2 || columns.rows() < columns.cols() || !columns.allFinite())
+    return std::nullopt;
+  const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
+  Eigen::ColPivHouseholderQR<Matrix> factor(columns * norms.cwiseInverse().asDiagonal());
+  factor.setThreshold(kIndependent);
+  const Index count = columns.cols();
+  if (factor.rank() < count) return std::nullopt;
+  const Matrix inverse =
+      factor.matrixR().topRows(count).template triangularView<Eigen::Upper>().solve(
+          Matrix::Identity(count, count));
+  const Vector variances = factor.colsPermutation() * inverse.rowwise().squaredNorm();
+  return Vector(factor.solve(target).array().square() / variances.array());
 }
 
 template <class T>
@@ -82,8 +98,12 @@ bool Limit::prefers(const Trial& a, const Trial& b) {
   return cost != other ? cost < other : a.left < b.left;
 }
 
-FormProblem::FormProblem(const Dataset& data, Vector noise, RunContext context)
-    : rows_(data, noise), noise_(std::move(noise)), context_(std::move(context)) {}
+FormProblem::FormProblem(const Dataset& data, Vector noise, FormOptions options,
+                         RunContext context)
+    : rows_(data, noise),
+      noise_(std::move(noise)),
+      options_(options),
+      context_(std::move(context)) {}
 
 double FormProblem::noise_left(Index equation) const {
   constexpr double kResolution = 1e-8;  // of the target
@@ -92,10 +112,10 @@ double FormProblem::noise_left(Index equation) const {
 }
 
 double FormProblem::same_as(double left, Index equation) const {
-  constexpr double kTenth = 1.21;
   const double noise = noise_left(equation);
   const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
-  if (left > kMostlyNoise * noise) return kTenth * left;
+  if (left > options_.mostly_noise * noise)
+    return (1.0 + options_.same) * (1.0 + options_.same) * left;
   return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
 }
 
@@ -103,7 +123,7 @@ Limit FormProblem::limit_of(const EquationForms& equation) const {
   const Index k = equation.equation;
   const double now = left(equation), same = same_as(now, k), noise = noise_left(k);
   const auto rows = static_cast<double>(rows_.rows());
-  const bool is_noise = now <= kMostlyNoise * noise;
+  const bool is_noise = now <= options_.mostly_noise * noise;
   return {same, is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
           equation.parameters()};
 }
@@ -130,12 +150,12 @@ std::vector<Term> FormProblem::linear_terms() const {
 std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
                                           const std::vector<Candidate>& candidates) const {
   constexpr int kRough = 25;
-  constexpr std::size_t kRoughly = 100, kExactly = 6;
   std::vector<Start> starts = all_starts(candidates);
   rate(equation, false, starts);
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
-  for (const Start& start : best_of(std::move(starts), kRoughly)) {
+  for (const Start& start :
+       best_of(std::move(starts), static_cast<std::size_t>(options_.rough_fits))) {
     if (has_form(equation, start.form.candidate)) continue;
     trials.push_back({equation, 0.0});
     trials.back().equation.forms.push_back(start.form);
@@ -143,7 +163,8 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
   }
   const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
-  for (std::size_t i = 0; i < std::min(kExactly, trials.size()); ++i)
+  for (std::size_t i = 0;
+       i < std::min(static_cast<std::size_t>(options_.exact_fits), trials.size()); ++i)
     trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), kExact);
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   return trials;
@@ -198,15 +219,16 @@ Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
 }
 
 bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness kind) const {
-  constexpr double kFew = 0.15, kFar = 0.1, kActs = 0.3, kCorrelated = 0.99;
   const Matrix both = rows_.values({a.expression(), b.expression()});
   const double factor = both.col(0).dot(both.col(1)) / both.col(1).squaredNorm();
   const Vector scaled = factor * both.col(1);
   const double size = std::sqrt(scaled.squaredNorm() / static_cast<double>(scaled.size()));
-  if (kind == Plainness::Any) return likeness(a, b) > kCorrelated;
+  if (kind == Plainness::Any) return likeness(a, b) > options_.alike;
   const double spread = std::sqrt((scaled.array() - scaled.mean()).square().mean());
-  return spread > kActs * size &&
-         ((both.col(0) - scaled).array().abs() > kFar * size).cast<double>().mean() < kFew;
+  return spread > options_.jump_varies * size &&
+         ((both.col(0) - scaled).array().abs() > options_.jump_far * size)
+                 .cast<double>()
+                 .mean() < options_.jump_samples;
 }
 
 double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
@@ -255,12 +277,17 @@ void FormProblem::rate(const EquationForms& equation, bool without_two,
 
 Trial FormProblem::without_least(const EquationForms& equation) const {
   Trial best{equation, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i + 1 < equation.terms.size() + equation.forms.size(); ++i) {
+  const auto members = static_cast<Index>(equation.terms.size() + equation.forms.size());
+  const auto losses = column_losses(columns(equation), rows_.target(equation.equation));
+  for (Index i = 0; i + 1 < members; ++i) {
+    // Where columns depend on one another each is tried.
+    if (losses && (*losses)[i] > losses->head(members - 1).minCoeff()) continue;
     EquationForms fewer = equation;
-    if (i < equation.terms.size())
-      fewer.terms = without(equation.terms, i);
+    const auto place = static_cast<std::size_t>(i);
+    if (place < equation.terms.size())
+      fewer.terms = without(equation.terms, place);
     else
-      fewer.forms = without(equation.forms, i - equation.terms.size());
+      fewer.forms = without(equation.forms, place - equation.terms.size());
     const double without_it = left(fewer);
     if (without_it < best.left) best = {std::move(fewer), without_it};
   }

@@ -5,6 +5,7 @@
 
 #include "base_columns.hpp"
 #include "form_rows.hpp"
+#include "lacuna/libraries/form_options.hpp"
 #include "lacuna/libraries/missing_forms.hpp"
 
 namespace lacuna {
@@ -48,8 +49,10 @@ struct Limit {
 /// Rows of the weak form, and what equations leave in them.
 class FormProblem {
  public:
-  FormProblem(const Dataset& data, Vector noise, RunContext context);
+  FormProblem(const Dataset& data, Vector noise, FormOptions options = {},
+              RunContext context = {});
 
+  const FormOptions& options() const { return options_; }
   const FormRows& all_rows() const { return rows_; }
   const RunContext& context() const { return context_; }
   Index rows() const { return rows_.rows(); }
@@ -57,8 +60,8 @@ class FormProblem {
   /// The sum of squares that noise leaves, or quadrature and rounding where there is none.
   double noise_left(Index equation) const;
 
-  /// The largest sum of squares that is the same as another: what is no noise is known to a
-  /// tenth (rms), noise to what chance does for the best of many forms.
+  /// The largest sum of squares that is the same as another: what is no noise is known to
+  /// FormOptions::same (rms), noise to what chance does for the best of many forms.
   double same_as(double left, Index equation) const;
 
   /// What may take the place of an equation.
@@ -107,6 +110,7 @@ class FormProblem {
 
   FormRows rows_;
   Vector noise_;
+  const FormOptions options_;
   RunContext context_;
 };
 

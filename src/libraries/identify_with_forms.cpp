@@ -9,49 +9,17 @@
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/libraries/function_forms.hpp"
 #include "lacuna/libraries/missing_forms.hpp"
+#include "model_comparison.hpp"
 #include "refined_shapes.hpp"
 
 namespace lacuna {
 namespace {
 
-/// Residuals that differ by less are the same.
-constexpr double kSlack = 0.1;
-
-bool reaches_the_noise(const IdentificationResult& result) {
-  return std::all_of(result.fit.begin(), result.fit.end(),
-                     [](const EquationFit& fit) { return fit.fits_to_noise.value_or(true); });
-}
-
-/// Whether that is known, too: an equation that could not be judged is no success of forms.
-bool is_known_to_fit(const IdentificationResult& result) {
-  return std::all_of(result.fit.begin(), result.fit.end(), [](const EquationFit& fit) {
-    return fit.identity || fit.fits_to_noise.value_or(false);
-  });
-}
-
 /// Whether what the library leaves of the rates is not worth a form: errors of solvers.
-bool leaves_nothing(const IdentificationResult& result) {
-  constexpr double kNothing = 1e-5;  // of the rate, rms
-  return std::all_of(result.fit.begin(), result.fit.end(), [](const EquationFit& fit) {
-    return fit.identity || fit.residual_rms <= kNothing * fit.target_rms;
+bool leaves_nothing(const IdentificationResult& result, double worth_asking) {
+  return std::all_of(result.fit.begin(), result.fit.end(), [&](const EquationFit& fit) {
+    return fit.identity || fit.residual_rms <= worth_asking * fit.target_rms;
   });
-}
-
-/// A model that does not stay finite has a misfit that says nothing of its size.
-bool is_judged(const EquationFit& fit) { return fit.misfit && std::isfinite(*fit.misfit); }
-
-/// Sum over equations of ln(what one model leaves / what another does): of the misfits, or of
-/// the residuals where not both have one.
-double excess(const IdentificationResult& of, const IdentificationResult& over) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < of.fit.size(); ++k) {
-    const EquationFit &one = of.fit[k], &other = over.fit[k];
-    if (one.identity) continue;
-    const bool both = is_judged(one) && is_judged(other);
-    sum += std::log(std::max(both ? *one.misfit : one.residual_rms, 1e-300) /
-                    std::max(both ? *other.misfit : other.residual_rms, 1e-300));
-  }
-  return sum;
 }
 
 std::size_t terms_of(const IdentificationResult& result) {
@@ -76,40 +44,33 @@ struct Extension {
 /// Whether fewer numbers say the same by Schwarz' criterion: 2 n ln(what is left) of each state
 /// and ln(n m) for each number.
 bool says_the_same(const Extension& with, const IdentificationResult& without,
-                   const Dataset& data) {
+                   const ModelComparison& models, const Dataset& data) {
   const auto n = static_cast<double>(data.samples());
   const double price = std::log(n * static_cast<double>(data.state_count()));
   const std::size_t numbers = with.numbers(), others = terms_of(without);
-  return numbers < others &&
-         2.0 * n * excess(with.result, without) < price * static_cast<double>(others - numbers);
-}
-
-/// Whether forms have made the model better. Where the library fits already they have to say
-/// the same by fewer numbers; else it fits now, or leaves less by more than a tenth with no
-/// more terms.
-bool is_better(const Extension& with, const IdentificationResult& without,
-               const Dataset& data) {
-  if (reaches_the_noise(without))
-    return reaches_the_noise(with.result) && says_the_same(with, without, data);
-  if (is_known_to_fit(with.result)) return true;
-  return excess(with.result, without) < -kSlack && terms_of(with.result) <= terms_of(without);
+  return numbers < others && 2.0 * n * models.excess(with.result, without) <
+                                 price * static_cast<double>(others - numbers);
 }
 
 /// A run with forms beside the library.
 class ExtendedRun {
  public:
-  ExtendedRun(const Dataset& data, const Pipeline& pipeline,
-              const std::vector<Stage<Effect>>& effects, const IdentificationResult& alone,
-              const RunContext& context)
+  ExtendedRun(const Dataset& data, const Pipeline& pipeline, const FormOptions& options,
+              const IdentificationResult& alone, const RunContext& context)
       : data_(data),
         pipeline_(pipeline),
+        options_(options),
         context_(context),
         library_(pipeline.basis->library(alone.model.variables())),
-        search_(data, alone.noise, context) {
-    const Scope scope = make_scope(alone.model, data, alone.noise);
-    for (Index k = 0; k < data.state_count(); ++k) {
+        models_(data),
+        search_(data, alone.noise, options, context) {}
+
+  /// Collects the candidates of each equation.
+  void look_for(const std::vector<Stage<Effect>>& effects, const IdentificationResult& alone) {
+    const Scope scope = make_scope(alone.model, data_, alone.noise);
+    for (Index k = 0; k < data_.state_count(); ++k) {
       std::vector<Candidate>& all = candidates_.emplace_back();
-      if (data.rate_state(k)) continue;
+      if (data_.rate_state(k)) continue;
       all = function_forms(scope, effects, k);
       for (Candidate& fraction : search_.fractions(scope, k, library_.terms))
         all.push_back(std::move(fraction));
@@ -119,6 +80,16 @@ class ExtendedRun {
   /// Whether there are rows enough to tell forms from the library.
   bool is_possible() const { return search_.rows() > 2 * library_.size(); }
 
+  /// Whether forms have made the model better. Where the library fits already they have to say
+  /// the same by fewer numbers; else it fits now, or leaves less with no more terms.
+  bool is_better(const Extension& with, const IdentificationResult& without) const {
+    if (reaches_the_noise(without))
+      return reaches_the_noise(with.result) && says_the_same(with, without, models_, data_);
+    if (is_known_to_fit(with.result)) return true;
+    return models_.excess(with.result, without) < -options_.same &&
+           terms_of(with.result) <= terms_of(without);
+  }
+
   /// Forms that equations lack, and the model that the pipeline makes with them.
   Extension result(const IdentificationResult& alone) const {
     std::vector<EquationForms> equations = bare();
@@ -126,26 +97,24 @@ class ExtendedRun {
     if (!fits) equations = with_missing(std::move(equations));
     const IdentificationResult found = fits ? alone : identified(equations);
     const std::vector<EquationForms> kept = kept_in(found, equations);
+    const auto fewest = static_cast<std::size_t>(options_.fewest_numbers);
     bool changed = false;
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       if (candidates_[k].empty()) continue;
       context_.report("searching forms", 0.5 + 0.5 * double(k) / double(candidates_.size()));
       equations[k] = kept[k];
-      if (fits && kept[k].parameters() < kFewest) continue;
+      if (fits && kept[k].parameters() < fewest) continue;
       equations[k] = search_.with_fewer_terms(kept[k], candidates_[k], library_.terms);
       equations[k] = search_.refitted(std::move(equations[k]));
       changed = changed || !equations[k].forms.empty();
     }
     if (!changed) return {found, kept};
     Extension thinned = plain(std::move(equations));
-    const bool is_lost = is_known_to_fit(found) && !is_known_to_fit(thinned.result);
+    const bool is_lost = models_.is_ahead(found, thinned.result, options_.same);
     return is_lost ? Extension{found, kept} : std::move(thinned);
   }
 
  private:
-  /// Fewer numbers than this are not said by fewer where they fit.
-  static constexpr std::size_t kFewest = 3;
-
   std::vector<EquationForms> bare() const {
     std::vector<EquationForms> equations;
     for (std::size_t k = 0; k < candidates_.size(); ++k)
@@ -154,12 +123,12 @@ class ExtendedRun {
   }
 
   std::vector<EquationForms> with_missing(std::vector<EquationForms> equations) const {
-    constexpr std::size_t kMostForms = 3;
+    const auto most_forms = static_cast<std::size_t>(options_.most_forms);
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       context_.report("searching forms", 0.5 * double(k) / double(candidates_.size()));
       if (!candidates_[k].empty())
         equations[k] =
-            search_.with_missing_forms(std::move(equations[k]), candidates_[k], kMostForms);
+            search_.with_missing_forms(std::move(equations[k]), candidates_[k], most_forms);
     }
     return equations;
   }
@@ -184,7 +153,7 @@ class ExtendedRun {
     std::vector<EquationForms> plainer = found.equations;
     if (!make_plainer(plainer, Plainness::Any)) return found;
     Extension other = settled(std::move(plainer));
-    const bool same = excess(other.result, found.result) <= kSlack ||
+    const bool same = models_.excess(other.result, found.result) <= options_.same ||
                       (reaches_the_noise(other.result) && reaches_the_noise(found.result));
     return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
   }
@@ -197,7 +166,8 @@ class ExtendedRun {
     alone = identified_as(equations);
     if (is_known_to_fit(alone)) return {std::move(alone), std::move(equations)};
     IdentificationResult beside = identified(equations);
-    const bool better = is_known_to_fit(beside) || excess(beside, alone) < -kSlack;
+    const bool better = models_.is_ahead(beside, alone, options_.same) ||
+                        models_.excess(beside, alone) < -options_.same;
     if (better) alone = std::move(beside);
     equations = kept_in(alone, equations);
     return {std::move(alone), std::move(equations)};
@@ -255,8 +225,10 @@ class ExtendedRun {
 
   const Dataset& data_;
   const Pipeline& pipeline_;
+  const FormOptions& options_;
   const RunContext& context_;
   TermLibrary library_;
+  ModelComparison models_;
   FormSearch search_;
   std::vector<std::vector<Candidate>> candidates_;  ///< of each equation
 };
@@ -265,14 +237,17 @@ class ExtendedRun {
 
 IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pipeline,
                                          const std::vector<Stage<Effect>>& effects,
+                                         const FormOptions& options,
                                          const RunContext& context) {
   IdentificationResult alone = identify(data, pipeline, context);
-  if (leaves_nothing(alone) || lacks_input_columns(data) || !pipeline.equations.empty())
+  if (leaves_nothing(alone, options.worth_asking) || lacks_input_columns(data) ||
+      !pipeline.equations.empty())
     return alone;
-  const ExtendedRun run(data, pipeline, effects, alone, context);
+  ExtendedRun run(data, pipeline, options, alone, context);
   if (!run.is_possible()) return alone;
+  run.look_for(effects, alone);
   Extension extended = run.result(alone);
-  if (!is_better(extended, alone, data)) return alone;
+  if (!run.is_better(extended, alone)) return alone;
   extended.result.library_alone = std::move(alone.model);
   return std::move(extended.result);
 }

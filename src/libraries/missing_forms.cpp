@@ -40,16 +40,19 @@ std::size_t EquationForms::parameters() const {
   return count;
 }
 
-FormSearch::FormSearch(const Dataset& data, Vector noise, RunContext context)
-    : problem_(
-          std::make_unique<const FormProblem>(data, std::move(noise), std::move(context))) {}
+FormSearch::FormSearch(const Dataset& data, Vector noise, FormOptions options,
+                       RunContext context)
+    : problem_(std::make_unique<const FormProblem>(data, std::move(noise), options,
+                                                   std::move(context))) {}
 FormSearch::~FormSearch() = default;
 
 Index FormSearch::rows() const { return problem_->rows(); }
 
 std::vector<Candidate> FormSearch::fractions(const Scope& scope, Index equation,
                                              const std::vector<Term>& library) const {
-  return rational_forms(scope, problem_->all_rows(), equation, library, problem_->context());
+  return rational_forms(scope, problem_->all_rows(), {equation, library, {}},
+                        static_cast<std::size_t>(problem_->options().denominators),
+                        problem_->context());
 }
 
 EquationForms FormSearch::with_missing_forms(EquationForms equation,
@@ -57,7 +60,8 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              std::size_t most_forms) const {
   const Index k = equation.equation;
   // A mean of squares of noise is known to sqrt(2 / rows) of it.
-  const double scatter = 4.0 * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
+  const double scatter =
+      problem_->options().significance * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
   double left = problem_->left(equation);
   while (equation.forms.size() < most_forms &&
          left > (1.0 + scatter) * problem_->noise_left(k)) {
@@ -80,7 +84,7 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
 EquationForms FormSearch::with_fewer_terms(EquationForms equation,
                                            const std::vector<Candidate>& candidates,
                                            const std::vector<Term>& library) const {
-  constexpr std::size_t kTried = 60;
+  const auto tried = static_cast<std::size_t>(problem_->options().thinned);
   if (equation.terms.size() + equation.forms.size() < 2) return equation;
   Trial best{equation, problem_->left(equation)};
   const Limit limit = problem_->limit_of(equation);
@@ -95,7 +99,7 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
        std::array<const EquationForms*, 3>{&equation, &linear, &whole}) {
     const bool from_all = from == &equation;
     problem_->rate(*from, from_all, starts);
-    for (const Start& start : best_of(starts, kTried)) {
+    for (const Start& start : best_of(starts, tried)) {
       if (from != &whole) take(problem_->thinned(*from, start.form, limit));
       if (from != &linear) take(problem_->chosen(whole, start.form, limit));
     }

@@ -181,18 +181,17 @@ Candidate fraction(const Scope& scope, const Denominators& all, const Denominato
 
 }  // namespace
 
-std::vector<Candidate> rational_forms(const Scope& scope, const FormRows& rows, Index equation,
-                                      const std::vector<Term>& library,
+std::vector<Candidate> rational_forms(const Scope& scope, const FormRows& rows,
+                                      const EquationForms& equation, std::size_t denominators,
                                       const RunContext& context) {
-  constexpr std::size_t kDenominators = 8;
   std::vector<Candidate> result;
-  if (rows.rows() <= static_cast<Index>(library.size()) + 3) return result;
-  const Denominators all(scope, rows, equation, library, context);
-  for (const Denominator& denominator : all.best(kDenominators))
+  if (rows.rows() <= static_cast<Index>(equation.terms.size()) + 3) return result;
+  const Denominators all(scope, rows, equation.equation, equation.terms, context);
+  for (const Denominator& denominator : all.best(denominators))
     for (const Expression& numerator : monomials_of(scope, 2)) {
       if (is_reducible(numerator, denominator)) continue;
       result.push_back(fraction(scope, all, denominator, numerator));
-      result.back().equation = equation;
+      result.back().equation = equation.equation;
     }
   return result;
 }

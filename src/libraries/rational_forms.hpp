@@ -7,6 +7,7 @@
 #include "lacuna/candidates/candidate.hpp"
 #include "lacuna/candidates/scope.hpp"
 #include "lacuna/core/run_context.hpp"
+#include "lacuna/libraries/missing_forms.hpp"
 
 namespace lacuna {
 
@@ -19,8 +20,9 @@ namespace lacuna {
 /// A 476 (2020) 20200279), in rows of the weak form. Noise in w biases q: these numbers are
 /// only where the fit of a form begins. The denominators beside which the fewest terms theta/Q
 /// leave least are taken, with each monomial m up to degree 2.
-std::vector<Candidate> rational_forms(const Scope& scope, const FormRows& rows, Index equation,
-                                      const std::vector<Term>& library,
+/// @param equation with the terms theta. @param denominators that are taken at most.
+std::vector<Candidate> rational_forms(const Scope& scope, const FormRows& rows,
+                                      const EquationForms& equation, std::size_t denominators,
                                       const RunContext& context);
 
 }  // namespace lacuna

@@ -14,14 +14,10 @@ namespace {
 
 using Set = std::vector<Index>;
 
-constexpr Index kMostStates = 8;     // of which products are looked at
-constexpr double kNoiseSlack = 1.1;  // noise is known to a tenth
-constexpr double kScatter = 4.0;     // standard deviations that chance may add
-constexpr Index kFewestSamples = 40;
-
 /// 1 + what chance adds to a mean of so many squares.
-double with_chance(Index count) {
-  return 1.0 + kScatter * std::sqrt(2.0 / static_cast<double>(std::max<Index>(count, 1)));
+double with_chance(Index count, const RelationOptions& options) {
+  return 1.0 +
+         options.scatter * std::sqrt(2.0 / static_cast<double>(std::max<Index>(count, 1)));
 }
 
 double form(const Matrix& matrix, const Set& set, const Vector& c) {
@@ -49,16 +45,17 @@ std::optional<Vector> flattest(const MonomialMoments& moments, const Set& set) {
 }
 
 /// Whether what a combination varies by is noise, over samples and over blocks of them.
-bool is_noise(const MonomialMoments& moments, const Set& set, const Vector& c) {
+bool is_noise(const MonomialMoments& moments, const Set& set, const Vector& c,
+              const RelationOptions& options) {
   const double white = form(moments.white, set, c), lasting = form(moments.lasting, set, c);
-  const double slack = kNoiseSlack * kNoiseSlack;
+  const double slack = (1.0 + options.noise_slack) * (1.0 + options.noise_slack);
   if (form(moments.covariance, set, c) >
-      slack * with_chance(moments.samples) * (white + lasting))
+      slack * with_chance(moments.samples, options) * (white + lasting))
     return false;
   const Vector means = moments.block_means(Eigen::all, set) * c;
   const double left = means.squaredNorm() / static_cast<double>(means.size());
   const double allowed = white / static_cast<double>(moments.block) + lasting;
-  return left <= slack * with_chance(means.size()) * allowed;
+  return left <= slack * with_chance(means.size(), options) * allowed;
 }
 
 /// Whether every summand varies by much more than their sum does.
@@ -167,7 +164,8 @@ class RelationSearch {
     context_.check_stop();
     if (std::any_of(set.begin(), set.end(), [&](Index term) { return follows(term); })) return;
     const std::optional<Vector> c = flattest(moments_, set);
-    if (!c || !is_noise(moments_, set, *c) || !is_strong(moments_, set, *c, options_.strength))
+    if (!c || !is_noise(moments_, set, *c, options_) ||
+        !is_strong(moments_, set, *c, options_.strength))
       return;
     found_.push_back(relation_of(moments_, set, *c));
     leading_.push_back(set.back());
@@ -188,8 +186,8 @@ std::vector<Relation> find_relations(const Dataset& data, const RelationOptions&
   Index measured = 0;
   for (Index k = 0; k < data.state_count(); ++k)
     if (data.is_measured(k)) ++measured;
-  if (measured == 0 || data.samples() < kFewestSamples) return {};
-  const int degree = measured > kMostStates ? 1 : 2;
+  if (measured == 0 || data.samples() < options.fewest_samples) return {};
+  const int degree = measured > options.most_states ? 1 : 2;
   const MonomialMoments moments = monomial_moments(data, degree, options.resolution);
   return RelationSearch(moments, options, context).run(degree);
 }

@@ -72,11 +72,13 @@ std::string noise_text(const IdentificationResult& result) {
 }
 
 std::string validation_text(const Validation& validation) {
+  const Index windows = validation.windows.windows;
   std::string text = "  " + validation.sentence + "\n  (on " +
                      std::to_string(validation.samples) + " samples " +
                      (validation.given      ? "of other records"
                       : validation.refitted ? "that were held out of the coefficients' fit"
                                             : "that were fitted") +
+                     (windows > 0 ? ", in " + std::to_string(windows) + " windows" : "") +
                      ")\n";
   for (const std::string& advice : validation.advice) text += "  " + advice + "\n";
   return text;

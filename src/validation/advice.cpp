@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/validation/advice.hpp"
+
 #include <cmath>
 #include <optional>
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/libraries/function_forms.hpp"
-#include "lacuna/validation/validate.hpp"
 #include "libraries/form_problem.hpp"
 
 namespace lacuna {
 namespace {
-
-/// A form that leaves more than this share of what is left without it (rms) is not what is
-/// missing.
-constexpr double kMostLeft = 0.7;
-
-constexpr std::size_t kMostForms = 2;
-
-/// Residuals below this share of the rate are not worth a form.
-constexpr double kWorthAsking = 1e-3;
 
 /// The form with its shapes to a few digits, as a user would write it.
 std::string written(const MissingForm& form, const Variables& variables) {
@@ -37,28 +29,32 @@ struct Asked {
 class FormAdvice {
  public:
   FormAdvice(const IdentificationResult& result, const Dataset& data,
-             const std::vector<Stage<Effect>>& effects, const RunContext& context)
+             const std::vector<Stage<Effect>>& effects, const AdviceOptions& options,
+             const RunContext& context)
       : model_(result.model),
         scope_(make_scope(result.model, data, result.noise)),
         effects_(effects),
-        search_(data, result.noise, context),
-        problem_(data, result.noise, context) {}
+        options_(options),
+        search_(data, result.noise, options.search, context),
+        problem_(data, result.noise, options.search, context) {}
 
   /// Nothing where no form stands out.
   std::optional<Asked> asked_by(Index k) const {
     EquationForms equation{k, {}, {}};
+    const auto most_forms = static_cast<std::size_t>(options_.most_forms);
     for (const WeightedTerm& summand : model_.equations()[static_cast<std::size_t>(k)])
       equation.terms.push_back(summand.term);
-    if (search_.rows() <= 2 * static_cast<Index>(equation.parameters() + kMostForms))
+    if (search_.rows() <= 2 * static_cast<Index>(equation.parameters() + most_forms))
       return std::nullopt;
     const double before = problem_.left(equation);
-    if (!(std::sqrt(before / problem_.left({k, {}, {}})) > kWorthAsking)) return std::nullopt;
+    if (!(std::sqrt(before / problem_.left({k, {}, {}})) > options_.worth_asking))
+      return std::nullopt;
     const std::vector<Candidate> candidates = function_forms(scope_, effects_, k);
     double left = before;
-    for (std::size_t forms = 1; forms <= kMostForms; ++forms) {
+    for (std::size_t forms = 1; forms <= most_forms; ++forms) {
       EquationForms more = search_.with_missing_forms(equation, candidates, forms);
       const double with = problem_.left(more);
-      if (more.forms.size() < forms || !(std::sqrt(with / left) < kMostLeft)) break;
+      if (more.forms.size() < forms || !(std::sqrt(with / left) < options_.most_left)) break;
       equation = std::move(more);
       left = with;
     }
@@ -81,6 +77,7 @@ class FormAdvice {
   const OdeModel& model_;
   Scope scope_;
   const std::vector<Stage<Effect>>& effects_;
+  const AdviceOptions& options_;
   FormSearch search_;
   FormProblem problem_;
 };
@@ -89,8 +86,8 @@ class FormAdvice {
 
 std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
                                     const std::vector<Stage<Effect>>& effects,
-                                    const RunContext& context) {
-  const FormAdvice forms(result, data, effects, context);
+                                    const AdviceOptions& options, const RunContext& context) {
+  const FormAdvice forms(result, data, effects, options, context);
   std::vector<std::string> advice;
   for (Index k = 0; k < data.state_count(); ++k) {
     context.report("asking what the residuals ask for",

@@ -7,8 +7,6 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kManyBlocks = 20, kFewestBlocks = 8, kEvery = 4, kPhase = 2;
-
 /// Blocks of nearly the same length, one behind the other.
 std::vector<Block> blocks_of(const Dataset& data, Index length) {
   std::vector<Block> blocks;
@@ -25,13 +23,15 @@ std::vector<Block> blocks_of(const Dataset& data, Index length) {
 
 }  // namespace
 
-std::vector<Block> held_blocks(const Dataset& data, Index window) {
+std::vector<Block> held_blocks(const Dataset& data, Index window,
+                               const ValidationOptions& options) {
   const Index samples = data.samples();
   const Index length = std::max<Index>(
-      1, std::min(std::max(window, samples / kManyBlocks), samples / kFewestBlocks));
+      1, std::min(std::max(window, samples / options.blocks), samples / options.fewest_blocks));
   const std::vector<Block> all = blocks_of(data, length);
   std::vector<Block> held;
-  for (std::size_t b = kPhase; b < all.size(); b += kEvery) held.push_back(all[b]);
+  const auto every = static_cast<std::size_t>(options.held_every);
+  for (std::size_t b = every / 2; b < all.size(); b += every) held.push_back(all[b]);
   return held;
 }
 
@@ -56,6 +56,16 @@ std::vector<Block> limited(const std::vector<Block>& blocks, Index samples) {
   for (Block& block : chosen)
     block.count = std::min(block.count, samples / static_cast<Index>(chosen.size()));
   return chosen;
+}
+
+Dataset thinned(const Dataset& data, Index samples) {
+  if (data.samples() <= samples) return data;
+  Dataset some = data;
+  some.trajectories.clear();
+  for (const Block& block : limited(all_blocks(data), samples))
+    some.trajectories.push_back(
+        rows_of(data.trajectories[block.record], block.first, block.count));
+  return some;
 }
 
 Dataset without_blocks(const Dataset& data, const std::vector<Block>& blocks, Index shortest) {

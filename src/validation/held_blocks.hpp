@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lacuna/data/dataset.hpp"
+#include "lacuna/validation/validation_options.hpp"
 
 namespace lacuna {
 
@@ -15,11 +16,12 @@ struct Block {
   Index count = 0;
 };
 
-/// Every fourth of blocks, counted through all records: about twenty blocks in all where each
-/// has room for a window then, and no fewer than eight. A record that is shorter than a block
-/// is one.
+/// Every so manyth of blocks, counted through all records (ValidationOptions::held_every):
+/// about ValidationOptions::blocks in all where each has room for a window then, and no fewer
+/// than ValidationOptions::fewest_blocks. A record that is shorter than a block is one.
 /// @param window samples.
-std::vector<Block> held_blocks(const Dataset& data, Index window);
+std::vector<Block> held_blocks(const Dataset& data, Index window,
+                               const ValidationOptions& options = {});
 
 /// Whole records.
 std::vector<Block> all_blocks(const Dataset& data);
@@ -31,5 +33,8 @@ std::vector<Block> limited(const std::vector<Block>& blocks, Index samples);
 /// What is left of the records; stretches of fewer than `shortest` samples are dropped.
 /// @param blocks in the order of records and time.
 Dataset without_blocks(const Dataset& data, const std::vector<Block>& blocks, Index shortest);
+
+/// No more than so many samples of records, in stretches as limited() takes them.
+Dataset thinned(const Dataset& data, Index samples);
 
 }  // namespace lacuna

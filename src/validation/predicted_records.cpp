@@ -2,34 +2,15 @@
 #include "predicted_records.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "lacuna/data/marks.hpp"
+#include "libraries/unseen_noise.hpp"
 #include "selection/noise_growth.hpp"
 #include "selection/reference_path.hpp"
 
 namespace lacuna {
 namespace {
-
-/// Noise below this share of what a state moves between samples is not seen: smaller than any
-/// error that counts. Such states are weighed by it.
-constexpr double kOfMotion = 1e-4;
-
-/// rms of the difference of one sample to the next.
-Vector moves_of(const Dataset& data) {
-  Vector squares = Vector::Zero(data.state_count());
-  double count = 0.0;
-  for (const Trajectory& record : data.trajectories) {
-    const Index steps = record.samples() - 1;
-    squares += (record.states.bottomRows(steps) - record.states.topRows(steps))
-                   .colwise()
-                   .squaredNorm()
-                   .transpose();
-    count += static_cast<double>(steps);
-  }
-  return (squares / std::max(count, 1.0)).cwiseSqrt();
-}
 
 /// By what each sample is weighed: 0 where it does not count.
 void leave_out(const Trajectory& record, const Dataset& data, const PredictedRecords& all,
@@ -54,7 +35,7 @@ PredictedRecords predicted_records(const Dataset& data, const std::vector<Block>
   PredictedRecords all;
   const Index m = data.state_count();
   all.sigma.resize(m);
-  Vector weights = kOfMotion * moves_of(data);
+  Vector weights = unseen_noise(data);
   for (Index k = 0; k < m; ++k) {
     const StateNoise& state = noise[static_cast<std::size_t>(k)];
     const bool seen = state.kind != NoiseKind::None && state.sigma > weights[k];

@@ -16,9 +16,6 @@ namespace {
 
 constexpr Index kShortestRecord = 4;   // samples that can be linearised
 constexpr Index kShortestFitted = 20;  // samples of a stretch that coefficients are fitted to
-constexpr Index kMostSamples = 20000;  // more would change no verdict
-constexpr Index kCorrelatedSamples = 10;  // of a window
-constexpr Index kFewestOfNoise = 100;     // samples that tell their noise to a tenth
 constexpr Index kStepsOfMap = 4;  // errors add up in them, and a chaotic map is not yet lost
 
 /// Samples of the shortest windows that leave a residual, as far as all states can be seen from
@@ -70,6 +67,7 @@ struct Trial {
   const OdeModel& still;  ///< without rates
   const Dataset& data;
   const PredictedRecords& records;
+  const ValidationOptions& options;
 };
 
 PredictionTest test_windows(const Trial& trial, Index length, int passes,
@@ -83,7 +81,7 @@ PredictionTest test_windows(const Trial& trial, Index length, int passes,
     const auto place = static_cast<std::size_t>(k);
     const bool seen = trial.records.seen[place];
     // Initial states take the correlation out of windows of few samples.
-    const bool tells = trial.records.white[place] && length >= kCorrelatedSamples;
+    const bool tells = trial.records.white[place] && length >= trial.options.correlated_samples;
     test.states.push_back(
         {trial.data.states[place].name, mean_size(off.squares[k], off.freedom[k]),
          seen ? mean_size(off.expected[k], off.freedom[k]) : trial.records.sigma[k], seen,
@@ -94,12 +92,12 @@ PredictionTest test_windows(const Trial& trial, Index length, int passes,
 }
 
 /// Samples of the shortest mean period of a measured state, without its noise.
-Index period_of(const Dataset& data, const std::vector<StateNoise>& noise) {
+Index period_of(const Dataset& data, const std::vector<StateNoise>& noise, Index samples) {
   std::vector<bool> measured;
   for (Index k = 0; k < data.state_count(); ++k) measured.push_back(data.is_measured(k));
   std::vector<Matrix> paths;
   for (PredictedRecord& record :
-       predicted_records(data, limited(all_blocks(data), kMostSamples), noise).records)
+       predicted_records(data, limited(all_blocks(data), samples), noise).records)
     paths.push_back(std::move(record.path));
   return window_samples(paths, measured);
 }
@@ -129,7 +127,7 @@ Validation validate_map(const ValidationTask& task, const ValidationOptions& opt
   const auto& [result, data, pipeline, held_out] = task;
   const Dataset& tested = held_out ? *held_out : data;
   std::vector<Block> blocks =
-      held_out ? all_blocks(tested) : held_blocks(tested, 2 * kStepsOfMap);
+      held_out ? all_blocks(tested) : held_blocks(tested, 2 * kStepsOfMap, options);
   std::optional<OdeModel> refitted;
   if (!held_out && !blocks.empty())
     refitted = refitted_on(without_blocks(data, blocks, kShortestFitted), result.model,
@@ -160,16 +158,19 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
   const Dataset& tested = held_out ? *held_out : data;
   check_dataset(tested);
   if (result.model.is_map()) return validate_map(task, options, context);
-  const bool own_noise = !held_out || tested.samples() >= kFewestOfNoise;
+  const bool own_noise = !held_out || tested.samples() >= options.noise_samples;
   const std::vector<StateNoise> noise = analyse_noise(own_noise ? tested : data);
-  const Index period = period_of(tested, noise);
-  std::vector<Block> blocks = held_out ? all_blocks(tested) : held_blocks(tested, period);
+  const Index period = period_of(tested, noise, options.held_every * options.most_samples);
+  const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);
+  std::vector<Block> blocks =
+      held_out ? all_blocks(tested) : held_blocks(tested, period, options);
   std::optional<OdeModel> refitted;
   if (!held_out && !blocks.empty() && !has_hidden_state(data))
-    refitted = refitted_on(without_blocks(data, blocks, kShortestFitted), result.model,
-                           pipeline, context);
+    refitted = refitted_on(thinned(without_blocks(data, blocks, kShortestFitted),
+                                   (options.held_every - 1) * needed),
+                           result.model, pipeline, context);
   if (!held_out && !refitted) blocks = all_blocks(tested);
-  blocks = limited(blocks, kMostSamples);
+  blocks = limited(blocks, needed);
 
   const OdeModel model = with_shown_holds(refitted.value_or(result.model), tested);
   const OdeModel still = without_rates(model, tested);
@@ -179,7 +180,7 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
                         .given = held_out.has_value(),
                         .refitted = refitted.has_value()};
   for (const Block& block : blocks) validation.samples += block.count;
-  const Trial trial{model, still, tested, records};
+  const Trial trial{model, still, tested, records, options};
   constexpr int kOnce = 1, kSettled = 4;  // linearisations: a step is nearly linear
   const Index shortest = shortest_window(tested);
   validation.one_step = test_windows(trial, shortest, kOnce, context);

@@ -8,6 +8,7 @@
 #include "lacuna/config/configuration.hpp"
 #include "lacuna/config/description.hpp"
 #include "lacuna/config/diagnosis_configuration.hpp"
+#include "lacuna/config/identification_configuration.hpp"
 #include "lacuna/report/stage_json.hpp"
 
 namespace lacuna::contract {
@@ -72,8 +73,32 @@ std::string through_diagnosis(const std::string& kind, const RegistryEntry& entr
   return format_stage(*options.hypotheses.at(0));
 }
 
+/// The options of `identify` that a configuration makes of their JSON.
+std::string through_identification(const std::string& kind, const std::string& json) {
+  Configuration configuration;
+  configuration.merge_text("{\"" + kind + "\": " + json + "}", "t");
+  const IdentificationOptions options =
+      identification_options(configuration, default_registry());
+  if (kind == "forms") return format_stage(Rules<FormOptions>(options.forms));
+  if (kind == "validation") return format_stage(Rules<ValidationOptions>(options.validation));
+  if (kind == "relations") return format_stage(Rules<RelationOptions>(options.relations));
+  return format_stage(Rules<AdviceOptions>(options.advice));
+}
+
+bool is_of_identification(const std::string& kind) {
+  return kind == "forms" || kind == "validation" || kind == "relations" || kind == "advice";
+}
+
 bool is_of_diagnosis(const std::string& kind) {
   return kind == "criterion" || kind == "decision" || kind == "hypothesis";
+}
+
+/// The JSON of a part, read back.
+std::string read_back(const RegistryEntry& entry, const std::string& json) {
+  const std::string kind(entry.kind);
+  if (is_of_diagnosis(kind)) return through_diagnosis(kind, entry, json);
+  if (is_of_identification(kind)) return through_identification(kind, json);
+  return through_configuration(kind, json);
 }
 
 class EveryPart : public testing::TestWithParam<RegistryEntry> {};
@@ -108,11 +133,9 @@ class EveryConfigurablePart : public testing::TestWithParam<RegistryEntry> {};
 
 TEST_P(EveryConfigurablePart, OptionsSurviveJson) {
   const RegistryEntry& entry = GetParam();
-  const std::string kind(entry.kind);
   ChangeOptions change;
   const std::string changed = format_stage(*entry.make(change));
-  const std::string found = is_of_diagnosis(kind) ? through_diagnosis(kind, entry, changed)
-                                                  : through_configuration(kind, changed);
+  const std::string found = read_back(entry, changed);
   EXPECT_NE(found.find(changed), std::string::npos) << changed;
 }
 

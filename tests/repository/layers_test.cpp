@@ -64,11 +64,11 @@ Allowed allowed_includes() {
                             "candidates", "decision", "hypotheses", "diagnosis", "records",
                             "flow", "attractor", "plot"});
   allowed["config"] = allowed["report"];
-  allowed["config"].insert({"report", "effects"});
+  allowed["config"].insert({"report", "effects", "libraries", "relations", "validation"});
   allowed["codegen"] = {"core", "model"};
   allowed["cli"] = allowed["config"];
-  allowed["cli"].insert({"codegen", "config", "libraries", "realisation", "records", "systems",
-                         "attractor", "relations", "validation"});
+  allowed["cli"].insert(
+      {"codegen", "config", "realisation", "records", "systems", "attractor"});
   return allowed;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Models found in records of ODEBench, solved from the record's start and from another one.
-// usage: study_odebench FILE OUTPUT_FOLDER [DRAWS]
+// usage: study_odebench FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]
 // FILE: systems with two solutions each, as JSON (may be packed by gzip).
-// DRAWS: of noise and dropped samples; 1 as published.
+// DRAWS: of noise and dropped samples; 1 as published. PATH=VALUE: options of `identify`.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +21,7 @@
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::odebench {
@@ -108,12 +109,18 @@ struct Outcome {
   double seconds = 0.0;  ///< CPU time of the fit
 };
 
-Outcome run(const Dataset& data, const System& system,
-            const std::vector<Stage<Effect>>& effects) {
+/// What is sought, and how.
+struct Search {
+  std::vector<Stage<Effect>> effects;
+  FormOptions forms;
+};
+
+Outcome run(const Dataset& data, const System& system, const Search& search) {
   const double begin = benchmarks::thread_seconds();
   Outcome outcome;
   try {
-    const OdeModel model = identify_with_forms(data, algorithm1(), effects).model;
+    const OdeModel model =
+        identify_with_forms(data, algorithm1(), search.effects, search.forms).model;
     outcome.seconds = benchmarks::thread_seconds() - begin;
     outcome.model = to_text(model, 4);
     std::replace(outcome.model.begin(), outcome.model.end(), '\n', ';');
@@ -141,10 +148,11 @@ double median_seconds(const std::vector<Outcome>& outcomes) {
   return seconds[seconds.size() / 2];
 }
 
-int run_study(const std::filesystem::path& file, const std::filesystem::path& folder,
-              std::size_t draws) {
-  const std::vector<System> systems = read_systems(file);
-  const auto effects = default_registry().make_all<Effect>();
+int run_study(const benchmarks::StudyArguments& arguments) {
+  const std::vector<System> systems = read_systems(arguments.places[0]);
+  const std::filesystem::path folder = arguments.places[1];
+  const std::size_t draws = arguments.places.size() > 2 ? std::stoul(arguments.places[2]) : 1;
+  const Search search{default_registry().make_all<Effect>(), arguments.options.forms};
   benchmarks::ResultTable summary{
       {"sigma, dropped", "records", "reconstruction", "generalisation", "median CPU s"}, {}};
   benchmarks::ResultTable details{{"sigma", "dropped", "system", "reconstruction R2",
@@ -155,7 +163,7 @@ int run_study(const std::filesystem::path& file, const std::filesystem::path& fo
     std::vector<Outcome> outcomes((drawn ? draws : 1) * systems.size());
     benchmarks::for_all(outcomes.size(), [&](std::size_t i) {
       const System& system = systems[i % systems.size()];
-      outcomes[i] = run(record_of(system, cell, 1 + i / systems.size()), system, effects);
+      outcomes[i] = run(record_of(system, cell, 1 + i / systems.size()), system, search);
     });
     const std::string sigma = format_number(cell.sigma), dropped = format_number(cell.dropped);
     summary.rows.push_back({sigma + ", " + dropped, std::to_string(outcomes.size()),
@@ -174,8 +182,9 @@ int run_study(const std::filesystem::path& file, const std::filesystem::path& fo
   write_file_atomically(folder / "odebench.csv", details.csv());
   write_file_atomically(
       folder / "odebench.md",
-      "# ODEBench\n\n`study_odebench FILE FOLDER " + std::to_string(draws) + "`, " +
-          benchmarks::today() + ", " + benchmarks::machine_description() +
+      "# ODEBench\n\n`study_odebench FILE FOLDER " + std::to_string(draws) +
+          benchmarks::settings_text(arguments) + "`, " + benchmarks::today() + ", " +
+          benchmarks::machine_description() +
           ". Systems of the given part whose model, found by the default in the first solution "
           "(noise x (1 + sigma xi), a share of the samples dropped), has R2 > 0.9 on the clean "
           "solution from the same start (reconstruction) and from another one "
@@ -188,12 +197,13 @@ int run_study(const std::filesystem::path& file, const std::filesystem::path& fo
 }  // namespace lacuna::odebench
 
 int main(int argc, char** argv) {
-  if (argc != 3 && argc != 4) {
-    std::cerr << "usage: study_odebench FILE OUTPUT_FOLDER [DRAWS]\n";
-    return 2;
-  }
   try {
-    return lacuna::odebench::run_study(argv[1], argv[2], argc > 3 ? std::stoul(argv[3]) : 1);
+    const auto arguments = lacuna::benchmarks::study_arguments(argc, argv);
+    if (arguments.places.size() != 2 && arguments.places.size() != 3) {
+      std::cerr << "usage: study_odebench FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]\n";
+      return 2;
+    }
+    return lacuna::odebench::run_study(arguments);
   } catch (const lacuna::Error& error) {
     std::cerr << error.what() << '\n';
     return 2;

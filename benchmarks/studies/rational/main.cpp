@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Systems whose right-hand sides are rational or logistic, identified by the default from clean
 // records and from noisy ones.
-// Usage: study_rational [OUTPUT_FOLDER] [DRAWS] [SYSTEM]
-//                       (default build/studies/rational, 50 draws of the noise, all systems)
+// Usage: study_rational [OUTPUT_FOLDER] [DRAWS] [SYSTEM] [PATH=VALUE...]
+//                       (default build/studies/rational, 50 draws of the noise, all systems;
+//                       options of `identify`, e.g. forms.same=0.2)
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -15,6 +16,7 @@
 #include "lacuna/libraries/identify_with_forms.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 #include "systems.hpp"
 
@@ -31,15 +33,22 @@ struct Outcome {
   std::string model;
 };
 
+/// What is sought, and how.
+struct Search {
+  std::vector<Stage<Effect>> effects;
+  FormOptions forms;
+};
+
 Outcome run(const RationalSystem& system, double noise, std::uint64_t seed,
-            const std::vector<Stage<Effect>>& effects) {
+            const Search& search) {
   Outcome outcome;
   const Dataset data = records_of(system, noise, seed);
   const double begin = thread_seconds();
   try {
     Pipeline pipeline = algorithm1();
     if (system.degree != 3) pipeline.basis = Monomials{{.max_degree = system.degree}};
-    const IdentificationResult found = identify_with_forms(data, pipeline, effects);
+    const IdentificationResult found =
+        identify_with_forms(data, pipeline, search.effects, search.forms);
     outcome.seconds = thread_seconds() - begin;
     outcome.exact = has_structure(found.model, system.model);
     outcome.claims =
@@ -95,13 +104,14 @@ void add(const RationalSystem& system, double noise, const std::vector<Outcome>&
   std::cout << join(tables.summary.rows.back(), "  ") << std::endl;
 }
 
-void write(const std::filesystem::path& folder, std::size_t draws, const Tables& tables) {
+void write(const std::filesystem::path& folder, const std::string& arguments,
+           const Tables& tables) {
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "rational.csv", tables.details.csv());
   write_file_atomically(
       folder / "rational.md",
-      "# Rational and logistic right-hand sides\n\n`study_rational FOLDER " +
-          std::to_string(draws) + "`, " + today() + ", " + machine_description() +
+      "# Rational and logistic right-hand sides\n\n`study_rational FOLDER " + arguments +
+          "`, " + today() + ", " + machine_description() +
           ". Identified by the default, without a word about the functions. Noise: share of "
           "each state's standard deviation. *Exact*: every right-hand side, written as one "
           "fraction, has exactly the true monomials and no more numbers. Error of the rates: "
@@ -110,17 +120,21 @@ void write(const std::filesystem::path& folder, std::size_t draws, const Tables&
           tables.summary.markdown());
 }
 
-int run_study(const std::filesystem::path& folder, std::size_t draws, const std::string& only) {
-  const auto effects = default_registry().make_all<Effect>();
+int run_study(const StudyArguments& arguments) {
+  const std::vector<std::string>& places = arguments.places;
+  const std::filesystem::path folder = places.size() > 0 ? places[0] : "build/studies/rational";
+  const std::size_t draws = places.size() > 1 ? std::stoul(places[1]) : 50;
+  const std::string only = places.size() > 2 ? places[2] : "";
+  const Search search{default_registry().make_all<Effect>(), arguments.options.forms};
   Tables tables;
   for (const RationalSystem& system : rational_systems())
     for (const double noise : {0.0, 0.01}) {
       if (!only.empty() && system.name.find(only) == std::string::npos) continue;
       std::vector<Outcome> outcomes(noise > 0.0 ? draws : 1);
       for_all(outcomes.size(),
-              [&](std::size_t i) { outcomes[i] = run(system, noise, i + 1, effects); });
+              [&](std::size_t i) { outcomes[i] = run(system, noise, i + 1, search); });
       add(system, noise, outcomes, tables);
-      write(folder, draws, tables);
+      write(folder, std::to_string(draws) + settings_text(arguments), tables);
     }
   return 0;
 }
@@ -130,9 +144,7 @@ int run_study(const std::filesystem::path& folder, std::size_t draws, const std:
 
 int main(int argc, char** argv) {
   try {
-    return lacuna::benchmarks::run_study(argc > 1 ? argv[1] : "build/studies/rational",
-                                         argc > 2 ? std::stoul(argv[2]) : 50,
-                                         argc > 3 ? argv[3] : "");
+    return lacuna::benchmarks::run_study(lacuna::benchmarks::study_arguments(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "study_rational: " << error.what() << '\n';
     return 2;

@@ -3,6 +3,8 @@
 // steps, fixed steps, printed digits. Usage:
 // study_solver_noise [OUTPUT_FOLDER] [EFFECT_SIZE...]
 //                    (default build/studies/solver_noise; effect sizes beside the default)
+// study_solver_noise verdicts OUTPUT_FOLDER
+//                    what is said of the models
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -17,6 +19,7 @@
 #include "support/accuracy.hpp"
 #include "support/parallel.hpp"
 #include "support/table.hpp"
+#include "verdicts.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -131,6 +134,10 @@ int run_study(const std::filesystem::path& folder, const std::vector<double>& si
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {
+    if (arguments.size() == 2 && arguments[0] == "verdicts") {
+      lacuna::benchmarks::write_verdicts(arguments[1]);
+      return 0;
+    }
     std::vector<double> sizes;
     for (std::size_t i = 1; i < arguments.size(); ++i)
       sizes.push_back(lacuna::parse_number(arguments[i]).value_or(1e-3));

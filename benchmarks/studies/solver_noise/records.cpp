@@ -124,6 +124,20 @@ std::vector<Flow> flows() {
   return all;
 }
 
+std::vector<Flow> flows_beyond_polynomials() {
+  std::vector<Flow> all;
+  for (const double amplitude : {0.5, 1.0, 2.0})
+    all.push_back(flow("pendulum, amplitude " + format_number(amplitude), {"th", "w"},
+                       {{{1, "w"}}, {{-1, "sin(th)"}}}, {amplitude, 0}, 0.03, 1501));
+  all.push_back(flow("softening spring", {"x", "v"}, {{{1, "v"}}, {{-1.5, "x/(1+x^2/1.21)"}}},
+                     {1.5, 0}, 0.03, 1501));
+  all.push_back(flow("Holling II", {"x", "y"},
+                     {{{1.1, "x"}, {-0.4, "x^2"}, {-1.2, "x*y/(0.45+x)"}},
+                      {{0.9, "x*y/(0.45+x)"}, {-0.5, "y"}}},
+                     {0.5, 1}, 0.05, 1501));
+  return all;
+}
+
 std::vector<Making> makings() {
   using Solver = Making::Solver;
   std::vector<Making> all;

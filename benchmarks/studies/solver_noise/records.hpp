@@ -21,6 +21,10 @@ struct Flow {
 /// Twelve flows with polynomial right-hand sides up to degree 3.
 std::vector<Flow> flows();
 
+/// Flows whose right-hand sides are no polynomials: pendulums of three amplitudes, a spring
+/// that softens, prey and a predator that gets its fill.
+std::vector<Flow> flows_beyond_polynomials();
+
 /// How a record came about.
 struct Making {
   enum class Solver {

@@ -20,8 +20,9 @@ namespace lacuna {
 ///
 /// A stage is an object, or just its name. With the type the preset has, or without a type, it
 /// keeps the preset's options and changes those given; another type starts at that type's
-/// defaults. `differentiator` is short for `formulation.differentiator`. Whatever is said later
-/// wins over what was said before.
+/// defaults. `differentiator` is short for `formulation.differentiator`. Options
+/// that belong to no stage are objects beside these (identification_options()). Whatever is
+/// said later wins over what was said before.
 class Configuration {
  public:
   Configuration();
@@ -64,6 +65,9 @@ class Configuration {
 
   /// What was asked for, as JSON text.
   std::string text() const;
+
+  /// Whether anything was asked for that makes the pipeline another than the default.
+  bool says_pipeline() const;
 
   /// The pipeline. @throws ConfigError naming the JSON path: an unknown key or name (with the
   /// nearest known one), a value of the wrong type or out of range, a part that is unavailable.

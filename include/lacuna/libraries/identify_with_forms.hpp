@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lacuna/candidates/effect.hpp"
+#include "lacuna/libraries/form_options.hpp"
 #include "lacuna/pipeline/pipeline.hpp"
 
 namespace lacuna {
@@ -17,6 +18,7 @@ namespace lacuna {
 /// @throws as identify().
 IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pipeline,
                                          const std::vector<Stage<Effect>>& effects,
+                                         const FormOptions& options = {},
                                          const RunContext& context = {});
 
 }  // namespace lacuna

@@ -9,6 +9,7 @@
 #include "lacuna/candidates/scope.hpp"
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/dataset.hpp"
+#include "lacuna/libraries/form_options.hpp"
 #include "lacuna/model/term.hpp"
 
 namespace lacuna {
@@ -42,11 +43,12 @@ enum class Plainness {
 /// The search for forms in the weak form of a dataset, whose rows are white for white noise.
 /// Shapes are fitted by variable projection: for each of their values coefficients are those of
 /// least squares (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Residuals that differ
-/// by less than a tenth (rms) are the same.
+/// by less than FormOptions::same (rms) are the same.
 class FormSearch {
  public:
   /// @param noise of each state, state units.
-  FormSearch(const Dataset& data, Vector noise, RunContext context = {});
+  FormSearch(const Dataset& data, Vector noise, FormOptions options = {},
+             RunContext context = {});
   ~FormSearch();
 
   /// Rows of the weak form; a search needs more of them than terms.

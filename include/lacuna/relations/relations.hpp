@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/options.hpp"
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/dataset.hpp"
 
@@ -24,23 +25,25 @@ struct Relation {
   double noise = 0.0;    ///< what the measurement noise makes of it
 };
 
-/// Which relations are told.
+/// Which relations are told. What half and double of each changes is in docs/decisions.md.
 struct RelationOptions {
-  /// Monomials of a relation at most: longer ones hold by chance where a record is one curve.
+  static constexpr StageInfo kInfo{"relations",
+                                   "Which relations that hold on the data are told", ""};
+
   int most_terms = 4;
-
-  /// What each summand has to vary by, in units of the scatter.
   double strength = 10.0;
-
-  /// Errors of solvers and digits, as a share of what a state varies by.
+  double noise_slack = 0.1;
+  double scatter = 4.0;
   double resolution = 1e-4;
-
-  /// Sets of monomials that are tried at most for each number of terms; larger numbers are left
-  /// out.
+  int fewest_samples = 40;
+  int most_states = 8;
   double most_sets = 30000;
+
+  void describe(OptionVisitor& v);
 };
 
-/// Polynomials of degree 1 and 2 (of more than eight states 1) of the measured states that
+/// Polynomials of degree 1 and 2 (of more than RelationOptions::most_states
+/// states 1) of the measured states that
 /// vanish, up to a constant, at the noise level of the record (the approximately vanishing
 /// ideal: Heldt, Kreuzer, Pokutta & Poulisse, J. Symbolic Computation 44 (2009) 1566), shortest
 /// first. On such data the monomials of a relation and a constant cannot be told apart.
@@ -49,7 +52,7 @@ struct RelationOptions {
 /// them, N = mean(J S J'), J = dphi/dx, S = diag(sigma^2), c is the eigenvector of C c = lambda
 /// N c with the least lambda (total least squares in columns that the noise makes white). It is
 /// a relation where
-///   c'C c <= (1 + chance) c'N c        no more is left than noise,
+///   c'C c <= (1 + noise_slack)^2 (1 + chance) c'N c    no more is left than noise,
 ///   the same for means of twenty blocks of the record, where noise is averaged out,
 ///   c_j sd(phi_j) >= strength * scatter   every summand counts.
 /// What contains a multiple of the leading monomial of a relation follows from it and is not

@@ -2,33 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "lacuna/candidates/effect.hpp"
 #include "lacuna/pipeline/pipeline.hpp"
+#include "lacuna/validation/validation_options.hpp"
 
 namespace lacuna {
-
-/// Where the verdicts of a validation part.
-struct ValidationOptions {
-  /// Errors may be above the noise by this share, as the noise is known no better.
-  double noise_slack = 0.1;
-
-  /// And by so many standard deviations of the rms of as many normal values. As many of the
-  /// correlation of neighbouring residuals tell structure from noise that is white, however
-  /// small it is.
-  double scatter = 4.0;
-
-  /// Errors below this share of the motion are those of the solver that made a record without
-  /// noise, of its digits and of the interpolation of inputs.
-  double resolution = 2e-4;
-
-  /// An error of a larger share of the motion is no approximation.
-  double wrong_share = 0.1;
-
-  /// Degrees of freedom below which a test says nothing.
-  double least_freedom = 30.0;
-};
 
 /// What is judged.
 struct ValidationTask {
@@ -56,11 +34,5 @@ struct ValidationTask {
 /// @throws DataError as check_dataset().
 Validation validate(const ValidationTask& task, const ValidationOptions& options = {},
                     const RunContext& context = {});
-
-/// What to try where a model does not fit: for each of its equations the form that the residual
-/// asks for, if one stands out (FormSearch), else `lacuna diagnose`.
-std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
-                                    const std::vector<Stage<Effect>>& effects,
-                                    const RunContext& context = {});
 
 }  // namespace lacuna

@@ -19,8 +19,9 @@ std::vector<Candidate> fractions_of(const std::string& text, const Vector& start
   const Dataset data = record_of(model, Dopri87{}, start, 0.05, 600);
   const Vector noise = Vector::Zero(model.dimension());
   const FormRows rows(data, noise);
-  return rational_forms(make_scope(model, data, noise), rows, 0,
-                        Monomials{}.library(model.variables()).terms, {});
+  return rational_forms(make_scope(model, data, noise), rows,
+                        {0, Monomials{}.library(model.variables()).terms, {}},
+                        static_cast<std::size_t>(FormOptions{}.denominators), {});
 }
 
 const Candidate* form_in(const std::vector<Candidate>& all, const std::string& form) {

@@ -117,5 +117,16 @@ TEST(Relations, FewSamplesTellNone) {
   EXPECT_TRUE(find_relations(data).empty());
 }
 
+TEST(Relations, TheOptionsAreWhatDecides) {
+  const Dataset data = add_relative_noise(orbit(), 0.01, 5);
+  EXPECT_EQ(find_relations(data).size(), 1U);
+  EXPECT_TRUE(find_relations(data, {.most_terms = 1}).empty());
+  EXPECT_TRUE(find_relations(data, {.strength = 1000.0}).empty());
+  EXPECT_TRUE(find_relations(data, {.noise_slack = 0.0, .scatter = -5.0}).empty());
+  EXPECT_TRUE(find_relations(data, {.most_states = 1}).empty()) << "linear ones only";
+  EXPECT_TRUE(find_relations(data, {.most_sets = 1.0}).empty());
+  EXPECT_TRUE(find_relations(data, {.fewest_samples = 100000}).empty());
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/validation/advice.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

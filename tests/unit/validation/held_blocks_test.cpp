@@ -42,6 +42,12 @@ TEST(HeldBlocks, HoldAWindowUnlessThatLeavesFewerThanEight) {
   EXPECT_EQ(held_blocks(counted({800}), 800).front().count, 100);
 }
 
+TEST(HeldBlocks, TheirNumberAndShareAreOptions) {
+  EXPECT_EQ(held_blocks(counted({2000}), 30, {.held_every = 2}).size(), 10U);
+  EXPECT_EQ(held_blocks(counted({2000}), 30, {.blocks = 40}).front().count, 50);
+  EXPECT_EQ(held_blocks(counted({800}), 800, {.fewest_blocks = 4}).front().count, 200);
+}
+
 TEST(HeldBlocks, OfManyShortRecordsEveryFourthIsHeldOut) {
   const std::vector<Block> blocks = held_blocks(counted(std::vector<Index>(40, 25)), 20);
   ASSERT_EQ(blocks.size(), 10U);
@@ -49,6 +55,17 @@ TEST(HeldBlocks, OfManyShortRecordsEveryFourthIsHeldOut) {
     EXPECT_EQ(blocks[b].record, 4 * b + 2);
     EXPECT_EQ(blocks[b].count, 25);
   }
+}
+
+TEST(HeldBlocks, ThinnedRecordsAreStretchesOfAll) {
+  const Dataset data = counted({500, 300, 200});
+  EXPECT_EQ(thinned(data, 1000).trajectories.size(), 3U);
+  const Dataset some = thinned(data, 300);
+  EXPECT_LE(some.samples(), 300);
+  EXPECT_GE(some.samples(), 150);
+  for (const Trajectory& record : some.trajectories)
+    for (Index i = 1; i < record.samples(); ++i)
+      EXPECT_EQ(record.states(i, 0) - record.states(i - 1, 0), 1.0);
 }
 
 TEST(HeldBlocks, WithThemTheRestIsTheWholeRecord) {

@@ -64,6 +64,35 @@ TEST(Judgement, WithoutNoiseTheResolutionDecides) {
             ValidationVerdict::Approximation);
 }
 
+TEST(Judgement, TheOptionsAreWhatDecides) {
+  const auto with = [](const ValidationOptions& options, double error, double correlation) {
+    Validation validation{.samples = 500, .refitted = true};
+    validation.windows = {1.0, 20, 0, {error_of(error, 0.01, true, 1.0)}};
+    validation.windows.states[0].correlation = correlation;
+    judge(options, validation);
+    return validation.verdict;
+  };
+  EXPECT_EQ(with({}, 0.013, 0.0), ValidationVerdict::Approximation);
+  EXPECT_EQ(with({.noise_slack = 0.2}, 0.013, 0.0), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({.scatter = 6.0}, 0.013, 0.0), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({}, 0.0112, 0.25), ValidationVerdict::Approximation);
+  EXPECT_EQ(with({.structure = 4.0}, 0.0112, 0.25), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({.resolution = 0.02}, 0.013, 0.0), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({.wrong_share = 0.005}, 0.013, 0.0), ValidationVerdict::WrongLibrary);
+}
+
+TEST(Judgement, WithoutNoiseErrorsThatDoNotAddUpAreNotOfTheModel) {
+  const PredictionError digits = error_of(1e-5, 1e-10, false, 0.01);  // 1e-3 of a step
+  EXPECT_EQ(judged(digits, error_of(1e-5, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(judged(digits, error_of(1e-3, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::Approximation);
+  Validation steps_only{.samples = 500, .refitted = true};
+  steps_only.one_step = {0.01, 200, 0, {digits}};
+  judge({}, steps_only);
+  EXPECT_EQ(steps_only.verdict, ValidationVerdict::Approximation);
+}
+
 TEST(Judgement, NoiseThatIsNotKnownCannotBeHeldAgainstAModel) {
   const PredictionError fine = error_of(1e-9, 1e-10, false, 0.01);
   const Validation validation = judged(fine, error_of(0.02, 0.03, false, 1.0));
