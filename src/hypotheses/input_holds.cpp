@@ -191,15 +191,6 @@ std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, 
   return better;
 }
 
-/// Whether effects look as they do under a wrong hold: something is left beside them, or one
-/// takes away a minor part only, of what the others did not quite fit.
-bool is_patched(const Account& account, const DecisionOptions& decision) {
-  return is_anything_left(account.left, decision) ||
-         std::any_of(
-             account.named.begin(), account.named.end(),
-             [&](const NamedEffect& effect) { return effect.gap_closed < decision.minor; });
-}
-
 }  // namespace
 
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
@@ -216,7 +207,9 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
                                       [&](const auto& effect) { return is_of(effect, name); });
     std::vector<OdeModel> better =
         better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
-    if (better.empty() && is_patched(best, decision) && lead < decision.major * explained)
+    // What the hold explains of a model that lacks an effect settles nothing where the effect
+    // explains more.
+    if (better.empty() && lead < explained)
       better.push_back(with_hold(problem.nominal, input, second));
     std::move(better.begin(), better.end(), std::back_inserter(rivals));
   }

@@ -37,9 +37,8 @@ ChosenHolds choose_holds(const Problem& problem);
 /// - those under which the effects do not fit decidedly worse, where there are several, where
 ///   one is of that input (half a step of delay may be all there is to it) or where structure
 ///   is left;
-/// - the second one, where anything is left or an effect takes away a minor part only, and the
-///   lead of the first was not most of what the effects explain: a model that lacks so much is
-///   no judge of half a step.
+/// - the second one, where the lead of the first is less than what the effects explain: a model
+///   that lacks so much is no judge of half a step.
 /// @param problem its model has the chosen holds.
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
                                   const Account& best);

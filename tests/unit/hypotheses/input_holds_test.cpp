@@ -64,23 +64,45 @@ TEST(InputHolds, AreNotDoubtedWithoutEffects) {
   EXPECT_TRUE(rival_holds(asked.problem(), {{0, Hold::Smooth, 0.1}}, account).empty());
 }
 
-/// Dry friction beside a held force, under a wrong hold and the right one.
-TEST(InputHolds, AreJudgedAnewBesideEffects) {
-  const auto friction = [](double v) { return -0.3 * std::tanh(v / 0.01); };
-  support::Asked asked{.records =
-                           observed(support::held_record(Hold::Zero, 2e-3, 9, friction))};
-  const auto rivals_under = [&](Hold hold) {
-    asked.nominal = asked.nominal.with_holds({hold});
-    Account account = asked.bare();
+/// Dry friction beside a force that is held.
+class HoldsBesideFriction : public ::testing::Test {
+ protected:
+  /// The friction that is found under a hold.
+  Account account_under(Hold hold) {
+    asked_.nominal = asked_.nominal.with_holds({hold});
+    Account account = asked_.bare();
     account.explanation =
-        explain_on(asked.problem(), *account.base, account.base->fitted,
+        explain_on(asked_.problem(), *account.base, account.base->fitted,
                    {{support::plain_candidate("tanh(v/0.01)"), Vector(0), -0.3, 0.0}});
-    return rival_holds(asked.problem(), {{0, Hold::Linear, 1e9}}, account);
+    return account;
+  }
+
+  support::Asked asked_{
+      .records = observed(support::held_record(
+          Hold::Zero, 2e-3, 9, [](double v) { return -0.3 * std::tanh(v / 0.01); }))};
+};
+
+TEST_F(HoldsBesideFriction, AreJudgedAnew) {
+  const auto rivals_under = [&](Hold hold) {
+    const Account account = account_under(hold);
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, 1e9}}, account);
   };
   const auto rivals = rivals_under(Hold::Smooth);
   ASSERT_FALSE(rivals.empty()) << "the held force fits better";
   EXPECT_EQ(rivals.front().inputs()[0].hold, Hold::Zero);
   EXPECT_TRUE(rivals_under(Hold::Zero).empty());
+}
+
+TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
+  const Account account = account_under(Hold::Zero);
+  const double explained = account.base->fitted.deviance - account.explanation.fit.deviance;
+  ASSERT_GT(explained, 100.0);
+  const auto rivals_with = [&](double lead) {
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, lead}}, account);
+  };
+  ASSERT_EQ(rivals_with(0.99 * explained).size(), 1u);
+  EXPECT_EQ(rivals_with(0.99 * explained).front().inputs()[0].hold, Hold::Linear);
+  EXPECT_TRUE(rivals_with(1.01 * explained).empty());
 }
 
 }  // namespace
