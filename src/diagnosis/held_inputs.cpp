@@ -24,6 +24,10 @@ double criterion_of(const Problem& problem, const Account& account) {
 
 }  // namespace
 
+bool is_less_plain(const Account& one, const Account& other, const DecisionOptions& decision) {
+  return one.named.size() > other.named.size() && !leaves_structure(other, decision);
+}
+
 JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
   ChosenHolds chosen = choose_holds(problem);
   JudgedModel best = judged_with(problem, std::move(chosen.model), hypotheses);
@@ -34,10 +38,14 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
     const double value = criterion_of(problem, other.judged.best);
     const double least = criterion_of(problem, best.judged.best);
     const std::vector<std::string> notes = notes_on_holds(*other.model, chosen.open);
-    trail.push_back({"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value,
-                     value < least, std::string(problem.options.criterion->info().name), value,
-                     least});
-    if (value < least) best = std::move(other);
+    const bool more =
+        is_less_plain(other.judged.best, best.judged.best, problem.options.decision);
+    const bool taken = value < least && !more;
+    trail.push_back(
+        {"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value, taken,
+         std::string(problem.options.criterion->info().name), value, least,
+         value < least && more ? "more effects, and with fewer nothing is left" : ""});
+    if (taken) best = std::move(other);
   }
   const Problem held{*best.model, problem.records, problem.options, problem.context};
   best.judged = choose_account(held, hypotheses, std::move(best.judged));

@@ -17,8 +17,13 @@ struct JudgedModel {
   std::vector<std::string> notes = {};
 };
 
+/// Whether one account names more effects than another that leaves no structure: what it says
+/// better may be what a wrong assumption has to be patched with.
+bool is_less_plain(const Account& one, const Account& other, const DecisionOptions& decision);
+
 /// Chooses how inputs go on between samples, then the account; where the effects that are found
-/// speak for other holds (rival_holds()), these are judged too, and the criterion decides.
+/// speak for other holds (rival_holds()), these are judged too, and the criterion decides among
+/// those that are not less plain.
 /// @param problem with the nominal model as it was given.
 JudgedModel judge_holds(const Problem& problem,
                         const std::vector<Stage<Hypothesis>>& hypotheses);

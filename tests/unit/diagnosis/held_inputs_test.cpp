@@ -86,5 +86,18 @@ TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
   EXPECT_EQ(found.judged.trail.front().hypothesis, "input-hold");
 }
 
+TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {
+  const DecisionOptions decision;
+  Account one, three, two_and_a_rest;
+  one.named.resize(1);
+  three.named.resize(3);
+  two_and_a_rest.named.resize(2);
+  two_and_a_rest.left = {{.equation = 0, .sigma = 50.0, .relative = 0.2}};
+  EXPECT_TRUE(is_less_plain(three, one, decision));
+  EXPECT_FALSE(is_less_plain(one, three, decision));
+  EXPECT_FALSE(is_less_plain(three, three, decision));
+  EXPECT_FALSE(is_less_plain(three, two_and_a_rest, decision));
+}
+
 }  // namespace
 }  // namespace lacuna
