@@ -87,8 +87,10 @@ TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
 }
 
 TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {
-  const DecisionOptions decision;
-  Account one, three, two_and_a_rest;
+  const support::Asked asked{.records =
+                                 observed(support::hidden_record(support::nothing, 0.01))};
+  const DecisionOptions& decision = asked.options.decision;
+  Account one = asked.bare(), three = one, two_and_a_rest = one;
   one.named.resize(1);
   three.named.resize(3);
   two_and_a_rest.named.resize(2);
