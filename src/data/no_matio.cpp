@@ -7,7 +7,7 @@ namespace lacuna {
 
 Table read_mat(const std::filesystem::path& path) {
   throw DataError(path.string(),
-                  "this program was built without matio, which reads MATLAB files",
+                  "this is a MATLAB file, and the program was built without matio",
                   "build it with matio (libmatio-dev), or save the columns as .csv");
 }
 
