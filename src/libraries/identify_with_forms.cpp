@@ -33,6 +33,11 @@ struct Extension {
   IdentificationResult result;
   std::vector<EquationForms> equations;
 
+  bool has_forms() const {
+    return std::any_of(equations.begin(), equations.end(),
+                       [](const EquationForms& equation) { return !equation.forms.empty(); });
+  }
+
   /// Coefficients, and shapes of forms.
   std::size_t numbers() const {
     std::size_t count = 0;
@@ -247,7 +252,7 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
   if (!run.is_possible()) return alone;
   run.look_for(effects, alone);
   Extension extended = run.result(alone);
-  if (!run.is_better(extended, alone)) return alone;
+  if (!extended.has_forms() || !run.is_better(extended, alone)) return alone;
   extended.result.library_alone = std::move(alone.model);
   return std::move(extended.result);
 }

@@ -76,6 +76,41 @@ TEST(IdentifyWithForms, LeavesWhatPolynomialsReachAsItIs) {
   EXPECT_EQ(to_text(with.model), to_text(without.model));
 }
 
+/// What a solver gives that takes steps of 0.04 and cubics between them (Hermite's).
+Dataset with_cubics_between_steps(const OdeModel& model, const Vector& start) {
+  constexpr Index kParts = 4;
+  constexpr double kStep = 0.04;
+  Dataset data = record_of(model, Dopri87{}, start, kStep, 501);
+  Trajectory& record = data.trajectories.front();
+  const Matrix knots = record.states, slopes = record.derivatives;
+  const Index samples = kParts * (knots.rows() - 1);
+  record.time = Vector::LinSpaced(samples, 0.0, kStep / kParts * double(samples - 1));
+  record.states.resize(samples, knots.cols());
+  record.inputs.resize(samples, 0);
+  record.derivatives.resize(0, 0);
+  for (Index n = 0; n < samples; ++n) {
+    const Index i = n / kParts;
+    const double s = double(n % kParts) / kParts, r = 1.0 - s;
+    record.states.row(n) = r * r * (1.0 + 2.0 * s) * knots.row(i) +
+                           s * s * (1.0 + 2.0 * r) * knots.row(i + 1) +
+                           kStep * s * r * (r * slopes.row(i) - s * slopes.row(i + 1));
+  }
+  return data;
+}
+
+/// What is left is smooth and more than noise, and no form explains it.
+TEST(IdentifyWithForms, ErrorsOfASolverAreNoForm) {
+  const TestSystem& lorenz = test_system("lorenz");
+  const Dataset data = with_cubics_between_steps(lorenz.model, Vector::Ones(3));
+  const IdentificationResult alone = identify(data, algorithm1());
+  EXPECT_FALSE(std::all_of(alone.fit.begin(), alone.fit.end(), [](const EquationFit& fit) {
+    return fit.fits_to_noise.value_or(true);
+  }));
+  const IdentificationResult with = identify_with_forms(data, algorithm1(), kEffects);
+  EXPECT_FALSE(with.library_alone);
+  EXPECT_EQ(to_text(with.model), to_text(alone.model));
+}
+
 TEST(IdentifyWithForms, TooFewSamplesAreNoReasonToFail) {
   const Dataset data = record_of_equations({{{1.0, "y"}}, {{-0.9, "sin(x)"}}},
                                            Eigen::Vector2d(-1.9, 0.0), 0.3, 24, 0.0);
