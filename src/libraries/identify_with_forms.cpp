@@ -252,8 +252,8 @@ IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pi
   if (!run.is_possible()) return alone;
   run.look_for(effects, alone);
   Extension extended = run.result(alone);
-  if (!extended.has_forms() || !run.is_better(extended, alone)) return alone;
-  extended.result.library_alone = std::move(alone.model);
+  if (!run.is_better(extended, alone)) return alone;
+  if (extended.has_forms()) extended.result.library_alone = std::move(alone.model);
   return std::move(extended.result);
 }
 

@@ -108,7 +108,8 @@ TEST(IdentifyWithForms, ErrorsOfASolverAreNoForm) {
   }));
   const IdentificationResult with = identify_with_forms(data, algorithm1(), kEffects);
   EXPECT_FALSE(with.library_alone);
-  EXPECT_EQ(to_text(with.model), to_text(alone.model));
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(terms_of(with.model, k), terms_of(alone.model, k));
 }
 
 TEST(IdentifyWithForms, TooFewSamplesAreNoReasonToFail) {
