@@ -32,13 +32,6 @@ double sweep(const Matrix& gram, ElasticPenalty penalty, Vector& z, Vector& slop
 }
 
 /// Terms that are not zero.
-TermSet support(const Vector& z) {
-  TermSet positions;
-  for (Index i = 0; i < z.size(); ++i)
-    if (z[i] != 0.0) positions.push_back(i);
-  return positions;
-}
-
 }  // namespace
 
 Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty penalty,
@@ -77,7 +70,7 @@ Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem
     z = elastic_net(triangle, target, {lambda * options().mix, lambda * (1.0 - options().mix)},
                     std::move(z), context);
     ++choice.iterations;
-    const TermSet positions = support(z);
+    const TermSet positions = support_of(z);
     if (!seen.insert(positions).second) continue;
     fit = fit_subset(problem, positions);
     const double now = score(fit.residual, static_cast<Index>(positions.size()));

@@ -13,13 +13,6 @@ Vector thresholded(const Vector& z, double limit) {
   return (z.array().abs() >= limit && z.array() != 0.0).select(z.array(), 0.0);
 }
 
-TermSet support(const Vector& w) {
-  TermSet positions;
-  for (Index i = 0; i < w.size(); ++i)
-    if (w[i] != 0.0) positions.push_back(i);
-  return positions;
-}
-
 }  // namespace
 
 Regression Sr3::do_fit(const LeastSquaresSystem& system, const Subproblem& problem,
@@ -43,7 +36,7 @@ Regression Sr3::do_fit(const LeastSquaresSystem& system, const Subproblem& probl
     w = next;
     ++choice.iterations;
   }
-  choice.positions = support(w);
+  choice.positions = support_of(w);
   choice.values = z.cwiseAbs() * (scale > 0.0 ? 1.0 / scale : 0.0);
   return regression_on(system, problem, choice, effort, context);
 }

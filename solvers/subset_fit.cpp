@@ -88,4 +88,11 @@ Vector ridge_solution(const Matrix& triangle, const Vector& target, const Vector
   return stacked.colPivHouseholderQr().solve(extended);
 }
 
+TermSet support_of(const Vector& coefficients) {
+  TermSet positions;
+  for (Index i = 0; i < coefficients.size(); ++i)
+    if (coefficients[i] != 0.0) positions.push_back(i);
+  return positions;
+}
+
 }  // namespace lacuna

@@ -59,4 +59,7 @@ Regression regression_on(const LeastSquaresSystem& system, const Subproblem& pro
 /// Of |c - R z|^2 + sum_j penalty_j z_j^2 the solution z, for columns of unit norm.
 Vector ridge_solution(const Matrix& triangle, const Vector& target, const Vector& penalty);
 
+/// Positions of entries that are not 0.
+TermSet support_of(const Vector& coefficients);
+
 }  // namespace lacuna

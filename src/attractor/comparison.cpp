@@ -16,7 +16,7 @@ namespace {
 
 /// A fact of the interval: few blocks, so that each is longer than the attractor's memory;
 /// Student's t pays for their number.
-constexpr Index kBlocks = 5;
+constexpr Index kParts = 5;
 
 /// A mean with half of its 95 % interval.
 struct Estimate {
@@ -34,9 +34,9 @@ Estimate estimate_of(const std::vector<double>& values) {
 std::vector<Trajectory> blocks_of(const Dataset& data) {
   const Trajectory& record = longest_record(data);
   std::vector<Trajectory> blocks;
-  for (Index i = 0; i < kBlocks; ++i) {
-    const Index begin = i * record.samples() / kBlocks;
-    blocks.push_back(rows_of(record, begin, (i + 1) * record.samples() / kBlocks - begin));
+  for (Index i = 0; i < kParts; ++i) {
+    const Index begin = i * record.samples() / kParts;
+    blocks.push_back(rows_of(record, begin, (i + 1) * record.samples() / kParts - begin));
   }
   return blocks;
 }
@@ -98,8 +98,8 @@ void check_alike(const Dataset& a, const Dataset& b) {
 std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b) {
   check_alike(a, b);
   std::vector<AttractorMeasure> measures;
-  const AttractorExtents first = attractor_extents(a, kBlocks);
-  const AttractorExtents second = attractor_extents(b, kBlocks);
+  const AttractorExtents first = attractor_extents(a, kParts);
+  const AttractorExtents second = attractor_extents(b, kParts);
   for (std::size_t k = 0; k < a.states.size(); ++k) {
     const auto i = static_cast<Index>(k);
     measures.push_back(compared("extent of " + a.states[k].name, a.states[k].unit,

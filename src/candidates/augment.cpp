@@ -6,10 +6,6 @@
 namespace lacuna {
 namespace {
 
-std::span<const double> as_span(const Vector& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
 /// Variables of the nominal model and all memory states.
 Variables all_variables(const OdeModel& nominal, const std::vector<FittedEffect>& effects) {
   Variables variables = nominal.variables();

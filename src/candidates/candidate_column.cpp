@@ -22,10 +22,6 @@ Matrix with_memory(const Matrix& slots, const Matrix& memory) {
   return all;
 }
 
-std::span<const double> as_span(const Vector& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
 /// (exp(x) - 1) / x.
 double growth(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
 

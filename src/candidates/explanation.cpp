@@ -15,10 +15,6 @@
 namespace lacuna {
 namespace {
 
-std::span<const double> as_span(const Vector& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
 /// The start of an assimilation whose model has more states than the base has.
 Assimilation widened(const Assimilation& base, const AugmentedProblem& problem) {
   Assimilation start = base;

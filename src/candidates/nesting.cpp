@@ -15,10 +15,6 @@ namespace {
 /// Share of the square up to which a form is followed by another one.
 constexpr double kFollowed = 1e-3;
 
-std::span<const double> as_span(const Vector& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
 /// Values of formulas at the samples of a scope.
 Matrix at_samples(const std::vector<Expression>& formulas, const Scope& scope) {
   const Program program(formulas, scope.model.variables());

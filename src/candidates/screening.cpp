@@ -15,10 +15,6 @@
 namespace lacuna {
 namespace {
 
-std::span<const double> as_span(const Vector& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
 /// Gain less the price of the shape parameters.
 double net_gain(const ScreenedCandidate& screened, double shape_price) {
   return screened.gain - shape_price * static_cast<double>(screened.shapes.size());
@@ -162,8 +158,9 @@ void Screening::polish(ScreenedCandidate& screened) const {
     return -score(screened.candidate, as_span(scale.shapes(unit))).gain;
   };
   const int budget = kEvaluations * static_cast<int>(screened.shapes.size());
-  const Vector best = scale.shapes(nelder_mead(
-      loss, scale.unit(screened.shapes), {.unnoticed = kUnnoticedDeviance, .evaluations = budget}));
+  const Vector best =
+      scale.shapes(nelder_mead(loss, scale.unit(screened.shapes),
+                               {.unnoticed = kUnnoticedDeviance, .evaluations = budget}));
   screened.consider(best, score(screened.candidate, as_span(best)));
   screened.tried += evaluations;
 }

@@ -11,7 +11,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct CheckArguments {
   DataOptions data;
   std::optional<std::string> model, json;
   std::string differentiator = "finite-differences";
@@ -27,7 +27,7 @@ bool is_all_measured(const OdeModel& model, const Dataset& data) {
 }
 
 /// The records in the variables of a model, with what is odd about the two together.
-DataSummary summary_for(const Session& session, const Options& options) {
+DataSummary summary_for(const Session& session, const CheckArguments& options) {
   const OdeModel model = with_holds(load_flow(*options.model, "check --model"), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   ColumnRoles roles = common_roles(options.data);
@@ -42,7 +42,7 @@ DataSummary summary_for(const Session& session, const Options& options) {
   return summary;
 }
 
-int check_command(const Session& session, const Options& options) {
+int check_command(const Session& session, const CheckArguments& options) {
   check_outputs(files_read(options.data, options.model ? std::vector{*options.model}
                                                        : std::vector<std::string>{}),
                 {{"--json", options.json}});
@@ -65,7 +65,7 @@ int check_command(const Session& session, const Options& options) {
 }  // namespace
 
 Command declare_check(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckArguments>();
   CLI::App* app = root.add_subcommand(
       "check", "Show what would be read: columns, roles, step, noise, what is odd");
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")

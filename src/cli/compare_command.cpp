@@ -15,7 +15,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::string first;
   DataOptions data;
   std::string integrator = "dopri5";
@@ -45,7 +45,7 @@ Solution orbit_of(const OdeModel& model, const Dataset& data, const Integrator& 
                   context);
 }
 
-int show_comparison(const Session& session, const Options& options,
+int show_comparison(const Session& session, const CompareArguments& options,
                     const ComparisonReport& report) {
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(report));
@@ -53,7 +53,7 @@ int show_comparison(const Session& session, const Options& options,
   return 0;
 }
 
-int compare_model(const Session& session, const Options& options) {
+int compare_model(const Session& session, const CompareArguments& options) {
   const OdeModel model = with_holds(load_flow(options.first, "compare"), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
@@ -74,7 +74,7 @@ int compare_model(const Session& session, const Options& options) {
       {options.first, options.data.paths.front(), compare_attractors(simulated, data)});
 }
 
-int compare_records(const Session& session, const Options& options) {
+int compare_records(const Session& session, const CompareArguments& options) {
   if (options.data.paths.size() != 1)
     throw ConfigError(
         "compare",
@@ -87,7 +87,7 @@ int compare_records(const Session& session, const Options& options) {
                          {options.first, options.data.paths.front(), compare_attractors(a, b)});
 }
 
-int compare_command(const Session& session, const Options& options) {
+int compare_command(const Session& session, const CompareArguments& options) {
   check_outputs(files_read(options.data, {options.first}), {{"--json", options.json}});
   return is_model(options.first) ? compare_model(session, options)
                                  : compare_records(session, options);
@@ -96,7 +96,7 @@ int compare_command(const Session& session, const Options& options) {
 }  // namespace
 
 Command declare_compare(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareArguments>();
   CLI::App* app = root.add_subcommand(
       "compare", "Compare a model with a record, or two records, as orbits of an attractor");
   app->add_option("FIRST", options->first, "Model file, name of a test system, or a record")

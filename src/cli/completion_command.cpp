@@ -9,7 +9,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct CompletionArguments {
   std::string shell;
 };
 
@@ -79,7 +79,7 @@ std::string zsh_script(const CLI::App& root) {
 }  // namespace
 
 Command declare_completion(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompletionArguments>();
   CLI::App* app = root.add_subcommand(
       "completion", "Print the script that completes commands and options in a shell");
   app->add_option("SHELL", options->shell, "bash or zsh")

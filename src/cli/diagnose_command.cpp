@@ -19,7 +19,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct DiagnoseArguments {
   std::string model;
   DataOptions data;
   std::vector<std::string> held_out;
@@ -64,7 +64,7 @@ CoefficientPrior parse_tolerance(const OdeModel& model, const std::string& text)
 }
 
 DiagnosisOptions make_options(const Session& session, const OdeModel& model,
-                              const Options& options) {
+                              const DiagnoseArguments& options) {
   Configuration configuration;
   if (options.config) configuration.merge_file(*options.config);
   for (const std::string& assignment : options.assignments) configuration.set(assignment);
@@ -81,13 +81,13 @@ DiagnosisOptions make_options(const Session& session, const OdeModel& model,
 }
 
 /// A sample that one channel lacks says something of the others.
-ColumnRoles roles_of(const Options& options) {
+ColumnRoles roles_of(const DiagnoseArguments& options) {
   ColumnRoles roles = common_roles(options.data);
   roles.blanks = Blanks::Mark;
   return roles;
 }
 
-Dataset read_held_out(const OdeModel& model, const Options& options,
+Dataset read_held_out(const OdeModel& model, const DiagnoseArguments& options,
                       const Differentiator& differentiator) {
   if (options.held_out.empty()) return {};
   return with_given_limits(
@@ -95,14 +95,14 @@ Dataset read_held_out(const OdeModel& model, const Options& options,
 }
 
 /// The model, the records, held-out ones and the configuration.
-std::vector<std::string> inputs_of(const Options& options) {
+std::vector<std::string> inputs_of(const DiagnoseArguments& options) {
   std::vector<std::string> files = files_read(options.data, options.held_out);
   files.push_back(options.model);
   if (options.config) files.push_back(*options.config);
   return files;
 }
 
-int diagnose_command(const Session& session, const Options& options) {
+int diagnose_command(const Session& session, const DiagnoseArguments& options) {
   check_outputs(inputs_of(options),
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
@@ -131,7 +131,7 @@ int diagnose_command(const Session& session, const Options& options) {
   return 0;
 }
 
-void declare_search_options(CLI::App& app, Options& options) {
+void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
   app.add_option("--effect", options.effects, "Try only these effects (see `list effect`)")
       ->type_name("NAME");
   app.add_option("--max-effects", options.max_effects, "Name at most so many effects [4]")
@@ -156,7 +156,7 @@ void declare_search_options(CLI::App& app, Options& options) {
 }  // namespace
 
 Command declare_diagnose(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiagnoseArguments>();
   CLI::App* app = root.add_subcommand("diagnose", "Find what a nominal model lacks");
   app->add_option("--model", options->model, "Nominal model file")->required();
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")

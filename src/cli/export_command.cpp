@@ -8,13 +8,13 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct ExportArguments {
   std::string model;
   std::string format;
   std::string output = "-";
 };
 
-int export_command(const Session& session, const Options& options) {
+int export_command(const Session& session, const ExportArguments& options) {
   check_outputs({options.model}, {{"--output", options.output}});
   write_output(session, options.output,
                export_model(load_model(options.model), options.format));
@@ -24,7 +24,7 @@ int export_command(const Session& session, const Options& options) {
 }  // namespace
 
 Command declare_export(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportArguments>();
   CLI::App* app =
       root.add_subcommand("export", "Write a model as source text of another program");
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")

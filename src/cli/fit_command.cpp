@@ -15,7 +15,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct FitArguments {
   std::string model;
   DataOptions data;
   RunOptions run;
@@ -27,7 +27,7 @@ struct Options {
 
 /// A sample that one channel lacks says something of the others.
 Dataset read(const OdeModel& model, const std::vector<std::string>& paths,
-             const Options& options) {
+             const FitArguments& options) {
   ColumnRoles roles = common_roles(options.data);
   roles.blanks = Blanks::Mark;
   return usable_records(read_records(model, paths, roles, FiniteDifferences{}),
@@ -43,7 +43,7 @@ SystemModel with_all_holds(const SystemModel& system, const OdeModel& plain) {
   return {system.symbolic().with_holds(holds), system.parameters()};
 }
 
-int fit_command(const Session& session, const Options& options) {
+int fit_command(const Session& session, const FitArguments& options) {
   std::vector<std::string> files = files_read(options.data, options.held_out);
   files.push_back(options.model);
   check_outputs(files,
@@ -72,7 +72,7 @@ int fit_command(const Session& session, const Options& options) {
 }  // namespace
 
 Command declare_fit(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FitArguments>();
   CLI::App* app = root.add_subcommand(
       "fit", "Estimate the numbers of a model of known structure, hidden states too");
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")

@@ -20,7 +20,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct IdentifyArguments {
   DataOptions data;
   RunOptions run;
   std::optional<std::string> preset, config, terms;
@@ -32,7 +32,7 @@ struct Options {
   std::string integrator = "rk4";
 };
 
-void declare_pipeline_options(CLI::App& app, Options& options) {
+void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
   app.add_option("--preset", options.preset,
                  "Composition of stages to start from: algorithm1, paper, robust, sindy "
                  "[default: algorithm1]")
@@ -63,7 +63,7 @@ void declare_pipeline_options(CLI::App& app, Options& options) {
       ->type_name("PATH=VALUE");
 }
 
-void declare_output_options(CLI::App& app, Options& options) {
+void declare_output_options(CLI::App& app, IdentifyArguments& options) {
   app.add_option("--model-out", options.model_out,
                  "Save the model (lacuna.model/1); - for standard output")
       ->type_name("FILE|-");
@@ -77,7 +77,7 @@ void declare_output_options(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-Configuration make_configuration(const Options& options) {
+Configuration make_configuration(const IdentifyArguments& options) {
   Configuration configuration;
   if (options.config) configuration.merge_file(*options.config);
   if (options.preset) configuration.set_preset(*options.preset);
@@ -91,7 +91,7 @@ Configuration make_configuration(const Options& options) {
   return configuration;
 }
 
-Dataset load(const Options& options, const Pipeline& pipeline) {
+Dataset load(const IdentifyArguments& options, const Pipeline& pipeline) {
   const Dataset data = read_data(options.data);
   const std::vector<EmbeddingOrder> orders = embedding_orders(options.data);
   if (orders.empty()) return data;
@@ -123,7 +123,7 @@ void verify(IdentificationReport& report, const Dataset& data, const Integrator&
 }
 
 /// Records in the variables of a model, that were not identified from.
-std::optional<Dataset> held_out_records(const Options& options, const OdeModel& model,
+std::optional<Dataset> held_out_records(const IdentifyArguments& options, const OdeModel& model,
                                         const Dataset& data) {
   if (options.held_out.empty()) return std::nullopt;
   Dataset records =
@@ -147,7 +147,7 @@ Plan plan_of(const Session& session, const Configuration& configuration) {
 }
 
 /// Says what the model is worth, and what else the data say. Not being able to is a warning.
-void judge_model(const Plan& plan, const Options& options, const Dataset& data,
+void judge_model(const Plan& plan, const IdentifyArguments& options, const Dataset& data,
                  IdentificationReport& report, const RunContext& context) {
   IdentificationResult& result = report.result;
   const ValidationTask task{result, data, report.pipeline,
@@ -172,7 +172,7 @@ bool found_a_model(const IdentificationResult& result) {
   return false;
 }
 
-void write_results(const Session& session, const Options& options,
+void write_results(const Session& session, const IdentifyArguments& options,
                    const IdentificationReport& report, const Dataset& data) {
   if (options.model_out)
     write_output(session, *options.model_out,
@@ -185,8 +185,8 @@ void write_results(const Session& session, const Options& options,
 }
 
 /// Forms beside the library enter where the user has not said what the library is.
-IdentificationResult identified(const Plan& plan, const Options& options, Dataset& data,
-                                const RunContext& context) {
+IdentificationResult identified(const Plan& plan, const IdentifyArguments& options,
+                                Dataset& data, const RunContext& context) {
   const Pipeline& pipeline = plan.pipeline;
   if (options.hidden) {
     HiddenIdentification found = identify_hidden(
@@ -198,7 +198,7 @@ IdentificationResult identified(const Plan& plan, const Options& options, Datase
   return identify_with_forms(data, pipeline, plan.effects, plan.rules.forms, context);
 }
 
-int identify_command(const Session& session, const Options& options) {
+int identify_command(const Session& session, const IdentifyArguments& options) {
   std::vector<std::string> files = files_read(options.data, options.held_out);
   if (options.config) files.push_back(*options.config);
   check_outputs(files,
@@ -239,7 +239,7 @@ int identify_command(const Session& session, const Options& options) {
 }  // namespace
 
 Command declare_identify(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<IdentifyArguments>();
   CLI::App* app = root.add_subcommand(
       "identify", "Find the equations of motion in measured data and verify them");
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")

@@ -8,13 +8,13 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct ModelArguments {
   std::string model;
   std::string output = "-";
 };
 
 /// To standard output goes the format that the model does not have yet.
-int model_command(const Session& session, const Options& options) {
+int model_command(const Session& session, const ModelArguments& options) {
   check_outputs({options.model}, {{"--output", options.output}});
   const SystemModel model = load_system(options.model);
   const bool was_text = std::filesystem::path(options.model).extension() == ".ode";
@@ -27,7 +27,7 @@ int model_command(const Session& session, const Options& options) {
 }  // namespace
 
 Command declare_model(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ModelArguments>();
   CLI::App* app =
       root.add_subcommand("model", "Convert a model: text (.ode) to JSON (.json) and back");
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")

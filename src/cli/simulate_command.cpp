@@ -17,7 +17,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct SimulateArguments {
   std::string model;
   std::string x0;
   double t_start = 0.0, t_end = 0.0;
@@ -47,7 +47,7 @@ Vector parse_start(const OdeModel& model, const std::string& text) {
 }
 
 /// @param usual step where none is given.
-Vector parse_times(const Options& options, double usual) {
+Vector parse_times(const SimulateArguments& options, double usual) {
   const double step = options.step.value_or(usual);
   const double span = options.t_end - options.t_start;
   if (!(step > 0.0) || !(span > 0.0) || !std::isfinite(span / step))
@@ -61,7 +61,7 @@ Vector parse_times(const Options& options, double usual) {
 }
 
 /// The input file in the inputs of the model; its first record is the one.
-Dataset input_records(const OdeModel& model, const Options& options) {
+Dataset input_records(const OdeModel& model, const SimulateArguments& options) {
   if (!options.input_data)
     throw ConfigError("--input-data", "the model has inputs but no record of them is given",
                       "give a file with a column for each input");
@@ -71,7 +71,8 @@ Dataset input_records(const OdeModel& model, const Options& options) {
 }
 
 /// Says where the simulation goes beyond what is known of its inputs.
-void warn_beyond(const Session& session, const Options& options, const Dataset& record) {
+void warn_beyond(const Session& session, const SimulateArguments& options,
+                 const Dataset& record) {
   const Vector& time = record.trajectories.front().time;
   const double begin = time[0], end = time[time.size() - 1];
   if (options.t_start < begin)
@@ -99,7 +100,7 @@ Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
 }
 
 Run run(const Session& session, const OdeModel& model, const Integrator& integrator,
-        const Options& options, const RunContext& context) {
+        const SimulateArguments& options, const RunContext& context) {
   const Vector start = parse_start(model, options.x0);
   constexpr double kStepOfMaps = 1.0, kNone = 0.0;
   const Vector times = parse_times(options, model.is_map() ? kStepOfMaps : kNone);
@@ -168,7 +169,7 @@ void add_noise(const Vector& sigma, std::uint64_t seed, Trajectory& record) {
       record.states(i, k) += sigma[k] * random.normal();
 }
 
-int simulate_command(const Session& session, const Options& options) {
+int simulate_command(const Session& session, const SimulateArguments& options) {
   std::vector<std::string> inputs{options.model};
   if (options.input_data) inputs.push_back(*options.input_data);
   check_outputs(inputs, {{"--output", options.output}});
@@ -191,7 +192,7 @@ int simulate_command(const Session& session, const Options& options) {
   return 0;
 }
 
-void declare_options(CLI::App& app, Options& options) {
+void declare_options(CLI::App& app, SimulateArguments& options) {
   app.add_option("MODEL", options.model, "Model file, or the name of a test system")
       ->required();
   app.add_option("--x0", options.x0, "Start: one number per state, in the order of the model")
@@ -224,7 +225,7 @@ void declare_options(CLI::App& app, Options& options) {
 }  // namespace
 
 Command declare_simulate(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateArguments>();
   CLI::App* app = root.add_subcommand("simulate", "Solve a model from a given start");
   declare_options(*app, *options);
   return {app,

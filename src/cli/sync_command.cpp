@@ -13,7 +13,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct Options {
+struct SyncArguments {
   std::string model;
   DataOptions data;
   RunOptions run;
@@ -42,7 +42,7 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
   return coupling;
 }
 
-int sync_command(const Session& session, const Options& options) {
+int sync_command(const Session& session, const SyncArguments& options) {
   check_outputs(files_read(options.data, {options.model}),
                 with_report({{"--json", options.json}}, options.report));
   const OdeModel model = with_holds(load_model(options.model), options.data);
@@ -73,7 +73,7 @@ int sync_command(const Session& session, const Options& options) {
 }  // namespace
 
 Command declare_sync(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SyncArguments>();
   CLI::App* app = root.add_subcommand(
       "sync", "Drive a model with a record and measure how far from it the model stays");
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")

@@ -9,19 +9,19 @@
 namespace lacuna {
 namespace {
 
-enum Binding { kSum, kProduct, kAtom };
+enum Tightness { kLoose, kFactor, kWhole };
 
-struct Printed {
+struct Latex {
   std::string text;
-  Binding binding;
+  Tightness binding;
 };
 
-Printed print(const Expression& e);
+Latex print(const Expression& e);
 
 std::string in_parentheses(const std::string& text) { return "\\left(" + text + "\\right)"; }
 
-std::string part(const Expression& e, std::size_t i, Binding needed) {
-  const Printed printed = print(e.operands()[i]);
+std::string part(const Expression& e, std::size_t i, Tightness needed) {
+  const Latex printed = print(e.operands()[i]);
   const bool signed_right = i > 0 && printed.text.front() == '-';
   return printed.binding >= needed && !signed_right ? printed.text
                                                     : in_parentheses(printed.text);
@@ -48,11 +48,11 @@ std::string name_text(const std::string& name) {
   return "\\mathit{" + text + "}";
 }
 
-Printed call(const Expression& e) {
+Latex call(const Expression& e) {
   if (e.operation() == Operation::Abs)
-    return {"\\left|" + print(e.operands()[0]).text + "\\right|", kAtom};
+    return {"\\left|" + print(e.operands()[0]).text + "\\right|", kWhole};
   if (e.operation() == Operation::Sqrt)
-    return {"\\sqrt{" + print(e.operands()[0]).text + "}", kAtom};
+    return {"\\sqrt{" + print(e.operands()[0]).text + "}", kWhole};
   const std::string name(function_name(e.operation()));
   std::string operands;
   for (const Expression& operand : e.operands())
@@ -61,53 +61,53 @@ Printed call(const Expression& e) {
     case Operation::Asin:
     case Operation::Acos:
     case Operation::Atan:
-      return {"\\arc" + name.substr(1) + in_parentheses(operands), kAtom};
+      return {"\\arc" + name.substr(1) + in_parentheses(operands), kWhole};
     case Operation::Sign:
     case Operation::Step:
     case Operation::Clip:
-      return {"\\operatorname{" + name + "}" + in_parentheses(operands), kAtom};
+      return {"\\operatorname{" + name + "}" + in_parentheses(operands), kWhole};
     default:
-      return {"\\" + name + in_parentheses(operands), kAtom};
+      return {"\\" + name + in_parentheses(operands), kWhole};
   }
 }
 
-Printed print(const Expression& e) {
+Latex print(const Expression& e) {
   switch (e.operation()) {
     case Operation::Number:
-      return {number_text(e.value()), e.value() < 0.0 ? kSum : kAtom};
+      return {number_text(e.value()), e.value() < 0.0 ? kLoose : kWhole};
     case Operation::Variable:
-      return {name_text(e.name()), kAtom};
+      return {name_text(e.name()), kWhole};
     case Operation::Delay:
-      return {name_text(e.name()) + "(t-" + number_text(e.value()) + ")", kAtom};
+      return {name_text(e.name()) + "(t-" + number_text(e.value()) + ")", kWhole};
     case Operation::Add:
-      return {part(e, 0, kSum) + " + " + part(e, 1, kSum), kSum};
+      return {part(e, 0, kLoose) + " + " + part(e, 1, kLoose), kLoose};
     case Operation::Subtract:
-      return {part(e, 0, kSum) + " - " + part(e, 1, kProduct), kSum};
+      return {part(e, 0, kLoose) + " - " + part(e, 1, kFactor), kLoose};
     case Operation::Multiply:
-      return {part(e, 0, kProduct) + "\\," + part(e, 1, kProduct), kProduct};
+      return {part(e, 0, kFactor) + "\\," + part(e, 1, kFactor), kFactor};
     case Operation::Divide:
       return {
           "\\frac{" + print(e.operands()[0]).text + "}{" + print(e.operands()[1]).text + "}",
-          kProduct};
+          kFactor};
     case Operation::Negate:
-      return {"-" + part(e, 0, kProduct), kSum};
+      return {"-" + part(e, 0, kFactor), kLoose};
     case Operation::Power:
-      return {part(e, 0, kAtom) + "^{" + print(e.operands()[1]).text + "}", kProduct};
+      return {part(e, 0, kWhole) + "^{" + print(e.operands()[1]).text + "}", kFactor};
     default:
       return call(e);
   }
 }
 
-std::string right_hand_side(const Equation& equation) {
+std::string latex_sum(const Equation& equation) {
   std::string text;
   for (const WeightedTerm& summand : equation) {
     const bool negative = summand.coefficient < 0.0;
     text += text.empty() ? (negative ? "-" : "") : negative ? " - " : " + ";
     const double size = std::abs(summand.coefficient);
     const Expression& term = summand.term.expression();
-    const Printed printed = print(term);
+    const Latex printed = print(term);
     const std::string body =
-        printed.binding == kSum ? in_parentheses(printed.text) : printed.text;
+        printed.binding == kLoose ? in_parentheses(printed.text) : printed.text;
     if (summand.term.name() == "1")
       text += number_text(size);
     else
@@ -122,7 +122,7 @@ std::string export_latex(const OdeModel& model) {
   std::string text = "\\begin{align*}\n";
   for (std::size_t k = 0; k < model.states().size(); ++k) {
     text += "  \\dot{" + name_text(model.states()[k].name) +
-            "} &= " + right_hand_side(model.equations()[k]);
+            "} &= " + latex_sum(model.equations()[k]);
     text += k + 1 < model.states().size() ? " \\\\\n" : "\n";
   }
   return text + "\\end{align*}\n";

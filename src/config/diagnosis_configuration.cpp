@@ -10,7 +10,7 @@ namespace {
 const std::vector<std::string> kKeys = {"decision", "criterion", "hypotheses", "effects",
                                         "fill_gap"};
 
-void check_keys(const Json& root) {
+void check_diagnosis_keys(const Json& root) {
   for (const auto& [key, value] : root.items())
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
       throw ConfigError("$." + key, "a diagnosis has no key '" + key + "'",
@@ -43,7 +43,7 @@ std::vector<Stage<Interface>> stages(const Registry& registry, const Json& root,
 DiagnosisOptions diagnosis_options(const Configuration& configuration,
                                    const Registry& registry) {
   const Json root = Json::parse(configuration.text());
-  check_keys(root);
+  check_diagnosis_keys(root);
   DiagnosisOptions options;
   options.effects = stages<Effect>(registry, root, "effects");
   options.hypotheses = stages<Hypothesis>(registry, root, "hypotheses");

@@ -16,16 +16,12 @@
 #include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "stdio_file.hpp"
 
 namespace lacuna {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& reason) {
   throw FileError(path.string(), "cannot be written: " + reason,

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "lacuna/core/error.hpp"
+#include "stdio_file.hpp"
 
 namespace lacuna {
 namespace {
@@ -24,23 +25,18 @@ namespace fs = std::filesystem;
 constexpr int kGzipWindow = 15 + 16;  // zlib: largest window, gzip wrapper
 constexpr std::size_t kChunk = std::size_t{1} << 18U;
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
-[[noreturn]] void fail(const fs::path& path, const std::string& reason,
-                       const std::string& remedy = "check the name and the permissions") {
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason,
+                         const std::string& remedy = "check the name and the permissions") {
   throw FileError(path.string(), "cannot be read: " + reason, remedy);
 }
 
 File open_file(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
-    fail(path, "it is a folder",
-         "give a file or a pattern such as '" + (path / "*.csv").string() + "'");
+    refuse(path, "it is a folder",
+           "give a file or a pattern such as '" + (path / "*.csv").string() + "'");
   File file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail(path, std::strerror(errno));
+  if (!file) refuse(path, std::strerror(errno));
   return file;
 }
 
@@ -55,7 +51,7 @@ FileBytes read_raw(const fs::path& path) {
   };
   while (content.append(read) > 0)
     if (content.room() == 0) content.reserve(2 * content.view().size() + kChunk);
-  if (std::ferror(file.get()) != 0) fail(path, std::strerror(errno));
+  if (std::ferror(file.get()) != 0) refuse(path, std::strerror(errno));
   return content;
 }
 

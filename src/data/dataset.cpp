@@ -111,6 +111,13 @@ void check_trajectory(const Dataset& data, const Trajectory& trajectory, std::si
 
 }  // namespace
 
+std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
+  std::vector<std::string> names;
+  names.reserve(quantities.size());
+  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+  return names;
+}
+
 Index Dataset::samples() const noexcept {
   Index sum = 0;
   for (const Trajectory& trajectory : trajectories) sum += trajectory.samples();

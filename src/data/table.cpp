@@ -158,7 +158,7 @@ void name_columns(Table& table, const std::vector<Quantity>& headers,
 namespace {
 
 /// The column of a name, a header or a number from 1.
-std::optional<std::size_t> column_of(const Table& table, const std::string& text) {
+std::optional<std::size_t> place_of_column(const Table& table, const std::string& text) {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     if (table.columns[i].name == text) return i;
   for (std::size_t i = 0; i < table.headers.size(); ++i)
@@ -175,7 +175,7 @@ std::optional<std::size_t> column_of(const Table& table, const std::string& text
 void rename_column(Table& table, const std::string& name, const std::string& column) {
   std::vector<std::string> known;
   for (const Quantity& one : table.columns) known.push_back(one.name);
-  const auto place = column_of(table, column);
+  const auto place = place_of_column(table, column);
   if (!place)
     throw DataError(table.source, "there is no column '" + column + "' to be called " + name,
                     suggestion(column, known));

@@ -11,9 +11,6 @@
 namespace lacuna {
 namespace {
 
-using Kind = TextField::Kind;
-using Fields = std::vector<std::string_view>;
-
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 std::string_view unquote(std::string_view text) {
@@ -39,7 +36,7 @@ std::optional<double> decimal_comma_number(std::string_view field) {
   return parse_number(copy);
 }
 
-void split_blanks(std::string_view line, Fields& fields) {
+void split_blanks(std::string_view line, std::vector<std::string_view>& fields) {
   std::size_t begin = 0;
   while (begin < line.size()) {
     int depth = 0;
@@ -73,10 +70,10 @@ std::string lower_case(std::string_view text) {
 TextField read_field(std::string_view field) {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
   field = unquote(field);
-  if (is_missing(field)) return {Kind::Missing, kNothing};
-  if (const auto value = parse_number(field)) return {Kind::Number, *value};
-  if (const auto value = decimal_comma_number(field)) return {Kind::Number, *value};
-  return {Kind::Text, kNothing};
+  if (is_missing(field)) return {TextField::Kind::Missing, kNothing};
+  if (const auto value = parse_number(field)) return {TextField::Kind::Number, *value};
+  if (const auto value = decimal_comma_number(field)) return {TextField::Kind::Number, *value};
+  return {TextField::Kind::Text, kNothing};
 }
 
 void split_fields(std::string_view line, char delimiter,

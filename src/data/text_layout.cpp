@@ -12,9 +12,6 @@
 namespace lacuna {
 namespace {
 
-using Kind = TextField::Kind;
-using Fields = std::vector<std::string_view>;
-
 constexpr std::array<char, 4> kDelimiters{',', ';', '\t', ' '};
 
 /// Line of a text that is neither empty nor a comment.
@@ -62,14 +59,14 @@ struct LineKind {
 };
 
 LineKind kind_of(std::string_view line, char delimiter) {
-  Fields fields;
+  std::vector<std::string_view> fields;
   split_fields(line, delimiter, fields);
   LineKind kind;
   kind.fields = fields.size();
   for (const std::string_view field : fields) {
-    const Kind found = read_field(field).kind;
-    kind.numbers += found == Kind::Number ? 1U : 0U;
-    kind.texts += found == Kind::Text ? 1U : 0U;
+    const TextField::Kind found = read_field(field).kind;
+    kind.numbers += found == TextField::Kind::Number ? 1U : 0U;
+    kind.texts += found == TextField::Kind::Text ? 1U : 0U;
     kind.filled = kind.filled || !field.empty();
   }
   return kind;
@@ -88,7 +85,7 @@ std::optional<char> data_delimiter(std::string_view line) {
 
 /// Names such as "time,1,2" tell a header although numbers stand in it.
 bool starts_with_time(std::string_view line, char delimiter) {
-  Fields fields;
+  std::vector<std::string_view> fields;
   split_fields(line, delimiter, fields);
   const std::string name = lower_case(split_header(fields[0]).name);
   return name == "t" || name == "time";
@@ -131,13 +128,13 @@ bool is_lone_number(const Start& start, LineCursor cursor) {
 [[noreturn]] void fail_no_numbers(const std::vector<Line>& lines, const std::string& source) {
   for (std::size_t i = 1; i < lines.size(); ++i) {
     for (const char delimiter : kDelimiters) {
-      Fields fields;
+      std::vector<std::string_view> fields;
       split_fields(lines[i].text, delimiter, fields);
       const LineKind kind = kind_of(lines[i].text, delimiter);
       if (!kind.is_mixed() || kind.fields != kind_of(lines[i - 1].text, delimiter).fields)
         continue;
       const auto text = std::find_if(fields.begin(), fields.end(), [](std::string_view field) {
-        return read_field(field).kind == Kind::Text;
+        return read_field(field).kind == TextField::Kind::Text;
       });
       const auto column = text - fields.begin() + 1;
       throw DataError(
@@ -170,7 +167,7 @@ Start find_start(std::string_view text, std::size_t offset, char line_end,
 /// Puts the units of the line below the names into the headers.
 /// @return false when the line is not one of units only.
 bool take_units(std::string_view line, char delimiter, std::vector<Quantity>& headers) {
-  Fields fields;
+  std::vector<std::string_view> fields;
   split_fields(line, delimiter, fields);
   std::vector<std::string> units;
   for (const std::string_view field : fields) {
@@ -183,7 +180,7 @@ bool take_units(std::string_view line, char delimiter, std::vector<Quantity>& he
 }
 
 std::vector<Quantity> read_names(std::string_view line, char delimiter) {
-  Fields fields;
+  std::vector<std::string_view> fields;
   split_fields(line, delimiter, fields);
   std::vector<Quantity> headers;
   for (const std::string_view field : fields) headers.push_back(split_header(field));
@@ -197,7 +194,7 @@ bool take_names_and_units(const Start& start, std::size_t columns, TextLayout& l
   const LineKind kind = kind_of(names.text, start.delimiter);
   if (kind.fields != columns || kind.texts == 0) return false;
   layout.headers = read_names(names.text, start.delimiter);
-  if (read_field(layout.headers[0].name).kind == Kind::Number) return false;
+  if (read_field(layout.headers[0].name).kind == TextField::Kind::Number) return false;
   layout.header_line = names.number;
   return take_units(start.before.back().text, start.delimiter, layout.headers);
 }
@@ -233,7 +230,7 @@ bool take_header(const Start& start, std::size_t columns, TextLayout& layout) {
 
 /// Some instruments end each line with a delimiter: the last column has no name and no value.
 void drop_trailing_column(const Start& start, TextLayout& layout) {
-  Fields fields;
+  std::vector<std::string_view> fields;
   split_fields(start.first.text, start.delimiter, fields);
   if (!layout.header_line || !fields.back().empty()) return;
   layout.trailing_delimiter =
@@ -287,7 +284,7 @@ TextLayout find_layout(std::string_view text, const std::string& source) {
   layout.delimiter = start.delimiter;
   layout.data_begin = start.first.offset;
   layout.data_line = start.first.number;
-  Fields fields;
+  std::vector<std::string_view> fields;
   split_fields(start.first.text, start.delimiter, fields);
   const std::size_t columns = fields.size();
   const bool open_end = columns > 1 && fields.back().empty();

@@ -11,10 +11,6 @@
 namespace lacuna {
 namespace {
 
-std::span<const double> as_span(const Vector& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
 /// Parts along one record, as columns.
 Matrix parts_along(const Explanation& explanation, const OdeModel& nominal, Index equation,
                    const LinearisedRecord& record) {

@@ -12,10 +12,10 @@
 namespace lacuna {
 namespace {
 
-const Matrix kNone;
+const Matrix kNothingOmitted;
 
 const Matrix& omitted_of(const Assimilation& fit, std::size_t record) {
-  return fit.omitted.empty() ? kNone : fit.omitted[record];
+  return fit.omitted.empty() ? kNothingOmitted : fit.omitted[record];
 }
 
 /// Deviance with the variances that fit best; without the disturbance of an equation, if one is

@@ -34,14 +34,14 @@ Matrix integrated(Rates& rates, const OdeModel& model, const Trajectory& record,
   return path;
 }
 
-std::vector<Index> numbers_of(const std::vector<bool>& hidden) {
-  std::vector<Index> numbers;
-  for (std::size_t k = 0; k < hidden.size(); ++k)
-    if (hidden[k]) numbers.push_back(static_cast<Index>(k));
-  return numbers;
-}
-
 }  // namespace
+
+std::vector<Index> places_of(const std::vector<bool>& marks) {
+  std::vector<Index> places;
+  for (std::size_t k = 0; k < marks.size(); ++k)
+    if (marks[k]) places.push_back(static_cast<Index>(k));
+  return places;
+}
 
 std::vector<bool> hidden_states(const OdeModel& model, const Dataset& data) {
   const Index m = model.dimension();
@@ -73,7 +73,7 @@ Vector given_begin(const OdeModel& model) {
 
 Dataset with_hidden_paths(const OdeModel& model, Dataset data, const std::vector<bool>& hidden,
                           const Vector& begin) {
-  const std::vector<Index> numbers = numbers_of(hidden);
+  const std::vector<Index> numbers = places_of(hidden);
   if (numbers.empty()) return data;
   Rates rates(model);
   for (Trajectory& record : data.trajectories) {
@@ -87,7 +87,7 @@ Dataset with_hidden_paths(const OdeModel& model, Dataset data, const std::vector
 Dataset with_paths_of(Dataset data, const std::vector<bool>& hidden,
                       const std::vector<Matrix>& paths) {
   for (std::size_t r = 0; r < data.trajectories.size(); ++r)
-    for (const Index k : numbers_of(hidden))
+    for (const Index k : places_of(hidden))
       data.trajectories[r].states.col(k) = paths[r].col(k);
   return data;
 }
@@ -95,7 +95,7 @@ Dataset with_paths_of(Dataset data, const std::vector<bool>& hidden,
 std::vector<Vector> hidden_begins(const Dataset& data, const std::vector<bool>& hidden,
                                   const Vector& first) {
   std::vector<Vector> begins{first};
-  for (const Index k : numbers_of(hidden)) {
+  for (const Index k : places_of(hidden)) {
     double low = first[k], high = first[k];
     for (const Trajectory& record : data.trajectories) {
       low = std::min(low, record.states.col(k).minCoeff());

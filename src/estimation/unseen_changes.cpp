@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/estimation/unseen_changes.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/model/program.hpp"
+#include "lacuna/numerics/singular_values.hpp"
 
 namespace lacuna {
 namespace {
@@ -36,13 +38,6 @@ struct System {
   Matrix columns;  ///< (points m) x (p + hidden (1 + m))
   Index numbers = 0;
 };
-
-std::vector<Index> numbers_of(const std::vector<bool>& hidden) {
-  std::vector<Index> numbers;
-  for (std::size_t k = 0; k < hidden.size(); ++k)
-    if (hidden[k]) numbers.push_back(static_cast<Index>(k));
-  return numbers;
-}
 
 /// What changes of the numbers do to the rates at points: one block of rows for each point.
 /// @return (points m) x numbers.
@@ -103,15 +98,6 @@ Vector balance(System& system, Index equations) {
       system.columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   system.columns = system.columns * scale.asDiagonal();
   return scale;
-}
-
-/// Orthonormal columns of the null space.
-Matrix null_space(const Matrix& columns) {
-  const Eigen::BDCSVD<Matrix> found(columns, Eigen::ComputeThinV);
-  const Vector& values = found.singularValues();
-  Index rank = 0;
-  while (rank < values.size() && values[rank] > kNothing * values[0]) ++rank;
-  return found.matrixV().rightCols(values.size() - rank);
 }
 
 /// Coefficients of which nothing is known beforehand.
@@ -191,13 +177,11 @@ std::vector<Index> units_of(Matrix directions, const OdeModel& model,
 Matrix changes_in(const Matrix& null, const Vector& scale,
                   const std::vector<std::size_t>& unknown, Index free) {
   const auto p = static_cast<Index>(unknown.size());
-  const Eigen::JacobiSVD<Matrix> own(null.topRows(p),
-                                     Eigen::ComputeThinU | Eigen::ComputeFullV);
-  Index seen = 0;
-  while (seen < own.singularValues().size() && own.singularValues()[seen] > kOwn) ++seen;
+  const SingularValues own = singular_values(null.topRows(p));
+  const Index seen = (own.values.array() > kOwn).count();
   Matrix result = Matrix::Zero(free, seen);
   if (seen == 0) return result;
-  const Matrix relative = scale.head(p).asDiagonal() * own.matrixU().leftCols(seen);
+  const Matrix relative = scale.head(p).asDiagonal() * own.left.leftCols(seen);
   const Eigen::HouseholderQR<Matrix> factor(relative);
   const Matrix basis = factor.householderQ() * Matrix::Identity(p, seen);
   for (Index j = 0; j < p; ++j)
@@ -224,7 +208,7 @@ UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
   const auto& [free, known, others] = numbers;
   const auto count = static_cast<Index>(free.size());
   UnseenChanges result{Matrix(count, 0), {}, unseen_states(model, hidden)};
-  const std::vector<Index> states = numbers_of(hidden);
+  const std::vector<Index> states = places_of(hidden);
   if (states.empty() || !model.compile().delays().empty()) return result;
   const std::vector<std::size_t> unknown = unknown_among(free, known);
   std::vector<CoefficientPlace> places;
@@ -234,7 +218,7 @@ UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
   System system = system_of(model, states, changes, points_of(data, model.dimension()));
   if (!system.columns.allFinite()) return result;
   const Vector scale = balance(system, model.dimension());
-  const Matrix null = null_space(system.columns);
+  const Matrix null = singular_values(system.columns).null_space(kNothing);
   if (null.cols() == 0) return result;
   result.coefficients = changes_in(null, scale, unknown, count);
   result.units = units_of(result.coefficients, model, hidden, free);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/filters/svd_filter.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
+
+#include "lacuna/numerics/singular_values.hpp"
 
 namespace lacuna {
 namespace {
@@ -48,10 +49,10 @@ FilterResult SvdFilter::do_filter(const LeastSquaresSystem& system,
   Vector singular = Vector::Zero(0);
   if (!terms.empty()) {
     const Matrix columns = factor.triangle.topRows(factor.terms())(Eigen::all, terms);
-    const Eigen::BDCSVD<Matrix> svd(columns, Eigen::ComputeThinV);
-    singular = svd.singularValues() / svd.singularValues()[0];
+    const SingularValues svd = singular_values(columns);
+    singular = svd.values / svd.values[0];
     const Index rank = (singular.array() > options().tolerance).count();
-    const Matrix leading = svd.matrixV().leftCols(rank).transpose();
+    const Matrix leading = svd.right.leftCols(rank).transpose();
     for (const Index position : pivots(leading))
       result.kept.push_back(terms[static_cast<std::size_t>(position)]);
   }

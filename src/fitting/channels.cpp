@@ -2,14 +2,6 @@
 #include "channels.hpp"
 
 namespace lacuna {
-namespace {
-
-bool is_zero(const Expression& e) {
-  return e.operation() == Operation::Number && e.value() == 0.0;
-}
-
-}  // namespace
-
 Channels::Channels(const ParametrisedModel& model, const std::vector<Expression>& formulas)
     : values_(formulas, model.symbolic().variables()),
       derivatives_({}, model.symbolic().variables()) {
@@ -17,7 +9,7 @@ Channels::Channels(const ParametrisedModel& model, const std::vector<Expression>
   const auto add = [&](std::size_t channel, const std::string& name, Index column,
                        bool is_state) {
     Expression entry = differentiate(formulas[channel], name);
-    if (is_zero(entry)) return;
+    if (is_number(entry, 0.0)) return;
     entries.push_back(std::move(entry));
     places_.push_back({static_cast<Index>(channel), column, is_state});
   };

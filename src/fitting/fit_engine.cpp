@@ -25,8 +25,8 @@ void fill_slots(const FitEngine& engine, Index step, const double* x,
 }
 
 /// Working memory of one pass along a record.
-struct Scratch {
-  explicit Scratch(const FitEngine& engine)
+struct RunScratch {
+  explicit RunScratch(const FitEngine& engine)
       : slots(static_cast<std::size_t>(engine.rates.slots())),
         slopes(engine.states(), engine.signals.scheme.tableau->stages()),
         model(engine.count()) {}
@@ -36,7 +36,7 @@ struct Scratch {
 };
 
 /// Residuals at a sample; 0 where there is no value.
-void compare(FitEngine& engine, Index sample, const Vector& x, Scratch& scratch,
+void compare(FitEngine& engine, Index sample, const Vector& x, RunScratch& scratch,
              Matrix& residuals) {
   fill_slots(engine, sample * engine.signals.scheme.substeps, x.data(), scratch.slots);
   engine.channels.values(scratch.slots.data(), scratch.model.data());
@@ -54,7 +54,7 @@ void correct(const Gains& gains, Index sample, const Matrix& residuals, Vector& 
 }
 
 /// Goes to the next sample, keeping the states of all stages.
-void advance(FitEngine& engine, Index sample, Vector& x, Scratch& scratch,
+void advance(FitEngine& engine, Index sample, Vector& x, RunScratch& scratch,
              std::vector<Matrix>& stages) {
   const ButcherTableau& tableau = *engine.signals.scheme.tableau;
   const Index substeps = engine.signals.scheme.substeps, steps = engine.signals.lengths.size();
@@ -151,7 +151,7 @@ void set_substeps(FitEngine& engine, Index substeps) {
 
 FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains) {
   FitPath path = empty_path(engine);
-  Scratch scratch(engine);
+  RunScratch scratch(engine);
   for (Index r = 0; r < engine.records.records(); ++r) {
     engine.rates.set(point.parameters.row(r).transpose());
     Vector x = point.starts.row(r).transpose();
@@ -173,7 +173,7 @@ void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path
   const Index substeps = engine.signals.scheme.substeps;
   const Index first = engine.records.first(record), end = engine.records.end(record);
   engine.rates.set(point.parameters.row(record).transpose());
-  Scratch scratch(engine);
+  RunScratch scratch(engine);
   StepMaps maps(engine.rates, engine.signals.scheme);
   Matrix s = Matrix::Zero(m, m + p), rows(count, m + p), by_state(count, m),
          by_parameter(count, p);
@@ -216,7 +216,7 @@ Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances&
   const Index m = engine.states(), count = engine.count();
   path = empty_path(engine);
   Gains gains = Gains::Zero(engine.records.samples(), m * count);
-  Scratch scratch(engine);
+  RunScratch scratch(engine);
   StepMaps maps(engine.rates, engine.signals.scheme);
   Matrix by_state(count, m), by_parameter(count, engine.parameters());
   const Vector density =
@@ -249,7 +249,7 @@ Matrix prediction_errors(FitEngine& engine, const FitPoint& point, const Gains& 
   FitPath filtered = follow(engine, point, gains), free = empty_path(engine);
   Matrix errors = Matrix::Zero(engine.records.samples(), engine.count());
   compared = Vector::Zero(engine.count());
-  Scratch scratch(engine);
+  RunScratch scratch(engine);
   for (Index r = 0; r < engine.records.records(); ++r) {
     engine.rates.set(point.parameters.row(r).transpose());
     const Index end = engine.records.end(r);

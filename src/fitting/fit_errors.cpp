@@ -2,19 +2,19 @@
 #include "fit_errors.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "identifiability.hpp"
 #include "lacuna/linear/row_fold.hpp"
+#include "lacuna/numerics/singular_values.hpp"
 #include "shooting/shooting_problem.hpp"
 
 namespace lacuna {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> global_names(const FitEngine& engine, const FitUnknowns& unknowns) {
   const std::vector<std::string> all = engine.model.names();
@@ -82,11 +82,7 @@ Matrix covariance_of_kept(const FitLinear& linear, const std::vector<Index>& kep
 /// ones are held. @param sizes of the numbers.
 Matrix unseen_directions(const Matrix& own, const Vector& sizes) {
   constexpr double kRank = 1e-9;
-  const Eigen::JacobiSVD<Matrix> svd(own * sizes.asDiagonal(), Eigen::ComputeFullV);
-  const Vector& singular = svd.singularValues();
-  Index rank = 0;
-  while (rank < singular.size() && singular[rank] > kRank * singular[0]) ++rank;
-  return sizes.asDiagonal() * svd.matrixV().rightCols(sizes.size() - rank);
+  return sizes.asDiagonal() * singular_values(own * sizes.asDiagonal()).null_space(kRank);
 }
 
 /// Standard errors of the local numbers of one record.
@@ -96,7 +92,7 @@ Vector local_errors(const Matrix& triangle, const Matrix& covariance, const Matr
   constexpr double kMoves = 0.02;
   const Index g = covariance.rows(), locals = triangle.cols() - 1 - g;
   const Matrix own = triangle.topLeftCorner(locals, locals);
-  Vector errors = Vector::Constant(locals, kNothing);
+  Vector errors = Vector::Constant(locals, kUnknown);
   for (Index k = 0; k < locals; ++k) {
     if (own.col(k).norm() == 0.0) continue;
     if (open.cols() > 0 && open.row(k).cwiseAbs().maxCoeff() > kMoves * sizes[k]) continue;

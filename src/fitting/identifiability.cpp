@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "identifiability.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/numerics/singular_values.hpp"
 
 namespace lacuna {
 namespace {
@@ -81,11 +81,11 @@ Matrix undetermined_directions(const DeterminedBy& problem) {
   const Index g = problem.values.size();
   if (g == 0) return Matrix(0, 0);
   const Matrix scaled = problem.triangle * sizes_of(problem).asDiagonal();
-  const Eigen::JacobiSVD<Matrix> svd(scaled, Eigen::ComputeFullV);
-  const Vector& singular = svd.singularValues();
+  const SingularValues svd = singular_values(scaled);
+  const Vector& singular = svd.values;
   Matrix found(g, 0);
   for (Index i = 0; i < g; ++i) {
-    const Vector direction = svd.matrixV().col(i);
+    const Vector direction = svd.right.col(i);
     const double strength = i < singular.size() ? singular[i] : 0.0;
     const bool is_null = !(strength > kRank * singular[0]);
     const bool is_open = strength < 1.0 && strong_members(scaled, direction) > 1;

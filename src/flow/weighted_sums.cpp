@@ -2,14 +2,6 @@
 #include "lacuna/flow/weighted_sums.hpp"
 
 namespace lacuna {
-namespace {
-
-bool is_zero(const Expression& e) {
-  return e.operation() == Operation::Number && e.value() == 0.0;
-}
-
-}  // namespace
-
 Index ExpressionList::number_of(const Expression& e) {
   const auto [place, is_new] = numbers_.try_emplace(e, static_cast<Index>(list_.size()));
   if (is_new) list_.push_back(e);
@@ -66,7 +58,7 @@ void add_derivatives(const RateForm& form, const std::string& variable, Index co
     bool any = false;
     for (const RateSummand& summand : form[k]) {
       const Expression derivative = differentiate(summand.term, variable);
-      if (is_zero(derivative)) continue;
+      if (is_number(derivative, 0.0)) continue;
       derivatives.sums.add(expressions.number_of(derivative), summand.weight,
                            summand.parameter);
       any = true;

@@ -2,6 +2,7 @@
 #include "assemble_projections.hpp"
 
 #include "lacuna/formulations/projected_rows.hpp"
+#include "lacuna/model/ode_model.hpp"
 #include "non_finite_error.hpp"
 
 namespace lacuna {
@@ -11,10 +12,9 @@ LeastSquaresSystem assemble_projections(const Dataset& data, const TermLibrary& 
                                         const RunContext& context) {
   const auto rows =
       std::make_shared<const ProjectedRows>(library, data.trajectories, projections);
-  std::vector<std::string> targets;
-  for (const Quantity& state : data.states) targets.push_back("d" + state.name + "/dt");
   try {
-    return LeastSquaresSystem(kept_in_memory(rows), library.names(), targets, context);
+    return LeastSquaresSystem(kept_in_memory(rows), library.names(),
+                              left_hand_sides(names_of(data.states), Evolution::Flow), context);
   } catch (const DataError&) {
     if (const auto entry = rows->samples().find_non_finite()) throw_non_finite(*entry);
     throw;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lacuna/formulations/library_rows.hpp"
+#include "lacuna/model/ode_model.hpp"
 #include "non_finite_error.hpp"
 
 namespace lacuna {
@@ -35,13 +36,6 @@ Trajectory with_next(const Trajectory& record) {
   return result;
 }
 
-std::vector<std::string> target_names(const Variables& variables) {
-  std::vector<std::string> names;
-  for (const std::string& state : variables.states)
-    names.push_back(left_hand_side(state, Evolution::Map));
-  return names;
-}
-
 }  // namespace
 
 LeastSquaresSystem NextSample::do_assemble(const Dataset& data, const TermLibrary& library,
@@ -53,7 +47,8 @@ LeastSquaresSystem NextSample::do_assemble(const Dataset& data, const TermLibrar
   for (const Trajectory& record : data.trajectories) records.push_back(with_next(record));
   const auto rows = std::make_shared<const LibraryRows>(library, records);
   try {
-    return {rows, library.names(), target_names(library.variables), context};
+    return {rows, library.names(), left_hand_sides(library.variables.states, Evolution::Map),
+            context};
   } catch (const DataError&) {
     // The system knows row numbers only; where and why is worth another pass.
     if (const auto entry = rows->find_non_finite()) throw_non_finite(*entry);

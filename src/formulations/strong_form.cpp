@@ -6,17 +6,12 @@
 #include <utility>
 
 #include "lacuna/formulations/library_rows.hpp"
+#include "lacuna/model/ode_model.hpp"
 #include "lacuna/records/derived_record.hpp"
 #include "non_finite_error.hpp"
 
 namespace lacuna {
 namespace {
-
-std::vector<std::string> target_names(const Variables& variables) {
-  std::vector<std::string> names;
-  for (const std::string& state : variables.states) names.push_back("d" + state + "/dt");
-  return names;
-}
 
 /// Whether a record is a piece between gaps from which derivatives cannot be taken; the longest
 /// record is never left out.
@@ -52,7 +47,8 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
   const Index margin = data.has_derivatives() ? 0 : method->margin();
   const auto rows = std::make_shared<const LibraryRows>(library, records, margin);
   try {
-    const LeastSquaresSystem system(rows, library.names(), target_names(library.variables),
+    const LeastSquaresSystem system(rows, library.names(),
+                                    left_hand_sides(library.variables.states, Evolution::Flow),
                                     context);
     const std::optional<Vector> error =
         data.has_derivatives() ? std::nullopt : method->truncation_error(data);

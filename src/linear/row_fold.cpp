@@ -18,10 +18,6 @@ constexpr double kResidual = 1e-5;
 constexpr Index kGramRows = 64;
 constexpr Index kTriangleRows = 256;
 
-Index padded(Index rows) {
-  return (rows + Scratch::kRowPadding - 1) / Scratch::kRowPadding * Scratch::kRowPadding;
-}
-
 Matrix merge(const std::vector<Matrix>& triangles, Index columns) {
   RowFold total(columns);
   for (const Matrix& triangle : triangles) total.add_triangle(triangle);
@@ -39,8 +35,9 @@ void make_diagonal_non_negative(Matrix& triangle) {
 RowFold::RowFold(Index columns, Folding folding)
     : folding_(folding),
       columns_(columns),
-      capacity_(folding == Folding::Gram ? kGramRows
-                                         : padded(std::max(kTriangleRows, columns))),
+      capacity_(folding == Folding::Gram
+                    ? kGramRows
+                    : Scratch::padded_rows(std::max(kTriangleRows, columns))),
       scratch_(capacity_, columns) {
   const Index size = folding == Folding::Gram ? scratch_.padded_columns() : columns;
   folded_.setZero(size, size);
@@ -82,7 +79,7 @@ void RowFold::merge(RowFold& other) {
 
 void RowFold::fold() {
   if (rows_ == 0) return;
-  const Index all = padded(rows_);
+  const Index all = Scratch::padded_rows(rows_);
   scratch_.block(all, 0, columns_).bottomRows(all - rows_).setZero();
   if (folding_ == Folding::Gram)
     add_gram(scratch_, rows_, folded_);

@@ -16,20 +16,20 @@ namespace {
 // Share of a unit column in another from which on they are taken to depend on each other.
 constexpr double kShare = 1e-6;
 
-[[noreturn]] void reject(const std::string& problem, const std::string& remedy) {
+[[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
   throw ArgumentError("Subproblem", problem, remedy);
 }
 
 void check_arguments(const Factor& factor, Index target, const TermSet& active) {
   if (target < 0 || target >= factor.target_norms.size()) {
-    reject("target " + std::to_string(target) + " does not exist", "count targets from 0");
+    refuse("target " + std::to_string(target) + " does not exist", "count targets from 0");
   }
   Index previous = -1;
   for (const Index term : active) {
     if (term < 0 || term >= factor.terms()) {
-      reject("term " + std::to_string(term) + " does not exist", "count terms from 0");
+      refuse("term " + std::to_string(term) + " does not exist", "count terms from 0");
     }
-    if (term <= previous) reject("terms are not in increasing order", "sort them, each once");
+    if (term <= previous) refuse("terms are not in increasing order", "sort them, each once");
     previous = term;
   }
 }
@@ -125,7 +125,7 @@ double Subproblem::residual_norm(const Vector& h) const {
 
 void Subproblem::remove(Index position) {
   if (position < 0 || position >= size()) {
-    reject("there is no term at position " + std::to_string(position),
+    refuse("there is no term at position " + std::to_string(position),
            "positions are those of active()");
   }
   TriangularProblem problem{std::move(triangle_), std::move(projected_target_), remainder_};

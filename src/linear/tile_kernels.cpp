@@ -197,10 +197,6 @@ InstructionSet detect_instruction_set() {
   return InstructionSet::Generic;
 }
 
-Index padded(Index rows) {
-  return (rows + Scratch::kRowPadding - 1) / Scratch::kRowPadding * Scratch::kRowPadding;
-}
-
 }  // namespace
 
 InstructionSet best_instruction_set() {
@@ -215,14 +211,15 @@ std::string_view name_of(InstructionSet set) {
 
 void add_gram(const Scratch& tile, Index rows, Matrix& gram, InstructionSet set) {
   // The view could be written through; this kernel only reads.
-  kernels(set).gram(
-      {const_cast<double*>(tile.data()), tile.stride(), padded(rows), tile.padded_columns()},
-      gram.data());
+  kernels(set).gram({const_cast<double*>(tile.data()), tile.stride(),
+                     Scratch::padded_rows(rows), tile.padded_columns()},
+                    gram.data());
 }
 
 void fold_triangle(Scratch& tile, Index rows, Matrix& triangle, InstructionSet set) {
-  kernels(set).triangle({tile.data(), tile.stride(), padded(rows), tile.columns()},
-                        triangle.data());
+  kernels(set).triangle(
+      {tile.data(), tile.stride(), Scratch::padded_rows(rows), tile.columns()},
+      triangle.data());
 }
 
 }  // namespace lacuna

@@ -7,18 +7,6 @@
 #include "lacuna/model/ode_model.hpp"
 
 namespace lacuna {
-namespace {
-
-struct ExpressionHash {
-  std::size_t operator()(const Expression& e) const noexcept { return e.hash(); }
-};
-
-bool is_zero(const Expression& e) {
-  return e.operation() == Operation::Number && e.value() == 0.0;
-}
-
-}  // namespace
-
 /// Collects rows of coefficient times expression; equal expressions are evaluated once.
 class SumBuilder {
  public:
@@ -38,8 +26,12 @@ class SumBuilder {
   }
 
  private:
+  struct Hash {
+    std::size_t operator()(const Expression& e) const noexcept { return e.hash(); }
+  };
+
   std::vector<Expression> distinct_;
-  std::unordered_map<Expression, std::size_t, ExpressionHash> numbers_;
+  std::unordered_map<Expression, std::size_t, Hash> numbers_;
   std::vector<CompiledModel::Sums::Entry> entries_;
   std::vector<std::size_t> row_ends_;
 };
@@ -69,7 +61,7 @@ CompiledModel::Sums CompiledModel::compile_jacobian(const OdeModel& model) {
     for (const Equation& equation : model.equations()) {
       for (const WeightedTerm& summand : equation) {
         const Expression derivative = differentiate(summand.term.expression(), state.name);
-        if (!is_zero(derivative)) builder.add(summand.coefficient, derivative);
+        if (!is_number(derivative, 0.0)) builder.add(summand.coefficient, derivative);
       }
       builder.end_row();
     }

@@ -9,10 +9,6 @@
 namespace lacuna {
 namespace {
 
-bool is_number(const Expression& e) { return e.operation() == Operation::Number; }
-
-bool is_value(const Expression& e, double value) { return is_number(e) && e.value() == value; }
-
 Expression number(double value) { return Expression::number(value); }
 
 /// The operation, evaluated when its operands are numbers and its value is finite.
@@ -25,38 +21,38 @@ Expression folded(Operation operation, std::vector<Expression> operands) {
 }
 
 Expression plus(const Expression& a, const Expression& b) {
-  if (is_value(a, 0.0)) return b;
-  if (is_value(b, 0.0)) return a;
+  if (is_number(a, 0.0)) return b;
+  if (is_number(b, 0.0)) return a;
   return folded(Operation::Add, {a, b});
 }
 
 Expression negated(const Expression& a) {
-  if (is_value(a, 0.0)) return a;
+  if (is_number(a, 0.0)) return a;
   return a.operation() == Operation::Negate ? a.operands()[0] : -a;
 }
 
 Expression minus(const Expression& a, const Expression& b) {
-  if (is_value(b, 0.0)) return a;
-  if (is_value(a, 0.0)) return negated(b);
+  if (is_number(b, 0.0)) return a;
+  if (is_number(a, 0.0)) return negated(b);
   return folded(Operation::Subtract, {a, b});
 }
 
 Expression times(const Expression& a, const Expression& b) {
-  if (is_value(a, 0.0) || is_value(b, 0.0)) return number(0.0);
-  if (is_value(a, 1.0)) return b;
-  if (is_value(b, 1.0)) return a;
-  if (is_value(a, -1.0)) return negated(b);
+  if (is_number(a, 0.0) || is_number(b, 0.0)) return number(0.0);
+  if (is_number(a, 1.0)) return b;
+  if (is_number(b, 1.0)) return a;
+  if (is_number(a, -1.0)) return negated(b);
   return folded(Operation::Multiply, {a, b});
 }
 
 Expression over(const Expression& a, const Expression& b) {
-  if (is_value(a, 0.0) || is_value(b, 1.0)) return a;
+  if (is_number(a, 0.0) || is_number(b, 1.0)) return a;
   return folded(Operation::Divide, {a, b});
 }
 
 Expression power(const Expression& a, const Expression& b) {
-  if (is_value(b, 0.0)) return number(1.0);
-  if (is_value(b, 1.0)) return a;
+  if (is_number(b, 0.0)) return number(1.0);
+  if (is_number(b, 1.0)) return a;
   return folded(Operation::Power, {a, b});
 }
 
@@ -101,7 +97,7 @@ class Derivative {
   Expression of_one(const Expression& e, const Expression& u) const {
     const Expression du = of(u);
     if (e.operation() == Operation::Negate) return negated(du);
-    return is_value(du, 0.0) ? du : times(outer(e, u), du);
+    return is_number(du, 0.0) ? du : times(outer(e, u), du);
   }
 
   /// f'(u) of a function of one argument e = f(u).
@@ -158,7 +154,7 @@ class Derivative {
 
   Expression of_quotient(const Expression& a, const Expression& b) const {
     const Expression db = of(b);
-    if (is_value(db, 0.0)) return over(of(a), b);
+    if (is_number(db, 0.0)) return over(of(a), b);
     return over(minus(times(of(a), b), times(a, db)), square(b));
   }
 
@@ -167,8 +163,8 @@ class Derivative {
     const Expression da = of(a);
     const Expression db = of(b);
     const Expression lowered = power(a, minus(b, number(1.0)));
-    const Expression by_base = is_value(da, 0.0) ? da : times(times(b, lowered), da);
-    if (is_value(db, 0.0)) return by_base;
+    const Expression by_base = is_number(da, 0.0) ? da : times(times(b, lowered), da);
+    if (is_number(db, 0.0)) return by_base;
     return plus(by_base, times(times(e, call(Operation::Log, a)), db));
   }
 

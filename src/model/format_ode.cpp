@@ -13,7 +13,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return name + (unit.empty() ? "" : " [" + unit + "]");
 }
 
-std::string parameter_text(const Parameter& parameter) {
+std::string parameter_line(const Parameter& parameter) {
   std::string text = with_unit(
       "param " + parameter.name + " = " + format_number(parameter.value), parameter.unit);
   if (parameter.min || parameter.max)
@@ -68,7 +68,7 @@ std::string format_ode(const SystemModel& system) {
             (input.hold ? " hold " + to_string(*input.hold) : "") + "\n";
   for (const Quantity& state : model.states())
     text += "state " + with_unit(state.name, state.unit) + "\n";
-  for (const Parameter& parameter : system.parameters()) text += parameter_text(parameter);
+  for (const Parameter& parameter : system.parameters()) text += parameter_line(parameter);
   text += equations_text(model) + choices_text(system);
   for (const Output& output : model.outputs())
     text += output.name + " = " + with_unit(output.formula.to_string(), output.unit) + "\n";

@@ -177,17 +177,6 @@ std::vector<Equation> read_equations(const JsonPlace& list, const Variables& var
   return equations;
 }
 
-std::vector<std::string> listed(const std::vector<Quantity>& quantities) {
-  std::vector<std::string> names;
-  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-  return names;
-}
-
-std::set<std::string> names_of(const std::vector<Quantity>& quantities) {
-  const std::vector<std::string> names = listed(quantities);
-  return {names.begin(), names.end()};
-}
-
 std::vector<Parameter> read_parameters(const JsonPlace& list, std::set<std::string>& taken) {
   std::vector<Parameter> parameters;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -275,7 +264,8 @@ SystemModel read_document(const JsonPlace& root) {
   if (states.empty()) state_list.fail("there are no states", "name at least one");
   std::vector<Quantity> inputs;
   if (const auto list = root.find("inputs")) inputs = read_quantities(*list, taken, true);
-  std::set<std::string> others = names_of(inputs);
+  const std::vector<std::string> input_names = names_of(inputs);
+  std::set<std::string> others(input_names.begin(), input_names.end());
   std::vector<Parameter> parameters;
   if (const auto list = root.find("parameters")) parameters = read_parameters(*list, taken);
   for (const Parameter& parameter : parameters) {
@@ -284,7 +274,7 @@ SystemModel read_document(const JsonPlace& root) {
   }
   const auto unit = read_unit(root, "time_unit");
   std::vector<Equation> equations =
-      read_equations(root.at("equations"), Variables{listed(states), listed(inputs)});
+      read_equations(root.at("equations"), Variables{names_of(states), names_of(inputs)});
   OdeModel model(std::move(states), std::move(inputs), std::move(equations),
                  unit.value_or("s"));
   if (const auto list = root.find("outputs"))

@@ -19,14 +19,10 @@ bool is_product_text(const Expression& e) {
   }
 }
 
-bool is_one(const Expression& e) {
-  return e.operation() == Operation::Number && e.value() == 1.0;
-}
-
 /// |c| times the term; factors of 1 are left out.
 std::string magnitude_text(const Expression& e, std::string factor) {
-  if (is_one(e)) return factor;
-  const bool reciprocal = e.operation() == Operation::Divide && is_one(e.operands()[0]);
+  if (is_number(e, 1.0)) return factor;
+  const bool reciprocal = e.operation() == Operation::Divide && is_number(e.operands()[0], 1.0);
   std::string term = e.to_string();
   if (factor == "1" && is_product_text(e)) return term;
   if (reciprocal) return factor.append(term, 1);

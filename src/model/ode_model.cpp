@@ -15,13 +15,6 @@
 namespace lacuna {
 namespace {
 
-std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
-  std::vector<std::string> names;
-  names.reserve(quantities.size());
-  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-  return names;
-}
-
 void check_name(const std::string& name, std::set<std::string>& taken) {
   if (!is_identifier(name))
     throw ModelError("model", "the name '" + name + "' is not an identifier",
@@ -210,6 +203,14 @@ void check_flow(const OdeModel& model, const std::string& task) {
 
 std::string left_hand_side(const std::string& state, Evolution evolution) {
   return evolution == Evolution::Map ? state + "[n+1]" : "d" + state + "/dt";
+}
+
+std::vector<std::string> left_hand_sides(const std::vector<std::string>& states,
+                                         Evolution evolution) {
+  std::vector<std::string> sides;
+  sides.reserve(states.size());
+  for (const std::string& state : states) sides.push_back(left_hand_side(state, evolution));
+  return sides;
 }
 
 std::optional<Index> identity_of(const OdeModel& model, Index equation) {

@@ -8,8 +8,6 @@
 namespace lacuna {
 namespace {
 
-bool is_number(const Expression& e) { return e.operation() == Operation::Number; }
-
 /// The time by which a Delay is late.
 Expression time_of(const Expression& delayed) {
   return delayed.operands().empty() ? Expression::number(delayed.value())

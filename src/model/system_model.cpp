@@ -29,10 +29,6 @@ struct Split {
   Expression rest = Expression::number(1.0);
 };
 
-bool is_one(const Expression& e) {
-  return e.operation() == Operation::Number && e.value() == 1.0;
-}
-
 /// Factors and divisors that are numbers, taken out of a product.
 Split split_number(const Expression& e) {
   if (const auto value = constant_value(e)) return {*value};
@@ -44,10 +40,10 @@ Split split_number(const Expression& e) {
     return {1.0, e};
   const Split a = split_number(e.operands()[0]), b = split_number(e.operands()[1]);
   if (e.operation() == Operation::Divide)
-    return {a.number / b.number, is_one(b.rest) ? a.rest : a.rest / b.rest};
-  return {a.number * b.number, is_one(a.rest)   ? b.rest
-                               : is_one(b.rest) ? a.rest
-                                                : a.rest * b.rest};
+    return {a.number / b.number, is_number(b.rest, 1.0) ? a.rest : a.rest / b.rest};
+  return {a.number * b.number, is_number(a.rest, 1.0)   ? b.rest
+                               : is_number(b.rest, 1.0) ? a.rest
+                                                        : a.rest * b.rest};
 }
 
 /// Calls `visit` with the factors and divisors of a product.

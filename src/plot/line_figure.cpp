@@ -9,15 +9,15 @@
 namespace lacuna {
 namespace {
 
-constexpr double kWidth = 760.0, kPlot = 230.0;
-constexpr double kLeft = 76.0, kRight = 16.0, kTop = 26.0, kBottom = 44.0;
+constexpr double kPlot = 230.0;
+constexpr double kLeft = 76.0, kRight = 16.0, kAbove = 26.0, kBelow = 44.0;
 
 /// The rectangle that curves are drawn in, and what its edges stand for.
 struct Frame {
   Scale x, y;
   double top = 0.0;
 
-  double across() const { return kWidth - kLeft - kRight; }
+  double across() const { return svg::kWidth - kLeft - kRight; }
   double at_x(double value) const { return kLeft + x.part(value) * across(); }
   double at_y(double value) const { return top + (1.0 - y.part(value)) * kPlot; }
 };
@@ -37,7 +37,7 @@ Frame frame_of(const LineFigure& figure) {
 }
 
 Markup axes(const LineFigure& figure, const Frame& frame) {
-  const double bottom = frame.top + kPlot, right = kWidth - kRight;
+  const double bottom = frame.top + kPlot, right = svg::kWidth - kRight;
   Markup all;
   for (const Tick& tick : ticks_of(frame.x, 8)) {
     const double x = frame.at_x(tick.value);
@@ -127,14 +127,16 @@ Markup with_scales(const LineFigure& figure, const Frame& frame, const Markup& c
 }  // namespace
 
 Picture draw(const LineFigure& figure) {
-  const svg::Legend legend = svg::legend(keys_of(figure), kLeft, kWidth - kRight, kTop + 14.0);
+  const svg::Legend legend =
+      svg::legend(keys_of(figure), kLeft, svg::kWidth - kRight, kAbove + 14.0);
   Frame frame = frame_of(figure);
-  frame.top = kTop + legend.height + 4.0;
+  frame.top = kAbove + legend.height + 4.0;
   Markup content = svg::label(kLeft, 16.0, svg::shortened(figure.title, 90), "start", "title");
   content += legend.markup + axes(figure, frame);
   content += with_scales(figure, frame, curves(figure, frame));
-  return {figure.name, figure.title,
-          svg::drawing(figure.title, "lines", kWidth, frame.top + kPlot + kBottom, content)};
+  return {
+      figure.name, figure.title,
+      svg::drawing(figure.title, "lines", svg::kWidth, frame.top + kPlot + kBelow, content)};
 }
 
 }  // namespace lacuna

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kWidth = 760.0, kHeight = 430.0, kTop = 30.0;
+constexpr double kHeight = 430.0, kTop = 30.0;
 constexpr Index kMostPoints = 4000;
 constexpr double kTurn = 0.7, kTilt = 0.45;  // of the first view, radians
 constexpr double kUnits = 1000.0;            // points are whole numbers from -1000 to 1000
@@ -53,7 +53,7 @@ Eigen::Vector2d projected(const Eigen::Vector3d& point) {
   const double depth = point[0] * std::sin(kTurn) + point[1] * std::cos(kTurn);
   const double y = point[2] * std::cos(kTilt) + depth * std::sin(kTilt);
   const double scale = 0.31 * (kHeight - kTop) / kUnits;
-  return {kWidth / 2.0 + scale * x, kTop + (kHeight - kTop) / 2.0 - scale * y};
+  return {svg::kWidth / 2.0 + scale * x, kTop + (kHeight - kTop) / 2.0 - scale * y};
 }
 
 Markup curve_of(const Orbit& orbit, const Box& box, std::size_t number) {
@@ -101,7 +101,7 @@ Picture draw(const OrbitFigure& figure) {
   std::vector<svg::Key> keys;
   for (std::size_t s = 0; s < figure.orbits.size(); ++s)
     keys.push_back({figure.orbits[s].label, svg::class_of(figure.orbits[s].curve), s});
-  const svg::Legend legend = svg::legend(keys, 76.0, kWidth - 16.0, 40.0);
+  const svg::Legend legend = svg::legend(keys, 76.0, svg::kWidth - 16.0, 40.0);
   const Box box = box_of(figure);
   Markup curves;
   for (std::size_t s = 0; s < figure.orbits.size(); ++s)
@@ -110,7 +110,7 @@ Picture draw(const OrbitFigure& figure) {
       svg::label(76.0, 16.0, svg::shortened(figure.title, 90), "start", "title") +
       legend.markup + axes(figure) + curves;
   return {figure.name, figure.title,
-          svg::drawing(figure.title, "orbit", kWidth, kHeight, content)};
+          svg::drawing(figure.title, "orbit", svg::kWidth, kHeight, content)};
 }
 
 }  // namespace lacuna

@@ -10,10 +10,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kWidth = 760.0, kRow = 24.0, kTop = 30.0, kBottom = 46.0;
+constexpr double kRow = 24.0, kFirstRow = 30.0, kAxis = 46.0;
 constexpr std::size_t kLabel = 48, kNote = 26;
 
-struct Frame {
+struct RowFrame {
   Scale scale;
   double left = 0.0, right = 0.0;
 
@@ -31,17 +31,17 @@ Vector values_of(const RowFigure& figure) {
   return Eigen::Map<const Vector>(values.data(), static_cast<Index>(values.size()));
 }
 
-Frame frame_of(const RowFigure& figure) {
+RowFrame frame_of(const RowFigure& figure) {
   double label = 40.0, note = 20.0;
   for (const Row& row : figure.rows) {
     label = std::max(label, svg::width_of(svg::shortened(row.label, kLabel)));
     note = std::max(note, svg::width_of(svg::shortened(row.note, kNote)));
   }
   const Vector values = values_of(figure);
-  return {scale_of({&values}), label + 16.0, kWidth - note - 18.0};
+  return {scale_of({&values}), label + 16.0, svg::kWidth - note - 18.0};
 }
 
-Markup bar(const Row& row, const Frame& frame, double middle) {
+Markup bar(const Row& row, const RowFrame& frame, double middle) {
   const double zero = frame.at(0.0), end = frame.at(std::isfinite(row.value) ? row.value : 0.0);
   return empty_element("rect", {{"x", svg::pixels(std::min(zero, end))},
                                 {"y", svg::pixels(middle - 7.0)},
@@ -50,7 +50,7 @@ Markup bar(const Row& row, const Frame& frame, double middle) {
                                 {"class", row.marked ? "bar marked" : "bar"}});
 }
 
-Markup interval(const Row& row, const Frame& frame, double middle) {
+Markup interval(const Row& row, const RowFrame& frame, double middle) {
   const std::string kind = row.marked ? "whisker marked" : "whisker";
   Markup all;
   if (row.low && row.high) {
@@ -65,7 +65,7 @@ Markup interval(const Row& row, const Frame& frame, double middle) {
                                         {"class", row.marked ? "dot marked" : "dot"}});
 }
 
-Markup row_of(const RowFigure& figure, const Row& row, const Frame& frame, double middle) {
+Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, double middle) {
   Markup all = element("title", Markup::text(row.label + ": " + format_number(row.value, 6) +
                                              (row.note.empty() ? "" : ", " + row.note)));
   all += svg::label(frame.left - 10.0, middle + 4.0, svg::shortened(row.label, kLabel), "end");
@@ -78,22 +78,22 @@ Markup row_of(const RowFigure& figure, const Row& row, const Frame& frame, doubl
 }  // namespace
 
 Picture draw(const RowFigure& figure) {
-  const Frame frame = frame_of(figure);
-  const double bottom = kTop + kRow * static_cast<double>(figure.rows.size());
+  const RowFrame frame = frame_of(figure);
+  const double bottom = kFirstRow + kRow * static_cast<double>(figure.rows.size());
   Markup content = svg::label(8.0, 16.0, svg::shortened(figure.title, 100), "start", "title");
   const int count = static_cast<int>((frame.right - frame.left) / 70.0);
   for (const Tick& tick : ticks_of(frame.scale, std::clamp(count, 2, 8))) {
     const double x = frame.at(tick.value);
-    content += svg::line(x, kTop, x, bottom, tick.value == 0.0 ? "zero" : "grid");
+    content += svg::line(x, kFirstRow, x, bottom, tick.value == 0.0 ? "zero" : "grid");
     content += svg::label(x, bottom + 16.0, tick.label, "middle", "tick");
   }
   content += svg::label((frame.left + frame.right) / 2.0, bottom + 36.0,
                         svg::shortened(figure.x_label, 80), "middle", "axis");
   for (std::size_t r = 0; r < figure.rows.size(); ++r)
-    content +=
-        row_of(figure, figure.rows[r], frame, kTop + kRow * (static_cast<double>(r) + 0.5));
+    content += row_of(figure, figure.rows[r], frame,
+                      kFirstRow + kRow * (static_cast<double>(r) + 0.5));
   return {figure.name, figure.title,
-          svg::drawing(figure.title, "rows", kWidth, bottom + kBottom, content)};
+          svg::drawing(figure.title, "rows", svg::kWidth, bottom + kAxis, content)};
 }
 
 }  // namespace lacuna

@@ -10,6 +10,9 @@
 
 namespace lacuna::svg {
 
+/// How wide a figure is, in pixels.
+inline constexpr double kWidth = 760.0;
+
 /// Pixels to a tenth, "12.5".
 std::string pixels(double value);
 

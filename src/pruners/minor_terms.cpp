@@ -12,10 +12,9 @@
 namespace lacuna {
 namespace {
 
-using Criterion = MinorTermsOptions::Criterion;
-
-Index next_position(const Elimination& state, Criterion criterion) {
-  return smallest(criterion == Criterion::Residual ? state.losses() : state.contributions());
+Index next_position(const Elimination& state, MinorTermsOptions::Criterion criterion) {
+  return smallest(criterion == MinorTermsOptions::Criterion::Residual ? state.losses()
+                                                                      : state.contributions());
 }
 
 Removal removal(Index term, double residual, double limit, std::size_t step) {
@@ -27,7 +26,7 @@ PruneResult prune_up_to(double limit, Elimination state, const RunContext& conte
   PruneResult result;
   while (state.size() > 0) {
     context.check_stop();
-    const Index position = next_position(state, Criterion::Contribution);
+    const Index position = next_position(state, MinorTermsOptions::Criterion::Contribution);
     Elimination next = state.without({position});
     if (!(next.residual_norm() <= limit)) break;
     result.removed.push_back(removal(state.active()[static_cast<std::size_t>(position)],

@@ -52,12 +52,6 @@ Quantity derived_quantity(const Quantity& origin, const std::string& time_unit, 
           integral_unit(origin.unit, time_unit, order)};
 }
 
-std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
-  std::vector<std::string> names;
-  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-  return names;
-}
-
 /// Order asked for each state; nothing for those that stay as they are.
 std::vector<std::optional<int>> orders_by_state(const Dataset& data,
                                                 const std::vector<EmbeddingOrder>& orders) {

@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t kMostRows = 24;  // of a figure; all are in the tables
 
-const std::string& state_name(const Diagnosis& diagnosis, Index equation) {
-  return diagnosis.nominal.states()[static_cast<std::size_t>(equation)].name;
-}
-
 Tone tone_of(const Diagnosis& diagnosis) {
   if (withheld_by(diagnosis.hints) != Withheld::Nothing) return Tone::Bad;
   switch (diagnosis.verdict) {

@@ -3,16 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "diagnosis_sentences.hpp"
 #include "lacuna/model/model_file.hpp"
 
 namespace lacuna {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string state_name(const Diagnosis& diagnosis, Index equation) {
-  return diagnosis.nominal.states()[static_cast<std::size_t>(equation)].name;
-}
 
 Json to_json(const Location& place) {
   Json json;

@@ -67,7 +67,7 @@ std::string headline(const Diagnosis& diagnosis) {
 using Sentences = std::vector<std::string>;
 
 void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
-  out.push_back("Equation " + state_of(diagnosis, effect.equation).name + ": " +
+  out.push_back("Equation " + state_name(diagnosis, effect.equation) + ": " +
                 effect.description + " (" + effect.name + "), " +
                 with_error(effect.coefficient, kInterval * effect.deviation) + " " +
                 rate_unit_of(diagnosis, effect.equation) + " * " +
@@ -90,7 +90,7 @@ void tell_changes(const Diagnosis& diagnosis, Sentences& out) {
     if (change.sigma < kTold || written == kMost) break;
     if (std::abs(change.estimated - change.nominal) < 1e-3 * std::abs(change.nominal)) continue;
     ++written;
-    out.push_back("Equation " + state_of(diagnosis, change.equation).name +
+    out.push_back("Equation " + state_name(diagnosis, change.equation) +
                   ": the coefficient of " + change.term + " is " +
                   with_error(change.estimated, kInterval * change.deviation) + ", not " +
                   format_number(change.nominal, 6) + " (" + format_number(change.sigma, 3) +
@@ -148,6 +148,10 @@ std::string gap_sentence(const Gap& gap) {
 }
 
 }  // namespace
+
+const std::string& state_name(const Diagnosis& diagnosis, Index equation) {
+  return state_of(diagnosis, equation).name;
+}
 
 std::string readable_formula(const std::string& formula,
                              const std::vector<NamedParameter>& parameters) {

@@ -16,6 +16,9 @@ struct DiagnosisSentences {
   std::vector<std::string> notes;
 };
 
+/// Name of the state of an equation.
+const std::string& state_name(const Diagnosis& diagnosis, Index equation);
+
 DiagnosisSentences sentences_of(const Diagnosis& diagnosis);
 
 /// A formula with its numbers for people; all digits are in the JSON. A parameter's number has

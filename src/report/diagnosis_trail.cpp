@@ -15,11 +15,6 @@ std::string reason(const Rival& rival) {
          format_number(rival.threshold, 6);
 }
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
-  return text;
-}
-
 }  // namespace
 
 std::string format_trail(const Diagnosis& diagnosis) {

@@ -94,11 +94,6 @@ Json hints_json(const Fit& fit) {
   return list;
 }
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
-  return text;
-}
-
 std::size_t name_width(const Fit& fit) {
   std::size_t width = 4;
   for (const FittedNumber& number : fit.numbers) width = std::max(width, number.name.size());

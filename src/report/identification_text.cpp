@@ -12,11 +12,6 @@
 namespace lacuna {
 namespace {
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
-  return text;
-}
-
 std::string indented(const std::string& text) {
   std::istringstream lines(text);
   std::string line, result;

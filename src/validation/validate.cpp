@@ -62,7 +62,7 @@ double mean_size(double squares, double freedom) {
 }
 
 /// What is predicted, and what it is held against.
-struct Trial {
+struct WindowTrial {
   const OdeModel& model;
   const OdeModel& still;  ///< without rates
   const Dataset& data;
@@ -70,7 +70,7 @@ struct Trial {
   const ValidationOptions& options;
 };
 
-PredictionTest test_windows(const Trial& trial, Index length, int passes,
+PredictionTest test_windows(const WindowTrial& trial, Index length, int passes,
                             const RunContext& context) {
   const WindowResiduals off = predict_all(trial.model, trial.records, length, passes, context);
   const WindowResiduals moved = predict_all(trial.still, trial.records, length, 1, context);
@@ -180,7 +180,7 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
                         .given = held_out.has_value(),
                         .refitted = refitted.has_value()};
   for (const Block& block : blocks) validation.samples += block.count;
-  const Trial trial{model, still, tested, records, options};
+  const WindowTrial trial{model, still, tested, records, options};
   constexpr int kOnce = 1, kSettled = 4;  // linearisations: a step is nearly linear
   const Index shortest = shortest_window(tested);
   validation.one_step = test_windows(trial, shortest, kOnce, context);

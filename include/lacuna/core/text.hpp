@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,11 +20,14 @@ std::string format_number(double value, int significant_digits);
 /// The parts with `separator` between them.
 std::string join(std::span<const std::string> parts, std::string_view separator);
 
+/// The text with blanks after it up to `width` bytes.
+std::string padded(std::string text, std::size_t width);
+
 /// The text without blanks and tabs at either end.
 std::string_view trim(std::string_view text);
 
-/// The pieces of `text` between separators, trimmed; separators inside parentheses do not count,
-/// so "x, max(x,y)" has two pieces.
+/// The pieces of `text` between separators, trimmed; separators inside parentheses do not
+/// count, so "x, max(x,y)" has two pieces.
 std::vector<std::string> split_list(std::string_view text, char separator = ',');
 
 /// Whole text as a double; nothing when it is not one number from end to end.

@@ -22,6 +22,9 @@ struct Quantity {
   bool operator==(const Quantity&) const = default;
 };
 
+/// Their names, in order.
+std::vector<std::string> names_of(const std::vector<Quantity>& quantities);
+
 /// Records of one system: which quantities were measured, and one or many trajectories of them.
 struct Dataset {
   std::string time_unit = "s";

@@ -12,6 +12,9 @@ namespace lacuna {
 /// identity (dq/dt = v). m entries, or none where there is no such state.
 std::vector<bool> hidden_states(const OdeModel& model, const Dataset& data);
 
+/// The numbers of those that are marked.
+std::vector<Index> places_of(const std::vector<bool>& marks);
+
 /// Where hidden states begin as far as a model says so (OdeModel::initial()), or 0.
 Vector given_begin(const OdeModel& model);
 

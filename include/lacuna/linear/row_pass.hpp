@@ -22,6 +22,11 @@ class Scratch {
   static constexpr Index kRowPadding = 16;    ///< rows are folded in such steps
   static constexpr Index kColumnPadding = 3;  ///< columns are folded in such blocks
 
+  /// The next multiple of kRowPadding.
+  static constexpr Index padded_rows(Index rows) {
+    return (rows + kRowPadding - 1) / kRowPadding * kRowPadding;
+  }
+
   Scratch(Index rows, Index columns);
 
   double* data() noexcept { return data_; }

@@ -143,6 +143,12 @@ Expression delay(const Expression& expression, const Expression& time);
 /// Whether an operation stands anywhere in a formula.
 bool contains(const Expression& expression, Operation operation);
 
+/// Whether an expression is a number, or that number.
+inline bool is_number(const Expression& e) { return e.operation() == Operation::Number; }
+inline bool is_number(const Expression& e, double value) {
+  return is_number(e) && e.value() == value;
+}
+
 /// The operations, without any simplification: `a + b` is make(Operation::Add, {a, b}).
 Expression operator+(const Expression& a, const Expression& b);
 Expression operator-(const Expression& a, const Expression& b);

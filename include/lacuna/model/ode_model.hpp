@@ -128,6 +128,10 @@ void check_flow(const OdeModel& model, const std::string& task);
 /// What an equation gives: "dx/dt" or "x[n+1]".
 std::string left_hand_side(const std::string& state, Evolution evolution);
 
+/// That of every state.
+std::vector<std::string> left_hand_sides(const std::vector<std::string>& states,
+                                         Evolution evolution);
+
 /// Evaluates f(t, x, u) and its Jacobian without allocation (the Jacobian is compiled by its
 /// first use). Cheap to copy; one per thread.
 class CompiledModel {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/numerics/singular_values.hpp"
+
+#include <Eigen/SVD>
+
+namespace lacuna {
+
+Index SingularValues::rank(double share) const {
+  return values.size() == 0 ? 0 : (values.array() > share * values[0]).count();
+}
+
+Matrix SingularValues::null_space(double share) const {
+  return right.rightCols(right.cols() - rank(share));
+}
+
+SingularValues singular_values(const Matrix& a) {
+  const Eigen::BDCSVD<Matrix> found(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  return {found.singularValues(), found.matrixU(), found.matrixV()};
+}
+
+}  // namespace lacuna
