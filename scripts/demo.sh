@@ -10,16 +10,8 @@ cmake --build --preset release --target lacuna-cli
 
 out=build/demo
 mkdir -p "$out"
-cat > "$out/pendulum.ode" <<'MODEL'
-time s
-input u [rad/s^2]
-state th [rad]
-state w [rad/s]
-dth/dt = w
-dw/dt = -9.81/0.5*sin(th) - 0.15*w + u
-MODEL
 set -x
-build/release/lacuna diagnose --model "$out/pendulum.ode" data/pendulum_scope_1.csv.gz \
+build/release/lacuna diagnose --model data/pendulum.ode data/pendulum_scope_1.csv.gz \
   --holdout data/pendulum_scope_2.csv.gz --map th=CH1,w=CH2,u=CH3 --report "$out/pendulum.html"
 build/release/lacuna identify data/tl072_record.csv.gz \
   --model-out "$out/tl072_model.json" --json "$out/tl072_result.json" --report "$out/tl072.html"

@@ -29,15 +29,7 @@ debootstrap --variant=minbase bookworm "$root" > "$work/debootstrap.log" ||
 
 mkdir "$root/try"
 cp "$work"/package/*.deb "$root/try/lacuna.deb"
-cp data/*.csv.gz "$root/try"
-cat > "$root/try/pendulum.ode" <<'MODEL'
-time s
-input u [rad/s^2]
-state th [rad]
-state w [rad/s]
-dth/dt = w
-dw/dt = -9.81/0.5*sin(th) - 0.15*w + u
-MODEL
+cp data/*.csv.gz data/pendulum.ode "$root/try"
 cat > "$root/try/run.sh" <<'RUN'
 set -euxo pipefail
 cd /try

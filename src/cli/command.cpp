@@ -15,6 +15,7 @@
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/systems/test_systems.hpp"
 #include "memory_limit.hpp"
+#include "terminal.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -113,7 +114,8 @@ void write_output(const Session& session, const std::string& path, const std::st
 }
 
 void show(const Session& session, const std::string& text) {
-  session.streams.out << printable(text);
+  const std::string shown = printable(text);
+  session.streams.out << (shows_colour(session.streams.out) ? coloured(shown) : shown);
 }
 
 void check_outputs(const std::vector<std::string>& inputs,

@@ -224,7 +224,8 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
                               configuration.text()};
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());
-  if (const auto hint = report.result.model.is_map() ? std::nullopt : map_hint(data))
+  if (const auto hint =
+          report.result.model.is_map() ? std::nullopt : map_hint(data, plan.rules.map))
     report.result.warnings.push_back(hint->message + "; try " + hint->remedy);
   verify(report, data, *integrator, context);
   judge_model(plan, options, data, report, context);

@@ -102,7 +102,7 @@ Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
 Run run(const Session& session, const OdeModel& model, const Integrator& integrator,
         const SimulateArguments& options, const RunContext& context) {
   const Vector start = parse_start(model, options.x0);
-  constexpr double kStepOfMaps = 1.0, kNone = 0.0;
+  constexpr double kStepOfMaps = 1.0, kNone = 0.0;  // by definition; to be given
   const Vector times = parse_times(options, model.is_map() ? kStepOfMaps : kNone);
   if (model.inputs().empty())
     return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};

@@ -116,6 +116,7 @@ void add_identification(Registry& registry) {
   registry.add<Rules<ValidationOptions>>();
   registry.add<Rules<RelationOptions>>();
   registry.add<Rules<AdviceOptions>>();
+  registry.add<Rules<MapHintOptions>>();
 }
 
 void add_diagnosis(Registry& registry) {

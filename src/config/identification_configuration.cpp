@@ -26,6 +26,7 @@ IdentificationOptions identification_options(const Configuration& configuration,
   read(registry, root, options.validation);
   read(registry, root, options.relations);
   read(registry, root, options.advice);
+  read(registry, root, options.map);
   options.advice.search = options.forms;
   return options;
 }

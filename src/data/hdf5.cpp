@@ -37,7 +37,7 @@ class Handle {
 
 /// The file, out of its bytes in memory.
 Handle open_file(std::string_view bytes, const std::string& source) {
-  constexpr std::size_t kIncrement = std::size_t{1} << 20U;  // of a file that never grows
+  constexpr std::size_t kIncrement = std::size_t{1} << 20U;  // asked for; it never grows
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.get(), kIncrement, 0);
   H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()), bytes.size());  // is copied

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/text.hpp"
 #include "mat.hpp"
 #include "named_arrays.hpp"
 
@@ -119,10 +120,10 @@ void collect(const matvar_t& variable, const std::string& name, Found& found) {
     found.others.push_back(name);
 }
 
-/// Whether a file of so many bytes can hold a variable: zlib packs 1032 bytes into one at most
-/// (its documentation). What is damaged may say any number.
+/// Whether a file of so many bytes can hold a variable. What is damaged may say any number.
 bool can_hold(std::size_t file_bytes, const matvar_t& variable) {
-  constexpr double kPacked = 1032.0;
+  constexpr double kPacked =
+      1032.0;  // zlib makes one byte of so many at most (its documentation)
   if (elements_of(variable) > kPacked * static_cast<double>(file_bytes)) return false;
   if (!is_structure(variable)) return true;
   auto* structure = const_cast<matvar_t*>(&variable);
@@ -144,7 +145,14 @@ Table read_mat(const std::filesystem::path& path) {
   const auto bytes = static_cast<std::size_t>(std::filesystem::file_size(path));
   while (
       const std::unique_ptr<matvar_t, FreeVariable> variable{Mat_VarReadNextInfo(file.get())}) {
-    if (variable->name == nullptr || !can_hold(bytes, *variable)) fail(source);
+    if (variable->name == nullptr) fail(source);
+    if (!can_hold(bytes, *variable))
+      throw DataError(source,
+                      "the variable '" + std::string(variable->name) + "' is said to have " +
+                          format_number(elements_of(*variable)) +
+                          " numbers, more than a file of " + std::to_string(bytes) +
+                          " bytes can hold",
+                      "the file is damaged; save it again");
     if (Mat_VarReadDataAll(file.get(), variable.get()) != 0) fail(source);
     collect(*variable, variable->name, found);
   }

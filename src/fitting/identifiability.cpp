@@ -10,7 +10,8 @@
 namespace lacuna {
 namespace {
 
-/// Entries of a direction below this share of its largest are rounding.
+/// Entries of a direction below this share of its largest are rounding: what the derivatives of
+/// a path by numbers are known to, which are numerical.
 constexpr double kNothing = 0.02;
 
 /// Size by which a change of each number is measured: its own, or the error that it would have

@@ -11,7 +11,9 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kMostSamples = 2000;  // more would change no answer
+// Facts: what a polynomial needs, and what is enough of the largest part of records for a
+// remark; neighbours are sought among all pairs of them.
+constexpr Index kMostSamples = 2000;
 constexpr Index kSamplesOfTerm = 4;
 
 /// Samples and those that follow, in deviations about the mean.
@@ -122,7 +124,7 @@ Matrix design(const std::vector<Factors>& terms, const Matrix& values) {
 
 /// Rows of every other one of ten blocks.
 std::vector<Index> half_of(Index rows, bool second) {
-  constexpr Index kBlocks = 10;
+  constexpr Index kBlocks = 10;  // each longer than what neighbouring samples share
   std::vector<Index> half;
   for (Index row = 0; row < rows; ++row)
     if ((row * kBlocks / rows % 2 == 1) == second) half.push_back(row);
@@ -165,6 +167,7 @@ double reversed_share(const std::vector<Factors>& terms, const Matrix& theta,
 /// deviations.
 void measure_divergence(const Pairs& pairs, double remainder, MapEvidence& seen) {
   const Index n = pairs.before.rows(), m = pairs.after.cols();
+  // Pairs nearer than the polynomial's own error would show that error and not the map.
   constexpr double kBeyond = 5.0, kRounding = 1e-9;
   const double least = std::max(kBeyond * remainder * std::sqrt(double(m)), kRounding);
   double sum = 0.0, squares = 0.0, count = 0.0;
@@ -210,10 +213,11 @@ void MapHintOptions::describe(OptionVisitor& v) {
       reversed);
   v.field(
       {"divergence", "",
-       "Neighbours part by this logarithm in a step, and by three of its standard errors: on "
-       "closed orbits of a flow they do not.",
+       "Neighbours part by this logarithm in a step: on closed orbits of a flow they do not.",
        0.0, 10.0},
       divergence);
+  v.field({"errors", "", "That logarithm is so many of its standard errors.", 0.0, 100.0},
+          errors);
 }
 
 std::optional<MapEvidence> map_evidence(const Dataset& data) {
@@ -238,7 +242,6 @@ std::optional<MapEvidence> map_evidence(const Dataset& data) {
 }
 
 std::optional<Hint> map_hint(const Dataset& data, const MapHintOptions& options) {
-  constexpr double kErrors = 3.0;
   // Most records end here, at no cost.
   const std::vector<Trajectory> records = looked_at(data);
   if (records.empty() || roughness_of(records) < options.roughness) return std::nullopt;
@@ -247,7 +250,7 @@ std::optional<Hint> map_hint(const Dataset& data, const MapHintOptions& options)
                      seen->linear_remainder >= options.bend * seen->remainder &&
                      seen->reversed >= options.reversed &&
                      seen->divergence >= options.divergence &&
-                     seen->divergence >= kErrors * seen->divergence_error;
+                     seen->divergence >= options.errors * seen->divergence_error;
   if (!holds) return std::nullopt;
   return Hint{HintKind::DiscreteMap,
               "the record looks like a map x[n+1] = f(x[n]): each sample follows from the one "

@@ -27,7 +27,7 @@ Dataset oscillator(Index samples) {
 
 /// Coefficients of 1, x, y in both equations: of the flow, or of the map that it makes of a
 /// step.
-Matrix true_coefficients(Evolution evolution) {
+Matrix coefficients_of(Evolution evolution) {
   const double c = std::cos(2.0 * kStep), s = std::sin(2.0 * kStep);
   Matrix coefficients(3, 2);
   if (evolution == Evolution::Map)
@@ -54,7 +54,7 @@ TEST_P(EveryFormulation, GivesOneTargetPerStateThatTheTrueTermsExplain) {
   EXPECT_EQ(system.term_names(), library_.names());
   const Vector first = system.subproblem(0, {0, 1, 2}).solve();
   const Vector second = system.subproblem(1, {0, 1, 2}).solve();
-  const Matrix expected = true_coefficients(stage_of<Formulation>(GetParam())->evolution());
+  const Matrix expected = coefficients_of(stage_of<Formulation>(GetParam())->evolution());
   EXPECT_LT((first - expected.col(0)).norm(), 1e-4);
   EXPECT_LT((second - expected.col(1)).norm(), 1e-4);
 }

@@ -9,7 +9,7 @@
 namespace lacuna::contract {
 namespace {
 
-const auto oscillator = [](double, const double* x, double* dxdt) {
+const auto harmonic_rates = [](double, const double* x, double* dxdt) {
   dxdt[0] = x[1];
   dxdt[1] = -x[0];
 };
@@ -23,7 +23,7 @@ class EveryIntegrator : public testing::TestWithParam<StageVariant> {
     const double end = 4.0 * std::acos(-1.0);
     const Vector times = sample_times(0.0, end / static_cast<double>(steps), steps + 1);
     const Solution orbit =
-        integrator()->integrate(oscillator, Eigen::Vector2d(1.0, 0.0), times);
+        integrator()->integrate(harmonic_rates, Eigen::Vector2d(1.0, 0.0), times);
     EXPECT_EQ(orbit.status, IntegrationStatus::Completed) << orbit.message;
     return (orbit.end_state - Eigen::Vector2d(1.0, 0.0)).norm();
   }
@@ -39,7 +39,8 @@ TEST_P(EveryIntegrator, ErrorFallsWithItsOrderOrIsBelowItsTolerance) {
 
 TEST_P(EveryIntegrator, SamplesEveryTimeAskedFor) {
   const Vector times = Eigen::Vector4d(1.0, 1.5, 1.75, 4.0);
-  const Solution orbit = integrator()->integrate(oscillator, Eigen::Vector2d(1.0, 0.0), times);
+  const Solution orbit =
+      integrator()->integrate(harmonic_rates, Eigen::Vector2d(1.0, 0.0), times);
   EXPECT_EQ(orbit.time, times);
   EXPECT_EQ(orbit.states.rows(), 4);
   EXPECT_EQ(orbit.states(0, 0), 1.0);
@@ -58,9 +59,9 @@ TEST_P(EveryIntegrator, ReportsDivergenceWithTimeAndState) {
 TEST_P(EveryIntegrator, RefusesBadTimesAndStarts) {
   const Vector backwards = Eigen::Vector2d(1.0, 0.0);
   const Vector start = Eigen::Vector2d(1.0, 0.0);
-  EXPECT_THROW(integrator()->integrate(oscillator, start, backwards), ArgumentError);
+  EXPECT_THROW(integrator()->integrate(harmonic_rates, start, backwards), ArgumentError);
   const Vector unfinished = Eigen::Vector2d(1.0, std::nan(""));
-  EXPECT_THROW(integrator()->integrate(oscillator, unfinished, sample_times(0.0, 0.1, 3)),
+  EXPECT_THROW(integrator()->integrate(harmonic_rates, unfinished, sample_times(0.0, 0.1, 3)),
                ArgumentError);
 }
 

@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
 /// How a record is made: a model of two states and one input, of which one state is measured.
-struct Bench {
+struct HiddenBench {
   std::string truth, measured;
   double step = 0.02;
   double amplitude = 1.0;  ///< of the input
@@ -30,7 +30,7 @@ struct Bench {
 class HiddenStates : public ::testing::Test {
  protected:
   /// A record along a sum of sines.
-  std::string record(const Bench& bench, const std::string& name, double phase) {
+  std::string record(const HiddenBench& bench, const std::string& name, double phase) {
     std::ostringstream drive, measured;
     for (int i = 0; i < bench.samples; ++i) {
       const double t = bench.step * i;
@@ -50,7 +50,7 @@ class HiddenStates : public ::testing::Test {
   }
 
   /// The columns t, u and the measured one, with noise.
-  static std::string with_noise(const Bench& bench, const std::string& simulated,
+  static std::string with_noise(const HiddenBench& bench, const std::string& simulated,
                                 const std::string& drive) {
     const OdeModel model = parse_ode(bench.truth, "truth");
     const Index column = 1 + model.state_index(bench.measured);
@@ -70,7 +70,7 @@ class HiddenStates : public ::testing::Test {
   }
 
   /// The answer for a nominal model.
-  Json diagnosis(const Bench& bench, const std::string& nominal) {
+  Json diagnosis(const HiddenBench& bench, const std::string& nominal) {
     const std::string train = record(bench, "train.csv", 0.3);
     const std::string test = record(bench, "test.csv", 1.1);
     const CommandResult run =

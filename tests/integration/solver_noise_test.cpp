@@ -10,7 +10,7 @@
 namespace lacuna::benchmarks {
 namespace {
 
-std::vector<std::vector<std::string>> structure_of(const OdeModel& model) {
+std::vector<std::vector<std::string>> terms_of_model(const OdeModel& model) {
   std::vector<std::vector<std::string>> structure;
   for (const Equation& equation : model.equations()) {
     std::vector<std::string>& names = structure.emplace_back();
@@ -35,7 +35,7 @@ TEST(SolverNoise, IsNoStructure) {
       for (const char* method : {"algorithm1", "robust"}) {
         const Flow& flow = flow_of(all, name);
         const OdeModel found = identify(solver_record(flow, making), preset(method)).model;
-        EXPECT_EQ(structure_of(found), structure_of(flow.model))
+        EXPECT_EQ(terms_of_model(found), terms_of_model(flow.model))
             << name << ' ' << making.tolerance << ' ' << making.digits << ' ' << method;
       }
 }

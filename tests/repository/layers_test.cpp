@@ -98,11 +98,11 @@ TEST(LayerReader, FindsInstalledAndPrivateHeaders) {
   EXPECT_EQ(included_header("  const auto x = \"lacuna/linear/factor.hpp\";"), "");
 }
 
-const std::vector<std::string> kLibrary = {"include", "src", "bases", "solvers", "effects"};
+const std::vector<std::string> kFolders = {"include", "src", "bases", "solvers", "effects"};
 
 TEST(Layers, IncludesPointDownwards) {
   const Allowed allowed = allowed_includes();
-  for (const SourceFile& file : sources_below(kLibrary)) {
+  for (const SourceFile& file : sources_below(kFolders)) {
     if (file.path == kUmbrella) continue;
     const std::string folder = layer_of(file.path);
     ASSERT_TRUE(allowed.contains(folder)) << file.path << " lies in no known layer";
@@ -117,7 +117,7 @@ TEST(Layers, IncludesPointDownwards) {
 }
 
 TEST(Layers, PipelineReachesConcreteStagesOnlyInPresets) {
-  for (const SourceFile& file : sources_below(kLibrary)) {
+  for (const SourceFile& file : sources_below(kFolders)) {
     if (layer_of(file.path) != "pipeline" || file.path.stem() == "presets") continue;
     for (const std::string& line : file.lines) {
       const std::string header = included_header(line);
@@ -144,7 +144,7 @@ TEST(Layers, NoConcreteStageIncludesAnother) {
         stage_headers.insert(header_of(file.path));
   }
   ASSERT_FALSE(stage_headers.empty());
-  for (const SourceFile& file : sources_below(kLibrary)) {
+  for (const SourceFile& file : sources_below(kFolders)) {
     const std::string folder = layer_of(file.path);
     if (!kConcrete.contains(folder)) continue;
     for (const std::string& line : file.lines) {

@@ -10,7 +10,7 @@
 namespace lacuna::repository {
 namespace {
 
-const std::filesystem::path kRoot = LACUNA_SOURCE_DIR;
+const std::filesystem::path kReadmeRoot = LACUNA_SOURCE_DIR;
 
 std::string text_of(const std::filesystem::path& path) {
   std::string text;
@@ -27,7 +27,7 @@ std::vector<std::string> all_matches(const std::string& text, const std::string&
 }
 
 TEST(Readme, HasAtMost800Words) {
-  std::istringstream words(text_of(kRoot / "README.md"));
+  std::istringstream words(text_of(kReadmeRoot / "README.md"));
   int count = 0;
   for (std::string word; words >> word;) ++count;
   EXPECT_LE(count, 800);
@@ -35,22 +35,22 @@ TEST(Readme, HasAtMost800Words) {
 
 TEST(Readme, LinksLeadSomewhere) {
   for (const std::string page : {"README.md", "docs/tutorial.md", "docs/reports.md"}) {
-    const auto folder = (kRoot / page).parent_path();
-    const auto links = all_matches(text_of(kRoot / page), R"(\]\(([^)#:]+)\))");
+    const auto folder = (kReadmeRoot / page).parent_path();
+    const auto links = all_matches(text_of(kReadmeRoot / page), R"(\]\(([^)#:]+)\))");
     for (const std::string& link : links)
       EXPECT_TRUE(std::filesystem::exists(folder / link)) << page << ": " << link;
   }
-  EXPECT_GE(all_matches(text_of(kRoot / "README.md"), R"(\]\(([^)#:]+)\))").size(), 10u);
+  EXPECT_GE(all_matches(text_of(kReadmeRoot / "README.md"), R"(\]\(([^)#:]+)\))").size(), 10u);
 }
 
 /// Rows "| question ([table](FILE)) | answer |": every number of the answer stands in the file.
 TEST(Readme, NumbersAreThoseOfTheResults) {
   int rows = 0;
-  for (const std::string& line : read_lines(kRoot / "README.md")) {
+  for (const std::string& line : read_lines(kReadmeRoot / "README.md")) {
     const auto files = all_matches(line, R"(\[table\]\(([^)]+)\))");
     if (line.rfind("| ", 0) != 0 || files.empty()) continue;
     ++rows;
-    const std::string results = text_of(kRoot / files[0]);
+    const std::string results = text_of(kReadmeRoot / files[0]);
     const std::string answer = line.substr(line.find(") | ") + 4);
     for (const std::string& number : all_matches(answer, R"(([0-9]+(?:\.[0-9]+)?))"))
       EXPECT_TRUE(std::regex_search(results, std::regex("[^0-9.]" + number + "[^0-9.]")))

@@ -3,6 +3,7 @@
 
 #include "lacuna/config/configuration.hpp"
 #include "lacuna/libraries/form_options.hpp"
+#include "lacuna/records/map_hint.hpp"
 #include "lacuna/relations/relations.hpp"
 #include "lacuna/validation/advice.hpp"
 #include "lacuna/validation/validation_options.hpp"
@@ -30,10 +31,11 @@ struct IdentificationOptions {
   ValidationOptions validation;
   RelationOptions relations;
   AdviceOptions advice;  ///< seeks as `forms` says
+  MapHintOptions map;
 };
 
-/// These options from a configuration with the keys `forms`, `validation`, `relations` and
-/// `advice`, an object of numbers by name each: {"validation": {"resolution": 1e-4}}.
+/// These options from a configuration with the keys `forms`, `validation`, `relations`,
+/// `advice` and `map`, an object of numbers by name each: {"validation": {"resolution": 1e-4}}.
 /// @throws ConfigError naming the JSON path: an unknown name (with the nearest known one), a
 ///   value of the wrong type or out of range.
 IdentificationOptions identification_options(const Configuration& configuration,

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lacuna/core/options.hpp"
+#include "lacuna/core/stage.hpp"
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/records/hints.hpp"
 
@@ -11,11 +12,14 @@ namespace lacuna {
 
 /// When records look like those of a map.
 struct MapHintOptions {
+  static constexpr StageInfo kInfo{"map", "When records look like those of a map", ""};
+
   double roughness = 0.8;
   double remainder = 0.01;
   double bend = 4.0;
   double reversed = 0.1;
   double divergence = 0.1;
+  double errors = 3.0;
 
   void describe(OptionVisitor& visitor);
 };

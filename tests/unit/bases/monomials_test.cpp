@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::Not;
 
 const Variables kXyz{{"x", "y", "z"}, {}};
-const Variables kDriven{{"x"}, {"u"}};
+const Variables kDrivenPlane{{"x"}, {"u"}};
 
 std::vector<std::string> names(const MonomialsOptions& options, const Variables& variables) {
   return Monomials{options}.library(variables).names();
@@ -47,7 +47,8 @@ TEST(Monomials, NegativePartIsLimitedByTheLowestDegree) {
 }
 
 TEST(Monomials, TermsEvaluateAsNamed) {
-  const TermLibrary library = Monomials{{.min_degree = -1, .max_degree = 2}}.library(kDriven);
+  const TermLibrary library =
+      Monomials{{.min_degree = -1, .max_degree = 2}}.library(kDrivenPlane);
   const Program program = library.compile();
   Program::Workspace workspace;
   std::vector<double> out(static_cast<std::size_t>(library.size()));
@@ -61,17 +62,19 @@ TEST(Monomials, TermsEvaluateAsNamed) {
 }
 
 TEST(Monomials, InputsAndTimeAreFurtherVariables) {
-  EXPECT_THAT(names({.max_degree = 1}, kDriven), ElementsAre("1", "x", "u"));
-  EXPECT_THAT(names({.max_degree = 1, .with_inputs = false}, kDriven), ElementsAre("1", "x"));
-  EXPECT_THAT(names({.max_degree = 1, .with_time = true}, kDriven),
+  EXPECT_THAT(names({.max_degree = 1}, kDrivenPlane), ElementsAre("1", "x", "u"));
+  EXPECT_THAT(names({.max_degree = 1, .with_inputs = false}, kDrivenPlane),
+              ElementsAre("1", "x"));
+  EXPECT_THAT(names({.max_degree = 1, .with_time = true}, kDrivenPlane),
               ElementsAre("1", "x", "u", "t"));
-  EXPECT_THAT(names({.max_degree = 1, .with_inputs = false, .with_time = true}, kDriven),
+  EXPECT_THAT(names({.max_degree = 1, .with_inputs = false, .with_time = true}, kDrivenPlane),
               ElementsAre("1", "x", "t"));
 }
 
 TEST(Monomials, IncludeAddsAndExcludeRemoves) {
-  EXPECT_THAT(names({.max_degree = 1, .include = {"sin(x)", "x"}, .exclude = {"u"}}, kDriven),
-              ElementsAre("1", "x", "sin(x)"));
+  EXPECT_THAT(
+      names({.max_degree = 1, .include = {"sin(x)", "x"}, .exclude = {"u"}}, kDrivenPlane),
+      ElementsAre("1", "x", "sin(x)"));
 }
 
 TEST(Monomials, ExcludedTermsMayBeWrittenInAnyWay) {

@@ -17,7 +17,7 @@ using testing::Records;
 using testing::run_command;
 using testing::TemporaryFolder;
 
-nlohmann::json identify(std::vector<std::string> arguments) {
+nlohmann::json run_identify(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "identify");
   arguments.insert(arguments.end(), {"--json", "-"});
   const CommandResult result = run_command(arguments);
@@ -40,7 +40,7 @@ TEST(IdentifyCommand, ShowsEquationsTrailAndSynchronisation) {
 
 TEST(IdentifyCommand, FindsRosslerInItsOrbit) {
   const Records records;
-  const auto result = identify({records.rossler()});
+  const auto result = run_identify({records.rossler()});
   EXPECT_EQ(result["format"], "lacuna.identification/1");
   EXPECT_EQ(term_count(result, 0) + term_count(result, 1) + term_count(result, 2), 7u);
   EXPECT_LT(result["sync"]["relative"].get<double>(), 1e-3);
@@ -72,8 +72,8 @@ TEST(IdentifyCommand, ConfigurationComesFromPresetFileAndArguments) {
   const Records records;
   const std::string file = records.folder().write(
       "c.json", R"({"preset": "robust", "regressor": {"type": "stlsq", "threshold": 0.2}})");
-  const auto result = identify({records.rossler(), "--config", file, "--preset", "sindy",
-                                "--degree", "2", "--set", "regressor.threshold=0.05"});
+  const auto result = run_identify({records.rossler(), "--config", file, "--preset", "sindy",
+                                    "--degree", "2", "--set", "regressor.threshold=0.05"});
   EXPECT_EQ(result["pipeline"]["asked"]["preset"], "sindy");
   const auto used = result["pipeline"]["used"];
   EXPECT_EQ(used["filter"]["type"], "none");
@@ -84,8 +84,8 @@ TEST(IdentifyCommand, ConfigurationComesFromPresetFileAndArguments) {
 TEST(IdentifyCommand, EmbedsAMeasuredQuantity) {
   const Records records;
   const auto result =
-      identify({records.oscillator(), "--states", "x", "--inputs", "u", "--embed", "x=2",
-                "--terms", "x,x_d1,u", "--set", "differentiator=savitzky-golay"});
+      run_identify({records.oscillator(), "--states", "x", "--inputs", "u", "--embed", "x=2",
+                    "--terms", "x,x_d1,u", "--set", "differentiator=savitzky-golay"});
   const auto equations = result["model"]["equations"];
   EXPECT_EQ(equations[0]["terms"][0]["term"], "x_d1");
   ASSERT_EQ(equations[1]["state"], "x_d1");
@@ -106,7 +106,7 @@ TEST(IdentifyCommand, ADivergingVerificationIsAWarning) {
         std::to_string(i) + "," + std::to_string(x) + "," + std::to_string(x * x * x) + "\n";
   }
   const auto result =
-      identify({folder.write("d.csv", text), "--states", "x", "--derivatives", "dx"});
+      run_identify({folder.write("d.csv", text), "--states", "x", "--derivatives", "dx"});
   EXPECT_EQ(result["sync"]["status"], "diverged");
   EXPECT_THAT(result["warnings"].dump(), HasSubstr("synchronisation with the record failed"));
 }
@@ -148,10 +148,10 @@ TEST(IdentifyCommand, NoModelIsStatus1) {
 
 TEST(IdentifyCommand, SaysWhatTheModelIsWorth) {
   const Records records;
-  const auto right = identify({records.rossler(), "--degree", "2"});
+  const auto right = run_identify({records.rossler(), "--degree", "2"});
   EXPECT_EQ(right["verdict"], "fits to noise") << right["validation"].dump(2);
   EXPECT_TRUE(right["validation"]["advice"].empty());
-  const auto wrong = identify({records.rossler(), "--degree", "1"});
+  const auto wrong = run_identify({records.rossler(), "--degree", "1"});
   EXPECT_EQ(wrong["verdict"], "wrong library") << wrong["validation"].dump(2);
   EXPECT_FALSE(wrong["validation"]["advice"].empty());
   EXPECT_THAT(run_command({"identify", records.rossler(), "--degree", "1"}).out,
@@ -165,13 +165,13 @@ TEST(IdentifyCommand, JudgesByRecordsThatAreHeldOut) {
                          "0.05", "-o", other})
                 .status,
             0);
-  const auto found = identify({records.rossler(), "--degree", "2", "--holdout", other});
+  const auto found = run_identify({records.rossler(), "--degree", "2", "--holdout", other});
   EXPECT_EQ(found["verdict"], "fits to noise") << found["validation"].dump(2);
   EXPECT_EQ(found["validation"]["held_out"], "records");
   EXPECT_EQ(found["validation"]["samples"], 1201);
   EXPECT_THAT(found["validation"]["records"][0].get<std::string>(), HasSubstr("other.csv"));
   // The model does not depend on them.
-  EXPECT_EQ(found["model"], identify({records.rossler(), "--degree", "2"})["model"]);
+  EXPECT_EQ(found["model"], run_identify({records.rossler(), "--degree", "2"})["model"]);
   expect_failure(run_command({"identify", records.rossler(), "--holdout", "nowhere.csv"}), 2,
                  {"nowhere.csv"});
   expect_failure(
@@ -187,7 +187,7 @@ TEST(IdentifyCommand, PrintsRelationsThatHoldOnTheData) {
                 {"simulate", model, "--x0", "1,0", "--t-end", "20", "--dt", "0.02", "-o", file})
                 .status,
             0);
-  const auto found = identify({file, "--states", "x,v"});
+  const auto found = run_identify({file, "--states", "x,v"});
   ASSERT_EQ(found["relations"].size(), 1u);
   EXPECT_EQ(found["relations"][0]["terms"][0]["term"], "x^2");
   EXPECT_EQ(found["relations"][0]["terms"][1]["term"], "v^2");
@@ -240,10 +240,10 @@ TEST(IdentifyCommand, FindsAMap) {
 
 TEST(IdentifyCommand, SaysThatARecordLooksLikeAMap) {
   const HenonRecord record;
-  const auto found = identify({record.data()});
+  const auto found = run_identify({record.data()});
   EXPECT_THAT(found["warnings"].dump(), HasSubstr("looks like a map"));
   EXPECT_THAT(found["warnings"].dump(), HasSubstr("--discrete"));
-  const auto map = identify({record.data(), "--discrete"});
+  const auto map = run_identify({record.data(), "--discrete"});
   EXPECT_EQ(map["warnings"].size(), 0u);
   EXPECT_EQ(map["model"]["time"], "discrete");
   EXPECT_EQ(map["noise"].size(), 0u);

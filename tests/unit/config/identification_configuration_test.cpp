@@ -17,18 +17,20 @@ Configuration with(const std::vector<std::string>& assignments) {
   return configuration;
 }
 
-IdentificationOptions read(const std::vector<std::string>& assignments) {
+IdentificationOptions rules_with(const std::vector<std::string>& assignments) {
   return identification_options(with(assignments), default_registry());
 }
 
 TEST(IdentificationConfiguration, SetsOptionsByTheirPath) {
-  const IdentificationOptions options = read({"forms.same=0.2", "validation.resolution=1e-5",
-                                              "relations.strength=5", "advice.most_forms=1"});
+  const IdentificationOptions options =
+      rules_with({"forms.same=0.2", "validation.resolution=1e-5", "relations.strength=5",
+                  "advice.most_forms=1", "map.errors=5"});
   EXPECT_EQ(options.forms.same, 0.2);
   EXPECT_EQ(options.forms.most_forms, FormOptions{}.most_forms) << "others stay";
   EXPECT_EQ(options.validation.resolution, 1e-5);
   EXPECT_EQ(options.relations.strength, 5.0);
   EXPECT_EQ(options.advice.most_forms, 1);
+  EXPECT_EQ(options.map.errors, 5.0);
   EXPECT_EQ(options.advice.search.same, 0.2) << "advice seeks as forms are sought";
 }
 
@@ -40,15 +42,16 @@ TEST(IdentificationConfiguration, TheyDoNotMakeAnotherPipeline) {
 }
 
 TEST(IdentificationConfiguration, MistakesNameThePathAndTheNearest) {
-  expect_error<ConfigError>([] { read({"forms.sam=0.2"}); }, "$.forms.sam", "sam", "same");
-  expect_error<ConfigError>([] { read({"validation.blocks=0"}); }, "$.validation.blocks",
+  expect_error<ConfigError>([] { rules_with({"forms.sam=0.2"}); }, "$.forms.sam", "sam",
+                            "same");
+  expect_error<ConfigError>([] { rules_with({"validation.blocks=0"}); }, "$.validation.blocks",
                             "out of range", "at least 1");
   expect_error<ConfigError>([] { with({"form.same=1"}).build(default_registry()); }, "$.form",
                             "no key 'form'", "forms");
 }
 
 TEST(IdentificationConfiguration, EveryOptionHasASentenceAndARange) {
-  for (const char* name : {"forms", "validation", "relations", "advice"}) {
+  for (const char* name : {"forms", "validation", "relations", "advice", "map"}) {
     const auto options = describe_options(default_registry().find(name, name));
     EXPECT_GE(options.size(), 3u) << name;
     for (const OptionDescription& option : options) {

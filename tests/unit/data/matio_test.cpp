@@ -3,19 +3,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/data/read.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna {
 namespace {
 
-const std::filesystem::path kSamples = LACUNA_SOURCE_DIR "/tests/unit/data/samples";
+const std::filesystem::path kMatSamples = LACUNA_SOURCE_DIR "/tests/unit/data/samples";
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -33,15 +36,15 @@ void expect_sine_and_cosine(const Table& table, Index sine, Index cosine) {
 }
 
 /// Whether the library was built without the reader, which it says then.
-bool is_absent() {
+bool is_matio_absent() {
   if (HAS_MATIO) return false;
-  EXPECT_THROW(read_table(kSamples / "arrays_v7.mat"), DataError);
+  EXPECT_THROW(read_table(kMatSamples / "arrays_v7.mat"), DataError);
   return true;
 }
 
 TEST(Matio, ArraysAreColumns) {
-  if (is_absent()) return;
-  const Table table = read_table(kSamples / "arrays_v7.mat");
+  if (is_matio_absent()) return;
+  const Table table = read_table(kMatSamples / "arrays_v7.mat");
   ASSERT_EQ(table.columns.size(), 4u);
   EXPECT_EQ(table.columns[0].name, "t");
   EXPECT_EQ(table.columns[3].name, "u");
@@ -52,8 +55,8 @@ TEST(Matio, ArraysAreColumns) {
 }
 
 TEST(Matio, StructuresAreOpened) {
-  if (is_absent()) return;
-  const Table table = read_table(kSamples / "structure_v6.mat");
+  if (is_matio_absent()) return;
+  const Table table = read_table(kMatSamples / "structure_v6.mat");
   ASSERT_EQ(table.columns.size(), 3u);
   EXPECT_EQ(table.columns[0].name, "time");
   EXPECT_EQ(table.columns[1].name, "signals_th");
@@ -61,10 +64,10 @@ TEST(Matio, StructuresAreOpened) {
 }
 
 TEST(Matio, DamageIsTold) {
-  if (is_absent()) return;
+  if (is_matio_absent()) return;
   const testing::TemporaryFolder folder;
-  const std::string good = bytes_of(kSamples / "arrays_v7.mat");
-  const Table whole = read_table(kSamples / "arrays_v7.mat");
+  const std::string good = bytes_of(kMatSamples / "arrays_v7.mat");
+  const Table whole = read_table(kMatSamples / "arrays_v7.mat");
   for (std::size_t size = 130; size + 1 < good.size(); size += 97) {
     std::ofstream(folder.file("cut.mat"), std::ios::binary) << good.substr(0, size);
     try {
@@ -74,16 +77,43 @@ TEST(Matio, DamageIsTold) {
       EXPECT_THAT(error.what(), ::testing::HasSubstr("cut.mat")) << size;
     }
   }
-  std::string huge = good;  // rows of the first matrix, behind the header and three tags
-  huge[128 + 8 + 16 + 8 + 3] = '\x7F';
-  std::ofstream(folder.file("huge.mat"), std::ios::binary) << huge;
-  EXPECT_THROW(read_table(folder.file("huge.mat")), DataError);
+}
+
+/// A MATLAB 5 file of one matrix `x` that is not packed (the format's public description): it
+/// says to have `rows` rows of one column, and holds two numbers.
+std::string file_with_rows(std::int32_t rows) {
+  const auto word = [](std::int32_t value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  const std::array<double, 2> numbers{1.5, -2.0};
+  const std::string values(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+  constexpr std::int32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;
+  constexpr std::int32_t kDoubleArray = 6;
+  std::string matrix = word(kUint32) + word(8) + word(kDoubleArray) + word(0);
+  matrix += word(kInt32) + word(8) + word(rows) + word(1);
+  matrix += word(kInt8) + word(1) + "x" + std::string(7, '\0');
+  matrix += word(kDouble) + word(sizeof numbers) + values;
+  std::string header = "MATLAB 5.0 MAT-file";
+  header.resize(124, ' ');
+  return header + std::string("\x00\x01IM", 4) + word(kMatrix) +
+         word(static_cast<std::int32_t>(matrix.size())) + matrix;
+}
+
+TEST(Matio, MoreNumbersThanAFileCanHoldAreTold) {
+  if (is_matio_absent()) return;
+  const testing::TemporaryFolder folder;
+  std::ofstream(folder.file("two.mat"), std::ios::binary) << file_with_rows(2);
+  EXPECT_EQ(read_table(folder.file("two.mat")).values(1, 0), -2.0);
+  std::ofstream(folder.file("huge.mat"), std::ios::binary) << file_with_rows(2000000000);
+  testing::expect_error<DataError>([&] { read_table(folder.file("huge.mat")); },
+                                   folder.file("huge.mat"), "'x' is said to have 2e+09 numbers",
+                                   "damaged");
 }
 
 TEST(Matio, APackedFileHasToBeUnpackedFirst) {
-  if (is_absent()) return;
+  if (is_matio_absent()) return;
   const testing::TemporaryFolder folder;
-  std::filesystem::copy(kSamples / "arrays_v7.mat", folder.file("run.mat.gz"));
+  std::filesystem::copy(kMatSamples / "arrays_v7.mat", folder.file("run.mat.gz"));
   EXPECT_THROW(read_table(folder.file("run.mat.gz")), DataError);
 }
 

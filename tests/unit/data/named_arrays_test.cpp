@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<std::string> names_of(const Table& table) {
+std::vector<std::string> array_names(const Table& table) {
   std::vector<std::string> names;
   for (const Quantity& column : table.columns) names.push_back(column.name);
   return names;
@@ -19,7 +19,7 @@ TEST(NamedArrays, RowsAndColumnsAreVectors) {
   const Vector t = Vector::LinSpaced(5, 0.0, 1.0);
   const Table table =
       table_of_arrays({{"t", t.transpose()}, {"x", 2.0 * t}, {"n", Matrix::Ones(1, 1)}}, "run");
-  EXPECT_THAT(names_of(table), ::testing::ElementsAre("t", "x"));
+  EXPECT_THAT(array_names(table), ::testing::ElementsAre("t", "x"));
   EXPECT_EQ(table.values.col(0), t);
   EXPECT_EQ(table.values.col(1), 2.0 * t);
   EXPECT_THAT(table.notes.at(0), ::testing::HasSubstr("'n' has 1 x 1 values, not 5 samples"));
@@ -29,7 +29,7 @@ TEST(NamedArrays, AMatrixHasItsSamplesWhereTheyFit) {
   const Vector t = Vector::LinSpaced(5, 0.0, 1.0);
   const Matrix x = Matrix::Random(5, 2), y = Matrix::Random(2, 5);
   const Table table = table_of_arrays({{"t", t}, {"x", x}, {"y", y}}, "run");
-  EXPECT_THAT(names_of(table), ::testing::ElementsAre("t", "x1", "x2", "y1", "y2"));
+  EXPECT_THAT(array_names(table), ::testing::ElementsAre("t", "x1", "x2", "y1", "y2"));
   EXPECT_EQ(table.values.middleCols(1, 2), x);
   EXPECT_EQ(table.values.rightCols(2), y.transpose());
 }
@@ -42,11 +42,11 @@ TEST(NamedArrays, WithoutVectorsRowsAreSamples) {
 
 TEST(NamedArrays, WhatAllNamesBeginWithIsLeftOut) {
   const Vector v = Vector::LinSpaced(3, 0.0, 1.0);
-  EXPECT_THAT(names_of(table_of_arrays({{"a.run.t", v}, {"a.run.x", v}}, "f")),
+  EXPECT_THAT(array_names(table_of_arrays({{"a.run.t", v}, {"a.run.x", v}}, "f")),
               ::testing::ElementsAre("t", "x"));
-  EXPECT_THAT(names_of(table_of_arrays({{"a.run.t", v}, {"a.x", v}}, "f")),
+  EXPECT_THAT(array_names(table_of_arrays({{"a.run.t", v}, {"a.x", v}}, "f")),
               ::testing::ElementsAre("run_t", "x"));
-  EXPECT_THAT(names_of(table_of_arrays({{"at", v}, {"ax", v}}, "f")),
+  EXPECT_THAT(array_names(table_of_arrays({{"at", v}, {"ax", v}}, "f")),
               ::testing::ElementsAre("at", "ax"));
 }
 

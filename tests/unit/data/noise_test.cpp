@@ -13,7 +13,7 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kSamples = 4000;
+constexpr Index kNoisySamples = 4000;
 
 /// Three smooth signals of about unit size: an oscillation, a sum of two, spikes.
 Vector signals(double t) {
@@ -26,9 +26,9 @@ Vector signals(double t) {
 Trajectory record(double noise, double jitter, std::uint64_t seed) {
   Random random(seed);
   Trajectory trajectory;
-  trajectory.time.resize(kSamples);
-  trajectory.states.resize(kSamples, 3);
-  for (Index i = 0; i < kSamples; ++i) {
+  trajectory.time.resize(kNoisySamples);
+  trajectory.states.resize(kNoisySamples, 3);
+  for (Index i = 0; i < kNoisySamples; ++i) {
     trajectory.time[i] = 0.05 * (static_cast<double>(i) + jitter * random.uniform(-0.5, 0.5));
     trajectory.states.row(i) = signals(trajectory.time[i]).transpose();
     for (Index j = 0; j < 3; ++j) trajectory.states(i, j) += noise * random.normal();
@@ -72,7 +72,8 @@ TEST(EstimateNoise, ScalesWithTheData) {
 
 TEST(EstimateNoise, IsNotMisledByOutliers) {
   Dataset data = dataset({record(0.01, 0.0, 6)});
-  for (Index i = 50; i < kSamples; i += 400) data.trajectories[0].states.row(i).array() += 5.0;
+  for (Index i = 50; i < kNoisySamples; i += 400)
+    data.trajectories[0].states.row(i).array() += 5.0;
   const Vector noise = estimate_noise(data);
   for (Index j = 0; j < 3; ++j) EXPECT_NEAR(noise[j], 0.01, 0.0015);
 }
@@ -113,7 +114,7 @@ TEST(AnalyseNoise, TellsColouredNoise) {
   Trajectory trajectory = record(0.0, 0.0, 9);
   Random random(4);
   double state = 0.0;
-  for (Index i = 0; i < kSamples; ++i) {
+  for (Index i = 0; i < kNoisySamples; ++i) {
     state = 0.8 * state + 0.6 * 0.05 * random.normal();
     trajectory.states(i, 0) += state;
   }
@@ -124,7 +125,7 @@ TEST(AnalyseNoise, TellsColouredNoise) {
 
 TEST(AnalyseNoise, TellsQuantisation) {
   Trajectory trajectory = record(0.0, 0.0, 9);
-  for (Index i = 0; i < kSamples; ++i)
+  for (Index i = 0; i < kNoisySamples; ++i)
     trajectory.states(i, 0) = 0.004 * std::round(trajectory.states(i, 0) / 0.004);
   const StateNoise noise = noise_of_first_state(trajectory);
   EXPECT_EQ(noise.kind, NoiseKind::Quantised);
@@ -135,7 +136,7 @@ TEST(AnalyseNoise, TellsQuantisation) {
 
 TEST(AnalyseNoise, CountsOutliers) {
   Trajectory trajectory = record(0.01, 0.0, 10);
-  for (Index i = 100; i < kSamples; i += 100) trajectory.states(i, 0) += 1.0;
+  for (Index i = 100; i < kNoisySamples; i += 100) trajectory.states(i, 0) += 1.0;
   EXPECT_NEAR(noise_of_first_state(trajectory).outliers, 0.01, 0.001);
   const std::vector<Index> outliers = outlying_samples(trajectory, 0, 0.01);
   EXPECT_EQ(outliers.front(), 100);
@@ -146,14 +147,14 @@ TEST(DifferenceSizes, AreThoseOfWhiteNoiseOnAnyGrid) {
   Random random(4);
   for (const bool uniform : {true, false}) {
     Trajectory trajectory = record(0.0, 0.0, 1);
-    for (Index i = 0; i < kSamples; ++i) trajectory.states(i, 0) = 0.3 * random.normal();
+    for (Index i = 0; i < kNoisySamples; ++i) trajectory.states(i, 0) = 0.3 * random.normal();
     if (!uniform)
-      for (Index i = 0; i + 1 < kSamples; ++i)
+      for (Index i = 0; i + 1 < kNoisySamples; ++i)
         trajectory.time[i] +=
             0.5 * random.uniform() * (trajectory.time[i + 1] - trajectory.time[i]);
     for (const Index order : {1, 4}) {
       const Vector sizes = difference_sizes(trajectory, 0, order);
-      ASSERT_EQ(sizes.size(), kSamples - order);
+      ASSERT_EQ(sizes.size(), kNoisySamples - order);
       EXPECT_NEAR(sizes.norm() / std::sqrt(double(sizes.size())), 0.3, 0.015);
     }
   }
@@ -166,13 +167,13 @@ TEST(DifferenceSizes, AreThoseOfWhiteNoiseOnAnyGrid) {
 TEST(AnalyseNoise, OutliersOfGrowingNoiseAreMeasuredByIt) {
   Trajectory trajectory = record(0.0, 0.0, 10);
   Random random(5);
-  Vector sigma(kSamples);
-  for (Index i = 0; i < kSamples; ++i) {
-    sigma[i] = i < kSamples / 2 ? 0.001 : 0.1;
+  Vector sigma(kNoisySamples);
+  for (Index i = 0; i < kNoisySamples; ++i) {
+    sigma[i] = i < kNoisySamples / 2 ? 0.001 : 0.1;
     trajectory.states(i, 0) = sigma[i] * random.normal();
   }
   trajectory.states(100, 0) += 0.1;
-  trajectory.states(kSamples - 100, 0) += 0.1;  // nothing special there
+  trajectory.states(kNoisySamples - 100, 0) += 0.1;  // nothing special there
   EXPECT_EQ(outlying_samples(trajectory, 0, sigma), std::vector<Index>{100});
 }
 

@@ -31,12 +31,6 @@ Table table_of(const std::string& header) {
   return parse_text_table(header + "\n" + rows, "a.csv");
 }
 
-std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
-  std::vector<std::string> names;
-  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-  return names;
-}
-
 TEST(FindColumns, TimeIsFoundByNameOrComesFirst) {
   EXPECT_EQ(find_columns(table_of("x,t,time"), {}).time, Index{1});
   EXPECT_EQ(find_columns(table_of("x,T,Time"), {}).time, Index{2});

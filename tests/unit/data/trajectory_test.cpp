@@ -8,35 +8,35 @@
 namespace lacuna {
 namespace {
 
-Trajectory at_times(const std::vector<double>& times) {
+Trajectory record_at(const std::vector<double>& times) {
   Trajectory trajectory;
   trajectory.time = Eigen::Map<const Vector>(times.data(), static_cast<Index>(times.size()));
   return trajectory;
 }
 
 TEST(UniformStep, IsTheMeanStep) {
-  EXPECT_DOUBLE_EQ(*uniform_step(at_times({1.0, 1.5, 2.0, 2.5})), 0.5);
-  EXPECT_DOUBLE_EQ(*uniform_step(at_times({0.0, 1.0005, 2.0})), 1.0);
+  EXPECT_DOUBLE_EQ(*uniform_step(record_at({1.0, 1.5, 2.0, 2.5})), 0.5);
+  EXPECT_DOUBLE_EQ(*uniform_step(record_at({0.0, 1.0005, 2.0})), 1.0);
 }
 
 TEST(UniformStep, IsNothingWhenStepsDiffer) {
-  EXPECT_FALSE(uniform_step(at_times({0.0, 1.0, 2.1})));
-  EXPECT_TRUE(uniform_step(at_times({0.0, 1.0, 2.1}), 0.1));
+  EXPECT_FALSE(uniform_step(record_at({0.0, 1.0, 2.1})));
+  EXPECT_TRUE(uniform_step(record_at({0.0, 1.0, 2.1}), 0.1));
 }
 
 TEST(UniformStep, IsNothingForFewerThanTwoSamples) {
-  EXPECT_FALSE(uniform_step(at_times({})));
-  EXPECT_FALSE(uniform_step(at_times({1.0})));
+  EXPECT_FALSE(uniform_step(record_at({})));
+  EXPECT_FALSE(uniform_step(record_at({1.0})));
 }
 
 TEST(Steps, HaveAMean) {
-  const Trajectory record = at_times({0.0, 1.0, 2.0, 6.0});
+  const Trajectory record = record_at({0.0, 1.0, 2.0, 6.0});
   EXPECT_DOUBLE_EQ(record.duration(), 6.0);
   EXPECT_DOUBLE_EQ(mean_step(record), 2.0);
 }
 
 TEST(RowsOf, AreTheSamplesOfAllThatThereIs) {
-  Trajectory record = at_times({0.0, 1.0, 2.0, 6.0});
+  Trajectory record = record_at({0.0, 1.0, 2.0, 6.0});
   record.source = "a.csv";
   record.states = Matrix::Random(4, 2);
   record.derivatives = Matrix::Random(4, 2);
@@ -51,7 +51,7 @@ TEST(RowsOf, AreTheSamplesOfAllThatThereIs) {
 }
 
 TEST(GoesOn, AfterAShortGapInTheSameFile) {
-  Trajectory before = at_times({0.0, 1.0}), after = at_times({3.0, 4.0});
+  Trajectory before = record_at({0.0, 1.0}), after = record_at({3.0, 4.0});
   before.source = "run.csv, record 1";
   after.source = "run.csv, record 2";
   EXPECT_EQ(file_of(after), "run.csv");

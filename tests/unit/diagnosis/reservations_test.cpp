@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-Gap gap(double after, double above) {
+Gap gap_of(double after, double above) {
   Gap made;
   made.before = 10.0;
   made.after = after;
@@ -43,16 +43,17 @@ class Reservations : public testing::Test {
 };
 
 TEST_F(Reservations, NoneWhereNamesAndNumbersAreAsTheyShouldBe) {
-  EXPECT_TRUE(said(account(stop(-0.1)), gap(1.4, 9.0)).empty());
-  EXPECT_TRUE(speaks_of(said(asked_.bare(), gap(5.0, 9.0)), "5 times its noise floor"))
+  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.4, 9.0)).empty());
+  EXPECT_TRUE(speaks_of(said(asked_.bare(), gap_of(5.0, 9.0)), "5 times its noise floor"))
       << "something acts there that the records that were used do not show";
 }
 
 TEST_F(Reservations, TheGapStaysOpenByMoreThanChance) {
-  EXPECT_TRUE(speaks_of(said(account(stop(-0.1)), gap(1.6, 4.0)), "1.6 times its noise floor"));
-  EXPECT_TRUE(said(account(stop(-0.1)), gap(1.6, 2.0)).empty());
+  EXPECT_TRUE(
+      speaks_of(said(account(stop(-0.1)), gap_of(1.6, 4.0)), "1.6 times its noise floor"));
+  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 2.0)).empty());
   asked_.options.decision.explained_gap = 2.0;
-  EXPECT_TRUE(said(account(stop(-0.1)), gap(1.6, 4.0)).empty());
+  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 4.0)).empty());
 }
 
 TEST_F(Reservations, AShapeOnItsBoundIsSaid) {

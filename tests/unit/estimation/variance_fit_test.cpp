@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-struct Case {
+struct VarianceCase {
   Dataset data;
   std::vector<LinearisedRecord> records;
   std::vector<Matrix> measured, omitted;
@@ -20,8 +20,8 @@ struct Case {
   LinearisedData view() const { return {records, measured, omitted}; }
 };
 
-Case make_case(const support::Hidden& hidden) {
-  Case made{support::hidden_record(hidden, 0.01), {}, {}, {}};
+VarianceCase make_variance_case(const support::Hidden& hidden) {
+  VarianceCase made{support::hidden_record(hidden, 0.01), {}, {}, {}};
   const Trajectory& record = made.data.trajectories.front();
   made.records.push_back(
       linearise(support::oscillator(), record, record.states, Vector::Constant(2, 1e-4)));
@@ -37,12 +37,12 @@ NoiseModel noise_of(double white, double disturbance) {
   return noise;
 }
 
-double deviance_of(const Case& made, const NoiseModel& noise) {
+double deviance_of(const VarianceCase& made, const NoiseModel& noise) {
   return filter_deviance(made.records[0], made.measured[0], Matrix(), noise);
 }
 
 TEST(VarianceFit, FindsTheNoiseFromFarAway) {
-  const Case made = make_case(support::nothing);
+  const VarianceCase made = make_variance_case(support::nothing);
   for (const double start : {0.001, 0.1}) {
     const SmoothedNoise found =
         VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise_of(start, 0.01), 40);
@@ -53,7 +53,8 @@ TEST(VarianceFit, FindsTheNoiseFromFarAway) {
 }
 
 TEST(VarianceFit, NoNeighbourIsMoreLikely) {
-  const Case made = make_case([](double t, double, double) { return std::sin(3.0 * t); });
+  const VarianceCase made =
+      make_variance_case([](double t, double, double) { return std::sin(3.0 * t); });
   const SmoothedNoise found =
       VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise_of(0.02, 0.1), 40);
   for (const double factor : {0.95, 1.05}) {
@@ -67,7 +68,7 @@ TEST(VarianceFit, NoNeighbourIsMoreLikely) {
 }
 
 TEST(VarianceFit, GradientIsThatOfTheDeviance) {
-  const Case made = make_case(support::nothing);
+  const VarianceCase made = make_variance_case(support::nothing);
   NoiseModel noise = noise_of(0.015, 0.05);
   noise.coloured[0] = ColouredNoise{0.01, 0.3};
   const SmoothedNoise here = VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise, 0);
@@ -85,7 +86,7 @@ TEST(VarianceFit, GradientIsThatOfTheDeviance) {
 }
 
 TEST(VarianceFit, GradientOfSlowNoiseCountsWhereItBegins) {
-  const Case made = make_case(support::nothing);
+  const VarianceCase made = make_variance_case(support::nothing);
   NoiseModel noise = noise_of(0.015, 0.05);
   noise.coloured[0] = ColouredNoise{0.01, 20.0};  // of 30 s
   const SmoothedNoise here = VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise, 0);
@@ -99,7 +100,7 @@ TEST(VarianceFit, GradientOfSlowNoiseCountsWhereItBegins) {
 
 TEST(VarianceFit, SamplesAtAnEndBiasNoNoise) {
   // A third of the samples of v are at an end; taken for values they would be noise of 0.2.
-  Case made = make_case(support::nothing);
+  VarianceCase made = make_variance_case(support::nothing);
   Matrix marks = Matrix::Zero(made.measured[0].rows(), 2);
   auto v = made.measured[0].col(1).array();
   for (Index i = 0; i < marks.rows(); ++i)
@@ -114,7 +115,8 @@ TEST(VarianceFit, SamplesAtAnEndBiasNoNoise) {
 }
 
 TEST(VarianceFit, WhatIsKnownOfTheCurvatureDoesNotMoveTheAnswer) {
-  const Case made = make_case([](double t, double, double) { return std::sin(3.0 * t); });
+  const VarianceCase made =
+      make_variance_case([](double t, double, double) { return std::sin(3.0 * t); });
   const Vector floor = Vector::Constant(2, 1e-9);
   VarianceFit first(floor);
   const SmoothedNoise found = first.run(made.view(), noise_of(0.02, 0.1), 40);
@@ -126,7 +128,7 @@ TEST(VarianceFit, WhatIsKnownOfTheCurvatureDoesNotMoveTheAnswer) {
 }
 
 TEST(VarianceFit, WhiteNoiseStaysAboveItsFloor) {
-  const Case made = make_case(support::nothing);
+  const VarianceCase made = make_variance_case(support::nothing);
   const SmoothedNoise found =
       VarianceFit(Vector::Constant(2, 0.05)).run(made.view(), noise_of(0.06, 0.01), 20);
   EXPECT_GE(*found.noise.measurement[0], 0.05);

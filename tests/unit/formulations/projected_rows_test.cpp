@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-TermLibrary library_of(const std::vector<std::string>& texts) {
+TermLibrary projected_library(const std::vector<std::string>& texts) {
   TermLibrary library{{{"x", "v"}, {"u"}}, {}};
   for (const std::string& text : texts)
     library.terms.push_back(Term::parse(text, library.variables));
@@ -33,7 +33,7 @@ std::pair<Matrix, Matrix> read_all(const RowSource& rows) {
 TEST(ProjectedRows, AreWhitenedProjections) {
   const std::vector<Trajectory> records = {oscillation(100)};
   const auto projections = project(records);
-  const ProjectedRows rows(library_of({"v"}), records, projections);
+  const ProjectedRows rows(projected_library({"v"}), records, projections);
   const auto [theta, targets] = read_all(rows);
   const Matrix factor = projections[0].target_factor(0, rows.rows());
   EXPECT_LT((factor * targets - projections[0].rates * records[0].states).norm(), 1e-12);
@@ -43,7 +43,7 @@ TEST(ProjectedRows, AreWhitenedProjections) {
 TEST(ProjectedRows, SeveralRecordsAndBlocksAreReadFromAnywhere) {
   const std::vector<Trajectory> records = {oscillation(600), oscillation(10),
                                            oscillation(300, 2.0)};
-  const ProjectedRows rows(library_of({"v", "x*u"}), records, project(records));
+  const ProjectedRows rows(projected_library({"v", "x*u"}), records, project(records));
   EXPECT_GT(rows.rows(), 256);
   const auto [theta, targets] = read_all(rows);
   const auto reader = rows.open();
@@ -59,7 +59,7 @@ TEST(ProjectedRows, GivenDerivativesAreProjectedAsTheyAre) {
   std::vector<Trajectory> records = {oscillation(100)};
   give_derivatives(records[0]);
   records[0].derivatives *= 3.0;
-  const ProjectedRows rows(library_of({"v"}), records, project(records));
+  const ProjectedRows rows(projected_library({"v"}), records, project(records));
   const auto [theta, targets] = read_all(rows);
   EXPECT_LT((targets.col(0) - 3.0 * theta.col(0)).norm(), 1e-14);
 }
@@ -67,14 +67,14 @@ TEST(ProjectedRows, GivenDerivativesAreProjectedAsTheyAre) {
 TEST(ProjectedRows, DelayedTermsLeaveOutTheBeginning) {
   const std::vector<Trajectory> records = {oscillation(200)};
   const auto projections = project(records);
-  const ProjectedRows all(library_of({"v"}), records, projections);
-  const ProjectedRows later(library_of({"delay(v,0.5)"}), records, projections);
+  const ProjectedRows all(projected_library({"v"}), records, projections);
+  const ProjectedRows later(projected_library({"delay(v,0.5)"}), records, projections);
   EXPECT_EQ(later.rows(), all.rows() - 25);
 }
 
 TEST(ProjectedRows, RefuseRecordsThatAreTooShort) {
   const std::vector<Trajectory> records = {oscillation(10)};
-  EXPECT_THROW(ProjectedRows(library_of({"v"}), records, project(records)), DataError);
+  EXPECT_THROW(ProjectedRows(projected_library({"v"}), records, project(records)), DataError);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 namespace lacuna {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
-TermLibrary library_of(const std::vector<std::string>& texts) {
+TermLibrary rate_library(const std::vector<std::string>& texts) {
   TermLibrary library{{{"x", "v"}, {"u"}}, {}};
   for (const std::string& text : texts)
     library.terms.push_back(Term::parse(text, library.variables));
@@ -38,7 +38,7 @@ std::string problem_with(const Dataset& data, const TermLibrary& library) {
 
 TEST(StrongForm, FindsAnOscillatorsCoefficients) {
   const auto system =
-      with_differences().assemble(oscillation_data(), library_of({"x", "v", "u"}));
+      with_differences().assemble(oscillation_data(), rate_library({"x", "v", "u"}));
   EXPECT_EQ(system.rows(), 400 - 2 * 4);
   EXPECT_THAT(system.target_names(), ElementsAre("dx/dt", "dv/dt"));
   const Vector first = system.subproblem(0, {0, 1, 2}).solve();
@@ -53,7 +53,7 @@ TEST(StrongForm, GivenDerivativesAreTheTargets) {
   data.trajectories[0].derivatives.col(1) *= 2.0;
   const auto system =
       StrongForm{{.differentiator = SavitzkyGolay{{.window = 51, .degree = 2}}}}.assemble(
-          data, library_of({"x", "v"}));
+          data, rate_library({"x", "v"}));
   EXPECT_LT((system.subproblem(1, {0, 1}).solve() - Eigen::Vector2d(-8, 0)).norm(), 1e-12);
 }
 
@@ -62,7 +62,7 @@ TEST(StrongForm, SmoothingOfStatesCanBeTurnedOff) {
   const Dataset data = oscillation_data();
   const auto norm = [&](bool smooth) {
     const StrongForm form{{.differentiator = wide, .smooth_states = smooth}};
-    return form.assemble(data, library_of({"x"})).factor().column_norms[0];
+    return form.assemble(data, rate_library({"x"})).factor().column_norms[0];
   };
   const Vector position = data.trajectories[0].states.col(0);
   EXPECT_NEAR(norm(false), position.segment(25, position.size() - 50).norm(), 1e-10);
@@ -71,7 +71,7 @@ TEST(StrongForm, SmoothingOfStatesCanBeTurnedOff) {
 
 TEST(StrongForm, EndsWithOneSidedDerivativesHaveNoRow) {
   const auto rows = [](Index samples) {
-    return with_differences(8).assemble(oscillation_data(samples), library_of({"x"})).rows();
+    return with_differences(8).assemble(oscillation_data(samples), rate_library({"x"})).rows();
   };
   EXPECT_EQ(rows(16), 8);
   EXPECT_EQ(rows(15), 15);
@@ -80,7 +80,7 @@ TEST(StrongForm, EndsWithOneSidedDerivativesHaveNoRow) {
 TEST(StrongForm, TermThatIsNotFiniteIsNamedWithItsSample) {
   Dataset data = oscillation_data();
   data.trajectories[0].states(6, 0) = 0.0;
-  const std::string problem = problem_with(data, library_of({"v", "x^-1"}));
+  const std::string problem = problem_with(data, rate_library({"v", "x^-1"}));
   EXPECT_NE(problem.find("term 'x^-1'"), std::string::npos) << problem;
   EXPECT_NE(problem.find("sample 7 of run.csv (t = 0.06, x = 0)"), std::string::npos)
       << problem;
@@ -117,7 +117,7 @@ TEST(StrongForm, NoiseOfGivenDerivativesIsNotKnown) {
 
 TEST(StrongForm, FittedToRecordsItGivesTheSameSystem) {
   const Dataset data = oscillation_data();
-  const TermLibrary library = library_of({"x", "v"});
+  const TermLibrary library = rate_library({"x", "v"});
   const Stage<Formulation> form = StrongForm{{.differentiator = FiniteDifferences{}}};
   const Stage<Formulation> fitted = fitted_to(form, data);
   EXPECT_EQ(fitted->assemble(data, library).subproblem(1, {0, 1}).solve(),
@@ -129,12 +129,12 @@ TEST(StrongForm, FittedToRecordsItGivesTheSameSystem) {
 TEST(StrongForm, PiecesTooShortForDifferencesAreLeftOut) {
   Dataset data = oscillation_data();
   data.trajectories.push_back(oscillation(8, 10.0));
-  const auto system = with_differences(8).assemble(data, library_of({"x", "v"}));
+  const auto system = with_differences(8).assemble(data, rate_library({"x", "v"}));
   EXPECT_EQ(system.rows(), 400 - 2 * 4);
 }
 
 TEST(StrongForm, RecordTooShortForTheDifferentiatorIsNamed) {
-  const std::string problem = problem_with(oscillation_data(7), library_of({"x"}));
+  const std::string problem = problem_with(oscillation_data(7), rate_library({"x"}));
   EXPECT_NE(problem.find("run.csv"), std::string::npos) << problem;
   EXPECT_NE(problem.find("at least 9 samples and has 7"), std::string::npos) << problem;
 }

@@ -31,12 +31,12 @@ double gusts(double t, double, double) {
   return (1.0 - share) * values[before] + share * values[before + 1];
 }
 
-support::Asked asked_of(const support::Hidden& hidden) {
+support::Asked asked_with(const support::Hidden& hidden) {
   return support::asked(hidden, 0.005, {FamilyEffect<kUnmeasuredInput>{}});
 }
 
 TEST(UnmeasuredInput, RecoversSizeAndMemory) {
-  const support::Asked asked = asked_of(gusts);
+  const support::Asked asked = asked_with(gusts);
   const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
   ASSERT_EQ(made.accounts.size(), 1u);
   const Account& account = made.accounts[0].account;
@@ -60,7 +60,7 @@ TEST(UnmeasuredInput, RecoversSizeAndMemory) {
 }
 
 TEST(UnmeasuredInput, AFunctionOfTheStateTakesTheNamesAndGetsNone) {
-  const support::Asked asked = asked_of(support::ripple);
+  const support::Asked asked = asked_with(support::ripple);
   const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
   for (const Proposal& proposal : made.accounts) {
     EXPECT_TRUE(proposal.account.named.empty());
@@ -70,15 +70,15 @@ TEST(UnmeasuredInput, AFunctionOfTheStateTakesTheNamesAndGetsNone) {
 }
 
 TEST(UnmeasuredInput, IsNotAskedForWhereNothingIsLeftOrNoEffectProposesIt) {
-  const support::Asked complete = asked_of(support::nothing);
+  const support::Asked complete = asked_with(support::nothing);
   EXPECT_TRUE(UnmeasuredInput().propose(complete.problem(), complete.bare()).accounts.empty());
-  support::Asked without = asked_of(gusts);
+  support::Asked without = asked_with(gusts);
   without.options.effects = {FamilyEffect<kQuadraticDrag>{}};
   EXPECT_TRUE(UnmeasuredInput().propose(without.problem(), without.bare()).accounts.empty());
 }
 
 TEST(UnmeasuredInput, ThresholdsDecideWhetherItIsEvident) {
-  support::Asked asked = asked_of(gusts);
+  support::Asked asked = asked_with(gusts);
   const Account bare = asked.bare();
   asked.options.decision.undecided = 1e6;  // no evidence is enough
   EXPECT_TRUE(UnmeasuredInput().propose(asked.problem(), bare).accounts.empty());

@@ -10,11 +10,11 @@
 namespace lacuna {
 namespace {
 
-const auto column_name = [](Index column) { return "column " + std::to_string(column); };
+const auto name_of_column = [](Index column) { return "column " + std::to_string(column); };
 
 Factor factor_of(const Matrix& theta, const Matrix& targets,
                  Folding folding = Folding::Automatic) {
-  return factorise(*make_row_source(theta, targets), folding, column_name);
+  return factorise(*make_row_source(theta, targets), folding, name_of_column);
 }
 
 // |R - R'| for factors that may differ in rounding only.

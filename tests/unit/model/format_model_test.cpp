@@ -14,7 +14,7 @@
 namespace lacuna {
 namespace {
 
-const Variables kVariables{{"x"}, {}};
+const Variables kOnlyX{{"x"}, {}};
 
 OdeModel decay(const WeightedTerm& summand) {
   return OdeModel({{"x", "V"}}, {}, {{summand}}, "ms");
@@ -22,7 +22,7 @@ OdeModel decay(const WeightedTerm& summand) {
 
 TEST(FormatModel, LayoutIsOneTermPerLine) {
   EXPECT_EQ(
-      format_model(decay({Term::parse("x", kVariables), -0.5, 0.01, {{-0.52, -0.48}}})),
+      format_model(decay({Term::parse("x", kOnlyX), -0.5, 0.01, {{-0.52, -0.48}}})),
       "{\"format\": \"lacuna.model/1\",\n"
       " \"time_unit\": \"ms\",\n"
       " \"states\": [\n"
@@ -46,7 +46,7 @@ TEST(FormatModel, CoefficientsSurviveToTheLastBit) {
     const auto pattern = random.below(1ULL << 53) << 11 | random.below(1ULL << 11);
     const double coefficient = std::bit_cast<double>(pattern);
     if (!std::isfinite(coefficient)) continue;
-    const OdeModel model = decay({Term::parse("sin(0.1*x)", kVariables), coefficient});
+    const OdeModel model = decay({Term::parse("sin(0.1*x)", kOnlyX), coefficient});
     const OdeModel again = parse_model(format_model(model), "m");
     ASSERT_EQ(std::bit_cast<std::uint64_t>(again.equations()[0][0].coefficient), pattern);
     ASSERT_EQ(again.equations()[0][0].term, model.equations()[0][0].term);
@@ -56,7 +56,7 @@ TEST(FormatModel, CoefficientsSurviveToTheLastBit) {
 TEST(FormatModel, ErrorsThatAreNotFiniteAreLeftOut) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::string text = format_model(
-      decay({Term::parse("x", kVariables), 1.0, std::nan(""), {{-kInfinity, kInfinity}}}));
+      decay({Term::parse("x", kOnlyX), 1.0, std::nan(""), {{-kInfinity, kInfinity}}}));
   EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("stderr")));
   EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("ci95")));
   EXPECT_EQ(parse_model(text, "m").coefficient(0, "x"), 1.0);

@@ -11,11 +11,11 @@
 namespace lacuna {
 namespace {
 
-const Variables kVariables{.states = {"x", "y", "z"}, .inputs = {"u"}};
+const Variables kDrivenSpace{.states = {"x", "y", "z"}, .inputs = {"u"}};
 
 std::map<std::string, double> terms_of(const std::string& formula) {
   std::map<std::string, double> terms;
-  for (const WeightedTerm& one : linear_terms(parse_expression(formula), kVariables))
+  for (const WeightedTerm& one : linear_terms(parse_expression(formula), kDrivenSpace))
     terms[one.term.name()] = one.coefficient;
   return terms;
 }
@@ -47,7 +47,7 @@ TEST(LinearTerms, SumsToThePowerOfOneStayTogether) {
   for (const char* term : {"x-y", "u*(2*x-y)", "(x+y)*(x-1)/(z+2)", "x^2*y", "sin(x-y)"}) {
     const Expression written = kept_together(parse_expression(term));
     EXPECT_EQ(terms_of(written.to_string()),
-              (Terms{{Term::parse(term, kVariables).name(), 1.0}}))
+              (Terms{{Term::parse(term, kDrivenSpace).name(), 1.0}}))
         << written.to_string();
   }
 }
@@ -62,9 +62,9 @@ TEST(LinearTerms, HaveTheValueOfTheFormula) {
   const Expression formula =
       parse_expression("-(x-2*y)*(z/3+u*(1-x))/(1+y^2) + 4*exp(-x)*(y-1) - -z");
   std::vector<Expression> parts{formula};
-  const Equation terms = linear_terms(formula, kVariables);
+  const Equation terms = linear_terms(formula, kDrivenSpace);
   for (const WeightedTerm& one : terms) parts.push_back(one.term.expression());
-  const Program program(parts, kVariables);
+  const Program program(parts, kDrivenSpace);
   Program::Workspace workspace;
   Random random(7);
   for (int trial = 0; trial < 20; ++trial) {

@@ -15,10 +15,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const Variables kVariables{{"x", "v"}, {"u"}};
+const Variables kPositionAndSpeed{{"x", "v"}, {"u"}};
 
 WeightedTerm summand(const std::string& text, double coefficient) {
-  return {Term::parse(text, kVariables), coefficient};
+  return {Term::parse(text, kPositionAndSpeed), coefficient};
 }
 
 OdeModel oscillator() {
@@ -40,7 +40,7 @@ std::string message(const std::function<void()>& action) {
 TEST(OdeModel, HoldsWhatItWasGiven) {
   const OdeModel model = oscillator();
   EXPECT_EQ(model.dimension(), 2);
-  EXPECT_EQ(model.variables(), kVariables);
+  EXPECT_EQ(model.variables(), kPositionAndSpeed);
   EXPECT_EQ(model.time_unit(), "ms");
   EXPECT_EQ(model.state_index("v"), 1);
   EXPECT_EQ(model.coefficient(1, "x^3"), -0.5);

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 const std::vector<std::string> kKnown{"x", "y", "theta", "t"};
 
-std::string message(const std::string& text) {
+std::string parse_message(const std::string& text) {
   try {
     parse_expression(text, kKnown);
   } catch (const ModelError& error) {
@@ -56,40 +56,41 @@ TEST(ParseExpression, DelayOfAFormulaIsTheFormulaOfDelayedVariables) {
 }
 
 TEST(ParseExpression, ErrorsNameTheColumnAndTheRemedy) {
-  EXPECT_EQ(message("x*q"),
+  EXPECT_EQ(parse_message("x*q"),
             "term 'x*q', column 3: unknown name 'q'; known are: x, y, theta, t");
-  EXPECT_THAT(message("x*thete"),
+  EXPECT_THAT(parse_message("x*thete"),
               HasSubstr("column 3: unknown name 'thete'; did you mean 'theta'"));
-  EXPECT_THAT(message("sine(x)"),
+  EXPECT_THAT(parse_message("sine(x)"),
               HasSubstr("column 1: unknown function 'sine'; did you mean 'sin'"));
-  EXPECT_THAT(message("1+max(x)"), HasSubstr("column 3: 'max' has 1 arguments, not 2"));
-  EXPECT_THAT(message("sin()"), HasSubstr("column 1: 'sin' has 0 arguments, not 1"));
-  EXPECT_THAT(message("x*(y"), HasSubstr("column 3: '(' without ')'"));
-  EXPECT_THAT(message("sin(x"), HasSubstr("column 4: '(' without ')'"));
-  EXPECT_THAT(message("x)"), HasSubstr("column 2: ')' without '('"));
-  EXPECT_THAT(message("x**2"), HasSubstr("column 3: '*' where a value should stand; powers"));
-  EXPECT_THAT(message("x(t-1)"), HasSubstr("column 1: 'x' is not a function"));
-  EXPECT_THAT(message("2 x"), HasSubstr("column 3: an operator is missing before 'x'"));
-  EXPECT_THAT(message("sin"), HasSubstr("column 1: the function 'sin' has no arguments"));
-  EXPECT_THAT(message("x+"), HasSubstr("column 3: the formula ends too early"));
-  EXPECT_THAT(message(""), HasSubstr("column 1: the formula is empty"));
-  EXPECT_THAT(message("x$y"), HasSubstr("column 2: unexpected '$'"));
-  EXPECT_THAT(message("x\x01y"), HasSubstr("column 2: unexpected byte 0x01"));
+  EXPECT_THAT(parse_message("1+max(x)"), HasSubstr("column 3: 'max' has 1 arguments, not 2"));
+  EXPECT_THAT(parse_message("sin()"), HasSubstr("column 1: 'sin' has 0 arguments, not 1"));
+  EXPECT_THAT(parse_message("x*(y"), HasSubstr("column 3: '(' without ')'"));
+  EXPECT_THAT(parse_message("sin(x"), HasSubstr("column 4: '(' without ')'"));
+  EXPECT_THAT(parse_message("x)"), HasSubstr("column 2: ')' without '('"));
+  EXPECT_THAT(parse_message("x**2"),
+              HasSubstr("column 3: '*' where a value should stand; powers"));
+  EXPECT_THAT(parse_message("x(t-1)"), HasSubstr("column 1: 'x' is not a function"));
+  EXPECT_THAT(parse_message("2 x"), HasSubstr("column 3: an operator is missing before 'x'"));
+  EXPECT_THAT(parse_message("sin"), HasSubstr("column 1: the function 'sin' has no arguments"));
+  EXPECT_THAT(parse_message("x+"), HasSubstr("column 3: the formula ends too early"));
+  EXPECT_THAT(parse_message(""), HasSubstr("column 1: the formula is empty"));
+  EXPECT_THAT(parse_message("x$y"), HasSubstr("column 2: unexpected '$'"));
+  EXPECT_THAT(parse_message("x\x01y"), HasSubstr("column 2: unexpected byte 0x01"));
 }
 
 TEST(ParseExpression, NumbersOutOfRangeAndBadDelays) {
-  EXPECT_THAT(message("x*1e999"), HasSubstr("column 3: the number is out of the range"));
-  EXPECT_THAT(message("delay(x,-1)"), HasSubstr("column 9: the delay -1 is not"));
+  EXPECT_THAT(parse_message("x*1e999"), HasSubstr("column 3: the number is out of the range"));
+  EXPECT_THAT(parse_message("delay(x,-1)"), HasSubstr("column 9: the delay -1 is not"));
   const std::vector<std::string> names{"x", "y"};
   EXPECT_THROW(parse_expression("delay(x,y)", names), ModelError);
-  EXPECT_THAT(message("delay(x,1/0)"), HasSubstr("column 9: the delay inf is not"));
-  EXPECT_THAT(message("delay(x)"), HasSubstr("column 1: 'delay' has 1 arguments, not 2"));
+  EXPECT_THAT(parse_message("delay(x,1/0)"), HasSubstr("column 9: the delay inf is not"));
+  EXPECT_THAT(parse_message("delay(x)"), HasSubstr("column 1: 'delay' has 1 arguments, not 2"));
 }
 
 TEST(ParseExpression, MessagesAreOneShortLine) {
-  const std::string text = message(std::string(500, 'x') + "\n" + std::string(500, 'y'));
+  const std::string text = parse_message(std::string(500, 'x') + "\n" + std::string(500, 'y'));
   EXPECT_EQ(text.find('\n'), std::string::npos);
-  EXPECT_LT(message("x+" + std::string(500, '(') + "\n").size(), 300u);
+  EXPECT_LT(parse_message("x+" + std::string(500, '(') + "\n").size(), 300u);
 }
 
 TEST(ParseExpression, DeepNestingIsAnErrorNotACrash) {
@@ -101,10 +102,13 @@ TEST(ParseExpression, DeepNestingIsAnErrorNotACrash) {
     return text;
   };
   for (const std::string open : {"(", "sin(", "abs((", "-(", "max(x,"})
-    EXPECT_THAT(message(nested(100000, open, ")")), HasSubstr("nested deeper than 200 levels"));
+    EXPECT_THAT(parse_message(nested(100000, open, ")")),
+                HasSubstr("nested deeper than 200 levels"));
   for (const std::string open : {"-", "x^", "+"})
-    EXPECT_THAT(message(nested(100000, open, "")), HasSubstr("nested deeper than 200 levels"));
-  EXPECT_THAT(message(nested(100000, "x+", "")), HasSubstr("more than 400 operations deep"));
+    EXPECT_THAT(parse_message(nested(100000, open, "")),
+                HasSubstr("nested deeper than 200 levels"));
+  EXPECT_THAT(parse_message(nested(100000, "x+", "")),
+              HasSubstr("more than 400 operations deep"));
   EXPECT_EQ(parse_expression(nested(199, "(", ")")), Expression::variable("x"));
   EXPECT_EQ(parse_expression(nested(300, "x*", "")).depth(), 300);
 }

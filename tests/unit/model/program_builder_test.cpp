@@ -9,12 +9,12 @@
 namespace lacuna {
 namespace {
 
-const Variables kVariables{{"x", "y", "z"}, {}};
+const Variables kSpace{{"x", "y", "z"}, {}};
 
 Index operations(const std::vector<std::string>& formulas) {
   std::vector<Expression> expressions;
   for (const std::string& formula : formulas) expressions.push_back(parse_expression(formula));
-  return Program(expressions, kVariables).operations();
+  return Program(expressions, kSpace).operations();
 }
 
 TEST(ProgramBuilder, IntegerPowersAreProducts) {
@@ -41,11 +41,11 @@ TEST(ProgramBuilder, ConstantsAreFolded) {
 }
 
 TEST(ProgramBuilder, AMonomialLibraryIsOneProductPerTerm) {
-  TermLibrary library{kVariables, {}};
+  TermLibrary library{kSpace, {}};
   for (int i = 0; i <= 5; ++i)
     for (int j = 0; i + j <= 5; ++j)
       for (int k = 0; i + j + k <= 5; ++k)
-        library.terms.push_back(Term::monomial({i, j, k, 0}, kVariables));
+        library.terms.push_back(Term::monomial({i, j, k, 0}, kSpace));
   EXPECT_EQ(library.size(), 56);
   EXPECT_EQ(library.compile().operations(), 56 - 4);
 }

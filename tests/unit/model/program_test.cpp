@@ -14,12 +14,12 @@
 namespace lacuna {
 namespace {
 
-const Variables kVariables{{"x", "y"}, {"u"}};
+const Variables kDrivenPlane{{"x", "y"}, {"u"}};
 
 Program compile(const std::vector<std::string>& formulas) {
   std::vector<Expression> expressions;
   for (const std::string& formula : formulas) expressions.push_back(parse_expression(formula));
-  return Program(expressions, kVariables);
+  return Program(expressions, kDrivenPlane);
 }
 
 std::vector<double> evaluate(const Program& program, const std::vector<double>& slots) {
@@ -30,8 +30,8 @@ std::vector<double> evaluate(const Program& program, const std::vector<double>& 
 }
 
 TEST(Variables, AreStatesInputsThenTime) {
-  EXPECT_EQ(kVariables.count(), 4);
-  EXPECT_EQ(kVariables.names(), (std::vector<std::string>{"x", "y", "u", "t"}));
+  EXPECT_EQ(kDrivenPlane.count(), 4);
+  EXPECT_EQ(kDrivenPlane.names(), (std::vector<std::string>{"x", "y", "u", "t"}));
 }
 
 TEST(Program, EvaluatesSlotsConstantsAndRepeatedOutputs) {

@@ -15,9 +15,9 @@ namespace {
 
 using Exponents = std::vector<int>;
 
-const Variables kVariables{{"x", "y"}, {"u"}};
+const Variables kPlane{{"x", "y"}, {"u"}};
 
-Term term(const std::string& text) { return Term::parse(text, kVariables); }
+Term term(const std::string& text) { return Term::parse(text, kPlane); }
 
 TEST(Term, MonomialsAreRecognisedHoweverTheyAreWritten) {
   const std::vector<std::pair<std::string, Exponents>> cases{
@@ -28,7 +28,7 @@ TEST(Term, MonomialsAreRecognisedHoweverTheyAreWritten) {
   for (const auto& [text, exponents] : cases) {
     ASSERT_TRUE(term(text).exponents()) << text;
     EXPECT_EQ(*term(text).exponents(), exponents) << text;
-    EXPECT_EQ(term(text), Term::monomial(exponents, kVariables)) << text;
+    EXPECT_EQ(term(text), Term::monomial(exponents, kPlane)) << text;
   }
 }
 
@@ -57,15 +57,15 @@ TEST(Term, UnknownNamesAreErrors) {
     EXPECT_EQ(error.where(), "term 'x*q', column 3");
     EXPECT_EQ(error.remedy(), "known are: x, y, u, t");
   }
-  EXPECT_THROW(Term(Expression::variable("q"), kVariables), ModelError);
+  EXPECT_THROW(Term(Expression::variable("q"), kPlane), ModelError);
 }
 
 TEST(Term, MonomialNeedsOneExponentPerVariable) {
-  EXPECT_THROW(Term::monomial({1, 2, 3}, kVariables), ArgumentError);
+  EXPECT_THROW(Term::monomial({1, 2, 3}, kPlane), ArgumentError);
 }
 
 TEST(TermLibrary, CompilesAllTermsIntoOneProgram) {
-  const TermLibrary library{kVariables, {term("1"), term("x*y"), term("sin(u)"), term("1/y")}};
+  const TermLibrary library{kPlane, {term("1"), term("x*y"), term("sin(u)"), term("1/y")}};
   EXPECT_EQ(library.size(), 4);
   EXPECT_EQ(library.names(), (std::vector<std::string>{"1", "x*y", "sin(u)", "y^-1"}));
   const Program program = library.compile();

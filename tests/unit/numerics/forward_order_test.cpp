@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-Matrix random_matrix(Index rows, Index columns, unsigned seed) {
+Matrix random_numbers(Index rows, Index columns, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   return Matrix::NullaryExpr(rows, columns, [&] { return normal(random); });
@@ -24,8 +24,8 @@ double left_by(const Matrix& a, const Vector& y, const std::vector<Index>& subse
 }
 
 TEST(ForwardOrder, EachColumnIsTheBestBesideThoseBefore) {
-  const Matrix a = random_matrix(40, 12, 1);
-  const Vector y = random_matrix(40, 1, 2);
+  const Matrix a = random_numbers(40, 12, 1);
+  const Vector y = random_numbers(40, 1, 2);
   const ForwardOrder order = forward_order(a, y, {.fewest = 6});
   ASSERT_EQ(order.columns.size(), 12U);  // enough = 0: until nothing is left
   std::vector<Index> subset;
@@ -43,8 +43,8 @@ TEST(ForwardOrder, EachColumnIsTheBestBesideThoseBefore) {
 }
 
 TEST(ForwardOrder, EndsWhereEnoughIsExplained) {
-  const Matrix a = random_matrix(50, 20, 3);
-  const Vector y = a.col(4) - 2.0 * a.col(11) + 1e-3 * random_matrix(50, 1, 4);
+  const Matrix a = random_numbers(50, 20, 3);
+  const Vector y = a.col(4) - 2.0 * a.col(11) + 1e-3 * random_numbers(50, 1, 4);
   ForwardOrder order = forward_order(a, y, {.enough = 1e-2 * y.squaredNorm()});
   std::sort(order.columns.begin(), order.columns.end());
   EXPECT_EQ(order.columns, (std::vector<Index>{4, 11}));
@@ -53,9 +53,9 @@ TEST(ForwardOrder, EndsWhereEnoughIsExplained) {
 }
 
 TEST(ForwardOrder, SomeComeFirstAndDependentOnesNever) {
-  Matrix a = random_matrix(30, 6, 5);
+  Matrix a = random_numbers(30, 6, 5);
   a.col(3) = a.col(1) + a.col(2);
-  const Vector y = a.col(0) + random_matrix(30, 1, 6);
+  const Vector y = a.col(0) + random_numbers(30, 1, 6);
   const ForwardOrder order = forward_order(a, y, {.first = {1, 2, 3}, .fewest = 6});
   ASSERT_EQ(order.columns.size(), 5U);
   EXPECT_EQ(order.columns[0], 1);
@@ -64,7 +64,7 @@ TEST(ForwardOrder, SomeComeFirstAndDependentOnesNever) {
 }
 
 TEST(ForwardOrder, TheGramGivesTheSameOrder) {
-  Matrix all = random_matrix(60, 17, 8);
+  Matrix all = random_numbers(60, 17, 8);
   all.col(6) = all.col(0) - all.col(5);
   const Matrix gram = all.transpose() * all;
   const Matrix a = all.leftCols(15);
@@ -82,7 +82,7 @@ TEST(ForwardOrder, EndsOnRequest) {
   source.request_stop();
   RunContext context;
   context.stop = source.get_token();
-  const Matrix a = random_matrix(30, 6, 7);
+  const Matrix a = random_numbers(30, 6, 7);
   EXPECT_THROW(forward_order(a, a.col(2), {.fewest = 3}, context), Cancelled);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Optional;
 
-const FiniteDifferences kDifferences{{.order = 8}};
+const FiniteDifferences kEighthOrder{{.order = 8}};
 
 /// Only q = sin(2 t) and p = 2 cos(2 t) with an input.
 Dataset measured(Index n = 300) {
@@ -33,7 +33,7 @@ std::vector<std::string> names(const Dataset& data) {
 double largest(const Vector& values) { return values.cwiseAbs().maxCoeff(); }
 
 TEST(Embed, SecondOrderAddsTheDerivative) {
-  const Dataset result = embed(measured(), {{"q", 2}}, kDifferences);
+  const Dataset result = embed(measured(), {{"q", 2}}, kEighthOrder);
   EXPECT_THAT(names(result), ElementsAre("q", "q_d1", "p"));
   EXPECT_EQ(result.states[1].unit, "m/s");
   EXPECT_THAT(result.rate_of, ElementsAre(Optional(Index{1}), std::nullopt, std::nullopt));
@@ -51,14 +51,14 @@ TEST(Embed, SecondOrderAddsTheDerivative) {
 TEST(Embed, WhatIsAddedIsReconstructed) {
   Dataset data = measured();
   data.reconstructed = {false, true};
-  const Dataset result = embed(data, {{"q", 2}}, kDifferences);
+  const Dataset result = embed(data, {{"q", 2}}, kEighthOrder);
   EXPECT_THAT(result.reconstructed, ElementsAre(false, true, true));
-  EXPECT_THAT(embed(measured(), {{"q", -1}}, kDifferences).reconstructed,
+  EXPECT_THAT(embed(measured(), {{"q", -1}}, kEighthOrder).reconstructed,
               ElementsAre(false, true, false));
 }
 
 TEST(Embed, ThirdOrderAddsTwo) {
-  const Dataset result = embed(measured(), {{"q", 3}}, kDifferences);
+  const Dataset result = embed(measured(), {{"q", 3}}, kEighthOrder);
   EXPECT_THAT(names(result), ElementsAre("q", "q_d1", "q_d2", "p"));
   EXPECT_EQ(result.states[2].unit, "m/s^2");
   EXPECT_THAT(result.rate_of,
@@ -69,12 +69,12 @@ TEST(Embed, UnitsWithOddPowersOfTimeAreDividedAsAWhole) {
   Dataset data = measured();
   for (const char* unit : {"m/s^0.5", "m/s^1e300"}) {
     data.states[0].unit = unit;
-    EXPECT_EQ(embed(data, {{"q", 2}}, kDifferences).states[1].unit, unit + std::string("/s"));
+    EXPECT_EQ(embed(data, {{"q", 2}}, kEighthOrder).states[1].unit, unit + std::string("/s"));
   }
 }
 
 TEST(Embed, NegativeOrderAddsIntegrals) {
-  const Dataset result = embed(measured(), {{"q", -2}}, kDifferences);
+  const Dataset result = embed(measured(), {{"q", -2}}, kEighthOrder);
   EXPECT_THAT(names(result), ElementsAre("q", "q_i1", "q_i2", "p"));
   EXPECT_EQ(result.states[1].unit, "m s");
   EXPECT_EQ(result.states[2].unit, "m s^2");
@@ -88,7 +88,7 @@ TEST(Embed, NegativeOrderAddsIntegrals) {
 }
 
 TEST(Embed, SeveralStatesAtOnce) {
-  const Dataset result = embed(measured(), {{"p", 2}, {"q", 2}}, kDifferences);
+  const Dataset result = embed(measured(), {{"p", 2}, {"q", 2}}, kEighthOrder);
   EXPECT_THAT(names(result), ElementsAre("q", "q_d1", "p", "p_d1"));
   EXPECT_THAT(result.rate_of,
               ElementsAre(Optional(Index{1}), std::nullopt, Optional(Index{3}), std::nullopt));
@@ -97,7 +97,7 @@ TEST(Embed, SeveralStatesAtOnce) {
 TEST(Embed, IdentitiesThatWereKnownStay) {
   Dataset data = measured();
   data.rate_of = {Index{1}, std::nullopt};
-  const Dataset result = embed(data, {{"p", 2}}, kDifferences);
+  const Dataset result = embed(data, {{"p", 2}}, kEighthOrder);
   EXPECT_THAT(names(result), ElementsAre("q", "p", "p_d1"));
   EXPECT_THAT(result.rate_of,
               ElementsAre(Optional(Index{1}), Optional(Index{2}), std::nullopt));
@@ -130,7 +130,7 @@ TEST(Embed, GivenDerivativesOfOtherStatesAreKept) {
 TEST(Embed, UnitsOfRatesAreCounted) {
   Dataset data = measured();
   data.states = {{"q", "rad/s"}, {"p", ""}};
-  const Dataset result = embed(data, {{"q", 3}, {"p", 2}}, kDifferences);
+  const Dataset result = embed(data, {{"q", 3}, {"p", 2}}, kEighthOrder);
   EXPECT_EQ(result.states[1].unit, "rad/s^2");
   EXPECT_EQ(result.states[2].unit, "rad/s^3");
   EXPECT_EQ(result.states[4].unit, "");
@@ -138,17 +138,17 @@ TEST(Embed, UnitsOfRatesAreCounted) {
 
 TEST(Embed, RequestsThatCannotBeMetAreRefused) {
   const Dataset data = measured();
-  EXPECT_THROW(embed(data, {{"Q", 2}}, kDifferences), ConfigError);
-  EXPECT_THROW(embed(data, {{"q", 0}}, kDifferences), ConfigError);
-  EXPECT_THROW(embed(data, {{"q", 2}, {"q", 3}}, kDifferences), ConfigError);
+  EXPECT_THROW(embed(data, {{"Q", 2}}, kEighthOrder), ConfigError);
+  EXPECT_THROW(embed(data, {{"q", 0}}, kEighthOrder), ConfigError);
+  EXPECT_THROW(embed(data, {{"q", 2}, {"q", 3}}, kEighthOrder), ConfigError);
   Dataset taken = data;
   taken.states[1].name = "q_d1";
-  EXPECT_THROW(embed(taken, {{"q", 2}}, kDifferences), ConfigError);
+  EXPECT_THROW(embed(taken, {{"q", 2}}, kEighthOrder), ConfigError);
 }
 
 TEST(Embed, ShortRecordIsNamed) {
   try {
-    embed(measured(6), {{"q", 2}}, kDifferences);
+    embed(measured(6), {{"q", 2}}, kEighthOrder);
     FAIL();
   } catch (const DataError& error) {
     EXPECT_NE(error.where().find("run.csv"), std::string::npos) << error.what();

@@ -60,7 +60,7 @@ Dataset waves() {
   return data;
 }
 
-double largest(const Vector& values) { return values.cwiseAbs().maxCoeff(); }
+double largest_of(const Vector& values) { return values.cwiseAbs().maxCoeff(); }
 
 TEST(ModelView, HasTheColumnsInTheOrderOfTheModel) {
   const Dataset view = model_view(model_of("u"), record());
@@ -107,16 +107,16 @@ TEST(ModelView, MakesStatesThatAreDerivatives) {
   EXPECT_THAT(view.reconstructed, ElementsAre(true, false, true, false));
   EXPECT_TRUE(view.rate_of.empty());
   const Trajectory& run = view.trajectories[0];
-  EXPECT_LT(largest(run.states.col(0) - Vector(run.time.array().cos())), 1e-6);
-  EXPECT_LT(largest(run.states.col(2) + Vector(run.time.array().sin())), 1e-4);
-  EXPECT_LT(largest(run.states.col(3) - Vector((2.0 * run.time.array()).cos())), 1e-9);
+  EXPECT_LT(largest_of(run.states.col(0) - Vector(run.time.array().cos())), 1e-6);
+  EXPECT_LT(largest_of(run.states.col(2) + Vector(run.time.array().sin())), 1e-4);
+  EXPECT_LT(largest_of(run.states.col(3) - Vector((2.0 * run.time.array()).cos())), 1e-9);
 }
 
 TEST(ModelView, AStateIsMadeOnceWhereTwoIdentitiesNameIt) {
   const OdeModel model = chain_model({"x", "y", "v"}, {"v", "v", ""});
   const Trajectory run = model_view(model, waves(), kDifferences).trajectories[0];
   ASSERT_EQ(run.states.cols(), 3);
-  EXPECT_LT(largest(run.states.col(2) - Vector(run.time.array().cos())), 1e-6)
+  EXPECT_LT(largest_of(run.states.col(2) - Vector(run.time.array().cos())), 1e-6)
       << "of the first state that has a column";
 }
 
@@ -137,7 +137,7 @@ TEST(ModelView, BringsTimeToTheUnitOfTheModel) {
   const Trajectory& run = view.trajectories[0];
   EXPECT_NEAR(run.duration(), 8e-3, 1e-15);
   const Vector rate = -2e3 * (2e3 * run.time.array()).sin();
-  EXPECT_LT(largest(run.states.col(1) - rate), 1e-2) << "per second";
+  EXPECT_LT(largest_of(run.states.col(1) - rate), 1e-2) << "per second";
 }
 
 /// x' = -2 z, z' = 3 x, y = `formula`; the record has columns x, y of waves() called as given.

@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using testing::expect_error;
 using testing::TemporaryFolder;
 
-const FiniteDifferences kDifferences;
+const FiniteDifferences kDefaultDifferences;
 
 /// x = cos(2 t) and u = t with a column that no model knows; `header` names t, x, u, spare.
 std::string table_of(const std::string& header, double seconds = 1.0) {
@@ -33,7 +33,7 @@ std::string table_of(const std::string& header, double seconds = 1.0) {
 }
 
 Dataset read(const std::vector<std::string>& paths) {
-  return read_records(support::harmonic_model(), paths, {}, kDifferences);
+  return read_records(support::harmonic_model(), paths, {}, kDefaultDifferences);
 }
 
 TEST(ReadRecords, HasTheVariablesOfTheModel) {
@@ -79,7 +79,7 @@ TEST(ReadRecords, OutputsAreColumnsOfTheirOwn) {
   const OdeModel model = support::harmonic_model().with_outputs(
       {{"p", "m", parse_expression("x")}, {"e", "J", parse_expression("v^2")}});
   const std::string path = folder.write("a.csv", table_of("t,p,u,e"));
-  const Dataset data = read_records(model, {path}, {}, kDifferences, Columns::All);
+  const Dataset data = read_records(model, {path}, {}, kDefaultDifferences, Columns::All);
   ASSERT_EQ(data.state_count(), 3);
   EXPECT_EQ(data.input_count(), 1) << "outputs are not unused columns";
   EXPECT_EQ(data.trajectories[0].states(5, 2), 7.0);
@@ -103,7 +103,7 @@ TEST(ReadRecords, ATimeWithoutUnitIsInThatOfTheModel) {
   const OdeModel s = support::harmonic_model();
   const OdeModel ms(s.states(), s.inputs(), s.equations(), "ms");
   const std::string path = folder.write("a.csv", table_of("t,x,u,spare [s]"));
-  const Dataset data = read_records(ms, {path}, {}, kDifferences);
+  const Dataset data = read_records(ms, {path}, {}, kDefaultDifferences);
   EXPECT_EQ(data.time_unit, "ms");
   EXPECT_NEAR(data.trajectories[0].duration(), 0.98, 1e-9);
 }
@@ -165,7 +165,7 @@ TEST(ReadRecords, KeepsColumnsThatTheModelDoesNotKnow) {
 6,0.5,0.5,5,0.5
 )"));
   const Dataset data = read_records(support::harmonic_model(), {folder.file("b*.csv")}, {},
-                                    kDifferences, Columns::All);
+                                    kDefaultDifferences, Columns::All);
   ASSERT_EQ(data.inputs.size(), 2u) << "not 'other', which one file lacks and misses a value";
   EXPECT_EQ(data.inputs[1].name, "spare");
   ASSERT_EQ(data.trajectories.size(), 2u) << "the missing value splits nothing";
@@ -177,7 +177,7 @@ TEST(ReadRecords, TakesTheUnitOfTheTimeThatIsGiven) {
   const TemporaryFolder folder;
   const Dataset data = read_records(support::harmonic_model(),
                                     {folder.write("a.csv", table_of("t [s],x,u,spare"))},
-                                    {.time_unit = "ms"}, kDifferences);
+                                    {.time_unit = "ms"}, kDefaultDifferences);
   EXPECT_NEAR(data.trajectories[0].duration(), 0.98e-3, 1e-9) << "the header is wrong";
 }
 

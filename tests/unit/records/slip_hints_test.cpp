@@ -13,10 +13,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const OdeModel kModel = support::oscillator();  // q, v; F, time in s
+const OdeModel kHinted = support::oscillator();  // q, v; F, time in s
 
 Hint hint_for(const Slip& slip, const std::vector<Slip>& others = {}) {
-  return hint_of(kModel, {slip, Vector::Ones(2), Vector::Zero(2), others});
+  return hint_of(kHinted, {slip, Vector::Ones(2), Vector::Zero(2), others});
 }
 
 TEST(SlipHints, SayWhatWouldMendTheTime) {
@@ -60,7 +60,7 @@ std::vector<Hint> identities(double factor, double offset = 0.0) {
   data.trajectories[0].states.col(1) *= factor;
   data.trajectories[0].states.col(1).array() += offset;
   const BoundRecords records = observed(std::move(data));
-  return identity_hints(kModel, records.data, rate_windows(records), {});
+  return identity_hints(kHinted, records.data, rate_windows(records), {});
 }
 
 TEST(IdentityHints, TellAFactorThatIsNoGainOfASensor) {

@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-const OdeModel kModel = support::oscillator();  // q, v; F
+const OdeModel kSearched = support::oscillator();  // q, v; F
 
 double friction(double, double, double v) { return v > 0.0 ? -0.5 : 0.5; }
 
@@ -26,7 +26,7 @@ std::optional<FoundSlip> found(double time, double q, double v, double force,
   record.states.col(1) *= v;
   record.inputs *= force;
   const BoundRecords records = observed(std::move(data));
-  return find_slip(kModel, records.data, rate_windows(records), {});
+  return find_slip(kSearched, records.data, rate_windows(records), {});
 }
 
 TEST(Misfit, IsZeroOneOrTwo) {
@@ -80,7 +80,7 @@ TEST(FindSlip, FindsSignsAndColumns) {
   Dataset data = support::hidden_record(friction, 0.01);
   data.trajectories[0].states.col(0).swap(data.trajectories[0].states.col(1));
   const BoundRecords records = observed(std::move(data));
-  const auto swapped = find_slip(kModel, records.data, rate_windows(records), {});
+  const auto swapped = find_slip(kSearched, records.data, rate_windows(records), {});
   ASSERT_TRUE(swapped);
   EXPECT_EQ(swapped->slip.kind, HintKind::SwappedColumns);
 }

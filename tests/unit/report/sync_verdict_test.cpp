@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-OdeModel oscillator(double stiffness) {
+OdeModel damped_oscillator(double stiffness) {
   const Variables variables{{"x", "v"}, {}};
   return {{{"x", "m"}, {"v", "m/s"}},
           {},
@@ -44,7 +44,7 @@ Dataset record(double noise, double change) {
 }
 
 SyncVerdict verdict(double stiffness, const Dataset& data) {
-  const OdeModel model = oscillator(stiffness);
+  const OdeModel model = damped_oscillator(stiffness);
   return judge(model, data, synchronise(model, data, Rk4{}));
 }
 

@@ -17,7 +17,7 @@
 namespace lacuna {
 namespace {
 
-const RunContext kContext;
+const RunContext kNoLimits;
 
 /// A search among cubic monomials.
 struct SearchCase {
@@ -27,9 +27,9 @@ struct SearchCase {
         library(Monomials{{.max_degree = degree}}.library(model.variables())),
         task(search_task(data, {library}, analyse_noise(data), {.price = price})),
         search(begun(task, prepared_search(task),
-                     Matrix::Zero(data.state_count(), library.size()), kContext)) {}
+                     Matrix::Zero(data.state_count(), library.size()), kNoLimits)) {}
 
-  bool grow() { return lacuna::grow(task, search, kContext); }
+  bool grow() { return lacuna::grow(task, search, kNoLimits); }
 
   /// The model with the terms and coefficients of the search.
   OdeModel found() const {
@@ -67,7 +67,7 @@ ShootingFit shot(ShootingProblem& problem, const WindowFit& fit) {
   best.plan = plan_of(problem.record().samples(), fit.samples);
   best.point.parameters = problem.model().values();
   best.point.starts = starts_of(best.plan, problem.record().values);
-  minimise(problem, best, 1e-10, 50, kContext);
+  minimise(problem, best, 1e-10, 50, kNoLimits);
   return best;
 }
 
@@ -77,7 +77,7 @@ TEST(WindowSearch, EndsAtTheLeastSquaresOfTheSimulatedModel) {
   ASSERT_TRUE(c.search.fit.rows > 0);
   while (c.grow()) {
   }
-  finish(c.search, kContext);
+  finish(c.search, kNoLimits);
   ASSERT_EQ(structure_of(c.found()), structure_of(model)) << to_text(c.found(), 4);
   const WindowFit& fit = c.search.fit;
   ShootingProblem problem(with_free_coefficients(c.found()), c.data, std::nullopt);
@@ -155,12 +155,12 @@ TEST(WindowSearch, SimplifyingTakesTermsAwayAsFarAsTheSlackGoes) {
   ASSERT_TRUE(c.search.fit.rows > 0);
   const std::vector<Index> all = c.search.fit.subset;
   WindowSearch none = c.search, some = c.search, most = c.search;
-  simplify(c.task, none, 0.0, kContext);
+  simplify(c.task, none, 0.0, kNoLimits);
   EXPECT_EQ(none.fit.subset, all);
-  simplify(c.task, most, 1e9, kContext);
+  simplify(c.task, most, 1e9, kNoLimits);
   EXPECT_EQ(most.fit.subset.size(), 2u) << "each equation keeps its last term";
   const SubsetProblem problem = subset_problem(c.search.fit.triangle);
-  simplify(c.task, some, 1.0, kContext);
+  simplify(c.task, some, 1.0, kNoLimits);
   EXPECT_TRUE(holds(all, some.fit.subset));
   EXPECT_LT(fit_subset(problem, some.fit.subset).residual,
             1.05 * 4.0 * fit_subset(problem, all).residual);
@@ -172,7 +172,7 @@ TEST(WindowSearch, APriceThatWasGivenStandsWithAllItsTerms) {
   ASSERT_TRUE(c.search.fit.rows > 0);
   EXPECT_EQ(c.search.fit.price, 25.0);
   const std::vector<Index> all = c.search.fit.subset;
-  simplify(c.task, c.search, 1e9, kContext);
+  simplify(c.task, c.search, 1e9, kNoLimits);
   EXPECT_EQ(c.search.fit.subset, all);
 }
 

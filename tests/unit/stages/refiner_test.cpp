@@ -8,12 +8,12 @@
 namespace lacuna {
 namespace {
 
-struct EchoOptions {
+struct ShiftOptions {
   static constexpr StageInfo kInfo{"echo", "Hands the model back", ""};
   void describe(OptionVisitor&) {}
 };
 
-class Echo final : public Configured<Refiner, EchoOptions> {
+class Shift final : public Configured<Refiner, ShiftOptions> {
  private:
   RefinedModel do_refine(const RefinerTask& task, const RunContext&) const override {
     return {.model = task.start};
@@ -34,15 +34,15 @@ Dataset line() {
 TEST(Refiner, HandsTheTaskOn) {
   const Dataset data = line();
   const OdeModel model(data.states, {}, {{}});
-  EXPECT_EQ(Echo{}.refine({data, {{{"x"}, {}}, {}}, model}).model.states(), data.states);
+  EXPECT_EQ(Shift{}.refine({data, {{{"x"}, {}}, {}}, model}).model.states(), data.states);
 }
 
 TEST(Refiner, RefusesModelsOfOtherStatesAndUnusableData) {
   const Dataset data = line();
   const OdeModel other({{"y", "m"}}, {}, {{}});
-  EXPECT_THROW(Echo{}.refine({data, {{{"x"}, {}}, {}}, other}), ArgumentError);
+  EXPECT_THROW(Shift{}.refine({data, {{{"x"}, {}}, {}}, other}), ArgumentError);
   const OdeModel model(data.states, {}, {{}});
-  EXPECT_THROW(Echo{}.refine({Dataset{}, {{{"x"}, {}}, {}}, model}), DataError);
+  EXPECT_THROW(Shift{}.refine({Dataset{}, {{{"x"}, {}}, {}}, model}), DataError);
 }
 
 TEST(Refiner, HonoursAStopRequest) {
@@ -52,7 +52,7 @@ TEST(Refiner, HonoursAStopRequest) {
   source.request_stop();
   RunContext context;
   context.stop = source.get_token();
-  EXPECT_THROW(Echo{}.refine({data, {{{"x"}, {}}, {}}, model}, context), Cancelled);
+  EXPECT_THROW(Shift{}.refine({data, {{{"x"}, {}}, {}}, model}, context), Cancelled);
 }
 
 }  // namespace

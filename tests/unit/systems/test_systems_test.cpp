@@ -36,10 +36,10 @@ TEST(TestSystems, AreOrderedAndComplete) {
   std::vector<std::string> names;
   for (const TestSystem& system : test_systems()) names.push_back(system.name);
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
-  EXPECT_THAT(names,
-              testing::IsSupersetOf({"rossler", "rossler-circuit", "rossler-adjusted", "tl072",
-                                     "lorenz", "fitzhugh-nagumo", "chua", "duffing",
-                                     "van-der-pol", "pendulum", "memristor"}));
+  EXPECT_THAT(
+      names, ::testing::IsSupersetOf({"rossler", "rossler-circuit", "rossler-adjusted", "tl072",
+                                      "lorenz", "fitzhugh-nagumo", "chua", "duffing",
+                                      "van-der-pol", "pendulum", "memristor"}));
 }
 
 TEST(TestSystems, AreDescribedWholly) {
@@ -126,7 +126,7 @@ TEST(TestSystems, UnknownNameIsAnErrorWithTheNearest) {
     test_system("rosler");
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("rossler"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("rossler"));
   }
 }
 

@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-Dataset lorenz_record(double noise, Index samples) {
+Dataset lorenz_samples(double noise, Index samples) {
   const TestSystem& lorenz = test_system("lorenz");
   Dataset data = record_of(lorenz.model, Dopri87{}, lorenz.start, 0.01, samples);
   if (noise > 0.0) return add_relative_noise(data, noise, 3);
@@ -30,7 +30,7 @@ OdeModel disturbed(const OdeModel& model, double share) {
 TEST(Refit, FindsCoefficientsAgain) {
   const OdeModel& truth = test_system("lorenz").model;
   for (const double noise : {0.0, 0.01}) {
-    const auto found = refitted_on(lorenz_record(noise, 3000), disturbed(truth, 0.05),
+    const auto found = refitted_on(lorenz_samples(noise, 3000), disturbed(truth, 0.05),
                                    preset("algorithm1"), {});
     ASSERT_TRUE(found.has_value()) << noise;
     for (Index k = 0; k < 3; ++k)
@@ -45,7 +45,7 @@ TEST(Refit, KeepsTermsThatAreWorthNothing) {
   const OdeModel& truth = test_system("lorenz").model;
   const OdeModel more = truth.with_term(0, {Term::parse("z", truth.variables()), 0.01});
   for (const double noise : {0.0, 0.01}) {
-    const auto found = refitted_on(lorenz_record(noise, 2000), more, preset("algorithm1"), {});
+    const auto found = refitted_on(lorenz_samples(noise, 2000), more, preset("algorithm1"), {});
     ASSERT_TRUE(found.has_value()) << noise;
     EXPECT_EQ(found->equations()[0].size(), 3U);
     EXPECT_NEAR(found->coefficient(0, "z"), 0.0, 0.05);
@@ -56,10 +56,11 @@ TEST(Refit, IsNotPossibleWithoutTermsOrWithoutSamples) {
   const OdeModel& truth = test_system("lorenz").model;
   std::vector<Equation> equations = truth.equations();
   equations[1].clear();
-  EXPECT_FALSE(refitted_on(lorenz_record(0.0, 500), truth.with_equations(equations),
+  EXPECT_FALSE(refitted_on(lorenz_samples(0.0, 500), truth.with_equations(equations),
                            preset("algorithm1"), {})
                    .has_value());
-  EXPECT_FALSE(refitted_on(lorenz_record(0.0, 3), truth, preset("algorithm1"), {}).has_value());
+  EXPECT_FALSE(
+      refitted_on(lorenz_samples(0.0, 3), truth, preset("algorithm1"), {}).has_value());
 }
 
 }  // namespace
