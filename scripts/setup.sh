@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what lacuna needs from the packages of Debian 12 or Ubuntu 24.04. Does nothing when all
 # of it is there. Run as root, or as a user who may use sudo.
-# Usage: scripts/setup.sh [clang]   (clang: and what builds with sanitizers and fuzzing need)
+# Usage: scripts/setup.sh [clang|docs]   (clang: and what builds with sanitizers and fuzzing need;
+# docs: and what makes the documentation)
 set -euo pipefail
 
 packages=(
@@ -49,5 +50,8 @@ if [ "${1:-}" = clang ]; then
   install clang
   # The sanitizers of the clang that there is now.
   install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"
+fi
+if [ "${1:-}" = docs ]; then
+  install doxygen
 fi
 $installed || echo "setup: nothing to install"

@@ -14,7 +14,7 @@ struct Divergence {
   double fit_begin = 0.0;    ///< the line is fitted between these two times
   double fit_end = 0.0;
   Vector time;      ///< since the neighbours were chosen, time units
-  Vector log_mean;  ///< <log d>, states in units of their standard deviations
+  Vector log_mean;  ///< mean(log d), states in units of their standard deviations
 };
 
 /// The largest Lyapunov exponent from a record of all states (Rosenstein, Collins, De Luca,
@@ -22,7 +22,7 @@ struct Divergence {
 /// in time is followed along with it.
 ///
 /// The line is fitted from one mean period, when neighbours have turned into the direction of
-/// growth, to where <log d> has gone half its way up to the level of samples that have
+/// growth, to where mean(log d) has gone half its way up to the level of samples that have
 /// forgotten each other. The mean period is 2 pi rms(x - mean) / rms(dx/dt), the quadratic mean
 /// over the states.
 /// @param references samples whose neighbours are followed, spread over the record.

@@ -7,7 +7,7 @@
 namespace lacuna {
 
 /// Seeded source of random numbers; the same seed gives the same numbers on every platform
-/// (the distributions of <random> are not specified to the bit).
+/// (the distributions of `<random>` are not specified to the bit).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -36,11 +36,11 @@ class Markup {
 /// Names and values of attributes; values are escaped.
 using Attributes = std::vector<std::pair<std::string_view, std::string>>;
 
-/// <name attributes>content</name>; name and names of attributes are the program's own.
+/// `<name attributes>content</name>`; name and names of attributes are the program's own.
 Markup element(std::string_view name, const Attributes& attributes, const Markup& content);
 Markup element(std::string_view name, const Markup& content);
 
-/// An element without content, as XML has it: <name attributes/>.
+/// An element without content, as XML has it: `<name attributes/>`.
 Markup empty_element(std::string_view name, const Attributes& attributes);
 
 }  // namespace lacuna
