@@ -55,8 +55,8 @@ std::size_t end_of_phrase(std::string_view line) {
 std::string coloured_line(std::string_view line, std::string_view next) {
   for (const auto& [begin, colour] : kVerdicts)
     if (line.starts_with(begin)) return painted(line, end_of_phrase(line), colour);
-  if (!line.empty() && line.front() != ' ' && next.starts_with("  "))
-    return painted(line, line.size(), kBold);
+  const bool is_heading = !line.empty() && line.front() != ' ' && line.back() != '.';
+  if (is_heading && next.starts_with("  ")) return painted(line, line.size(), kBold);
   return std::string(line);
 }
 

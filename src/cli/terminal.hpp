@@ -11,8 +11,8 @@ namespace lacuna::cli {
 bool shows_colour(const std::ostream& out);
 
 /// A report with the escape codes of a terminal: the first phrase of a verdict green, yellow or
-/// red, headings (lines with an indented one below) bold. Without the codes it is the text as it
-/// was.
+/// red, headings (no sentence, with an indented line below) bold. Without the codes it is the
+/// text as it was.
 std::string coloured(const std::string& text);
 
 }  // namespace lacuna::cli

@@ -59,7 +59,7 @@ class Reports : public ::testing::Test {
   }
   std::string arguments(const std::string& command) const {
     if (command == "identify") return "identify " + data_ + " --states x,v --degree 2";
-    if (command == "sync") return "sync " + model_ + " " + data_;
+    if (command == "sync" || command == "fit") return command + " " + model_ + " " + data_;
     return "diagnose --model " + model_ + " " + data_;
   }
   TemporaryFolder folder_;
@@ -152,7 +152,7 @@ TEST_F(Reports, CurvesAreHiddenByAClickAndValuesTold) {
 TEST_F(Reports, ShowInABrowserWithoutANetwork) {
   const std::string program = browser();
   if (program.empty()) GTEST_SKIP() << "there is no Chromium here";
-  for (const std::string command : {"identify", "diagnose", "sync"}) {
+  for (const std::string command : {"identify", "diagnose", "sync", "fit"}) {
     page_of(folder_, arguments(command));
     const std::string shot = folder_.file(command + ".png"), log = folder_.file("log");
     const std::string run =
