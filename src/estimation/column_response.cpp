@@ -131,9 +131,12 @@ class ErrorRecursion {
   }
 
   LACUNA_INLINE void write(Index row, double scale, const Terms& seen) {
-    for (Index lane = 0; lane < count_; ++lane)
-      out_[static_cast<std::size_t>(lane)][row] =
-          scale * seen.packs[lane / kLane][lane % kLane];
+    for (int p = 0; p < Terms::kPacks; ++p) {
+      const Pack scaled = scale * seen.packs[p];
+      double* const* out = out_.data() + p * kLane;
+      for (int lane = 0; lane < kLane; ++lane)
+        if (p * kLane + lane < count_) out[lane][row] = scaled[lane];
+    }
   }
 
   const LinearisedRecord& record_;

@@ -88,7 +88,7 @@ LACUNA_INLINE void constant_response(const S& shape, const LinearisedRecord& rec
 /// Spectral density of the disturbance of an equation in step i: `density`, or that of the
 /// bridge where it is larger.
 LACUNA_INLINE double density_in(const LinearisedRecord& record, Index i, Index equation,
-                         double density) {
+                                double density) {
   return record.is_bridged(i, equation) ? std::max(density, record.bridge(equation, i))
                                         : density;
 }
@@ -131,14 +131,12 @@ class Transition {
     const Index m = shape_.states(), size = shape_.size(), stride = shape_.stride();
     if constexpr (!S::kExact)
       for (Index i = 0; i < size * stride; i += kLane)
-        at<kLane>(half_.data() + i) =
-            at<kLane>(decay_.data() + i % stride) * at<kLane>(p + i);
+        at<kLane>(half_.data() + i) = at<kLane>(decay_.data() + i % stride) * at<kLane>(p + i);
     product(shape_, block_.data(), p, 1, stride, size, half_.data());
     if constexpr (!S::kExact)
       for (Index j = 0; j < size; ++j)
         for (Index i = 0; i < stride; i += kLane)
-          at<kLane>(p + j * stride + i) =
-              decay_[j] * at<kLane>(half_.data() + j * stride + i);
+          at<kLane>(p + j * stride + i) = decay_[j] * at<kLane>(half_.data() + j * stride + i);
     product(shape_, half_.data(), block_.data(), stride, 1, m, p);
   }
 

@@ -88,14 +88,16 @@ LACUNA_INLINE void multiply(const S& shape, const double* a, const double* x, In
 template <class S>
 LACUNA_INLINE double dot(const S& shape, const double* a, const double* b) {
   Pack total = {};
-  for (Index p = 0; p < shape.stride(); p += kLane) total += at<kLane>(a + p) * at<kLane>(b + p);
+  for (Index p = 0; p < shape.stride(); p += kLane)
+    total += at<kLane>(a + p) * at<kLane>(b + p);
   return sum(total);
 }
 
 /// x += factor y.
 template <class S>
 LACUNA_INLINE void add(const S& shape, double factor, const double* y, double* x) {
-  for (Index p = 0; p < shape.stride(); p += kLane) at<kLane>(x + p) += factor * at<kLane>(y + p);
+  for (Index p = 0; p < shape.stride(); p += kLane)
+    at<kLane>(x + p) += factor * at<kLane>(y + p);
 }
 
 /// m += factor left right'.

@@ -67,8 +67,7 @@ class StepPack {
       for (Index i = 0; i < m(); ++i)
         for (Index j = 0; j < m(); ++j) {
           const Index e = i + m() * j + skip;
-          at<kLane>(into + (i * m() + j) * kLane) =
-              Pack{a[0][e], a[1][e], a[2][e], a[3][e]};
+          at<kLane>(into + (i * m() + j) * kLane) = Pack{a[0][e], a[1][e], a[2][e], a[3][e]};
         }
       return;
     }
@@ -151,8 +150,7 @@ class StepPack {
       const Pack more = at<kLane>(a_ + e) + 2.0 * at<kLane>(k2_ + e) +
                         2.0 * at<kLane>(k3_ + e) + at<kLane>(k4_ + e);
       at<kLane>(whole_ + e) = h / 6.0 * more;
-      at<kLane>(k2_ + e) =
-          0.25 * h * (at<kLane>(b_ + e) + at<kLane>(c_ + e));
+      at<kLane>(k2_ + e) = 0.25 * h * (at<kLane>(b_ + e) + at<kLane>(c_ + e));
     }
     add_identity(whole_);
     product(k2_, Pack{} + 0.5, k2_, k2_, later_);
@@ -175,15 +173,14 @@ class StepPack {
     if (part > 0) carry(response);
     const Pack h = at<kLane>(length_) / 6.0;
     for (Index e = 0; e < room(); e += kLane) {
-      const Pack own = h * (share[0] * at<kLane>(whole_ + e) +
-                            share[1] * at<kLane>(later_ + e));
+      const Pack own =
+          h * (share[0] * at<kLane>(whole_ + e) + share[1] * at<kLane>(later_ + e));
       if (part == 0)
         at<kLane>(response + e) = own;
       else
         at<kLane>(response + e) += own;
     }
-    for (Index i = 0; i < m(); ++i)
-      at<kLane>(response + i * (m() + 1) * kLane) += h * share[2];
+    for (Index i = 0; i < m(); ++i) at<kLane>(response + i * (m() + 1) * kLane) += h * share[2];
   }
 
   /// x -> whole x
@@ -218,11 +215,12 @@ class StepPack {
   Index step_[kLane] = {};
   alignas(32) double length_[kLane] = {};  ///< of a part
   /// Square matrices of four steps, row by row, a pack for each element.
-  Numbers<Size == Eigen::Dynamic ? Eigen::Dynamic : static_cast<int>(kSquares * Size * Size * kLane)>
+  Numbers<Size == Eigen::Dynamic ? Eigen::Dynamic
+                                 : static_cast<int>(kSquares* Size* Size* kLane)>
       memory_;
   double *a_, *b_, *c_, *k2_, *k3_, *k4_, *whole_, *later_, *transition_;
   std::array<double*, 3> response_;
-  Numbers<Size == Eigen::Dynamic ? Eigen::Dynamic : static_cast<int>(Size * Size)> size_;
+  Numbers<Size == Eigen::Dynamic ? Eigen::Dynamic : static_cast<int>(Size* Size)> size_;
 };
 
 template <int Size>
