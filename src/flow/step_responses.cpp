@@ -21,6 +21,38 @@ struct Task {
   StepResponses& out;
 };
 
+/// What a product is added to, and how large the elements of its left factor are; null:
+/// nothing, and not known.
+struct Beside {
+  const double* base;
+  const double* size;
+};
+
+/// out = base + factor left right, with square matrices of four steps, row by row, a pack for
+/// each element. Where it pays, elements that are 0 are passed over.
+template <int Size>
+LACUNA_INLINE void multiply(Index m, const Pack& factor, const double* left,
+                            const double* right, const Beside& beside, double* out) {
+  constexpr bool kFixed = Size != Eigen::Dynamic && Size <= 8;
+  constexpr int kTogether = kFixed ? Size : 8;  // columns that are kept in registers
+  for (Index i = 0; i < m; ++i)
+    for (Index first = 0; first < m; first += kTogether) {
+      const Index count = kFixed ? kTogether : std::min<Index>(kTogether, m - first);
+      Pack total[kTogether] = {};
+      if (beside.base)
+        for (Index j = 0; j < count; ++j)
+          total[j] = at<kLane>(beside.base + (i * m + first + j) * kLane);
+      for (Index k = 0; k < m; ++k) {
+        if (Size > 4 || Size == Eigen::Dynamic)
+          if (beside.size && beside.size[i + m * k] == 0.0) continue;
+        const Pack scaled = factor * at<kLane>(left + (i * m + k) * kLane);
+        for (Index j = 0; j < count; ++j)
+          total[j] += scaled * at<kLane>(right + (k * m + first + j) * kLane);
+      }
+      for (Index j = 0; j < count; ++j) at<kLane>(out + (i * m + first + j) * kLane) = total[j];
+    }
+}
+
 /// Four steps on their way: W_q is the response of the state to a rate that is the parabola q.
 template <int Size>
 class StepPack {
@@ -41,7 +73,7 @@ class StepPack {
       step_[lane] = std::min(first + lane, task_.length.size() - 1);
       length_[lane] = task_.length[step_[lane]] / task_.size.parts;
     }
-    if constexpr (kSparse) look_at_sizes();
+    look_at_sizes();
     for (int part = 0; part < task_.size.parts; ++part) add_part(part);
     for (Index lane = 0; lane < kLane && first + lane < task_.length.size(); ++lane)
       write(lane);
@@ -50,8 +82,6 @@ class StepPack {
  private:
   using Factors = std::array<double, 3>;
   static constexpr Index kSquares = 12;
-  /// Whether it pays to pass over elements that are 0.
-  static constexpr bool kSparse = Size == Eigen::Dynamic || Size > 4;
 
   LACUNA_INLINE Index m() const { return Size == Eigen::Dynamic ? states_ : Size; }
   LACUNA_INLINE Index room() const { return m() * m() * kLane; }
@@ -89,6 +119,7 @@ class StepPack {
 
   /// How large the elements of the slopes are; most are 0 where many states act on few.
   LACUNA_INLINE void look_at_sizes() {
+    if constexpr (Size != Eigen::Dynamic && Size <= 4) return;  // none is passed over
     const Index count = elements();
     for (Index e = 0; e < count; ++e) size_[e] = 0.0;
     for (Index lane = 0; lane < kLane; ++lane)
@@ -96,39 +127,6 @@ class StepPack {
         const double* a = slope_of(lane) + node * count;
         for (Index e = 0; e < count; ++e) size_[e] += std::abs(a[e]);
       }
-  }
-
-  /// Columns of a row that are kept in registers.
-  static constexpr int kTogether = Size == Eigen::Dynamic || Size > 8 ? 8 : Size;
-
-  /// Calls `work(row, first column, columns)` with all elements, some columns of a row at once.
-  template <class Work>
-  LACUNA_INLINE void for_rows(Work&& work) const {
-    for (Index i = 0; i < m(); ++i)
-      if constexpr (Size == kTogether)
-        work(i, Index{0}, Index{kTogether});
-      else
-        for (Index j = 0; j < m(); j += kTogether)
-          work(i, j, std::min<Index>(kTogether, m() - j));
-  }
-
-  /// out = base + factor left right, with a left factor that is 0 where the slopes are.
-  LACUNA_INLINE void product(const double* base, const Pack& factor, const double* left,
-                             const double* right, double* out) const {
-    for_rows([&](Index i, Index first, Index count) __attribute__((always_inline)) {
-      Pack total[kTogether];
-      for (Index j = 0; j < count; ++j)
-        total[j] = at<kLane>(base + (i * m() + first + j) * kLane);
-      for (Index k = 0; k < m(); ++k) {
-        if constexpr (kSparse)
-          if (size_[i + m() * k] == 0.0) continue;
-        const Pack scaled = factor * at<kLane>(left + (i * m() + k) * kLane);
-        for (Index j = 0; j < count; ++j)
-          total[j] += scaled * at<kLane>(right + (k * m() + first + j) * kLane);
-      }
-      for (Index j = 0; j < count; ++j)
-        at<kLane>(out + (i * m() + first + j) * kLane) = total[j];
-    });
   }
 
   /// Runge and Kutta for the transition, Simpson's rule for the responses.
@@ -183,18 +181,15 @@ class StepPack {
     for (Index i = 0; i < m(); ++i) at<kLane>(response + i * (m() + 1) * kLane) += h * share[2];
   }
 
+  /// out = base + factor left right, with a left factor that is 0 where the slopes are.
+  LACUNA_INLINE void product(const double* base, const Pack& factor, const double* left,
+                             const double* right, double* out) const {
+    multiply<Size>(m(), factor, left, right, {base, size_.data()}, out);
+  }
+
   /// x -> whole x
   LACUNA_INLINE void carry(double*& x) {
-    for_rows([&](Index i, Index first, Index count) __attribute__((always_inline)) {
-      Pack total[kTogether] = {};
-      for (Index k = 0; k < m(); ++k) {
-        const Pack left = at<kLane>(whole_ + (i * m() + k) * kLane);
-        for (Index j = 0; j < count; ++j)
-          total[j] += left * at<kLane>(x + (k * m() + first + j) * kLane);
-      }
-      for (Index j = 0; j < count; ++j)
-        at<kLane>(k4_ + (i * m() + first + j) * kLane) = total[j];
-    });
+    multiply<Size>(m(), Pack{} + 1.0, whole_, x, {nullptr, nullptr}, k4_);
     std::swap(x, k4_);
   }
 
