@@ -81,7 +81,12 @@ class StepPack {
 
  private:
   using Factors = std::array<double, 3>;
-  static constexpr Index kSquares = 12;
+  static constexpr int kSquares = 12;
+
+  /// Numbers in so many squares.
+  static constexpr int count_of(int squares) {
+    return Size == Eigen::Dynamic ? Eigen::Dynamic : squares * Size * Size;
+  }
 
   LACUNA_INLINE Index m() const { return Size == Eigen::Dynamic ? states_ : Size; }
   LACUNA_INLINE Index room() const { return m() * m() * kLane; }
@@ -210,12 +215,10 @@ class StepPack {
   Index step_[kLane] = {};
   alignas(32) double length_[kLane] = {};  ///< of a part
   /// Square matrices of four steps, row by row, a pack for each element.
-  Numbers<Size == Eigen::Dynamic ? Eigen::Dynamic
-                                 : static_cast<int>(kSquares* Size* Size* kLane)>
-      memory_;
+  Numbers<count_of(kSquares* static_cast<int>(kLane))> memory_;
   double *a_, *b_, *c_, *k2_, *k3_, *k4_, *whole_, *later_, *transition_;
   std::array<double*, 3> response_;
-  Numbers<Size == Eigen::Dynamic ? Eigen::Dynamic : static_cast<int>(Size* Size)> size_;
+  Numbers<count_of(1)> size_;
 };
 
 template <int Size>
