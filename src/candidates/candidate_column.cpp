@@ -25,15 +25,98 @@ Matrix with_memory(const Matrix& slots, const Matrix& memory) {
 /// (exp(x) - 1) / x.
 double growth(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
 
-/// Rates of the memory states and their own derivatives, as one program.
-Program memory_program(const Candidate& candidate, std::span<const double> shapes,
-                       const Variables& variables) {
-  std::vector<Expression> outputs;
-  for (const MemoryState& memory : candidate.memory) {
-    outputs.push_back(bind_formula(candidate, memory.rate, shapes));
-    outputs.push_back(differentiate(outputs.back(), memory.name));
+/// growth() of numbers that are mostly the one before.
+class Growth {
+ public:
+  double operator()(double x) {
+    if (x != last_) {
+      last_ = x;
+      value_ = growth(x);
+    }
+    return value_;
   }
-  return {outputs, variables};
+
+ private:
+  double last_ = 0.0, value_ = 1.0;
+};
+
+/// Rates of the memory states, and the derivatives of each with all of them.
+struct MemoryRates {
+  std::vector<Expression> rates, derivatives;  ///< K, K x K row by row
+  bool affine = true;                          ///< whether no derivative depends on memory
+};
+
+MemoryRates memory_rates(const Candidate& candidate, std::span<const double> shapes) {
+  MemoryRates result;
+  for (const MemoryState& memory : candidate.memory) {
+    result.rates.push_back(bind_formula(candidate, memory.rate, shapes));
+    for (const MemoryState& other : candidate.memory) {
+      result.derivatives.push_back(differentiate(result.rates.back(), other.name));
+      for (const MemoryState& any : candidate.memory)
+        result.affine =
+            result.affine && !result.derivatives.back().variables().contains(any.name);
+    }
+  }
+  return result;
+}
+
+/// The middles between rows of the slots of a record with columns for memory, which is 0.
+Matrix middles(const Matrix& slots, Index count) {
+  const Index rows = slots.rows() - 1, width = slots.cols() - 1;
+  Matrix points = Matrix::Zero(rows, width + count + 1);
+  points.leftCols(width) =
+      0.5 * (slots.topRows(rows).leftCols(width) + slots.bottomRows(rows).leftCols(width));
+  const auto before = slots.col(width).head(rows), after = slots.col(width).tail(rows);
+  points.col(width + count) = before + 0.5 * (after - before);
+  return points;
+}
+
+/// Memory whose rates are linear in it, r + A y, over all steps of a grid: r and A are computed
+/// for many rows at once.
+void write_affine(const MemoryRates& memory, const Variables& variables, const Matrix& slots,
+                  Matrix& values) {
+  const Index count = values.cols(), rows = slots.rows() - 1;
+  std::vector<Expression> formulas = memory.rates;
+  formulas.insert(formulas.end(), memory.derivatives.begin(), memory.derivatives.end());
+  const Program program(formulas, variables);
+  Program::Workspace workspace;
+  Matrix out(rows, program.outputs());
+  program.evaluate(middles(slots, count), out, workspace);
+  std::vector<Growth> growths(static_cast<std::size_t>(count));
+  const auto time = slots.col(slots.cols() - 1);
+  for (Index i = 0; i < rows; ++i) {
+    const double length = time[i + 1] - time[i];
+    for (Index k = 0; k < count; ++k) {
+      double rate = out(i, k);
+      for (Index j = 0; j < count; ++j) rate += out(i, count * (k + 1) + j) * values(i, j);
+      const double own = out(i, count * (k + 1) + k) * length;
+      values(i + 1, k) =
+          values(i, k) + length * growths[static_cast<std::size_t>(k)](own) * rate;
+    }
+  }
+}
+
+/// Memory over all steps of a grid, one after another.
+void write_stepwise(const MemoryRates& memory, const Variables& variables, const Matrix& slots,
+                    Matrix& values) {
+  const Index count = values.cols(), width = slots.cols() - 1;
+  std::vector<Expression> formulas;
+  for (Index k = 0; k < count; ++k) {
+    formulas.push_back(memory.rates[static_cast<std::size_t>(k)]);
+    formulas.push_back(memory.derivatives[static_cast<std::size_t>(k * count + k)]);
+  }
+  const Program program(formulas, variables);
+  Program::Workspace workspace;
+  Vector point(program.slots()), out(program.outputs());
+  for (Index i = 0; i + 1 < slots.rows(); ++i) {
+    const double length = slots(i + 1, width) - slots(i, width);
+    point.head(width) = 0.5 * (slots.row(i) + slots.row(i + 1)).head(width).transpose();
+    point.segment(width, count) = values.row(i).transpose();
+    point[width + count] = slots(i, width) + 0.5 * length;
+    program.evaluate(point.data(), out.data(), workspace);
+    for (Index k = 0; k < count; ++k)
+      values(i + 1, k) = values(i, k) + length * growth(out[2 * k + 1] * length) * out[2 * k];
+  }
 }
 
 /// Where memory states begin.
@@ -51,23 +134,14 @@ Vector begin_of_memory(const Candidate& candidate, std::span<const double> shape
 Matrix memory_from(const Candidate& candidate, std::span<const double> shapes,
                    const Variables& variables, const LinearisedRecord& record,
                    const Vector& begin) {
-  const Index count = begin.size();
-  const Matrix& slots = record.slots;
-  const Index width = slots.cols() - 1;
-  Matrix values(slots.rows(), count);
+  Matrix values(record.slots.rows(), begin.size());
   values.row(0) = begin.transpose();
-  const Program program = memory_program(candidate, shapes, with_memory(candidate, variables));
-  Program::Workspace workspace;
-  Vector point(program.slots()), out(program.outputs());
-  for (Index i = 0; i + 1 < slots.rows(); ++i) {
-    const double length = slots(i + 1, width) - slots(i, width);
-    point.head(width) = 0.5 * (slots.row(i) + slots.row(i + 1)).head(width).transpose();
-    point.segment(width, count) = values.row(i).transpose();
-    point[width + count] = slots(i, width) + 0.5 * length;
-    program.evaluate(point.data(), out.data(), workspace);
-    for (Index k = 0; k < count; ++k)
-      values(i + 1, k) = values(i, k) + length * growth(out[2 * k + 1] * length) * out[2 * k];
-  }
+  const MemoryRates rates = memory_rates(candidate, shapes);
+  const Variables all = with_memory(candidate, variables);
+  if (rates.affine)
+    write_affine(rates, all, record.slots, values);
+  else
+    write_stepwise(rates, all, record.slots, values);
   return values;
 }
 

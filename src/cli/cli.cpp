@@ -131,6 +131,7 @@ int run_chosen(const cli::Command& command, const cli::Session& session) {
   };
   try {
     const cli::MemoryLimit limit(memory_of(*command.app));
+    cli::keep_freed_memory();
     return command.run(session);
   } catch (const Cancelled&) {
     return interrupted();

@@ -14,6 +14,10 @@ inline constexpr std::uint64_t kLeastMemory = std::uint64_t{16} << 20U;
 /// Bytes that a run may take unless told otherwise: three quarters of the machine's memory.
 std::uint64_t default_memory();
 
+/// Keeps memory that is freed for what asks for it next: fits ask for the same large matrices
+/// over and over, and each that the system gives anew it fills with zeros first.
+void keep_freed_memory();
+
 /// Bounds the memory of the process (RLIMIT_DATA) for as long as it lives, so that an input
 /// that expands without end gives std::bad_alloc and not a machine that swaps. A bound that is
 /// lower already stays. Builds with sanitizers, which reserve more than any machine has, are

@@ -19,23 +19,52 @@ void check(const LinearisedRecord& record, const Matrix& measured, const Matrix&
                         "give one column for each state");
 }
 
+/// What is to be filtered.
+struct Task {
+  const LinearisedRecord& record;
+  const Matrix& measured;
+  const Matrix& omitted;
+  const NoiseModel& noise;
+  const ChannelMap& map;
+};
+
 /// Runs the recursion; `visit(i, channel, innovation, gain)` sees each measurement that is
 /// taken in.
-template <class Visit>
-void run(const LinearisedRecord& record, const Matrix& measured, const Matrix& omitted,
-         const NoiseModel& noise, const ChannelMap& map, Visit visit) {
-  with_size(map.size, [&](auto size) {
-    KalmanStep<size()> step(record, noise, map);
-    for (Index i = 0; i < record.samples(); ++i) {
-      for (Index c = 0; c < map.channels(); ++c) {
-        const Index state = map.state[static_cast<std::size_t>(c)];
-        const Mark mark = mark_of(omitted, i, state);
-        if (!says_something(mark)) continue;
-        visit(i, c, step.update(c, measured(i, state) - record.path(i, state), mark),
-              step.gain());
-      }
-      if (i + 1 < record.samples()) step.predict(i);
+template <class S, class Visit>
+LACUNA_INLINE void run(const S& shape, const Task& task, Visit& visit) {
+  const LinearisedRecord& record = task.record;
+  KalmanStep<S> step(shape, record, task.noise, task.map);
+  for (Index i = 0; i < record.samples(); ++i) {
+    for (Index c = 0; c < task.map.channels(); ++c) {
+      const Index state = task.map.state[static_cast<std::size_t>(c)];
+      const Mark mark = mark_of(task.omitted, i, state);
+      if (!says_something(mark)) continue;
+      visit(i, c, step.update(c, task.measured(i, state) - record.path(i, state), mark),
+            step.gain());
     }
+    if (i + 1 < record.samples()) step.predict(i);
+  }
+}
+
+template <class S, class Visit>
+void run_generic(const S& shape, const Task& task, Visit& visit) {
+  run(shape, task, visit);
+}
+
+#ifdef LACUNA_KERNEL_DISPATCH
+template <class S, class Visit>
+[[gnu::target("avx2,fma")]] void run_avx2(const S& shape, const Task& task, Visit& visit) {
+  run(shape, task, visit);
+}
+#endif
+
+template <class Visit>
+void run(const Task& task, Visit visit) {
+  with_shape(task.map.size, task.record.states(), [&](const auto& shape) {
+#ifdef LACUNA_KERNEL_DISPATCH
+    if (has_avx2()) return run_avx2(shape, task, visit);
+#endif
+    run_generic(shape, task, visit);
   });
 }
 
@@ -56,9 +85,10 @@ InnovationFilter run_filter(const LinearisedRecord& record, const Matrix& measur
   filter.inverse_deviation = Matrix::Zero(map.channels(), n);
   filter.innovations = Matrix::Zero(map.channels(), n);
   DevianceSum deviance;
-  run(record, measured, omitted, noise, map,
-      [&](Index i, Index c, const Innovation& innovation, const auto& gain) {
-        filter.gain.col(i).segment(c * map.size, map.size) = gain;
+  run({record, measured, omitted, noise, map},
+      [&](Index i, Index c, const Innovation& innovation, const double* gain) {
+        filter.gain.col(i).segment(c * map.size, map.size) =
+            Eigen::Map<const Vector>(gain, map.size);
         filter.inverse_deviation(c, i) = 1.0 / std::sqrt(innovation.variance);
         filter.innovations(c, i) = innovation.value * filter.inverse_deviation(c, i);
         deviance.add(innovation);
@@ -72,8 +102,9 @@ double filter_deviance(const LinearisedRecord& record, const Matrix& measured,
                        const Matrix& omitted, const NoiseModel& noise) {
   check(record, measured, omitted, noise);
   DevianceSum deviance;
-  run(record, measured, omitted, noise, ChannelMap(record, noise),
-      [&](Index, Index, const Innovation& innovation, const auto&) {
+  const ChannelMap map(record, noise);
+  run({record, measured, omitted, noise, map},
+      [&](Index, Index, const Innovation& innovation, const double*) {
         deviance.add(innovation);
       });
   return deviance.value();

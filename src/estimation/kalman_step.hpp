@@ -10,8 +10,8 @@
 #include "censoring.hpp"
 #include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/noise_model.hpp"
-#include "lacuna/flow/fixed_size.hpp"
 #include "lacuna/flow/linearised_record.hpp"
+#include "small_matrix.hpp"
 
 namespace lacuna {
 
@@ -50,7 +50,7 @@ struct Innovation {
 /// each one alone it would cost as much as a small matrix.
 class DevianceSum {
  public:
-  void add(const Innovation& one) {
+  LACUNA_INLINE void add(const Innovation& one) {
     sum_ += one.deviance;
     if (!is_moderate(product_ * one.scale)) {
       sum_ += std::log(product_);
@@ -65,148 +65,185 @@ class DevianceSum {
   double value() const { return sum_ + std::log(product_); }
 
  private:
-  static bool is_moderate(double x) { return x > 1e-100 && x < 1e100; }
+  LACUNA_INLINE static bool is_moderate(double x) { return x > 1e-100 && x < 1e100; }
 
   double sum_ = 0.0, product_ = 1.0;
 };
 
 /// Response at the end of step i to a constant rate in an equation: w0 + w1 + w2.
-inline void constant_response(const LinearisedRecord& record, Index i, Index equation,
-                              double* out) {
-  const Index m = record.states();
-  const double* w = record.response.col(i).data() + 3 * m * equation;
-  for (Index j = 0; j < m; ++j) out[j] = w[j] + w[m + j] + w[2 * m + j];
+template <class S>
+LACUNA_INLINE void constant_response(const S& shape, const LinearisedRecord& record, Index i,
+                                     Index equation, double* out) {
+  const Index m = shape.states();
+  const double* w = record.response.data() + (i * m + equation) * 3 * m;
+  for (Index p = 0; p < m; p += kLane) {
+    Pack begin, middle, end;
+    load_some(w + p, m - p, 1, begin);
+    load_some(w + m + p, m - p, 1, middle);
+    load_some(w + 2 * m + p, m - p, 1, end);
+    at<kLane>(out + p) = begin + middle + end;
+  }
 }
 
 /// Spectral density of the disturbance of an equation in step i: `density`, or that of the
 /// bridge where it is larger.
-inline double density_in(const LinearisedRecord& record, Index i, Index equation,
-                         double density) {
+LACUNA_INLINE double density_in(const LinearisedRecord& record, Index i, Index equation,
+                                double density) {
   return record.is_bridged(i, equation) ? std::max(density, record.bridge(equation, i))
                                         : density;
 }
 
 /// Transition F of one step. Coloured noise only decays, so that F is a block of the states and
 /// a diagonal.
-template <int Size>
+template <class S>
 class Transition {
  public:
-  Transition(const ChannelMap& map, Index states)
-      : states_(states),
-        block_(Square<Size>::Zero(map.size, map.size)),
-        decay_(Column<Size>::Zero(map.size)),
-        carried_(map.size),
-        half_(map.size, map.size) {
-    for (Index k = states; k < map.size; ++k)
-      decay_[k] = map.decay[static_cast<std::size_t>(k - states)];
+  LACUNA_INLINE Transition(const S& shape, const ChannelMap& map)
+      : shape_(shape),
+        block_(shape.square()),
+        decay_(shape.column()),
+        carried_(shape.column()),
+        half_(shape.square()) {
+    for (Index k = shape.states(); k < map.size; ++k)
+      decay_[k] = map.decay[static_cast<std::size_t>(k - shape.states())];
   }
 
-  void read(const LinearisedRecord& record, Index i) {
-    const double* phi = record.transition.col(i).data();
-    for (Index k = 0; k < states_; ++k)
-      for (Index j = 0; j < states_; ++j) block_(j, k) = *phi++;
+  LACUNA_INLINE void read(const LinearisedRecord& record, Index i) {
+    read(record.transition.data() + i * shape_.states() * shape_.states(), shape_.states(), 1);
   }
 
-  void read_transposed(const LinearisedRecord& record, Index i) {
-    const double* phi = record.transition.col(i).data();
-    for (Index k = 0; k < states_; ++k)
-      for (Index j = 0; j < states_; ++j) block_(k, j) = *phi++;
+  LACUNA_INLINE void read_transposed(const LinearisedRecord& record, Index i) {
+    read(record.transition.data() + i * shape_.states() * shape_.states(), 1, shape_.states());
   }
 
   /// x -> F x
-  void carry_mean(Column<Size>& x) {
-    carried_ = decay_.cwiseProduct(x);
-    for (Index k = 0; k < states_; ++k) carried_ += x[k] * block_.col(k);
-    x = carried_;
+  LACUNA_INLINE void carry_mean(double* x) {
+    multiply(shape_, block_.data(), x, shape_.states(), carried_.data());
+    for (Index p = 0; p < shape_.stride(); p += kLane) {
+      Pack next = at<kLane>(carried_.data() + p);
+      if constexpr (!S::kExact) next += at<kLane>(decay_.data() + p) * at<kLane>(x + p);
+      at<kLane>(x + p) = next;
+    }
   }
 
   /// P -> F P F'
-  void carry_covariance(Square<Size>& p) {
-    const Index size = p.cols();
-    for (Index j = 0; j < size; ++j) {
-      carried_ = decay_.cwiseProduct(p.col(j));
-      for (Index k = 0; k < states_; ++k) carried_ += p(k, j) * block_.col(k);
-      half_.col(j) = carried_;
-    }
-    for (Index j = 0; j < states_; ++j) {
-      carried_ = block_(j, 0) * half_.col(0);
-      for (Index k = 1; k < states_; ++k) carried_ += block_(j, k) * half_.col(k);
-      p.col(j) = carried_;
-    }
-    for (Index j = states_; j < size; ++j) p.col(j) = decay_[j] * half_.col(j);
+  LACUNA_INLINE void carry_covariance(double* p) {
+    const Index m = shape_.states(), size = shape_.size(), stride = shape_.stride();
+    if constexpr (!S::kExact)
+      for (Index i = 0; i < size * stride; i += kLane)
+        at<kLane>(half_.data() + i) = at<kLane>(decay_.data() + i % stride) * at<kLane>(p + i);
+    product(shape_, block_.data(), p, 1, stride, size, half_.data());
+    if constexpr (!S::kExact)
+      for (Index j = 0; j < size; ++j)
+        for (Index i = 0; i < stride; i += kLane)
+          at<kLane>(p + j * stride + i) = decay_[j] * at<kLane>(half_.data() + j * stride + i);
+    product(shape_, half_.data(), block_.data(), stride, 1, m, p);
   }
 
   /// Where the model is unstable the skew part of P, which is rounding, must not grow: it is
   /// taken out now and then.
-  void make_symmetric(Index i, Square<Size>& p) {
+  LACUNA_INLINE void make_symmetric(Index i, double* p) const {
     constexpr Index kNowAndThen = 8;
     if (i % kNowAndThen != 0) return;
-    half_ = p.transpose();
-    p = 0.5 * (p + half_);
+    const Index stride = shape_.stride();
+    for (Index j = 0; j < shape_.size(); ++j)
+      for (Index k = 0; k < j; ++k) {
+        const double mean = 0.5 * (p[j * stride + k] + p[k * stride + j]);
+        p[j * stride + k] = p[k * stride + j] = mean;
+      }
   }
 
  private:
-  Index states_;
-  Square<Size> block_;  ///< of the states; the rest is 0
-  Column<Size> decay_;  ///< of the coloured noise; 0 for the states
-  Column<Size> carried_;
-  Square<Size> half_;
+  /// @param across, down steps from one element to the next in a row and in a column.
+  LACUNA_INLINE void read(const double* phi, Index across, Index down) {
+    const Index m = shape_.states();
+    for (Index k = 0; k < m; ++k)
+      for (Index p = 0; p < m; p += kLane) {
+        Pack rows;
+        load_some(phi + k * across + p * down, m - p, down, rows);
+        at<kLane>(block_.data() + k * shape_.stride() + p) = rows;
+      }
+  }
+
+  const S& shape_;
+  typename S::Square block_;  ///< of the states; the rest is 0
+  typename S::Column decay_;  ///< of the coloured noise; 0 for the states
+  typename S::Column carried_;
+  typename S::Square half_;
 };
 
 /// Mean and covariance (N x N) of the deviation, carried along a record.
-template <int Size>
+template <class S>
 class KalmanStep {
  public:
-  KalmanStep(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map)
-      : record_(record),
+  LACUNA_INLINE KalmanStep(const S& shape, const LinearisedRecord& record,
+                           const NoiseModel& noise, const ChannelMap& map)
+      : shape_(shape),
+        record_(record),
         map_(map),
         variances_(record, noise, map),
-        mean_(Column<Size>::Zero(map.size)),
-        defect_(Column<Size>::Zero(map.size)),
-        gain_(Column<Size>::Zero(map.size)),
-        row_(Column<Size>::Zero(map.size)),
-        covariance_(variances_.start.asDiagonal()),
-        transition_(map, record.states()) {}
+        mean_(shape.column()),
+        gain_(shape.column()),
+        row_(shape.column()),
+        covariance_(shape.square()),
+        transition_(shape, map) {
+    for (Index k = 0; k < map.size; ++k)
+      covariance_[k * shape.stride() + k] = variances_.start[k];
+  }
 
   /// Takes in what was measured (minus the path) on one channel as the mark of the sample says,
   /// which is no outlier and not missing. The gain is left in gain().
-  Innovation update(Index channel, double measured, Mark mark = Mark::Value) {
+  LACUNA_INLINE Innovation update(Index channel, double measured, Mark mark = Mark::Value) {
     const Innovation whole = expect(channel, measured);
     const Innovation seen = is_clipped(mark) ? censored(whole, mark) : whole;
-    gain_ = row_ / seen.variance;
-    mean_ += gain_ * seen.value;
-    covariance_.noalias() -= gain_.lazyProduct(row_.transpose());
+    for (Index p = 0; p < shape_.stride(); p += kLane) {
+      const Pack gain = at<kLane>(row_.data() + p) / seen.variance;
+      at<kLane>(gain_.data() + p) = gain;
+      at<kLane>(mean_.data() + p) += gain * seen.value;
+    }
+    add_outer(shape_, -1.0, gain_.data(), row_.data(), covariance_.data());
     return seen;
   }
 
   /// Goes over step i of the record.
-  void predict(Index i) {
+  LACUNA_INLINE void predict(Index i) {
     transition_.read(record_, i);
-    transition_.carry_mean(mean_);
-    defect_.head(record_.states()) = record_.defect.col(i);
-    mean_ += defect_;
-    transition_.carry_covariance(covariance_);
-    transition_.make_symmetric(i, covariance_);
+    transition_.carry_mean(mean_.data());
+    const double* defect = record_.defect.data() + i * shape_.states();
+    for (Index p = 0; p < shape_.states(); p += kLane) {
+      Pack more;
+      load_some(defect + p, shape_.states() - p, 1, more);
+      at<kLane>(mean_.data() + p) += more;
+    }
+    transition_.carry_covariance(covariance_.data());
+    transition_.make_symmetric(i, covariance_.data());
     add_disturbance(i);
   }
 
-  const Column<Size>& mean() const { return mean_; }
-  const Square<Size>& covariance() const { return covariance_; }
-  const Column<Size>& gain() const { return gain_; }
+  LACUNA_INLINE const double* mean() const { return mean_.data(); }
+  /// Columns of shape.stride() rows.
+  LACUNA_INLINE const double* covariance() const { return covariance_.data(); }
+  LACUNA_INLINE const double* gain() const { return gain_.data(); }
 
  private:
   /// What is new in a value; the covariance of state and measurement is left in row_.
-  Innovation expect(Index channel, double measured) {
+  LACUNA_INLINE Innovation expect(Index channel, double measured) {
     const Index state = map_.state[static_cast<std::size_t>(channel)];
     const Index colour = map_.colour[static_cast<std::size_t>(channel)];
-    row_ = covariance_.col(state);
+    const bool coloured = !S::kExact && colour < map_.size;
+    const double* own = covariance_.data() + state * shape_.stride();
     double expected = mean_[state];
-    if (colour < map_.size) {
-      row_ += covariance_.col(colour);
+    double variance = own[state] + variances_.white[channel];
+    if (coloured) {
+      const double* noise = covariance_.data() + colour * shape_.stride();
+      for (Index p = 0; p < shape_.stride(); p += kLane)
+        at<kLane>(row_.data() + p) = at<kLane>(own + p) + at<kLane>(noise + p);
       expected += mean_[colour];
+      variance = row_[state] + row_[colour] + variances_.white[channel];
+    } else {
+      for (Index p = 0; p < shape_.stride(); p += kLane)
+        at<kLane>(row_.data() + p) = at<kLane>(own + p);
     }
-    const double variance =
-        row_[state] + (colour < map_.size ? row_[colour] : 0.0) + variances_.white[channel];
     const double value = measured - expected;
     return {value, variance, value * value / variance, variance};
   }
@@ -227,29 +264,33 @@ class KalmanStep {
             known.deviance, 1.0, slope};
   }
 
-  void add_disturbance(Index i) {
+  LACUNA_INLINE void add_disturbance(Index i) {
+    const Index m = shape_.states();
     const double step = record_.time[i + 1] - record_.time[i];
-    row_.setZero();
-    for (Index k = 0; k < record_.states(); ++k) {
+    for (Index k = 0; k < m; ++k) {
       const double density = density_in(record_, i, k, variances_.disturbance[k]) / step;
       if (density == 0.0) continue;
-      constant_response(record_, i, k, row_.data());
-      for (Index j = 0; j < record_.states(); ++j)
-        covariance_.col(j) += (density * row_[j]) * row_;
+      response_to(i, k);
+      add_outer(shape_, density, row_.data(), row_.data(), covariance_.data());
     }
-    const Index m = record_.states();
     for (Index k = m; k < map_.size; ++k) {
       const double decay = map_.decay[static_cast<std::size_t>(k - m)];
-      covariance_(k, k) += variances_.colour[k - m] * (1.0 - decay * decay);
+      covariance_[k * shape_.stride() + k] += variances_.colour[k - m] * (1.0 - decay * decay);
     }
   }
 
+  LACUNA_INLINE void response_to(Index i, Index equation) {
+    for (Index p = 0; p < shape_.stride(); p += kLane) at<kLane>(row_.data() + p) = Pack{};
+    constant_response(shape_, record_, i, equation, row_.data());
+  }
+
+  const S& shape_;
   const LinearisedRecord& record_;
   const ChannelMap& map_;
   Variances variances_;
-  Column<Size> mean_, defect_, gain_, row_;
-  Square<Size> covariance_;
-  Transition<Size> transition_;
+  typename S::Column mean_, gain_, row_;
+  typename S::Square covariance_;
+  Transition<S> transition_;
 };
 
 }  // namespace lacuna

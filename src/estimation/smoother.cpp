@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The backward pass of the smoother.
+// Forward and backward pass of the smoother.
 #include <algorithm>
-#include <vector>
 
 #include "kalman_step.hpp"
 #include "lacuna/estimation/innovation_filter.hpp"
@@ -9,7 +8,16 @@
 namespace lacuna {
 namespace {
 
-/// What the forward pass leaves for the way back.
+/// What is to be smoothed.
+struct Task {
+  const LinearisedRecord& record;
+  const Matrix& measured;
+  const Matrix& omitted;
+  const NoiseModel& noise;
+  const ChannelMap& map;
+};
+
+/// What the forward pass leaves for the way back; N rows are padded to those of the shape.
 struct Forward {
   Matrix mean;        ///< N x n, before the sample
   Matrix covariance;  ///< N^2 x n, before the sample
@@ -20,29 +28,38 @@ struct Forward {
   double deviance = 0.0;
 };
 
-template <int Size>
-Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
-                   const Matrix& omitted, const NoiseModel& noise, const ChannelMap& map) {
-  const Index n = record.samples();
-  const Index size = map.size;
-  Forward forward{Matrix(size, n),
-                  Matrix(size * size, n),
-                  Matrix(size * map.channels(), n),
-                  Matrix::Zero(map.channels(), n),
-                  Matrix::Zero(map.channels(), n),
-                  Matrix::Zero(map.channels(), n),
-                  0.0};
-  KalmanStep<Size> step(record, noise, map);
+template <class S>
+Forward room_for(const S& shape, const Task& task) {
+  const Index n = task.record.samples(), channels = task.map.channels();
+  return {Matrix(shape.stride(), n),
+          Matrix(shape.stride() * shape.size(), n),
+          Matrix(shape.stride() * channels, n),
+          Matrix::Zero(channels, n),
+          Matrix::Zero(channels, n),
+          Matrix::Zero(channels, n),
+          0.0};
+}
+
+LACUNA_INLINE void copy_packs(const double* from, Index count, double* to) {
+  for (Index p = 0; p < count; p += kLane) at<kLane>(to + p) = at<kLane>(from + p);
+}
+
+template <class S>
+LACUNA_INLINE void go_forward(const S& shape, const Task& task, Forward& forward) {
+  const Index n = task.record.samples(), channels = task.map.channels();
+  const Index stride = shape.stride(), square = stride * shape.size();
+  KalmanStep<S> step(shape, task.record, task.noise, task.map);
   DevianceSum deviance;
   for (Index i = 0; i < n; ++i) {
-    forward.mean.col(i) = step.mean();
-    forward.covariance.col(i) = step.covariance().reshaped();
-    for (Index c = 0; c < map.channels(); ++c) {
-      const Index state = map.state[static_cast<std::size_t>(c)];
-      const Mark mark = mark_of(omitted, i, state);
+    copy_packs(step.mean(), stride, forward.mean.data() + i * stride);
+    copy_packs(step.covariance(), square, forward.covariance.data() + i * square);
+    for (Index c = 0; c < channels; ++c) {
+      const Index state = task.map.state[static_cast<std::size_t>(c)];
+      const Mark mark = mark_of(task.omitted, i, state);
       if (!says_something(mark)) continue;
-      const Innovation seen = step.update(c, measured(i, state) - record.path(i, state), mark);
-      forward.gain.col(i).segment(c * size, size) = step.gain();
+      const Innovation seen =
+          step.update(c, task.measured(i, state) - task.record.path(i, state), mark);
+      copy_packs(step.gain(), stride, forward.gain.data() + (i * channels + c) * stride);
       forward.value(c, i) = seen.value;
       forward.variance(c, i) = seen.variance;
       forward.slope(c, i) = seen.slope;
@@ -51,40 +68,42 @@ Forward go_forward(const LinearisedRecord& record, const Matrix& measured,
     if (i + 1 < n) step.predict(i);
   }
   forward.deviance = deviance.value();
-  return forward;
+}
+
+SmoothedRecord empty_result(const Task& task, double deviance) {
+  const Index n = task.record.samples(), m = task.record.states();
+  const Index channels = task.map.channels(), sums = m + 2 * channels;
+  return {Matrix(n, m),
+          Matrix::Zero(n, channels),
+          Vector::Zero(sums),
+          Vector::Zero(sums),
+          Matrix::Zero(task.record.steps(), m),
+          deviance};
 }
 
 /// The adjoint of the filter: its vector, its covariance and the sums they give.
-template <int Size>
+template <class S>
 class Backward {
  public:
-  Backward(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map,
-           const Forward& forward)
-      : record_(record),
-        noise_(noise),
-        map_(map),
+  LACUNA_INLINE Backward(const S& shape, const Task& task, const Forward& forward)
+      : shape_(shape),
+        record_(task.record),
+        noise_(task.noise),
+        map_(task.map),
         forward_(forward),
-        m_(record.states()),
-        adjoint_(Column<Size>::Zero(map.size)),
-        moved_(Column<Size>::Zero(map.size)),
-        covariance_(Square<Size>::Zero(map.size, map.size)),
-        transition_(map, m_) {
-    for (Index c = 0; c < map.channels(); ++c) {
-      reads_.push_back(Column<Size>::Zero(map.size));
-      reads_.back()[map.state[static_cast<std::size_t>(c)]] = 1.0;
-      const Index colour = map.colour[static_cast<std::size_t>(c)];
-      if (colour < map.size) reads_.back()[colour] = 1.0;
-    }
-    const Index sums = m_ + 2 * map.channels();
-    result_ = {Matrix(record.samples(), m_),
-               Matrix::Zero(record.samples(), map.channels()),
-               Vector::Zero(sums),
-               Vector::Zero(sums),
-               Matrix::Zero(record.steps(), m_),
-               forward.deviance};
+        adjoint_(shape.column()),
+        moved_(shape.column()),
+        spread_(shape.column()),
+        reads_(task.map.channels() * shape.stride()),
+        covariance_(shape.square()),
+        transition_(shape, task.map),
+        result_(empty_result(task, forward.deviance)) {
+    for (Index c = 0; c < map_.channels(); ++c)
+      for (const Index place : {map_.state[static_cast<std::size_t>(c)], colour_of(c)})
+        if (place < map_.size) reads_[c * shape.stride() + place] = 1.0;
   }
 
-  SmoothedRecord run() {
+  LACUNA_INLINE SmoothedRecord run() {
     for (Index i = record_.samples() - 1; i >= 0; --i) {
       for (Index c = map_.channels() - 1; c >= 0; --c)
         if (forward_.variance(c, i) > 0.0) measure(i, c);
@@ -96,99 +115,129 @@ class Backward {
   }
 
  private:
-  void measure(Index i, Index c) {
-    const Eigen::Map<const Column<Size>> gain(forward_.gain.col(i).data() + c * map_.size,
-                                              map_.size);
+  LACUNA_INLINE Index colour_of(Index channel) const {
+    return S::kExact ? map_.size : map_.colour[static_cast<std::size_t>(channel)];
+  }
+
+  LACUNA_INLINE void measure(Index i, Index c) {
+    const Index stride = shape_.stride();
+    const double* gain = forward_.gain.data() + (i * map_.channels() + c) * stride;
     const double variance = forward_.variance(c, i);
-    const double pull = forward_.value(c, i) / variance - gain.dot(adjoint_);
-    moved_ = covariance_.lazyProduct(gain);
-    const double weight = 1.0 / variance + gain.dot(moved_);
+    const double pull = forward_.value(c, i) / variance - dot(shape_, gain, adjoint_.data());
+    multiply(shape_, covariance_.data(), gain, shape_.size(), moved_.data());
+    const double weight = 1.0 / variance + dot(shape_, gain, moved_.data());
     add_white(i, c, pull * pull, weight);
     // covariance += weight h h' - h moved' - moved h'
-    const Column<Size>& h = reads_[static_cast<std::size_t>(c)];
-    adjoint_ += pull * h;
-    for (Index j = 0; j < map_.size; ++j)
-      covariance_.col(j) += (weight * h[j] - moved_[j]) * h - h[j] * moved_;
+    const double* h = reads_.data() + c * stride;
+    add(shape_, pull, h, adjoint_.data());
+    add_outer(shape_, -1.0, h, moved_.data(), covariance_.data());
+    for (const Index place : {map_.state[static_cast<std::size_t>(c)], colour_of(c)}) {
+      if (place >= map_.size) continue;
+      double* column = covariance_.data() + place * stride;
+      add(shape_, weight, h, column);
+      add(shape_, -1.0, moved_.data(), column);
+    }
   }
 
   /// Of a sample at an end of its channel what it says at once of the noise; what it says by
   /// what it does to the path is little.
-  void add_white(Index i, Index c, double found, double expected) {
+  LACUNA_INLINE void add_white(Index i, Index c, double found, double expected) {
+    const Index sum = shape_.states() + c;
     const double slope = forward_.slope(c, i);
     const bool clipped = slope != 0.0;
-    result_.found[m_ + c] += clipped ? std::max(0.0, -slope) : found;
-    result_.expected[m_ + c] += clipped ? std::max(0.0, slope) : expected;
+    result_.found[sum] += clipped ? std::max(0.0, -slope) : found;
+    result_.expected[sum] += clipped ? std::max(0.0, slope) : expected;
   }
 
-  void keep(Index i) {
-    const Eigen::Map<const Square<Size>> before(forward_.covariance.col(i).data(), map_.size,
-                                                map_.size);
-    const Eigen::Map<const Column<Size>> mean(forward_.mean.col(i).data(), map_.size);
-    moved_ = before.lazyProduct(adjoint_) + mean;
-    result_.deviation.row(i) = moved_.head(m_).transpose();
-    for (Index c = 0; c < map_.channels(); ++c) {
-      const Index colour = map_.colour[static_cast<std::size_t>(c)];
-      if (colour < map_.size) result_.colour(i, c) = moved_[colour];
-    }
+  LACUNA_INLINE void keep(Index i) {
+    const Index stride = shape_.stride();
+    const double* before = forward_.covariance.data() + i * stride * shape_.size();
+    multiply(shape_, before, adjoint_.data(), shape_.size(), moved_.data());
+    add(shape_, 1.0, forward_.mean.data() + i * stride, moved_.data());
+    for (Index k = 0; k < shape_.states(); ++k) result_.deviation(i, k) = moved_[k];
+    for (Index c = 0; c < map_.channels(); ++c)
+      if (const Index colour = colour_of(c); colour < map_.size)
+        result_.colour(i, c) = moved_[colour];
   }
 
   /// Back over step i.
-  void step(Index i) {
+  LACUNA_INLINE void step(Index i) {
     const double length = record_.time[i + 1] - record_.time[i];
-    moved_.setZero();
-    for (Index k = 0; k < m_; ++k) {
-      constant_response(record_, i, k, moved_.data());
-      const double pull = moved_.dot(adjoint_);
+    for (Index p = 0; p < shape_.stride(); p += kLane) at<kLane>(moved_.data() + p) = Pack{};
+    for (Index k = 0; k < shape_.states(); ++k) {
+      constant_response(shape_, record_, i, k, moved_.data());
+      const double pull = dot(shape_, moved_.data(), adjoint_.data());
       const double density =
           density_in(record_, i, k, noise_.disturbance[k] * noise_.disturbance[k]) / length;
       result_.disturbance(i, k) = density * pull;
       if (record_.is_bridged(i, k)) continue;
       result_.found[k] += pull * pull / length;
-      spread_ = moved_[0] * covariance_.col(0);
-      for (Index j = 1; j < m_; ++j) spread_ += moved_[j] * covariance_.col(j);
-      result_.expected[k] += moved_.dot(spread_) / length;
+      multiply(shape_, covariance_.data(), moved_.data(), shape_.states(), spread_.data());
+      result_.expected[k] += dot(shape_, moved_.data(), spread_.data()) / length;
     }
     renew(false);
     transition_.read_transposed(record_, i);
-    transition_.carry_mean(adjoint_);
-    transition_.carry_covariance(covariance_);
-    transition_.make_symmetric(i, covariance_);
+    transition_.carry_mean(adjoint_.data());
+    transition_.carry_covariance(covariance_.data());
+    transition_.make_symmetric(i, covariance_.data());
   }
 
   /// What is new of the coloured noises in a step, or at the first sample, where they begin
   /// stationary: all of their variance.
-  void renew(bool first) {
+  LACUNA_INLINE void renew(bool first) {
     for (Index c = 0; c < map_.channels(); ++c) {
-      const Index colour = map_.colour[static_cast<std::size_t>(c)];
+      const Index colour = colour_of(c), m = shape_.states();
       if (colour >= map_.size) continue;
-      const Index sum = m_ + map_.channels() + c;
-      const double decay = first ? 0.0 : map_.decay[static_cast<std::size_t>(colour - m_)];
+      const Index sum = m + map_.channels() + c;
+      const double decay = first ? 0.0 : map_.decay[static_cast<std::size_t>(colour - m)];
       const double renewed = 1.0 - decay * decay;  // share of its variance
       result_.found[sum] += renewed * adjoint_[colour] * adjoint_[colour];
-      result_.expected[sum] += renewed * covariance_(colour, colour);
+      result_.expected[sum] += renewed * covariance_[colour * (shape_.stride() + 1)];
     }
   }
 
+  const S& shape_;
   const LinearisedRecord& record_;
   const NoiseModel& noise_;
   const ChannelMap& map_;
   const Forward& forward_;
-  Index m_;
-  Column<Size> adjoint_, moved_, spread_;
-  Square<Size> covariance_;
-  Transition<Size> transition_;
-  std::vector<Column<Size>> reads_;  ///< h of each channel: it measures h' x
+  typename S::Column adjoint_, moved_, spread_;
+  Numbers<Eigen::Dynamic> reads_;  ///< h of each channel: it measures h' x
+  typename S::Square covariance_;
+  Transition<S> transition_;
   SmoothedRecord result_;
 };
+
+template <class S>
+LACUNA_INLINE SmoothedRecord smoothed(const S& shape, const Task& task) {
+  Forward forward = room_for(shape, task);
+  go_forward(shape, task, forward);
+  return Backward<S>(shape, task, forward).run();
+}
+
+template <class S>
+SmoothedRecord smoothed_generic(const S& shape, const Task& task) {
+  return smoothed(shape, task);
+}
+
+#ifdef LACUNA_KERNEL_DISPATCH
+template <class S>
+[[gnu::target("avx2,fma")]] SmoothedRecord smoothed_avx2(const S& shape, const Task& task) {
+  return smoothed(shape, task);
+}
+#endif
 
 }  // namespace
 
 SmoothedRecord smooth(const LinearisedRecord& record, const Matrix& measured,
                       const Matrix& omitted, const NoiseModel& noise) {
   const ChannelMap map(record, noise);
-  return with_size(map.size, [&](auto size) {
-    const Forward forward = go_forward<size()>(record, measured, omitted, noise, map);
-    return Backward<size()>(record, noise, map, forward).run();
+  const Task task{record, measured, omitted, noise, map};
+  return with_shape(map.size, record.states(), [&](const auto& shape) {
+#ifdef LACUNA_KERNEL_DISPATCH
+    if (has_avx2()) return smoothed_avx2(shape, task);
+#endif
+    return smoothed_generic(shape, task);
   });
 }
 

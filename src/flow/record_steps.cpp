@@ -6,19 +6,14 @@
 #include <span>
 #include <utility>
 
-#include "lacuna/flow/fixed_size.hpp"
 #include "lacuna/numerics/sampled_signal.hpp"
+#include "parabolas.hpp"
 
 namespace lacuna {
 namespace {
 
 /// Steps that are done together and stay in cache.
 constexpr std::size_t kBlock = 256;
-
-/// The parabolas through 0, 1/2, 1 that are 1 at one of them.
-std::array<double, 3> parabolas(double s) {
-  return {(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)};
-}
 
 /// A block of steps on its way from their begins to their ends.
 class StepBlock {
@@ -84,78 +79,6 @@ class StepBlock {
   Matrix slope_, state_;
 };
 
-/// Transition and responses of one step: W_q is the response of the state to a rate that is
-/// the parabola q.
-template <int Size>
-class StepVariation {
- public:
-  StepVariation(const Matrix& slopes, const StepGrid& grid, Index states)
-      : slopes_(slopes), grid_(grid), identity_(Square<Size>::Identity(states, states)) {}
-
-  void run(Index i, double length, int parts) {
-    for (int part = 0; part < parts; ++part) add_part(i, length / parts, part, parts);
-  }
-
-  const Square<Size>& transition() const { return transition_; }
-  const std::array<Square<Size>, 3>& response() const { return response_; }
-
- private:
-  Square<Size> slope_at(Index i, double s) const {
-    const std::array<double, 3> weight = parabolas(s);
-    const Index m = identity_.rows();
-    const double* a = slopes_.col(grid_.begin(i)).data();
-    const Eigen::Map<const Square<Size>> begin(a, m, m), middle(a + m * m, m, m),
-        end(a + 2 * m * m, m, m);
-    return weight[0] * begin + weight[1] * middle + weight[2] * end;
-  }
-
-  /// Runge and Kutta for the transition, Simpson's rule for the responses.
-  void add_part(Index i, double h, int part, int parts) {
-    const double from = static_cast<double>(part) / parts, to = (part + 1.0) / parts;
-    const double half = 0.5 * (from + to);
-    const Square<Size> a = slope_at(i, from), b = slope_at(i, half), c = slope_at(i, to);
-    const Square<Size> k2 = b.lazyProduct(identity_ + 0.5 * h * a);
-    const Square<Size> k3 = b.lazyProduct(identity_ + 0.5 * h * k2);
-    const Square<Size> k4 = c.lazyProduct(identity_ + h * k3);
-    const Square<Size> whole = identity_ + h / 6.0 * (a + 2.0 * k2 + 2.0 * k3 + k4);
-    const Square<Size> second = 0.25 * h * (b + c);
-    const Square<Size> later = identity_ + second + 0.5 * second.lazyProduct(second);
-    const std::array<double, 3> first = parabolas(from), mid = parabolas(half),
-                                last = parabolas(to);
-    for (std::size_t q = 0; q < 3; ++q) {
-      const Square<Size> own =
-          h / 6.0 * (first[q] * whole + 4.0 * mid[q] * later + last[q] * identity_);
-      if (part == 0)
-        response_[q] = own;
-      else
-        response_[q] = own + whole.lazyProduct(response_[q]).eval();
-    }
-    if (part == 0)
-      transition_ = whole;
-    else
-      transition_ = whole.lazyProduct(transition_).eval();
-  }
-
-  const Matrix& slopes_;
-  const StepGrid& grid_;
-  Square<Size> identity_, transition_;
-  std::array<Square<Size>, 3> response_;
-};
-
-template <int Size>
-void write_responses(StepVariation<Size> step, const Vector& length, const StepSize& size,
-                     StepResponses& out) {
-  const Index m = size.states;
-  for (Index i = 0; i < length.size(); ++i) {
-    step.run(i, length[i], size.parts);
-    out.transition.col(i) = step.transition().reshaped();
-    for (Index k = 0; k < m; ++k)
-      for (Index q = 0; q < 3; ++q)
-        out.response.col(i).segment(3 * m * k + m * q, m) =
-            step.response()[static_cast<std::size_t>(q)].col(k);
-  }
-}
-
 }  // namespace
 
 StepSlots::StepSlots(Matrix slots, Index state_count,
@@ -207,16 +130,6 @@ int parts_for(Rates& rates, const StepSlots& slots, const Vector& accuracy) {
     parts *= 2;
   }
   return parts;
-}
-
-StepResponses step_responses(const Matrix& slopes, const StepGrid& grid, const Vector& length,
-                             const StepSize& size) {
-  const Index m = size.states;
-  StepResponses out{Matrix(m * m, length.size()), Matrix(3 * m * m, length.size())};
-  with_size(m, [&](auto fixed) {
-    write_responses<fixed()>({slopes, grid, m}, length, size, out);
-  });
-  return out;
 }
 
 }  // namespace lacuna

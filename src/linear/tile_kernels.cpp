@@ -3,12 +3,10 @@
 
 #include <cmath>
 
+#include "core/lanes.hpp"
+
 // The kernels are written once for vectors of W doubles. On x86-64 they are compiled for three
 // instruction sets and chosen when the program runs; elsewhere the compiler's default is used.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define LACUNA_KERNEL_DISPATCH 1
-#endif
-#define LACUNA_INLINE [[gnu::always_inline]] inline
 
 namespace lacuna {
 namespace {
@@ -21,30 +19,6 @@ struct TileView {
   Index rows;  // a multiple of Scratch::kRowPadding
   Index columns;
 };
-
-template <int W>
-struct Lanes {
-  typedef double Type __attribute__((vector_size(sizeof(double) * W)));
-  typedef double Memory
-      __attribute__((vector_size(sizeof(double) * W), aligned(sizeof(double)), may_alias));
-};
-
-template <int W>
-LACUNA_INLINE const typename Lanes<W>::Memory& at(const double* address) {
-  return *reinterpret_cast<const typename Lanes<W>::Memory*>(address);
-}
-
-template <int W>
-LACUNA_INLINE typename Lanes<W>::Memory& at(double* address) {
-  return *reinterpret_cast<typename Lanes<W>::Memory*>(address);
-}
-
-template <class V>
-LACUNA_INLINE double sum(const V& value) {
-  double total = 0.0;
-  for (unsigned lane = 0; lane < sizeof(V) / sizeof(double); ++lane) total += value[lane];
-  return total;
-}
 
 // 3 x 3 inner products of columns.
 template <int W>
@@ -190,9 +164,7 @@ Kernels kernels(InstructionSet set) {
 InstructionSet detect_instruction_set() {
 #ifdef LACUNA_KERNEL_DISPATCH
   if (__builtin_cpu_supports("avx512f")) return InstructionSet::Avx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    return InstructionSet::Avx2;
-  }
+  if (has_avx2()) return InstructionSet::Avx2;
 #endif
   return InstructionSet::Generic;
 }

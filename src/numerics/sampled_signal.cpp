@@ -13,41 +13,20 @@ SampledSignal::SampledSignal(Vector time, const Eigen::Ref<const Vector>& values
     : time_(std::move(time)),
       points_(std::min(static_cast<Index>(interpolation), time_.size())),
       before_((static_cast<Index>(interpolation) - 1) / 2),
-      differences_(Matrix::Zero(time_.size(), points_)) {
+      differences_(Matrix::Zero(points_, time_.size())) {
   const Index n = time_.size();
-  differences_.col(0) = values;
+  Vector order = values;
+  differences_.row(0) = order.transpose();
   for (Index k = 1; k < points_; ++k) {
-    const auto below = differences_.col(k - 1);
-    differences_.col(k).head(n - k) = (below.segment(1, n - k) - below.head(n - k)).array() /
-                                      (time_.tail(n - k) - time_.head(n - k)).array();
+    order = ((order.segment(1, n - k) - order.head(n - k)).array() /
+             (time_.tail(n - k) - time_.head(n - k)).array())
+                .eval();
+    differences_.row(k).head(n - k) = order.transpose();
   }
 }
 
-Index SampledSignal::first_of(Index interval) const {
-  return std::clamp<Index>(interval - before_, 0, time_.size() - points_);
-}
-
-double SampledSignal::in_interval(Index interval, double t) const {
-  const Index first = first_of(interval);
-  double value = differences_(first, points_ - 1);
-  for (Index k = points_ - 2; k >= 0; --k)
-    value = value * (t - time_[first + k]) + differences_(first, k);
-  return value;
-}
-
-double SampledSignal::operator()(double t) {
-  const double* begin = time_.data();
-  const Index n = time_.size();
-  t = std::clamp(t, time_[0], time_[n - 1]);
-  if (t < time_[interval_]) interval_ = 0;
-  if (interval_ + 1 < n && time_[interval_ + 1] <= t) ++interval_;
-  if (interval_ + 1 < n && time_[interval_ + 1] <= t)
-    interval_ = std::upper_bound(begin, begin + n, t) - begin - 1;
-  return in_interval(interval_, t);
-}
-
 double SampledSignal::third_difference(Index interval) const {
-  return points_ == 4 ? differences_(first_of(interval), 3) : 0.0;
+  return points_ == 4 ? differences_(3, first_of(interval)) : 0.0;
 }
 
 SpanLine SampledSignal::held_line(double from, double to) {
@@ -59,7 +38,7 @@ SpanLine SampledSignal::held_line(double from, double to) {
   for (Index i = interval_; a < 1.0; ++i) {
     const bool last = i + 1 >= n || time_[i + 1] >= to;
     const double b = last ? 1.0 : 2.0 * (time_[i + 1] - from) / (to - from) - 1.0;
-    const double value = differences_(i, 0);
+    const double value = differences_(0, i);
     line.mean += 0.5 * value * (b - a);
     line.slope += 0.75 * value * (b * b - a * a);
     least = std::min(least, value);

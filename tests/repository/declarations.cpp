@@ -102,7 +102,7 @@ Flat flatten(const std::string& head) {
       flat.text += "()";
       flat.groups.push_back(head.substr(at + 1, end - at - 1));
       at = end;
-    } else if (c == '[' || c == '{') {
+    } else if ((c == '[' && !of_operator) || c == '{') {
       at = closing(head, at);
     } else if (c == '<' && !of_operator) {
       at = closing_angle(head, at);

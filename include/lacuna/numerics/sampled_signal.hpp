@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "lacuna/core/types.hpp"
 
 namespace lacuna {
@@ -31,11 +33,27 @@ class SampledSignal {
 
   /// The polynomial of the interval t_i .. t_{i+1} at t, which may be its end: what a held
   /// signal is just before it changes.
-  double in_interval(Index interval, double t) const;
+  double in_interval(Index interval, double t) const {
+    const Index first = first_of(interval);
+    const double* difference = differences_.data() + first * points_;
+    const double* sample = time_.data() + first;
+    double value = difference[points_ - 1];
+    for (Index k = points_ - 2; k >= 0; --k) value = value * (t - sample[k]) + difference[k];
+    return value;
+  }
 
   /// The value at t, at a sample that of the interval which begins there; before the first
   /// sample and after the last one that sample holds. Times that go forward are found at once.
-  double operator()(double t);
+  double operator()(double t) {
+    const double* begin = time_.data();
+    const Index n = time_.size();
+    t = std::clamp(t, begin[0], begin[n - 1]);
+    if (t < begin[interval_]) interval_ = 0;
+    if (interval_ + 1 < n && begin[interval_ + 1] <= t) ++interval_;
+    if (interval_ + 1 < n && begin[interval_ + 1] <= t)
+      interval_ = std::upper_bound(begin, begin + n, t) - begin - 1;
+    return in_interval(interval_, t);
+  }
 
   /// Third derivative over 3! in an interval; 0 unless cubic.
   double third_difference(Index interval) const;
@@ -47,11 +65,13 @@ class SampledSignal {
   const Vector& time() const noexcept { return time_; }
 
  private:
-  Index first_of(Index interval) const;
+  Index first_of(Index interval) const {
+    return std::clamp<Index>(interval - before_, 0, time_.size() - points_);
+  }
 
   Vector time_;
   Index points_, before_;
-  Matrix differences_;  ///< divided: column k of samples i ... i + k
+  Matrix differences_;  ///< points x n, divided: row k of samples i ... i + k
   Index interval_ = 0;  ///< of the last query
 };
 

@@ -33,6 +33,27 @@ TEST(CandidateColumn, MemoryFollowsItsEquation) {
   EXPECT_NEAR((1.0 - memory(150, 0)) / (1.0 - memory(100, 0)), std::exp(-1.0), 1e-3);
 }
 
+/// Two lags one behind the other; with `bend` not 0 they are not linear to look at.
+Candidate two_lags(const std::string& bend) {
+  Candidate candidate = support::plain_candidate("second-F");
+  candidate.memory = {
+      {"first", parse_expression("(F-first)/tau*(1+" + bend + "*first)"),
+       parse_expression("F")},
+      {"second", parse_expression("(first-second)/tau"), parse_expression("F")}};
+  candidate.shapes = lag(0.5).shapes;
+  return candidate;
+}
+
+TEST(CandidateColumn, LinearMemoryIsWhatItIsStepByStep) {
+  const std::vector<double> tau{0.5};
+  const LinearisedRecord record = step_record();
+  const Variables variables = support::oscillator().variables();
+  const Matrix linear = memory_along(two_lags("0"), tau, variables, record);
+  const Matrix stepwise = memory_along(two_lags("1e-200"), tau, variables, record);
+  EXPECT_GT(linear.col(1).maxCoeff(), 0.9);
+  EXPECT_LT((linear - stepwise).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(CandidateColumn, StiffMemoryStaysStable) {
   const std::vector<double> tau{1e-4};
   const LinearisedRecord record = step_record();

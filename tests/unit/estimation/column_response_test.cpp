@@ -10,11 +10,13 @@ namespace {
 
 using support::GaussianCase;
 
-/// Of so many states, the first not measured, the last with coloured noise.
+/// Of so many states, the first not measured, the last with coloured noise; of an even number
+/// of states with white noise only.
 GaussianCase case_of(Index m) {
   GaussianCase made = support::random_case(m, 20, 9);
   if (m > 1) made.noise.measurement[0].reset();
-  made.noise.coloured[static_cast<std::size_t>(m - 1)] = ColouredNoise{0.3, 0.25};
+  if (m % 2 == 1)
+    made.noise.coloured[static_cast<std::size_t>(m - 1)] = ColouredNoise{0.3, 0.25};
   made.omitted = Matrix::Zero(20, m);
   made.omitted(5, m - 1) = 1.0;
   return made;
@@ -39,7 +41,7 @@ Matrix moved_by(const GaussianCase& made, Index equation, const Vector& rate) {
 }
 
 TEST(ColumnResponse, IsWhatATermInTheRecordDoesToTheInnovations) {
-  for (const Index m : {1, 2, 3, 8}) {
+  for (const Index m : {1, 2, 3, 4, 8, 9, 10}) {
     const GaussianCase made = case_of(m);
     const InnovationFilter filter = filtered(made, made.measured);
     Random random(1);
@@ -58,7 +60,7 @@ TEST(ColumnResponse, IsWhatATermInTheRecordDoesToTheInnovations) {
 }
 
 TEST(ChannelResponse, IsWhatAnAdditionToTheMeasurementDoes) {
-  for (const Index m : {1, 2, 3, 8}) {
+  for (const Index m : {1, 2, 3, 4, 8, 9, 10}) {
     const GaussianCase made = case_of(m);
     const InnovationFilter filter = filtered(made, made.measured);
     Random random(2);

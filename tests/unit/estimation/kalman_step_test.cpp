@@ -50,8 +50,10 @@ TEST(Variances, AreTheSquaresOfTheDeviations) {
 TEST(KalmanStep, DevianceOfAnInnovationIsItsLogDensity) {
   const GaussianCase made = coloured_case();
   const ChannelMap map(made.record, made.noise);
+  const Shape<Eigen::Dynamic, false> shape(4, 2);
   const Innovation seen =
-      KalmanStep<Eigen::Dynamic>(made.record, made.noise, map).update(0, 0.7);
+      KalmanStep<Shape<Eigen::Dynamic, false>>(shape, made.record, made.noise, map)
+          .update(0, 0.7);
   const double density = std::exp(-0.5 * seen.value * seen.value / seen.variance) /
                          std::sqrt(2.0 * M_PI * seen.variance);
   EXPECT_NEAR(seen.deviance + std::log(seen.scale),
@@ -115,9 +117,13 @@ struct Textbook {
 TEST(KalmanStep, IsTheTextbooks) {
   const GaussianCase made = coloured_case();
   const ChannelMap map(made.record, made.noise);
-  KalmanStep<4> step(made.record, made.noise, map);
-  KalmanStep<Eigen::Dynamic> dynamic(made.record, made.noise, map);
-  Textbook book{Vector::Zero(4), Matrix(step.covariance())};
+  const Shape<4, false> fixed(4, 2);
+  const Shape<Eigen::Dynamic, false> open(4, 2);
+  KalmanStep<Shape<4, false>> step(fixed, made.record, made.noise, map);
+  KalmanStep<Shape<Eigen::Dynamic, false>> dynamic(open, made.record, made.noise, map);
+  using Square = Eigen::Map<const Eigen::Matrix4d>;
+  const Square covariance(step.covariance());
+  Textbook book{Vector::Zero(4), covariance};
   for (Index i = 0; i + 1 < 12; ++i) {
     for (Index c = 0; c < 2; ++c) {
       const Vector h = Vector::Unit(4, c) + Vector::Unit(4, 2 + c);
@@ -132,9 +138,9 @@ TEST(KalmanStep, IsTheTextbooks) {
     step.predict(i);
     dynamic.predict(i);
     book.predict(made, i);
-    EXPECT_LT((step.mean() - book.mean).norm(), 1e-10);
-    EXPECT_LT((step.covariance() - book.covariance).norm(), 1e-10);
-    EXPECT_LT((step.covariance() - dynamic.covariance()).norm(), 1e-10);
+    EXPECT_LT((Eigen::Map<const Eigen::Vector4d>(step.mean()) - book.mean).norm(), 1e-10);
+    EXPECT_LT((covariance - book.covariance).norm(), 1e-10);
+    EXPECT_LT((covariance - Square(dynamic.covariance())).norm(), 1e-10);
   }
 }
 
@@ -149,14 +155,15 @@ TEST(KalmanStep, ABridgeIsTheLeastDensityOfItsStep) {
 
 TEST(Transition, TakesTheSkewPartOfTheCovarianceOutNowAndThen) {
   const GaussianCase made = coloured_case();
-  Transition<4> transition(ChannelMap(made.record, made.noise), 2);
+  const Shape<4, false> shape(4, 2);
+  const Transition<Shape<4, false>> transition(shape, ChannelMap(made.record, made.noise));
   Random random(3);
-  const Square<4> skew = support::random_matrix(random, 4, 4, 1.0);
-  Square<4> p = skew;
-  transition.make_symmetric(8, p);
+  const Matrix skew = support::random_matrix(random, 4, 4, 1.0);
+  Matrix p = skew;
+  transition.make_symmetric(8, p.data());
   EXPECT_LT((p - 0.5 * (skew + skew.transpose())).norm(), 1e-15);
   p = skew;
-  transition.make_symmetric(9, p);
+  transition.make_symmetric(9, p.data());
   EXPECT_EQ(p, skew);
 }
 

@@ -31,7 +31,8 @@ SmoothedRecord smoothed(const GaussianCase& made) {
 TEST(Smoother, IsTheConditionalMeanOfTheJointGaussian) {
   for (const GaussianCase& made :
        {mixed_case(), support::random_case(1, 30, 2), support::random_case(2, 12, 3),
-        support::random_case(9, 6, 4)}) {
+        support::random_case(4, 9, 6), support::random_case(5, 8, 7),
+        support::random_case(9, 6, 4), support::random_case(17, 5, 8)}) {
     const JointGaussian joint = support::joint_of(made);
     const Vector z = support::posterior(joint);
     const SmoothedRecord found = smoothed(made);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Vectors of W doubles for kernels that are written once and compiled for several instruction
+// sets: the kernel is a template of LACUNA_INLINE functions, its entries have a target each.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "lacuna/core/types.hpp"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define LACUNA_KERNEL_DISPATCH 1
+#endif
+#define LACUNA_INLINE [[gnu::always_inline]] inline
+
+namespace lacuna {
+
+template <int W>
+struct Lanes {
+  typedef double Type __attribute__((vector_size(sizeof(double) * W)));
+  typedef double Memory
+      __attribute__((vector_size(sizeof(double) * W), aligned(sizeof(double)), may_alias));
+};
+
+/// W numbers in memory. Vectors are passed by reference: by value they would have one calling
+/// convention for each instruction set.
+template <int W>
+LACUNA_INLINE const typename Lanes<W>::Memory& at(const double* address) {
+  return *reinterpret_cast<const typename Lanes<W>::Memory*>(address);
+}
+
+template <int W>
+LACUNA_INLINE typename Lanes<W>::Memory& at(double* address) {
+  return *reinterpret_cast<typename Lanes<W>::Memory*>(address);
+}
+
+/// The sum of the lanes.
+template <class V>
+LACUNA_INLINE double sum(const V& value) {
+  double total = 0.0;
+  for (unsigned lane = 0; lane < sizeof(V) / sizeof(double); ++lane) total += value[lane];
+  return total;
+}
+
+inline constexpr Index kLane = 4;
+using Pack = Lanes<kLane>::Type;
+
+/// Numbers in memory, 0 at first; Count: how many, or Eigen::Dynamic.
+template <int Count>
+class Numbers {
+ public:
+  LACUNA_INLINE explicit Numbers(Index) {}
+  LACUNA_INLINE double* data() { return values_.data(); }
+  LACUNA_INLINE const double* data() const { return values_.data(); }
+  LACUNA_INLINE double& operator[](Index i) { return data()[i]; }
+  LACUNA_INLINE double operator[](Index i) const { return data()[i]; }
+
+ private:
+  alignas(32) std::array<double, static_cast<std::size_t>(Count)> values_ = {};
+};
+
+template <>
+class Numbers<Eigen::Dynamic> {
+ public:
+  explicit Numbers(Index count) : values_(static_cast<std::size_t>(count)) {}
+  LACUNA_INLINE double* data() { return values_.data(); }
+  LACUNA_INLINE const double* data() const { return values_.data(); }
+  LACUNA_INLINE double& operator[](Index i) { return data()[i]; }
+  LACUNA_INLINE double operator[](Index i) const { return data()[i]; }
+
+ private:
+  std::vector<double> values_;
+};
+
+/// Whether the machine has AVX2 and fused multiplication and addition.
+inline bool has_avx2() {
+#ifdef LACUNA_KERNEL_DISPATCH
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+  return false;
+#endif
+}
+
+}  // namespace lacuna
