@@ -82,11 +82,13 @@ std::string through_identification(const std::string& kind, const std::string& j
   if (kind == "forms") return format_stage(Rules<FormOptions>(options.forms));
   if (kind == "validation") return format_stage(Rules<ValidationOptions>(options.validation));
   if (kind == "relations") return format_stage(Rules<RelationOptions>(options.relations));
+  if (kind == "map") return format_stage(Rules<MapHintOptions>(options.map));
   return format_stage(Rules<AdviceOptions>(options.advice));
 }
 
 bool is_of_identification(const std::string& kind) {
-  return kind == "forms" || kind == "validation" || kind == "relations" || kind == "advice";
+  return kind == "forms" || kind == "validation" || kind == "relations" || kind == "advice" ||
+         kind == "map";
 }
 
 bool is_of_diagnosis(const std::string& kind) {
