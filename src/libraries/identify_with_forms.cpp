@@ -22,6 +22,11 @@ bool leaves_nothing(const IdentificationResult& result, double worth_asking) {
   });
 }
 
+/// What is known of what an equation leaves.
+Remainder left_by(const EquationFit& fit) {
+  return fit.fits_to_noise.value_or(false) ? Remainder::Noise : Remainder::Unknown;
+}
+
 std::size_t terms_of(const IdentificationResult& result) {
   std::size_t count = 0;
   for (const Equation& equation : result.model.equations()) count += equation.size();
@@ -66,9 +71,10 @@ class ExtendedRun {
         pipeline_(pipeline),
         options_(options),
         context_(context),
+        alone_(alone),
         library_(pipeline.basis->library(alone.model.variables())),
         models_(data),
-        search_(data, alone.noise, options, context) {}
+        search_(data, alone.noise, options, context, library_.terms) {}
 
   /// Collects the candidates of each equation.
   void look_for(const std::vector<Stage<Effect>>& effects, const IdentificationResult& alone) {
@@ -109,7 +115,8 @@ class ExtendedRun {
       context_.report("searching forms", 0.5 + 0.5 * double(k) / double(candidates_.size()));
       equations[k] = kept[k];
       if (fits && kept[k].parameters() < fewest) continue;
-      equations[k] = search_.with_fewer_terms(kept[k], candidates_[k], library_.terms);
+      equations[k] = search_.with_fewer_terms(kept[k], candidates_[k], library_.terms,
+                                              left_by(found.fit[k]));
       equations[k] = search_.refitted(std::move(equations[k]));
       changed = changed || !equations[k].forms.empty();
     }
@@ -167,6 +174,7 @@ class ExtendedRun {
   /// the trajectories ask for; with the library beside the forms where that does not fit.
   Extension settled(std::vector<EquationForms> equations) const {
     IdentificationResult alone = identified_as(equations);
+    if (is_worse(alone)) return {std::move(alone), std::move(equations)};
     equations = refined_shapes(alone.model, std::move(equations), data_, context_);
     alone = identified_as(equations);
     if (is_known_to_fit(alone)) return {std::move(alone), std::move(equations)};
@@ -176,6 +184,12 @@ class ExtendedRun {
     if (better) alone = std::move(beside);
     equations = kept_in(alone, equations);
     return {std::move(alone), std::move(equations)};
+  }
+
+  /// Whether the library reaches the noise and a model leaves more by what fitting its shapes
+  /// to the trajectories does not take away: in the rows they were fitted already.
+  bool is_worse(const IdentificationResult& model) const {
+    return reaches_the_noise(alone_) && models_.excess(model, alone_) > options_.same;
   }
 
   /// With no other terms than these in equations that have forms.
@@ -232,6 +246,7 @@ class ExtendedRun {
   const Pipeline& pipeline_;
   const FormOptions& options_;
   const RunContext& context_;
+  const IdentificationResult& alone_;  ///< what the library gives
   TermLibrary library_;
   ModelComparison models_;
   FormSearch search_;

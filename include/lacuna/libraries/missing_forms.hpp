@@ -40,15 +40,21 @@ enum class Plainness {
   Any,   ///< sin(x) for sin(x/1.001)
 };
 
+/// What an equation leaves, as far as it is known.
+enum class Remainder {
+  Unknown,
+  Noise,  ///< its trajectories are off by no more than noise: so is what it leaves in the rows
+};
+
 /// The search for forms in the weak form of a dataset, whose rows are white for white noise.
 /// Shapes are fitted by variable projection: for each of their values coefficients are those of
 /// least squares (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Residuals that differ
 /// by less than FormOptions::same (rms) are the same.
 class FormSearch {
  public:
-  /// @param noise of each state, state units.
+  /// @param noise of each state, state units. @param library terms whose rows are made once.
   FormSearch(const Dataset& data, Vector noise, FormOptions options = {},
-             RunContext context = {});
+             RunContext context = {}, const std::vector<Term>& library = {});
   ~FormSearch();
 
   /// Rows of the weak form; a search needs more of them than terms.
@@ -70,7 +76,8 @@ class FormSearch {
   /// the variables, and beside terms of a library. @return the equation with the fewest.
   EquationForms with_fewer_terms(EquationForms equation,
                                  const std::vector<Candidate>& candidates,
-                                 const std::vector<Term>& library) const;
+                                 const std::vector<Term>& library,
+                                 Remainder remainder = Remainder::Unknown) const;
 
   /// The equation with plain forms in the place of shaped ones that are nearly the same at the
   /// samples. Nothing where there is none.
