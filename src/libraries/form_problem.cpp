@@ -237,6 +237,24 @@ bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness ki
                  .mean() < options_.jump_samples;
 }
 
+std::optional<MissingForm> FormProblem::rest_of(
+    const Term& term, const MissingForm& form, const std::vector<Candidate>& candidates) const {
+  constexpr double kRounding = 1e-9;
+  if (form.shapes.size() == 0) return std::nullopt;
+  const Matrix both = rows_.values({term.expression(), form.expression()});
+  const Vector rest = both.col(0) - both.col(1);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.shapes.size() != form.candidate.shapes.size() ||
+        !(candidate.argument == form.candidate.argument))
+      continue;
+    const MissingForm other{candidate, form.shapes};
+    const Vector off = rows_.values({other.expression()}).col(0) - rest;
+    if (off.cwiseAbs().maxCoeff() <= kRounding * both.col(0).cwiseAbs().maxCoeff())
+      return other;
+  }
+  return std::nullopt;
+}
+
 double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
   Matrix both = rows_.values({a.expression(), b.expression()});
   both.rowwise() -= both.colwise().mean().eval();

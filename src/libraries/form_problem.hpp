@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base_columns.hpp"
@@ -103,6 +104,10 @@ class FormProblem {
   /// Whether two forms are nearly the same at the samples: a jump differs from a slope at few
   /// of them, other forms hardly differ at all.
   bool alike(const MissingForm& a, const MissingForm& b, Plainness kind) const;
+
+  /// The candidate that is a term without a form, at all samples, with the same shapes.
+  std::optional<MissingForm> rest_of(const Term& term, const MissingForm& form,
+                                     const std::vector<Candidate>& candidates) const;
 
   /// Correlation of two forms over the samples.
   double likeness(const MissingForm& a, const MissingForm& b) const;

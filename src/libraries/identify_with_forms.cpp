@@ -62,6 +62,56 @@ bool says_the_same(const Extension& with, const IdentificationResult& without,
                                  price * static_cast<double>(others - numbers);
 }
 
+/// Coefficients of the terms, then of the forms, of each equation; 0 where the model has none.
+std::vector<Vector> coefficients_of(const OdeModel& model,
+                                    const std::vector<EquationForms>& equations) {
+  std::vector<Vector> all;
+  for (const EquationForms& equation : equations) {
+    std::vector<double> numbers;
+    for (const Term& term : equation.terms)
+      numbers.push_back(model.coefficient(equation.equation, term.name()));
+    for (const MissingForm& form : equation.forms)
+      numbers.push_back(model.coefficient(equation.equation,
+                                          Term(form.expression(), model.variables()).name()));
+    all.push_back(Eigen::Map<const Vector>(numbers.data(), static_cast<Index>(numbers.size())));
+  }
+  return all;
+}
+
+/// The equations of a model, terms that are forms of some equation as such: one equation may
+/// take over what was found for another.
+std::vector<EquationForms> kept_in(const IdentificationResult& found,
+                                   const std::vector<EquationForms>& equations) {
+  std::map<std::string, MissingForm> forms;
+  for (const EquationForms& equation : equations)
+    for (const MissingForm& form : equation.forms)
+      forms.emplace(Term(form.expression(), found.model.variables()).name(), form);
+  std::vector<EquationForms> kept;
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    kept.push_back({static_cast<Index>(k), {}, {}});
+    for (const WeightedTerm& summand : found.model.equations()[k]) {
+      const auto form = forms.find(summand.term.name());
+      if (form == forms.end())
+        kept[k].terms.push_back(summand.term);
+      else
+        kept[k].forms.push_back(form->second);
+    }
+  }
+  return kept;
+}
+
+/// Names of a library's terms and of the forms beside them, each once.
+std::vector<std::string> with_forms(const TermLibrary& library,
+                                    const std::vector<EquationForms>& equations) {
+  std::vector<std::string> names = library.names();
+  for (const EquationForms& equation : equations)
+    for (const MissingForm& form : equation.forms) {
+      const std::string name = Term(form.expression(), library.variables).name();
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  return names;
+}
+
 /// A run with forms beside the library.
 class ExtendedRun {
  public:
@@ -175,7 +225,11 @@ class ExtendedRun {
   Extension settled(std::vector<EquationForms> equations) const {
     IdentificationResult alone = identified_as(equations);
     if (is_worse(alone)) return {std::move(alone), std::move(equations)};
+    const std::vector<Vector> coefficients = coefficients_of(alone.model, equations);
     equations = refined_shapes(alone.model, std::move(equations), data_, context_);
+    for (std::size_t k = 0; k < equations.size(); ++k)
+      equations[k] =
+          search_.plainly_written(std::move(equations[k]), coefficients[k], candidates_[k]);
     alone = identified_as(equations);
     if (is_known_to_fit(alone)) return {std::move(alone), std::move(equations)};
     IdentificationResult beside = identified(equations);
@@ -207,39 +261,9 @@ class ExtendedRun {
   }
 
   IdentificationResult identified(const std::vector<EquationForms>& equations) const {
-    ExpressionsOptions options;
-    options.terms = library_.names();
-    for (const EquationForms& equation : equations)
-      for (const MissingForm& form : equation.forms) {
-        const std::string name = Term(form.expression(), library_.variables).name();
-        if (std::find(options.terms.begin(), options.terms.end(), name) == options.terms.end())
-          options.terms.push_back(name);
-      }
     Pipeline extended = pipeline_;
-    extended.basis = Expressions{std::move(options)};
+    extended.basis = Expressions{{.terms = with_forms(library_, equations)}};
     return identify(data_, extended, context_);
-  }
-
-  /// The equations of a model, terms that are forms of some equation as such: one equation may
-  /// take over what was found for another.
-  std::vector<EquationForms> kept_in(const IdentificationResult& found,
-                                     const std::vector<EquationForms>& equations) const {
-    std::map<std::string, MissingForm> forms;
-    for (const EquationForms& equation : equations)
-      for (const MissingForm& form : equation.forms)
-        forms.emplace(Term(form.expression(), library_.variables).name(), form);
-    std::vector<EquationForms> kept;
-    for (std::size_t k = 0; k < equations.size(); ++k) {
-      kept.push_back({static_cast<Index>(k), {}, {}});
-      for (const WeightedTerm& summand : found.model.equations()[k]) {
-        const auto form = forms.find(summand.term.name());
-        if (form == forms.end())
-          kept[k].terms.push_back(summand.term);
-        else
-          kept[k].forms.push_back(form->second);
-      }
-    }
-    return kept;
   }
 
   const Dataset& data_;

@@ -134,6 +134,24 @@ std::optional<EquationForms> FormSearch::plainer(const EquationForms& equation,
   return result;
 }
 
+EquationForms FormSearch::plainly_written(EquationForms equation, const Vector& coefficients,
+                                          const std::vector<Candidate>& candidates) const {
+  const auto terms = static_cast<Index>(equation.terms.size());
+  for (std::size_t f = 0; f < equation.forms.size(); ++f)
+    for (Index i = 0; i < terms; ++i) {
+      const double of_term = coefficients[i];
+      const double of_form = coefficients[terms + static_cast<Index>(f)];
+      if (!(std::abs(of_term + of_form) < std::abs(of_term))) continue;
+      const auto& term = equation.terms[static_cast<std::size_t>(i)];
+      if (const auto rest = problem_->rest_of(term, equation.forms[f], candidates)) {
+        equation.forms[f] = *rest;
+        break;
+      }
+    }
+  equation.forms = distinct(equation.forms);
+  return equation;
+}
+
 EquationForms FormSearch::refitted(EquationForms equation) const {
   constexpr int kRounds = 3;
   const bool alone = equation.forms.size() == 1;

@@ -85,6 +85,13 @@ class FormSearch {
                                        const std::vector<Candidate>& candidates,
                                        Plainness kind) const;
 
+  /// The equation in the plainer of two writings: with the rest m - f of a term m in the place
+  /// of a form f where less of m stays, c m + d f = (c + d) m - d (m - f); prey*fox/(a+prey)
+  /// for fox and fox/(1+prey/a) that nearly cancel.
+  /// @param coefficients of the terms, then of the forms. @param candidates that may be m - f.
+  EquationForms plainly_written(EquationForms equation, const Vector& coefficients,
+                                const std::vector<Candidate>& candidates) const;
+
   /// The equation with its shapes fitted.
   EquationForms refitted(EquationForms equation) const;
 

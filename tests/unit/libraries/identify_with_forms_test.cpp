@@ -57,7 +57,8 @@ TEST(IdentifyWithForms, FindsARateThatSaturates) {
                                            Vector::Constant(1, 2.0), 0.01, 1000, 0.0);
   const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
   // Two writings are one function: 0.6 - 1.5 x/(0.3+x) and -0.9 + 1.5/(1+x/0.3).
-  EXPECT_EQ(found.model.equations()[0].size(), 2u);
+  ASSERT_EQ(found.model.equations()[0].size(), 2u);
+  EXPECT_NEAR(found.model.coefficient(0, "1"), 0.6, 1e-4);
   CompiledModel rate = found.model.compile();
   for (const double x : {0.1, 0.3, 1.2, 2.0}) {
     double dxdt = 0.0;

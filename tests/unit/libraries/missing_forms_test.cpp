@@ -97,5 +97,32 @@ TEST(FormSearch, CountsCoefficientsAndShapes) {
   EXPECT_EQ(equation.parameters(), 14u);
 }
 
+/// 0.6 - 1.5 x/(0.3+x) is -0.9 + 1.5/(1+x/0.3): less of the constant stays in the first.
+TEST(FormSearch, OfTwoWritingsThePlainerOne) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel decay({{"x", ""}}, {}, {{{Term::parse("x", variables), -1.0}}});
+  const Dataset data = record_of(decay, Dopri87{}, Vector::Constant(1, 2.0), 0.01, 400);
+  const std::vector<Candidate> candidates =
+      function_forms(make_scope(decay, data, Vector::Zero(1)), {}, 0);
+  const auto form = [&](const std::string& pattern) {
+    for (const Candidate& candidate : candidates)
+      if (candidate.form.to_string() == pattern)
+        return MissingForm{candidate, Vector::Constant(1, 0.3)};
+    throw std::runtime_error(pattern);
+  };
+  const FormSearch search(data, Vector::Zero(1));
+  const auto written = [&](const std::string& pattern, double of_term, double of_form) {
+    const EquationForms equation{0, {Term::parse("1", variables)}, {form(pattern)}};
+    return search.plainly_written(equation, Eigen::Vector2d(of_term, of_form), candidates)
+        .forms[0]
+        .expression()
+        .to_string();
+  };
+  EXPECT_EQ(written("1/(1+x/a)", -0.9, 1.5), "x/(0.3+x)");
+  EXPECT_EQ(written("x/(a+x)", 0.6, -1.5), "x/(0.3+x)");
+  EXPECT_EQ(written("1/(1+x/a)", 0.1, 2.0), "1/(1+x/0.3)");
+  EXPECT_EQ(written("x/(a+x)", 2.1, -2.0), "1/(1+x/0.3)");
+}
+
 }  // namespace
 }  // namespace lacuna
