@@ -248,7 +248,8 @@ std::optional<MissingForm> FormProblem::rest_of(
         !(candidate.argument == form.candidate.argument))
       continue;
     const MissingForm other{candidate, form.shapes};
-    const Vector off = rows_.values({other.expression()}).col(0) - rest;
+    const Vector values = rows_.values({other.expression()}).col(0);
+    const Vector off = values * (values.dot(rest) / values.squaredNorm()) - rest;
     if (off.cwiseAbs().maxCoeff() <= kRounding * both.col(0).cwiseAbs().maxCoeff())
       return other;
   }

@@ -105,7 +105,8 @@ class FormProblem {
   /// of them, other forms hardly differ at all.
   bool alike(const MissingForm& a, const MissingForm& b, Plainness kind) const;
 
-  /// The candidate that is a term without a form, at all samples, with the same shapes.
+  /// The candidate that is a term without a form, but for a factor, at all samples, with the
+  /// same shapes.
   std::optional<MissingForm> rest_of(const Term& term, const MissingForm& form,
                                      const std::vector<Candidate>& candidates) const;
 

@@ -51,15 +51,21 @@ struct Extension {
   }
 };
 
+/// A model and how many numbers it has.
+struct Counted {
+  const IdentificationResult& result;
+  std::size_t numbers;
+};
+
 /// Whether fewer numbers say the same by Schwarz' criterion: 2 n ln(what is left) of each state
 /// and ln(n m) for each number.
-bool says_the_same(const Extension& with, const IdentificationResult& without,
-                   const ModelComparison& models, const Dataset& data) {
+bool says_the_same(const Counted& fewer, const Counted& more, const ModelComparison& models,
+                   const Dataset& data) {
   const auto n = static_cast<double>(data.samples());
   const double price = std::log(n * static_cast<double>(data.state_count()));
-  const std::size_t numbers = with.numbers(), others = terms_of(without);
-  return numbers < others && 2.0 * n * models.excess(with.result, without) <
-                                 price * static_cast<double>(others - numbers);
+  return fewer.numbers < more.numbers &&
+         2.0 * n * models.excess(fewer.result, more.result) <
+             price * static_cast<double>(more.numbers - fewer.numbers);
 }
 
 /// Coefficients of the terms, then of the forms, of each equation; 0 where the model has none.
@@ -145,7 +151,9 @@ class ExtendedRun {
   /// the same by fewer numbers; else it fits now, or leaves less with no more terms.
   bool is_better(const Extension& with, const IdentificationResult& without) const {
     if (reaches_the_noise(without))
-      return reaches_the_noise(with.result) && says_the_same(with, without, models_, data_);
+      return reaches_the_noise(with.result) &&
+             says_the_same({with.result, with.numbers()}, {without, terms_of(without)}, models_,
+                           data_);
     if (is_known_to_fit(with.result)) return true;
     return models_.excess(with.result, without) < -options_.same &&
            terms_of(with.result) <= terms_of(without);
@@ -211,13 +219,30 @@ class ExtendedRun {
     // What a solver makes of a jump is worse than what it makes of a steep slope: residuals do
     // not decide here.
     make_plainer(equations, Plainness::Jump);
-    Extension found = settled(std::move(equations));
+    Extension found = with_fewer_shapes(settled(std::move(equations)));
     std::vector<EquationForms> plainer = found.equations;
     if (!make_plainer(plainer, Plainness::Any)) return found;
     Extension other = settled(std::move(plainer));
     const bool same = models_.excess(other.result, found.result) <= options_.same ||
                       (reaches_the_noise(other.result) && reaches_the_noise(found.result));
     return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
+  }
+
+  /// A model without shapes of its forms that say nothing by Schwarz' criterion.
+  Extension with_fewer_shapes(Extension found) const {
+    std::vector<EquationForms> fewer = found.equations;
+    bool changed = false;
+    for (std::size_t k = 0; k < fewer.size(); ++k)
+      if (auto equation = search_.with_fewer_shapes(fewer[k], candidates_[k])) {
+        fewer[k] = std::move(*equation);
+        changed = true;
+      }
+    if (!changed) return found;
+    Extension other = settled(std::move(fewer));
+    const bool same = reaches_the_noise(other.result) >= reaches_the_noise(found.result) &&
+                      says_the_same({other.result, other.numbers()},
+                                    {found.result, found.numbers()}, models_, data_);
+    return same ? std::move(other) : std::move(found);
   }
 
   /// The model that the pipeline makes of these equations with nothing beside them, shapes as
@@ -231,7 +256,10 @@ class ExtendedRun {
       equations[k] =
           search_.plainly_written(std::move(equations[k]), coefficients[k], candidates_[k]);
     alone = identified_as(equations);
-    if (is_known_to_fit(alone)) return {std::move(alone), std::move(equations)};
+    if (is_known_to_fit(alone)) {
+      equations = kept_in(alone, equations);
+      return {std::move(alone), std::move(equations)};
+    }
     IdentificationResult beside = identified(equations);
     const bool better = models_.is_ahead(beside, alone, options_.same) ||
                         models_.excess(beside, alone) < -options_.same;

@@ -134,6 +134,28 @@ std::optional<EquationForms> FormSearch::plainer(const EquationForms& equation,
   return result;
 }
 
+std::optional<EquationForms> FormSearch::with_fewer_shapes(
+    const EquationForms& equation, const std::vector<Candidate>& candidates) const {
+  EquationForms result = equation;
+  bool changed = false;
+  for (std::size_t f = 0; f < equation.forms.size(); ++f) {
+    const auto shapes = static_cast<std::size_t>(equation.forms[f].shapes.size());
+    if (shapes < 2) continue;
+    std::vector<Candidate> fewer;
+    for (const Candidate& candidate : candidates)
+      if (!candidate.shapes.empty() && candidate.shapes.size() < shapes)
+        fewer.push_back(candidate);
+    EquationForms others = result;
+    others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(f));
+    const std::vector<Trial> trials = problem_->with_each(others, fewer);
+    if (trials.empty()) continue;
+    result.forms[f] = trials.front().equation.forms.back();
+    changed = true;
+  }
+  if (!changed) return std::nullopt;
+  return refitted(std::move(result));
+}
+
 EquationForms FormSearch::plainly_written(EquationForms equation, const Vector& coefficients,
                                           const std::vector<Candidate>& candidates) const {
   const auto terms = static_cast<Index>(equation.terms.size());

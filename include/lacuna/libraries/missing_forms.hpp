@@ -85,6 +85,11 @@ class FormSearch {
                                        const std::vector<Candidate>& candidates,
                                        Plainness kind) const;
 
+  /// The equation with a form of fewer shapes in the place of each that has two or more, the
+  /// one that leaves least. Nothing where no form has as many.
+  std::optional<EquationForms> with_fewer_shapes(
+      const EquationForms& equation, const std::vector<Candidate>& candidates) const;
+
   /// The equation in the plainer of two writings: with the rest m - f of a term m in the place
   /// of a form f where less of m stays, c m + d f = (c + d) m - d (m - f); prey*fox/(a+prey)
   /// for fox and fox/(1+prey/a) that nearly cancel.

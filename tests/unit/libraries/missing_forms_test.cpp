@@ -122,6 +122,32 @@ TEST(FormSearch, OfTwoWritingsThePlainerOne) {
   EXPECT_EQ(written("x/(a+x)", 0.6, -1.5), "x/(0.3+x)");
   EXPECT_EQ(written("1/(1+x/a)", 0.1, 2.0), "1/(1+x/0.3)");
   EXPECT_EQ(written("x/(a+x)", 2.1, -2.0), "1/(1+x/0.3)");
+  // x - x^2/(a+x) = a x/(a+x).
+  MissingForm high = form("x/(a+x)");
+  high.candidate.form = parse_expression("x^2/(a+x)");
+  const EquationForms square{0, {Term::parse("x", variables)}, {high}};
+  EXPECT_EQ(search.plainly_written(square, Eigen::Vector2d(1.0, -0.99), candidates)
+                .forms[0]
+                .expression()
+                .to_string(),
+            "x/(0.3+x)");
+}
+
+/// A denominator with a number that says nothing.
+TEST(FormSearch, AShapeLessIsTheFormThatLeavesLeast) {
+  const Oscillator c("x/(1+x^2/0.49)");
+  const FormSearch search(c.data, c.sigma);
+  Candidate fraction;
+  fraction.form = parse_expression("x/(1+b*x^2+d*y^2)");
+  fraction.shapes = {{"b", "", 0.01, 100.0, true}, {"d", "", 1e-6, 1.0, true}};
+  fraction.equation = 1;
+  const EquationForms two{1, {}, {{fraction, Eigen::Vector2d(2.0, 1e-5)}}};
+  const auto one = search.with_fewer_shapes(two, c.candidates());
+  ASSERT_TRUE(one);
+  ASSERT_EQ(one->forms.size(), 1u);
+  EXPECT_EQ(one->forms[0].candidate.form.to_string(), "x/(1+x^2/a^2)");
+  EXPECT_NEAR(one->forms[0].shapes[0], 0.7, 1e-4);
+  EXPECT_FALSE(search.with_fewer_shapes(*one, c.candidates()));
 }
 
 }  // namespace
