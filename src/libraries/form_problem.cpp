@@ -178,9 +178,8 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
 Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
                            const Limit& limit) const {
   equation.forms.push_back(form);
-  Trial now{equation, left(equation)};
-  if (now.left > limit(now.equation))
-    now.left = polish(now.equation, now.equation.forms.size() - 1, kExact);
+  Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
+  now.equation = equation;
   if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
   while (now.left <= limit(now.equation) &&
          now.equation.terms.size() + now.equation.forms.size() > 1) {
