@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lacuna/core/random.hpp"
 #include "lacuna/data/noise.hpp"
 #include "lacuna/numerics/lagrange.hpp"
 #include "lacuna/numerics/sampled_signal.hpp"
@@ -221,14 +222,13 @@ double spread(const Dataset& record) {
   return std::sqrt(squares / static_cast<double>(record.samples()));
 }
 
-/// Root mean square of slave - record of each state over the last three quarters.
-Vector late_errors(const Dataset& record, const SyncResult& result) {
-  Vector squares = Vector::Zero(record.state_count());
+/// Root mean square of what slaves are off paths, of each state over the last three quarters.
+Vector late_errors(const std::vector<Matrix>& slaves, const std::vector<Matrix>& paths) {
+  Vector squares = Vector::Zero(slaves.front().cols());
   double count = 0.0;
-  for (std::size_t r = 0; r < result.states.size(); ++r) {
-    const Index n = result.states[r].rows(), late = n - n / 4;
-    const Matrix left =
-        (result.states[r] - record.trajectories[r].states.topRows(n)).bottomRows(late);
+  for (std::size_t r = 0; r < slaves.size(); ++r) {
+    const Index n = slaves[r].rows(), late = n - n / 4;
+    const Matrix left = (slaves[r] - paths[r].topRows(n)).bottomRows(late);
     squares += left.colwise().squaredNorm().transpose();
     count += static_cast<double>(late);
   }
@@ -236,7 +236,9 @@ Vector late_errors(const Dataset& record, const SyncResult& result) {
 }
 
 std::optional<double> error_over_noise(const Dataset& record, const SyncResult& result) {
-  const Vector errors = late_errors(record, result);
+  std::vector<Matrix> paths;
+  for (const Trajectory& trajectory : record.trajectories) paths.push_back(trajectory.states);
+  const Vector errors = late_errors(result.states, paths);
   std::optional<double> worst;
   for (Index k = 0; k < errors.size(); ++k)
     if (record.is_measured(k) && result.noise[k] > 0.0)
@@ -251,6 +253,41 @@ bool has_settled(const Dataset& record, const SyncResult& result) {
   const double before = rms_between(result.errors, 0.25, 0.75);
   const double rounding = 1e-12 * largest_norm(record);
   return late <= rounding || (late <= 3.0 * before && late < 0.5 * own);
+}
+
+/// What slaves of one model have in common.
+struct SlaveTask {
+  const OdeModel& model;
+  const Matrix& coupling;
+  const Integrator& integrator;
+  const std::optional<Vector>& start;
+  const RunContext& context;
+};
+
+Run run_slave(const SlaveTask& task, const Trajectory& trajectory) {
+  Slave slave(task.model, task.coupling, trajectory,
+              LagrangeWindow::driving(task.integrator.order()));
+  const Vector start = task.start ? *task.start : trajectory.states.row(0).transpose();
+  return follow(slave, trajectory, task.integrator, start, task.context);
+}
+
+/// See SyncResult::response.
+Vector response_to_noise(const SlaveTask& task, const Dataset& record,
+                         const SyncResult& result) {
+  const Vector none = Vector::Zero(record.state_count());
+  if (result.status != IntegrationStatus::Completed || !(result.noise.maxCoeff() > 0.0))
+    return none;
+  Random random(1);
+  std::vector<Matrix> states;
+  for (Trajectory noisier : record.trajectories) {
+    for (Index n = 0; n < noisier.samples(); ++n)
+      for (Index k = 0; k < none.size(); ++k)
+        noisier.states(n, k) += result.noise[k] * random.normal();
+    Run run = run_slave(task, noisier);
+    if (run.status != IntegrationStatus::Completed) return none;
+    states.push_back(std::move(run.states));
+  }
+  return late_errors(states, result.states);
 }
 
 std::string divergence_message(const Trajectory& trajectory, const Run& run,
@@ -273,10 +310,10 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   check_lengths(view, window.points);
   SyncResult result;
   result.coupling = options.coupling ? *options.coupling : default_coupling(view);
+  result.noise = estimate_noise(view);
+  const SlaveTask task{model, result.coupling, integrator, options.start, context};
   for (const Trajectory& trajectory : view.trajectories) {
-    Slave slave(model, result.coupling, trajectory, window);
-    const Vector start = options.start ? *options.start : trajectory.states.row(0).transpose();
-    Run run = follow(slave, trajectory, integrator, start, context);
+    Run run = run_slave(task, trajectory);
     if (run.status != IntegrationStatus::Completed && result.message.empty()) {
       result.status = run.status;
       result.message = divergence_message(trajectory, run, model, record.time_unit);
@@ -286,7 +323,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   }
   add_statistics(view, result);
   result.settled = has_settled(view, result);
-  result.noise = estimate_noise(view);
+  result.response = response_to_noise(task, view, result);
   result.error_over_noise = error_over_noise(view, result);
   return result;
 }

@@ -74,6 +74,10 @@ std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
   return starts;
 }
 
+void set_left(const Vector& left, std::vector<Start>& starts) {
+  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].left = left[static_cast<Index>(i)];
+}
+
 /// The first so many, each candidate at its best starting point only.
 std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
   std::stable_sort(starts.begin(), starts.end(),
@@ -99,8 +103,8 @@ bool Limit::prefers(const Trial& a, const Trial& b) {
 }
 
 FormProblem::FormProblem(const Dataset& data, Vector noise, FormOptions options,
-                         RunContext context)
-    : rows_(data, noise),
+                         RunContext context, const std::vector<Term>& library)
+    : rows_(data, noise, library),
       noise_(std::move(noise)),
       options_(options),
       context_(std::move(context)) {}
@@ -111,28 +115,29 @@ double FormProblem::noise_left(Index equation) const {
          kResolution * kResolution * rows_.target(equation).squaredNorm();
 }
 
-double FormProblem::same_as(double left, Index equation) const {
-  const double noise = noise_left(equation);
+double FormProblem::same_as(double left, double noise) const {
   const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
   if (left > options_.mostly_noise * noise)
     return (1.0 + options_.same) * (1.0 + options_.same) * left;
   return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
 }
 
-Limit FormProblem::limit_of(const EquationForms& equation) const {
+Limit FormProblem::limit_of(const EquationForms& equation, Remainder remainder) const {
   const Index k = equation.equation;
-  const double now = left(equation), same = same_as(now, k), noise = noise_left(k);
+  const double now = left(equation);
+  const double noise = std::max(noise_left(k), remainder == Remainder::Noise ? now : 0.0);
   const auto rows = static_cast<double>(rows_.rows());
   const bool is_noise = now <= options_.mostly_noise * noise;
-  return {same, is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
+  return {same_as(now, noise), is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
           equation.parameters()};
 }
 
 Matrix FormProblem::columns(const EquationForms& equation) const {
-  std::vector<Expression> all;
-  for (const Term& term : equation.terms) all.push_back(term.expression());
-  for (const MissingForm& form : equation.forms) all.push_back(form.expression());
-  return all.empty() ? Matrix(rows_.rows(), 0) : rows_.columns(all);
+  std::vector<Expression> forms;
+  for (const MissingForm& form : equation.forms) forms.push_back(form.expression());
+  Matrix all(rows_.rows(), static_cast<Index>(equation.terms.size() + forms.size()));
+  all << rows_.columns_of(equation.terms), rows_.columns(forms);
+  return all;
 }
 
 double FormProblem::left(const EquationForms& equation) const {
@@ -151,7 +156,7 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
                                           const std::vector<Candidate>& candidates) const {
   constexpr int kRough = 25;
   std::vector<Start> starts = all_starts(candidates);
-  rate(equation, false, starts);
+  set_left(rated({{equation}}, starts).col(0), starts);
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
   for (const Start& start :
@@ -231,6 +236,25 @@ bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness ki
                  .mean() < options_.jump_samples;
 }
 
+std::optional<MissingForm> FormProblem::rest_of(
+    const Term& term, const MissingForm& form, const std::vector<Candidate>& candidates) const {
+  constexpr double kRounding = 1e-9;
+  if (form.shapes.size() == 0) return std::nullopt;
+  const Matrix both = rows_.values({term.expression(), form.expression()});
+  const Vector rest = both.col(0) - both.col(1);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.shapes.size() != form.candidate.shapes.size() ||
+        !(candidate.argument == form.candidate.argument))
+      continue;
+    const MissingForm other{candidate, form.shapes};
+    const Vector values = rows_.values({other.expression()}).col(0);
+    const Vector off = values * (values.dot(rest) / values.squaredNorm()) - rest;
+    if (off.cwiseAbs().maxCoeff() <= kRounding * both.col(0).cwiseAbs().maxCoeff())
+      return other;
+  }
+  return std::nullopt;
+}
+
 double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
   Matrix both = rows_.values({a.expression(), b.expression()});
   both.rowwise() -= both.colwise().mean().eval();
@@ -258,21 +282,26 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
   return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
 }
 
-void FormProblem::rate(const EquationForms& equation, bool without_two,
-                       std::vector<Start>& starts) const {
+Matrix FormProblem::rated(const std::vector<Beside>& equations,
+                          const std::vector<Start>& starts) const {
   constexpr std::size_t kTogether = 256;  // columns of the samples in memory
-  const BaseColumns base(columns(equation), rows_.target(equation.equation));
+  std::vector<BaseColumns> bases;
+  for (const auto& [equation, without_two] : equations)
+    bases.emplace_back(columns(equation), rows_.target(equation.equation));
+  Matrix left(static_cast<Index>(starts.size()), static_cast<Index>(equations.size()));
   for (std::size_t first = 0; first < starts.size(); first += kTogether) {
     context_.check_stop();
     const std::size_t end = std::min(starts.size(), first + kTogether);
     std::vector<Expression> forms;
     for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
     const Matrix added = rows_.columns(forms);
-    for (std::size_t i = first; i < end; ++i) {
-      const Vector column = added.col(static_cast<Index>(i - first));
-      starts[i].left = without_two ? base.left_without_two(column) : base.left_with(column);
-    }
+    for (Index i = 0; i < added.cols(); ++i)
+      for (std::size_t e = 0; e < bases.size(); ++e)
+        left(static_cast<Index>(first) + i, static_cast<Index>(e)) =
+            equations[e].without_two ? bases[e].left_without_two(added.col(i))
+                                     : bases[e].left_with(added.col(i));
   }
+  return left;
 }
 
 Trial FormProblem::without_least(const EquationForms& equation) const {

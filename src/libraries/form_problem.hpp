@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base_columns.hpp"
@@ -23,8 +24,17 @@ struct Start {
 /// All candidates at all of their starting points.
 std::vector<Start> all_starts(const std::vector<Candidate>& candidates);
 
+/// Notes what is left with each.
+void set_left(const Vector& left, std::vector<Start>& starts);
+
 /// The first so many, those that leave least first, each candidate at its best starting point.
 std::vector<Start> best_of(std::vector<Start> starts, std::size_t count);
+
+/// An equation to which a form is added.
+struct Beside {
+  const EquationForms& equation;
+  bool without_two = false;  ///< two of its terms, those that are missed least, are gone
+};
 
 /// An equation and what it leaves.
 struct Trial {
@@ -49,8 +59,9 @@ struct Limit {
 /// Rows of the weak form, and what equations leave in them.
 class FormProblem {
  public:
+  /// @param library terms whose columns are kept.
   FormProblem(const Dataset& data, Vector noise, FormOptions options = {},
-              RunContext context = {});
+              RunContext context = {}, const std::vector<Term>& library = {});
 
   const FormOptions& options() const { return options_; }
   const FormRows& all_rows() const { return rows_; }
@@ -62,10 +73,13 @@ class FormProblem {
 
   /// The largest sum of squares that is the same as another: what is no noise is known to
   /// FormOptions::same (rms), noise to what chance does for the best of many forms.
-  double same_as(double left, Index equation) const;
+  /// @param noise the sum of squares that noise leaves.
+  double same_as(double left, double noise) const;
 
-  /// What may take the place of an equation.
-  Limit limit_of(const EquationForms& equation) const;
+  /// What may take the place of an equation. Where its trajectories leave nothing but noise,
+  /// what it leaves here is noise too, however much of it: noise in terms is not in the
+  /// whitening.
+  Limit limit_of(const EquationForms& equation, Remainder remainder = Remainder::Unknown) const;
 
   /// Columns of an equation: terms, then forms.
   Matrix columns(const EquationForms& equation) const;
@@ -91,15 +105,20 @@ class FormProblem {
   /// of them, other forms hardly differ at all.
   bool alike(const MissingForm& a, const MissingForm& b, Plainness kind) const;
 
+  /// The candidate that is a term without a form, but for a factor, at all samples, with the
+  /// same shapes.
+  std::optional<MissingForm> rest_of(const Term& term, const MissingForm& form,
+                                     const std::vector<Candidate>& candidates) const;
+
   /// Correlation of two forms over the samples.
   double likeness(const MissingForm& a, const MissingForm& b) const;
 
   /// Fits the shapes of one form. @return what is left.
   double polish(EquationForms& equation, std::size_t place, int evaluations) const;
 
-  /// What is left with one of the starting points more, and `fewer` of the terms gone, the best
-  /// of them.
-  void rate(const EquationForms& equation, bool without_two, std::vector<Start>& starts) const;
+  /// What is left with each of the starting points more: starts x equations. Columns of the
+  /// starting points are made once for all equations.
+  Matrix rated(const std::vector<Beside>& equations, const std::vector<Start>& starts) const;
 
  private:
   /// The equation without that member, the last form apart, that is missed least.

@@ -52,7 +52,7 @@ TestFunction narrow_function(const Dataset& data) {
 
 }  // namespace
 
-FormRows::FormRows(const Dataset& data, const Vector& noise) {
+FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library) {
   for (const Quantity& state : data.states) variables_.states.push_back(state.name);
   for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
   const TestFunction function = narrow_function(data);
@@ -77,6 +77,8 @@ FormRows::FormRows(const Dataset& data, const Vector& noise) {
     rows_ += part.projection.rows();
     parts_.push_back(std::move(part));
   }
+  for (const Term& term : library)
+    known_.emplace(term.name(), columns({term.expression()}).col(0));
 }
 
 template <class Functional>
@@ -103,6 +105,19 @@ Matrix FormRows::values(const std::vector<Expression>& forms) const {
 
 Matrix FormRows::columns(const std::vector<Expression>& forms) const {
   return projected(values(forms));
+}
+
+Matrix FormRows::columns_of(const std::vector<Term>& terms) const {
+  Matrix result(rows_, static_cast<Index>(terms.size()));
+  for (Index i = 0; i < result.cols(); ++i) {
+    const Term& term = terms[static_cast<std::size_t>(i)];
+    const auto known = known_.find(term.name());
+    if (known != known_.end())
+      result.col(i) = known->second;
+    else
+      result.col(i) = columns({term.expression()}).col(0);
+  }
+  return result;
 }
 
 Matrix FormRows::projected(const Matrix& samples) const {

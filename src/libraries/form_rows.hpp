@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "lacuna/data/dataset.hpp"
@@ -17,13 +19,17 @@ class FormRows {
  public:
   /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
   ///   argument makes bends out of jumps.
-  FormRows(const Dataset& data, const Vector& noise);
+  /// @param library terms whose columns are made once.
+  FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library = {});
 
   const Variables& variables() const { return variables_; }
   Index rows() const { return rows_; }  ///< K
 
   /// K x forms; not finite where a form has no value at a sample.
   Matrix columns(const std::vector<Expression>& forms) const;
+
+  /// The same of terms.
+  Matrix columns_of(const std::vector<Term>& terms) const;
 
   Vector target(Index state) const;  ///< K
 
@@ -53,6 +59,7 @@ class FormRows {
   Matrix rates_;   ///< samples x m, smoothed
   std::vector<Part> parts_;
   Index rows_ = 0;
+  std::map<std::string, Vector> known_;  ///< columns of the library, by names of terms
 };
 
 /// |y - A h|^2 of the least squares solution; infinite where a column is not finite.

@@ -22,6 +22,11 @@ bool leaves_nothing(const IdentificationResult& result, double worth_asking) {
   });
 }
 
+/// What is known of what an equation leaves.
+Remainder left_by(const EquationFit& fit) {
+  return fit.fits_to_noise.value_or(false) ? Remainder::Noise : Remainder::Unknown;
+}
+
 std::size_t terms_of(const IdentificationResult& result) {
   std::size_t count = 0;
   for (const Equation& equation : result.model.equations()) count += equation.size();
@@ -46,15 +51,71 @@ struct Extension {
   }
 };
 
+/// A model and how many numbers it has.
+struct Counted {
+  const IdentificationResult& result;
+  std::size_t numbers;
+};
+
 /// Whether fewer numbers say the same by Schwarz' criterion: 2 n ln(what is left) of each state
 /// and ln(n m) for each number.
-bool says_the_same(const Extension& with, const IdentificationResult& without,
-                   const ModelComparison& models, const Dataset& data) {
+bool says_the_same(const Counted& fewer, const Counted& more, const ModelComparison& models,
+                   const Dataset& data) {
   const auto n = static_cast<double>(data.samples());
   const double price = std::log(n * static_cast<double>(data.state_count()));
-  const std::size_t numbers = with.numbers(), others = terms_of(without);
-  return numbers < others && 2.0 * n * models.excess(with.result, without) <
-                                 price * static_cast<double>(others - numbers);
+  return fewer.numbers < more.numbers &&
+         2.0 * n * models.excess(fewer.result, more.result) <
+             price * static_cast<double>(more.numbers - fewer.numbers);
+}
+
+/// Coefficients of the terms, then of the forms, of each equation; 0 where the model has none.
+std::vector<Vector> coefficients_of(const OdeModel& model,
+                                    const std::vector<EquationForms>& equations) {
+  std::vector<Vector> all;
+  for (const EquationForms& equation : equations) {
+    std::vector<double> numbers;
+    for (const Term& term : equation.terms)
+      numbers.push_back(model.coefficient(equation.equation, term.name()));
+    for (const MissingForm& form : equation.forms)
+      numbers.push_back(model.coefficient(equation.equation,
+                                          Term(form.expression(), model.variables()).name()));
+    all.push_back(Eigen::Map<const Vector>(numbers.data(), static_cast<Index>(numbers.size())));
+  }
+  return all;
+}
+
+/// The equations of a model, terms that are forms of some equation as such: one equation may
+/// take over what was found for another.
+std::vector<EquationForms> kept_in(const IdentificationResult& found,
+                                   const std::vector<EquationForms>& equations) {
+  std::map<std::string, MissingForm> forms;
+  for (const EquationForms& equation : equations)
+    for (const MissingForm& form : equation.forms)
+      forms.emplace(Term(form.expression(), found.model.variables()).name(), form);
+  std::vector<EquationForms> kept;
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    kept.push_back({static_cast<Index>(k), {}, {}});
+    for (const WeightedTerm& summand : found.model.equations()[k]) {
+      const auto form = forms.find(summand.term.name());
+      if (form == forms.end())
+        kept[k].terms.push_back(summand.term);
+      else
+        kept[k].forms.push_back(form->second);
+    }
+  }
+  return kept;
+}
+
+/// Names of a library's terms and of the forms beside them, each once.
+std::vector<std::string> with_forms(const TermLibrary& library,
+                                    const std::vector<EquationForms>& equations) {
+  std::vector<std::string> names = library.names();
+  for (const EquationForms& equation : equations)
+    for (const MissingForm& form : equation.forms) {
+      const std::string name = Term(form.expression(), library.variables).name();
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  return names;
 }
 
 /// A run with forms beside the library.
@@ -66,9 +127,10 @@ class ExtendedRun {
         pipeline_(pipeline),
         options_(options),
         context_(context),
+        alone_(alone),
         library_(pipeline.basis->library(alone.model.variables())),
         models_(data),
-        search_(data, alone.noise, options, context) {}
+        search_(data, alone.noise, options, context, library_.terms) {}
 
   /// Collects the candidates of each equation.
   void look_for(const std::vector<Stage<Effect>>& effects, const IdentificationResult& alone) {
@@ -89,7 +151,9 @@ class ExtendedRun {
   /// the same by fewer numbers; else it fits now, or leaves less with no more terms.
   bool is_better(const Extension& with, const IdentificationResult& without) const {
     if (reaches_the_noise(without))
-      return reaches_the_noise(with.result) && says_the_same(with, without, models_, data_);
+      return reaches_the_noise(with.result) &&
+             says_the_same({with.result, with.numbers()}, {without, terms_of(without)}, models_,
+                           data_);
     if (is_known_to_fit(with.result)) return true;
     return models_.excess(with.result, without) < -options_.same &&
            terms_of(with.result) <= terms_of(without);
@@ -109,7 +173,8 @@ class ExtendedRun {
       context_.report("searching forms", 0.5 + 0.5 * double(k) / double(candidates_.size()));
       equations[k] = kept[k];
       if (fits && kept[k].parameters() < fewest) continue;
-      equations[k] = search_.with_fewer_terms(kept[k], candidates_[k], library_.terms);
+      equations[k] = search_.with_fewer_terms(kept[k], candidates_[k], library_.terms,
+                                              left_by(found.fit[k]));
       equations[k] = search_.refitted(std::move(equations[k]));
       changed = changed || !equations[k].forms.empty();
     }
@@ -154,7 +219,7 @@ class ExtendedRun {
     // What a solver makes of a jump is worse than what it makes of a steep slope: residuals do
     // not decide here.
     make_plainer(equations, Plainness::Jump);
-    Extension found = settled(std::move(equations));
+    Extension found = with_fewer_shapes(settled(std::move(equations)));
     std::vector<EquationForms> plainer = found.equations;
     if (!make_plainer(plainer, Plainness::Any)) return found;
     Extension other = settled(std::move(plainer));
@@ -163,19 +228,50 @@ class ExtendedRun {
     return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
   }
 
+  /// A model without shapes of its forms that say nothing by Schwarz' criterion.
+  Extension with_fewer_shapes(Extension found) const {
+    std::vector<EquationForms> fewer = found.equations;
+    bool changed = false;
+    for (std::size_t k = 0; k < fewer.size(); ++k)
+      if (auto equation = search_.with_fewer_shapes(fewer[k], candidates_[k])) {
+        fewer[k] = std::move(*equation);
+        changed = true;
+      }
+    if (!changed) return found;
+    Extension other = settled(std::move(fewer));
+    const bool same = reaches_the_noise(other.result) >= reaches_the_noise(found.result) &&
+                      says_the_same({other.result, other.numbers()},
+                                    {found.result, found.numbers()}, models_, data_);
+    return same ? std::move(other) : std::move(found);
+  }
+
   /// The model that the pipeline makes of these equations with nothing beside them, shapes as
   /// the trajectories ask for; with the library beside the forms where that does not fit.
   Extension settled(std::vector<EquationForms> equations) const {
     IdentificationResult alone = identified_as(equations);
+    if (is_worse(alone)) return {std::move(alone), std::move(equations)};
+    const std::vector<Vector> coefficients = coefficients_of(alone.model, equations);
     equations = refined_shapes(alone.model, std::move(equations), data_, context_);
+    for (std::size_t k = 0; k < equations.size(); ++k)
+      equations[k] =
+          search_.plainly_written(std::move(equations[k]), coefficients[k], candidates_[k]);
     alone = identified_as(equations);
-    if (is_known_to_fit(alone)) return {std::move(alone), std::move(equations)};
+    if (is_known_to_fit(alone)) {
+      equations = kept_in(alone, equations);
+      return {std::move(alone), std::move(equations)};
+    }
     IdentificationResult beside = identified(equations);
     const bool better = models_.is_ahead(beside, alone, options_.same) ||
                         models_.excess(beside, alone) < -options_.same;
     if (better) alone = std::move(beside);
     equations = kept_in(alone, equations);
     return {std::move(alone), std::move(equations)};
+  }
+
+  /// Whether the library reaches the noise and a model leaves more by what fitting its shapes
+  /// to the trajectories does not take away: in the rows they were fitted already.
+  bool is_worse(const IdentificationResult& model) const {
+    return reaches_the_noise(alone_) && models_.excess(model, alone_) > options_.same;
   }
 
   /// With no other terms than these in equations that have forms.
@@ -193,45 +289,16 @@ class ExtendedRun {
   }
 
   IdentificationResult identified(const std::vector<EquationForms>& equations) const {
-    ExpressionsOptions options;
-    options.terms = library_.names();
-    for (const EquationForms& equation : equations)
-      for (const MissingForm& form : equation.forms) {
-        const std::string name = Term(form.expression(), library_.variables).name();
-        if (std::find(options.terms.begin(), options.terms.end(), name) == options.terms.end())
-          options.terms.push_back(name);
-      }
     Pipeline extended = pipeline_;
-    extended.basis = Expressions{std::move(options)};
+    extended.basis = Expressions{{.terms = with_forms(library_, equations)}};
     return identify(data_, extended, context_);
-  }
-
-  /// The equations of a model, terms that are forms of some equation as such: one equation may
-  /// take over what was found for another.
-  std::vector<EquationForms> kept_in(const IdentificationResult& found,
-                                     const std::vector<EquationForms>& equations) const {
-    std::map<std::string, MissingForm> forms;
-    for (const EquationForms& equation : equations)
-      for (const MissingForm& form : equation.forms)
-        forms.emplace(Term(form.expression(), library_.variables).name(), form);
-    std::vector<EquationForms> kept;
-    for (std::size_t k = 0; k < equations.size(); ++k) {
-      kept.push_back({static_cast<Index>(k), {}, {}});
-      for (const WeightedTerm& summand : found.model.equations()[k]) {
-        const auto form = forms.find(summand.term.name());
-        if (form == forms.end())
-          kept[k].terms.push_back(summand.term);
-        else
-          kept[k].forms.push_back(form->second);
-      }
-    }
-    return kept;
   }
 
   const Dataset& data_;
   const Pipeline& pipeline_;
   const FormOptions& options_;
   const RunContext& context_;
+  const IdentificationResult& alone_;  ///< what the library gives
   TermLibrary library_;
   ModelComparison models_;
   FormSearch search_;

@@ -41,9 +41,9 @@ std::size_t EquationForms::parameters() const {
 }
 
 FormSearch::FormSearch(const Dataset& data, Vector noise, FormOptions options,
-                       RunContext context)
+                       RunContext context, const std::vector<Term>& library)
     : problem_(std::make_unique<const FormProblem>(data, std::move(noise), options,
-                                                   std::move(context))) {}
+                                                   std::move(context), library)) {}
 FormSearch::~FormSearch() = default;
 
 Index FormSearch::rows() const { return problem_->rows(); }
@@ -67,7 +67,7 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
          left > (1.0 + scatter) * problem_->noise_left(k)) {
     const std::vector<Trial> trials = problem_->with_each(equation, candidates);
     if (trials.empty()) break;
-    const double same = problem_->same_as(trials.front().left, k);
+    const double same = problem_->same_as(trials.front().left, problem_->noise_left(k));
     if (!(left > same)) break;
     const auto plainer = [&](const Trial& a, const Trial& b) {
       const bool good = a.left <= same, other = b.left <= same;
@@ -83,11 +83,12 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
 
 EquationForms FormSearch::with_fewer_terms(EquationForms equation,
                                            const std::vector<Candidate>& candidates,
-                                           const std::vector<Term>& library) const {
+                                           const std::vector<Term>& library,
+                                           Remainder remainder) const {
   const auto tried = static_cast<std::size_t>(problem_->options().thinned);
   if (equation.terms.size() + equation.forms.size() < 2) return equation;
   Trial best{equation, problem_->left(equation)};
-  const Limit limit = problem_->limit_of(equation);
+  const Limit limit = problem_->limit_of(equation, remainder);
   const EquationForms linear{equation.equation, problem_->linear_terms(), {}};
   const EquationForms whole{equation.equation, library, {}};
   const auto take = [&](const Trial& now) {
@@ -95,10 +96,11 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     if (std::isfinite(now.left) && is_fewer && Limit::prefers(now, best)) best = now;
   };
   std::vector<Start> starts = all_starts(candidates);
-  for (const EquationForms* from :
-       std::array<const EquationForms*, 3>{&equation, &linear, &whole}) {
-    const bool from_all = from == &equation;
-    problem_->rate(*from, from_all, starts);
+  const std::array<const EquationForms*, 3> bases{&equation, &linear, &whole};
+  const Matrix rated = problem_->rated({{equation, true}, {linear}, {whole}}, starts);
+  for (std::size_t b = 0; b < bases.size(); ++b) {
+    const EquationForms* const from = bases[b];
+    set_left(rated.col(static_cast<Index>(b)), starts);
     for (const Start& start : best_of(starts, tried)) {
       if (from != &whole) take(problem_->thinned(*from, start.form, limit));
       if (from != &linear) take(problem_->chosen(whole, start.form, limit));
@@ -106,7 +108,7 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   }
   // One form may do the work of some terms, another that of others.
   if (best.equation.parameters() < equation.parameters())
-    return with_fewer_terms(std::move(best.equation), candidates, library);
+    return with_fewer_terms(std::move(best.equation), candidates, library, remainder);
   return best.equation;
 }
 
@@ -130,6 +132,46 @@ std::optional<EquationForms> FormSearch::plainer(const EquationForms& equation,
   if (!changed) return std::nullopt;
   result.forms = distinct(result.forms);
   return result;
+}
+
+std::optional<EquationForms> FormSearch::with_fewer_shapes(
+    const EquationForms& equation, const std::vector<Candidate>& candidates) const {
+  EquationForms result = equation;
+  bool changed = false;
+  for (std::size_t f = 0; f < equation.forms.size(); ++f) {
+    const auto shapes = static_cast<std::size_t>(equation.forms[f].shapes.size());
+    if (shapes < 2) continue;
+    std::vector<Candidate> fewer;
+    for (const Candidate& candidate : candidates)
+      if (!candidate.shapes.empty() && candidate.shapes.size() < shapes)
+        fewer.push_back(candidate);
+    EquationForms others = result;
+    others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(f));
+    const std::vector<Trial> trials = problem_->with_each(others, fewer);
+    if (trials.empty()) continue;
+    result.forms[f] = trials.front().equation.forms.back();
+    changed = true;
+  }
+  if (!changed) return std::nullopt;
+  return refitted(std::move(result));
+}
+
+EquationForms FormSearch::plainly_written(EquationForms equation, const Vector& coefficients,
+                                          const std::vector<Candidate>& candidates) const {
+  const auto terms = static_cast<Index>(equation.terms.size());
+  for (std::size_t f = 0; f < equation.forms.size(); ++f)
+    for (Index i = 0; i < terms; ++i) {
+      const double of_term = coefficients[i];
+      const double of_form = coefficients[terms + static_cast<Index>(f)];
+      if (!(std::abs(of_term + of_form) < std::abs(of_term))) continue;
+      const auto& term = equation.terms[static_cast<std::size_t>(i)];
+      if (const auto rest = problem_->rest_of(term, equation.forms[f], candidates)) {
+        equation.forms[f] = *rest;
+        break;
+      }
+    }
+  equation.forms = distinct(equation.forms);
+  return equation;
 }
 
 EquationForms FormSearch::refitted(EquationForms equation) const {

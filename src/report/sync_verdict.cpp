@@ -13,14 +13,19 @@ namespace {
 constexpr double kAboveNoise = 2.0;  // times the floor: twice what a complete model can leave
 constexpr double kResolved = 1e-4;   // of a state's spread: what the interpolation of a record
                                      // and the steps between its samples may leave
-constexpr Index kPieces = 40;        // of a record, to tell when a model ceases to hold
-constexpr double kLeastHeld = 0.1;   // of the record, for "holds up to"
+constexpr double kAboveResponse = 1.25;  // times noise and response together, which a complete
+                                         // model leaves: both are known to some per cent
+constexpr double kFollows = 0.1;  // of a state's spread: a slave that noise drives further off
+                                  // has lost the record, whatever the model is
+constexpr Index kPieces = 40;     // of a record, to tell when a model ceases to hold
+constexpr double kLeastHeld = 0.1;  // of the record, for "holds up to"
 
 /// A synchronisation beside what errors are held against.
 struct Case {
   const Dataset& record;
   const SyncResult& result;
-  Vector floor;   ///< m: noise, or what is resolved where that is more; 0: not measured
+  Vector floor;  ///< m: noise and what the slave makes of it, or what is resolved where that is
+                 ///< more; 0: not measured
   Vector spread;  ///< m
 };
 
@@ -39,7 +44,12 @@ Case case_of(const Dataset& record, const SyncResult& result) {
   std::vector<Matrix> states;
   for (const Trajectory& run : record.trajectories) states.push_back(run.states);
   const Vector spread = column_deviations(states);
-  Vector floor = result.noise.cwiseMax(kResolved * spread);
+  Vector floor = result.noise;
+  for (Index k = 0; k < floor.size(); ++k)
+    if (result.response[k] < kFollows * spread[k])
+      floor[k] = std::max(floor[k], kAboveResponse / kAboveNoise *
+                                        std::hypot(result.noise[k], result.response[k]));
+  floor = floor.cwiseMax(kResolved * spread);
   for (Index k = 0; k < floor.size(); ++k)
     if (!record.is_measured(k)) floor[k] = 0.0;
   return {record, result, floor, spread};
@@ -133,8 +143,12 @@ std::optional<Index> helped_most(const OdeModel& model, const Case& c) {
 
 /// "1.1 times the noise", or "0.02 % of the spread of x" where no noise is seen.
 std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
-  if (c.result.noise[worst.state] >= c.floor[worst.state])
-    return format_number(worst.ratio, 2) + " times the noise";
+  const double noise = c.result.noise[worst.state], floor = c.floor[worst.state];
+  if (noise >= floor) return format_number(worst.ratio, 2) + " times the noise";
+  if (noise > 0.0 && floor > kResolved * c.spread[worst.state])
+    return format_number(worst.ratio * floor / noise, 2) +
+           " times the noise, which this orbit amplifies to " +
+           format_number(std::hypot(1.0, c.result.response[worst.state] / noise), 2) + " times";
   const double share = worst.ratio * c.floor[worst.state] / c.spread[worst.state];
   return format_number(100.0 * share, 2) + " % of the spread of " +
          model.states()[static_cast<std::size_t>(worst.state)].name;

@@ -38,6 +38,13 @@ struct SyncResult {
 
   Vector noise = {};  ///< m: standard deviation of the measurement noise; 0 where none is seen
 
+  /// m: by how much (root mean square over the last three quarters) the slave goes elsewhere
+  /// when noise of that standard deviation, seeded, is added to the record. Where the orbit is
+  /// locally unstable a slave amplifies noise: a complete model is off by sqrt(noise^2 +
+  /// response^2). What the model lacks drives both slaves alike and is not in the difference. 0
+  /// where no noise is seen, or where the second slave does not get to the end.
+  Vector response = {};
+
   /// Largest ratio over the measured states of the root mean square error of the last three
   /// quarters to the noise: about 1 where the model lacks nothing, as the slave follows the
   /// signal and not its noise. Nothing where no noise is seen.

@@ -40,15 +40,21 @@ enum class Plainness {
   Any,   ///< sin(x) for sin(x/1.001)
 };
 
+/// What an equation leaves, as far as it is known.
+enum class Remainder {
+  Unknown,
+  Noise,  ///< its trajectories are off by no more than noise: so is what it leaves in the rows
+};
+
 /// The search for forms in the weak form of a dataset, whose rows are white for white noise.
 /// Shapes are fitted by variable projection: for each of their values coefficients are those of
 /// least squares (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Residuals that differ
 /// by less than FormOptions::same (rms) are the same.
 class FormSearch {
  public:
-  /// @param noise of each state, state units.
+  /// @param noise of each state, state units. @param library terms whose rows are made once.
   FormSearch(const Dataset& data, Vector noise, FormOptions options = {},
-             RunContext context = {});
+             RunContext context = {}, const std::vector<Term>& library = {});
   ~FormSearch();
 
   /// Rows of the weak form; a search needs more of them than terms.
@@ -70,13 +76,26 @@ class FormSearch {
   /// the variables, and beside terms of a library. @return the equation with the fewest.
   EquationForms with_fewer_terms(EquationForms equation,
                                  const std::vector<Candidate>& candidates,
-                                 const std::vector<Term>& library) const;
+                                 const std::vector<Term>& library,
+                                 Remainder remainder = Remainder::Unknown) const;
 
   /// The equation with plain forms in the place of shaped ones that are nearly the same at the
   /// samples. Nothing where there is none.
   std::optional<EquationForms> plainer(const EquationForms& equation,
                                        const std::vector<Candidate>& candidates,
                                        Plainness kind) const;
+
+  /// The equation with a form of fewer shapes in the place of each that has two or more, the
+  /// one that leaves least. Nothing where no form has as many.
+  std::optional<EquationForms> with_fewer_shapes(
+      const EquationForms& equation, const std::vector<Candidate>& candidates) const;
+
+  /// The equation in the plainer of two writings: with the rest m - f of a term m in the place
+  /// of a form f where less of m stays, c m + d f = (c + d) m - d (m - f); prey*fox/(a+prey)
+  /// for fox and fox/(1+prey/a) that nearly cancel.
+  /// @param coefficients of the terms, then of the forms. @param candidates that may be m - f.
+  EquationForms plainly_written(EquationForms equation, const Vector& coefficients,
+                                const std::vector<Candidate>& candidates) const;
 
   /// The equation with its shapes fitted.
   EquationForms refitted(EquationForms equation) const;

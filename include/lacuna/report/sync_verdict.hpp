@@ -20,7 +20,10 @@ struct SyncVerdict {
 /// the noise or less.
 ///
 /// - The model holds where the root mean square error of no measured state is above twice its
-///   noise, or above 2e-4 of its spread where less noise than half of that is seen.
+///   noise, or above 2e-4 of its spread where less noise than half of that is seen. Where the
+///   orbit is locally unstable a slave amplifies noise: an error up to 1.25 times
+///   sqrt(noise^2 + SyncResult::response^2) is what a complete model leaves, as long as the
+///   response is below a tenth of the spread.
 /// - It holds up to a time where the error stays below that in pieces of a fortieth of the
 ///   record for at least a tenth of it, and is above in most pieces from there on.
 /// - Else the equation is named to which the coupling has to add the largest part of its own

@@ -253,5 +253,20 @@ TEST(Synchroniser, AnErrorThatIsNotNoiseIsTold) {
   EXPECT_GT(*wrong.error_over_noise, 10.0);
 }
 
+/// dx/dt = -x + k (x_m - x) filters white noise: the variance is that of the filter.
+TEST(Synchroniser, TheResponseToNoiseIsThatOfTheSlaveAlone) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel model({{"x", ""}}, {}, {{{Term::parse("x", variables), -1.0}}});
+  const Dataset clean = record_of(model, Dopri87{}, Vector::Constant(1, 1.0), 0.01, 20000);
+  Dataset noisy = clean;
+  Random random(3);
+  for (double& x : noisy.trajectories.front().states.reshaped()) x += 0.1 * random.normal();
+  const SyncOptions coupling{.coupling = Matrix::Constant(1, 1, 9.0)};
+  const SyncResult result = synchronise(model, noisy, Rk4{}, coupling);
+  // k sigma sqrt(h / (2 (1 + k))) in the limit of small steps.
+  EXPECT_NEAR(result.response[0], 9.0 * 0.1 * std::sqrt(0.01 / 20.0), 0.002);
+  EXPECT_LT(synchronise(model, clean, Rk4{}, coupling).response[0], 1e-12);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -40,12 +40,46 @@ TEST(FormProblem, LinearTermsAreTheConstantAndTheVariables) {
 
 TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
   const FormProblem clean(decay(), Vector::Zero(1), {});
-  EXPECT_NEAR(clean.same_as(1.0, 0), 1.21, 1e-12);
+  EXPECT_NEAR(clean.same_as(1.0, clean.noise_left(0)), 1.21, 1e-12);
   const FormProblem noisy(decay(), Vector::Constant(1, 0.1), {});
   const double noise = noisy.noise_left(0);
   const auto rows = static_cast<double>(noisy.rows());
   EXPECT_NEAR(noise, 0.01 * rows, 1e-6 * noise);
-  EXPECT_NEAR(noisy.same_as(noise, 0), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
+  EXPECT_NEAR(noisy.same_as(noise, noise), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
+}
+
+TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const double left = problem.left(constant);
+  const auto rows = static_cast<double>(problem.rows());
+  const Limit unknown = problem.limit_of(constant);
+  EXPECT_NEAR(unknown.left, 1.21 * left, 1e-9 * left);
+  EXPECT_EQ(unknown.price, 0.0);
+  const Limit noise = problem.limit_of(constant, Remainder::Noise);
+  EXPECT_NEAR(noise.left, left * (1.0 + 2.0 * std::log(rows) / rows), 1e-9 * left);
+  EXPECT_NEAR(noise.price, std::log(rows) / rows * left, 1e-9 * left);
+}
+
+TEST(FormProblem, ColumnsThatAreKeptAreThoseOfTheTerms) {
+  const std::vector<Term> terms = FormProblem(decay(), Vector::Zero(1)).linear_terms();
+  const EquationForms equation{0, terms, {{form_of_x("sin(x)"), Vector()}}};
+  EXPECT_EQ(FormProblem(decay(), Vector::Zero(1), {}, {}, terms).columns(equation),
+            FormProblem(decay(), Vector::Zero(1)).columns(equation));
+}
+
+TEST(FormProblem, RatesStartsBesideEachEquation) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const EquationForms linear{0, problem.linear_terms(), {}};
+  const std::vector<Start> starts = all_starts({form_of_x("exp(x)"), form_of_x("sin(x)")});
+  const Matrix left = problem.rated({{constant}, {linear}}, starts);
+  for (Index i = 0; i < left.rows(); ++i) {
+    EquationForms with = constant;
+    with.forms.push_back(starts[static_cast<std::size_t>(i)].form);
+    EXPECT_NEAR(left(i, 0), problem.left(with), 1e-9 * left(i, 0));
+    EXPECT_LE(left(i, 1), left(i, 0));
+  }
 }
 
 TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {

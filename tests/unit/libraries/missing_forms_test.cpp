@@ -97,5 +97,58 @@ TEST(FormSearch, CountsCoefficientsAndShapes) {
   EXPECT_EQ(equation.parameters(), 14u);
 }
 
+/// 0.6 - 1.5 x/(0.3+x) is -0.9 + 1.5/(1+x/0.3): less of the constant stays in the first.
+TEST(FormSearch, OfTwoWritingsThePlainerOne) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel decay({{"x", ""}}, {}, {{{Term::parse("x", variables), -1.0}}});
+  const Dataset data = record_of(decay, Dopri87{}, Vector::Constant(1, 2.0), 0.01, 400);
+  const std::vector<Candidate> candidates =
+      function_forms(make_scope(decay, data, Vector::Zero(1)), {}, 0);
+  const auto form = [&](const std::string& pattern) {
+    for (const Candidate& candidate : candidates)
+      if (candidate.form.to_string() == pattern)
+        return MissingForm{candidate, Vector::Constant(1, 0.3)};
+    throw std::runtime_error(pattern);
+  };
+  const FormSearch search(data, Vector::Zero(1));
+  const auto written = [&](const std::string& pattern, double of_term, double of_form) {
+    const EquationForms equation{0, {Term::parse("1", variables)}, {form(pattern)}};
+    return search.plainly_written(equation, Eigen::Vector2d(of_term, of_form), candidates)
+        .forms[0]
+        .expression()
+        .to_string();
+  };
+  EXPECT_EQ(written("1/(1+x/a)", -0.9, 1.5), "x/(0.3+x)");
+  EXPECT_EQ(written("x/(a+x)", 0.6, -1.5), "x/(0.3+x)");
+  EXPECT_EQ(written("1/(1+x/a)", 0.1, 2.0), "1/(1+x/0.3)");
+  EXPECT_EQ(written("x/(a+x)", 2.1, -2.0), "1/(1+x/0.3)");
+  // x - x^2/(a+x) = a x/(a+x).
+  MissingForm high = form("x/(a+x)");
+  high.candidate.form = parse_expression("x^2/(a+x)");
+  const EquationForms square{0, {Term::parse("x", variables)}, {high}};
+  EXPECT_EQ(search.plainly_written(square, Eigen::Vector2d(1.0, -0.99), candidates)
+                .forms[0]
+                .expression()
+                .to_string(),
+            "x/(0.3+x)");
+}
+
+/// A denominator with a number that says nothing.
+TEST(FormSearch, AShapeLessIsTheFormThatLeavesLeast) {
+  const Oscillator c("x/(1+x^2/0.49)");
+  const FormSearch search(c.data, c.sigma);
+  Candidate fraction;
+  fraction.form = parse_expression("x/(1+b*x^2+d*y^2)");
+  fraction.shapes = {{"b", "", 0.01, 100.0, true}, {"d", "", 1e-6, 1.0, true}};
+  fraction.equation = 1;
+  const EquationForms two{1, {}, {{fraction, Eigen::Vector2d(2.0, 1e-5)}}};
+  const auto one = search.with_fewer_shapes(two, c.candidates());
+  ASSERT_TRUE(one);
+  ASSERT_EQ(one->forms.size(), 1u);
+  EXPECT_EQ(one->forms[0].candidate.form.to_string(), "x/(1+x^2/a^2)");
+  EXPECT_NEAR(one->forms[0].shapes[0], 0.7, 1e-4);
+  EXPECT_FALSE(search.with_fewer_shapes(*one, c.candidates()));
+}
+
 }  // namespace
 }  // namespace lacuna

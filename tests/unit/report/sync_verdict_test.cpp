@@ -7,7 +7,10 @@
 #include <cmath>
 #include <random>
 
+#include "lacuna/core/text.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/model/ode_text.hpp"
+#include "lacuna/systems/measurement.hpp"
 
 namespace lacuna {
 namespace {
@@ -68,6 +71,45 @@ TEST(SyncVerdict, WhatChangesHoldsUpToThen) {
   ASSERT_TRUE(found.until);
   EXPECT_NEAR(*found.until, 40.0, 4.0);  // the middle of 80 s, to two pieces
   EXPECT_THAT(found.sentence, HasSubstr("Holds up to"));
+}
+
+/// Rosenzweig and MacArthur's prey and predator: errors grow for much of each turn.
+OdeModel prey_and_predator(double growth) {
+  return parse_ode("dx/dt = " + format_number(growth) +
+                       "*x - 0.2*x^2 - x*y/(1+x)\ndy/dt = 0.9*x*y/(1+x) - 0.3*y",
+                   "test");
+}
+
+SyncVerdict verdict_on_an_unstable_orbit(double growth) {
+  const Dataset data = add_relative_noise(
+      record_of(prey_and_predator(1.0), Dopri87{}, Eigen::Vector2d(1.0, 1.0), 0.1, 3000), 0.001,
+      3);
+  const OdeModel model = prey_and_predator(growth);
+  const SyncResult sync = synchronise(model, data, Rk4{});
+  EXPECT_GT(*sync.error_over_noise, 5.0);
+  EXPECT_GT(sync.response[0], 5.0 * sync.noise[0]);
+  return judge(model, data, sync);
+}
+
+TEST(SyncVerdict, NoiseThatAnUnstableOrbitAmplifiesIsNoFaultOfTheModel) {
+  const SyncVerdict found = verdict_on_an_unstable_orbit(1.0);
+  EXPECT_TRUE(found.holds) << found.sentence;
+  EXPECT_THAT(found.sentence, HasSubstr("which this orbit amplifies to"));
+}
+
+TEST(SyncVerdict, AWrongModelOnAnUnstableOrbitDoesNotHold) {
+  EXPECT_FALSE(verdict_on_an_unstable_orbit(1.01).holds);
+  EXPECT_FALSE(verdict_on_an_unstable_orbit(0.99).holds);
+}
+
+/// A slave that noise drives anywhere says nothing for the model.
+TEST(SyncVerdict, ALostSlaveDoesNotHold) {
+  const Dataset data = record(0.01, 0.0);
+  const OdeModel model = oscillator(1.5);
+  SyncResult sync = synchronise(model, data, Rk4{});
+  ASSERT_FALSE(judge(model, data, sync).holds);
+  sync.response.setConstant(10.0);
+  EXPECT_FALSE(judge(model, data, sync).holds);
 }
 
 TEST(SyncVerdict, WithoutNoiseTheRecordItselfIsTheMeasure) {
