@@ -29,7 +29,7 @@ struct TermLanes {
 };
 
 /// Where the values of terms are, and where their responses go.
-struct Task {
+struct ResponseTask {
   const LinearisedRecord& record;
   const InnovationFilter& filter;
   Index place;  ///< equation or state
@@ -48,7 +48,7 @@ class ErrorRecursion {
   using Errors = std::conditional_t<Size == Eigen::Dynamic, std::vector<Terms>,
                                     std::array<Terms, static_cast<std::size_t>(Size)>>;
 
-  LACUNA_INLINE ErrorRecursion(const Task& task, Index first)
+  LACUNA_INLINE ErrorRecursion(const ResponseTask& task, Index first)
       : record_(task.record),
         filter_(task.filter),
         count_(std::min<Index>(Together, task.values.cols() - first)),
@@ -148,7 +148,7 @@ class ErrorRecursion {
 };
 
 template <int Size, bool Exact, int Together>
-LACUNA_INLINE void rate_lanes(const Task& task, Index first) {
+LACUNA_INLINE void rate_lanes(const ResponseTask& task, Index first) {
   ErrorRecursion<Size, Exact, Together> error(task, first);
   const LinearisedRecord& record = task.record;
   const TermLanes<Together> none = {};
@@ -169,7 +169,7 @@ LACUNA_INLINE void rate_lanes(const Task& task, Index first) {
 }
 
 template <int Size, bool Exact, int Together>
-LACUNA_INLINE void channel_lanes(const Task& task, Index first) {
+LACUNA_INLINE void channel_lanes(const ResponseTask& task, Index first) {
   ErrorRecursion<Size, Exact, Together> error(task, first);
   TermLanes<Together> extra = {};
   for (Index i = 0; i < task.record.samples(); ++i) {
@@ -184,7 +184,7 @@ enum class Acting { OnRate, OnChannel };
 
 /// All columns of the values, as many together as is good.
 template <int Size, bool Exact, Acting Place>
-LACUNA_INLINE void all_lanes(const Task& task) {
+LACUNA_INLINE void all_lanes(const ResponseTask& task) {
   const auto some = [&](Index first, auto together) __attribute__((always_inline)) {
     if constexpr (Place == Acting::OnRate)
       rate_lanes<Size, Exact, together()>(task, first);
@@ -199,19 +199,19 @@ LACUNA_INLINE void all_lanes(const Task& task) {
 }
 
 template <int Size, bool Exact, Acting Place>
-void respond_generic(const Task& task) {
+void respond_generic(const ResponseTask& task) {
   all_lanes<Size, Exact, Place>(task);
 }
 
 #ifdef LACUNA_KERNEL_DISPATCH
 template <int Size, bool Exact, Acting Place>
-[[gnu::target("avx2,fma")]] void respond_avx2(const Task& task) {
+[[gnu::target("avx2,fma")]] void respond_avx2(const ResponseTask& task) {
   all_lanes<Size, Exact, Place>(task);
 }
 #endif
 
 template <int Size, bool Exact, Acting Place>
-void respond_with(const Task& task) {
+void respond_with(const ResponseTask& task) {
 #ifdef LACUNA_KERNEL_DISPATCH
   if (has_avx2()) return respond_avx2<Size, Exact, Place>(task);
 #endif
@@ -219,7 +219,7 @@ void respond_with(const Task& task) {
 }
 
 template <Acting Place>
-void respond(const Task& task) {
+void respond(const ResponseTask& task) {
   with_size(task.filter.size, [&](auto size) {
     if constexpr (size() != Eigen::Dynamic)
       if (task.filter.size == task.record.states())

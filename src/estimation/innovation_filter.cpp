@@ -20,7 +20,7 @@ void check(const LinearisedRecord& record, const Matrix& measured, const Matrix&
 }
 
 /// What is to be filtered.
-struct Task {
+struct FilterTask {
   const LinearisedRecord& record;
   const Matrix& measured;
   const Matrix& omitted;
@@ -31,7 +31,7 @@ struct Task {
 /// Runs the recursion; `visit(i, channel, innovation, gain)` sees each measurement that is
 /// taken in.
 template <class S, class Visit>
-LACUNA_INLINE void run(const S& shape, const Task& task, Visit& visit) {
+LACUNA_INLINE void run(const S& shape, const FilterTask& task, Visit& visit) {
   const LinearisedRecord& record = task.record;
   KalmanStep<S> step(shape, record, task.noise, task.map);
   for (Index i = 0; i < record.samples(); ++i) {
@@ -47,19 +47,20 @@ LACUNA_INLINE void run(const S& shape, const Task& task, Visit& visit) {
 }
 
 template <class S, class Visit>
-void run_generic(const S& shape, const Task& task, Visit& visit) {
+void run_generic(const S& shape, const FilterTask& task, Visit& visit) {
   run(shape, task, visit);
 }
 
 #ifdef LACUNA_KERNEL_DISPATCH
 template <class S, class Visit>
-[[gnu::target("avx2,fma")]] void run_avx2(const S& shape, const Task& task, Visit& visit) {
+[[gnu::target("avx2,fma")]] void run_avx2(const S& shape, const FilterTask& task,
+                                          Visit& visit) {
   run(shape, task, visit);
 }
 #endif
 
 template <class Visit>
-void run(const Task& task, Visit visit) {
+void run(const FilterTask& task, Visit visit) {
   with_shape(task.map.size, task.record.states(), [&](const auto& shape) {
 #ifdef LACUNA_KERNEL_DISPATCH
     if (has_avx2()) return run_avx2(shape, task, visit);

@@ -9,7 +9,7 @@ namespace lacuna {
 namespace {
 
 /// What is to be smoothed.
-struct Task {
+struct SmootherTask {
   const LinearisedRecord& record;
   const Matrix& measured;
   const Matrix& omitted;
@@ -29,7 +29,7 @@ struct Forward {
 };
 
 template <class S>
-Forward room_for(const S& shape, const Task& task) {
+Forward room_for(const S& shape, const SmootherTask& task) {
   const Index n = task.record.samples(), channels = task.map.channels();
   return {Matrix(shape.stride(), n),
           Matrix(shape.stride() * shape.size(), n),
@@ -45,7 +45,7 @@ LACUNA_INLINE void copy_packs(const double* from, Index count, double* to) {
 }
 
 template <class S>
-LACUNA_INLINE void go_forward(const S& shape, const Task& task, Forward& forward) {
+LACUNA_INLINE void go_forward(const S& shape, const SmootherTask& task, Forward& forward) {
   const Index n = task.record.samples(), channels = task.map.channels();
   const Index stride = shape.stride(), square = stride * shape.size();
   KalmanStep<S> step(shape, task.record, task.noise, task.map);
@@ -70,7 +70,7 @@ LACUNA_INLINE void go_forward(const S& shape, const Task& task, Forward& forward
   forward.deviance = deviance.value();
 }
 
-SmoothedRecord empty_result(const Task& task, double deviance) {
+SmoothedRecord empty_result(const SmootherTask& task, double deviance) {
   const Index n = task.record.samples(), m = task.record.states();
   const Index channels = task.map.channels(), sums = m + 2 * channels;
   return {Matrix(n, m),
@@ -85,7 +85,7 @@ SmoothedRecord empty_result(const Task& task, double deviance) {
 template <class S>
 class Backward {
  public:
-  LACUNA_INLINE Backward(const S& shape, const Task& task, const Forward& forward)
+  LACUNA_INLINE Backward(const S& shape, const SmootherTask& task, const Forward& forward)
       : shape_(shape),
         record_(task.record),
         noise_(task.noise),
@@ -209,20 +209,21 @@ class Backward {
 };
 
 template <class S>
-LACUNA_INLINE SmoothedRecord smoothed(const S& shape, const Task& task) {
+LACUNA_INLINE SmoothedRecord smoothed(const S& shape, const SmootherTask& task) {
   Forward forward = room_for(shape, task);
   go_forward(shape, task, forward);
   return Backward<S>(shape, task, forward).run();
 }
 
 template <class S>
-SmoothedRecord smoothed_generic(const S& shape, const Task& task) {
+SmoothedRecord smoothed_generic(const S& shape, const SmootherTask& task) {
   return smoothed(shape, task);
 }
 
 #ifdef LACUNA_KERNEL_DISPATCH
 template <class S>
-[[gnu::target("avx2,fma")]] SmoothedRecord smoothed_avx2(const S& shape, const Task& task) {
+[[gnu::target("avx2,fma")]] SmoothedRecord smoothed_avx2(const S& shape,
+                                                         const SmootherTask& task) {
   return smoothed(shape, task);
 }
 #endif
@@ -232,7 +233,7 @@ template <class S>
 SmoothedRecord smooth(const LinearisedRecord& record, const Matrix& measured,
                       const Matrix& omitted, const NoiseModel& noise) {
   const ChannelMap map(record, noise);
-  const Task task{record, measured, omitted, noise, map};
+  const SmootherTask task{record, measured, omitted, noise, map};
   return with_shape(map.size, record.states(), [&](const auto& shape) {
 #ifdef LACUNA_KERNEL_DISPATCH
     if (has_avx2()) return smoothed_avx2(shape, task);
