@@ -98,10 +98,18 @@ Dataset load(const IdentifyArguments& options, const Pipeline& pipeline) {
   return embed(data, orders, *differentiator_of(*pipeline.formulation));
 }
 
+/// What is done with a record.
+struct Plan {
+  Pipeline pipeline;
+  bool is_chosen;  ///< the user has said what the library is
+  IdentificationOptions rules;
+  std::vector<Stage<Effect>> effects;
+};
+
 /// Drives the model with the record itself, where it is a flow. Not being able to is a warning,
 /// not a failure.
-void verify(IdentificationReport& report, const Dataset& data, const Integrator& integrator,
-            const RunContext& context) {
+void verify(const Plan& plan, IdentificationReport& report, const Dataset& data,
+            const Integrator& integrator, const RunContext& context) {
   if (report.result.model.is_map()) return;
   std::vector<std::string>& warnings = report.result.warnings;
   try {
@@ -110,7 +118,7 @@ void verify(IdentificationReport& report, const Dataset& data, const Integrator&
       warnings.push_back("synchronisation with the record failed: " + sync.message);
     else if (!sync.settled)
       warnings.push_back("synchronisation with the record did not settle");
-    SyncVerdict verdict = judge(report.result.model, data, sync);
+    SyncVerdict verdict = judge(report.result.model, data, sync, plan.rules.sync);
     report.sync = SyncReport{std::move(sync),
                              data.states,
                              data.time_unit,
@@ -131,14 +139,6 @@ std::optional<Dataset> held_out_records(const IdentifyArguments& options, const 
   records.rate_of = data.rate_of;
   return records;
 }
-
-/// What is done with a record.
-struct Plan {
-  Pipeline pipeline;
-  bool is_chosen;  ///< the user has said what the library is
-  IdentificationOptions rules;
-  std::vector<Stage<Effect>> effects;
-};
 
 Plan plan_of(const Session& session, const Configuration& configuration) {
   return {configuration.build(session.registry), configuration.says_pipeline(),
@@ -227,7 +227,7 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
   if (const auto hint =
           report.result.model.is_map() ? std::nullopt : map_hint(data, plan.rules.map))
     report.result.warnings.push_back(hint->message + "; try " + hint->remedy);
-  verify(report, data, *integrator, context);
+  verify(plan, report, data, *integrator, context);
   judge_model(plan, options, data, report, context);
   finish_progress(session, options.run);
   write_results(session, options, report, data);

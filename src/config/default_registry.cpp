@@ -117,6 +117,7 @@ void add_identification(Registry& registry) {
   registry.add<Rules<RelationOptions>>();
   registry.add<Rules<AdviceOptions>>();
   registry.add<Rules<MapHintOptions>>();
+  registry.add<Rules<SyncVerdictOptions>>();
 }
 
 void add_diagnosis(Registry& registry) {

@@ -27,6 +27,7 @@ IdentificationOptions identification_options(const Configuration& configuration,
   read(registry, root, options.relations);
   read(registry, root, options.advice);
   read(registry, root, options.map);
+  read(registry, root, options.sync);
   options.advice.search = options.forms;
   return options;
 }

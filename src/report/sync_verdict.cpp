@@ -10,16 +10,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kAboveNoise = 2.0;  // times the floor: twice what a complete model can leave
-constexpr double kResolved = 1e-4;   // of a state's spread: what the interpolation of a record
-                                     // and the steps between its samples may leave
-constexpr double kAboveResponse = 1.25;  // times noise and response together, which a complete
-                                         // model leaves: both are known to some per cent
-constexpr double kFollows = 0.1;  // of a state's spread: a slave that noise drives further off
-                                  // has lost the record, whatever the model is
-constexpr Index kPieces = 40;     // of a record, to tell when a model ceases to hold
-constexpr double kLeastHeld = 0.1;  // of the record, for "holds up to"
-
 /// A synchronisation beside what errors are held against.
 struct Case {
   const Dataset& record;
@@ -27,6 +17,7 @@ struct Case {
   Vector floor;  ///< m: noise and what the slave makes of it, or what is resolved where that is
                  ///< more; 0: not measured
   Vector spread;  ///< m
+  const SyncVerdictOptions& options;
 };
 
 /// Slave minus record of one trajectory, as far as it went.
@@ -40,19 +31,20 @@ double rms(const Eigen::Ref<const Vector>& values) {
                    static_cast<double>(std::max<Index>(values.size(), 1)));
 }
 
-Case case_of(const Dataset& record, const SyncResult& result) {
+Case case_of(const Dataset& record, const SyncResult& result,
+             const SyncVerdictOptions& options) {
   std::vector<Matrix> states;
   for (const Trajectory& run : record.trajectories) states.push_back(run.states);
   const Vector spread = column_deviations(states);
   Vector floor = result.noise;
   for (Index k = 0; k < floor.size(); ++k)
-    if (result.response[k] < kFollows * spread[k])
-      floor[k] = std::max(floor[k], kAboveResponse / kAboveNoise *
+    if (result.response[k] < options.follows * spread[k])
+      floor[k] = std::max(floor[k], options.above_response / options.above_noise *
                                         std::hypot(result.noise[k], result.response[k]));
-  floor = floor.cwiseMax(kResolved * spread);
+  floor = floor.cwiseMax(options.resolution * spread);
   for (Index k = 0; k < floor.size(); ++k)
     if (!record.is_measured(k)) floor[k] = 0.0;
-  return {record, result, floor, spread};
+  return {record, result, floor, spread, options};
 }
 
 /// State with the largest ratio of the error to its floor, and that ratio.
@@ -93,16 +85,17 @@ Worst worst_of(const Case& c) {
 std::optional<double> holds_until(const Case& c) {
   const Matrix errors = errors_of(c, 0);
   const Trajectory& run = c.record.trajectories.front();
-  const Index pieces = std::min(kPieces, errors.rows() / 20);
+  const Index pieces = std::min<Index>(c.options.pieces, errors.rows() / 20);
   if (pieces < 10) return std::nullopt;
   std::vector<bool> off;
   for (Index p = 0; p < pieces; ++p) {
     const Index begin = p * errors.rows() / pieces, end = (p + 1) * errors.rows() / pieces;
-    off.push_back(worst_in(c, errors.middleRows(begin, end - begin)).ratio >= kAboveNoise);
+    off.push_back(worst_in(c, errors.middleRows(begin, end - begin)).ratio >=
+                  c.options.above_noise);
   }
   const auto first = std::find(off.begin(), off.end(), true);
   const auto held = static_cast<double>(first - off.begin());
-  if (first == off.end() || held < kLeastHeld * static_cast<double>(pieces))
+  if (first == off.end() || held < c.options.least_held * static_cast<double>(pieces))
     return std::nullopt;
   const auto bad = std::count(first, off.end(), true);
   if (2 * bad <= off.end() - first) return std::nullopt;
@@ -145,7 +138,7 @@ std::optional<Index> helped_most(const OdeModel& model, const Case& c) {
 std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
   const double noise = c.result.noise[worst.state], floor = c.floor[worst.state];
   if (noise >= floor) return format_number(worst.ratio, 2) + " times the noise";
-  if (noise > 0.0 && floor > kResolved * c.spread[worst.state])
+  if (noise > 0.0 && floor > c.options.resolution * c.spread[worst.state])
     return format_number(worst.ratio * floor / noise, 2) +
            " times the noise, which this orbit amplifies to " +
            format_number(std::hypot(1.0, c.result.response[worst.state] / noise), 2) + " times";
@@ -156,13 +149,42 @@ std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
 
 }  // namespace
 
-SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result) {
+void SyncVerdictOptions::describe(OptionVisitor& v) {
+  v.field(
+      {"above_noise", "",
+       "A model holds below so many times the noise: what a complete model can leave, twice.",
+       1.0, 100.0},
+      above_noise);
+  v.field({"above_response", "",
+           "Or below so many times what noise and the slave's response to it make together, "
+           "which are known to some per cent.",
+           1.0, 100.0},
+          above_response);
+  v.field(
+      {"follows", "",
+       "As long as that response is below this share of a state's spread: a slave that noise "
+       "drives further off has lost the record, whatever the model is.",
+       0.0, 1.0},
+      follows);
+  v.field({"resolution", "",
+           "Share of a state's spread that the interpolation of a record and the steps between "
+           "its samples may leave, half of it.",
+           0.0, 1.0},
+          resolution);
+  v.field({"pieces", "", "Of a record, to tell when a model ceases to hold.", 10, 10000},
+          pieces);
+  v.field({"least_held", "", "Share of a record that `holds up to` needs.", 0.0, 1.0},
+          least_held);
+}
+
+SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
+                  const SyncVerdictOptions& options) {
   if (result.status != IntegrationStatus::Completed)
     return {.sentence = "Does not hold: " + result.message + "."};
-  const Case c = case_of(record, result);
+  const Case c = case_of(record, result, options);
   const Worst worst = worst_of(c);
   const std::string size = "the error is " + size_of(model, c, worst);
-  if (result.settled && worst.ratio < kAboveNoise)
+  if (result.settled && worst.ratio < options.above_noise)
     return {.holds = true, .sentence = "Holds: " + size + "."};
   SyncVerdict verdict;
   const auto most = helped_most(model, c);

@@ -83,12 +83,13 @@ std::string through_identification(const std::string& kind, const std::string& j
   if (kind == "validation") return format_stage(Rules<ValidationOptions>(options.validation));
   if (kind == "relations") return format_stage(Rules<RelationOptions>(options.relations));
   if (kind == "map") return format_stage(Rules<MapHintOptions>(options.map));
+  if (kind == "sync") return format_stage(Rules<SyncVerdictOptions>(options.sync));
   return format_stage(Rules<AdviceOptions>(options.advice));
 }
 
 bool is_of_identification(const std::string& kind) {
   return kind == "forms" || kind == "validation" || kind == "relations" || kind == "advice" ||
-         kind == "map";
+         kind == "map" || kind == "sync";
 }
 
 bool is_of_diagnosis(const std::string& kind) {

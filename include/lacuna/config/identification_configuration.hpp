@@ -5,6 +5,7 @@
 #include "lacuna/libraries/form_options.hpp"
 #include "lacuna/records/map_hint.hpp"
 #include "lacuna/relations/relations.hpp"
+#include "lacuna/report/sync_verdict.hpp"
 #include "lacuna/validation/advice.hpp"
 #include "lacuna/validation/validation_options.hpp"
 
@@ -32,10 +33,12 @@ struct IdentificationOptions {
   RelationOptions relations;
   AdviceOptions advice;  ///< seeks as `forms` says
   MapHintOptions map;
+  SyncVerdictOptions sync;
 };
 
 /// These options from a configuration with the keys `forms`, `validation`, `relations`,
-/// `advice` and `map`, an object of numbers by name each: {"validation": {"resolution": 1e-4}}.
+/// `advice`, `map` and `sync`, an object of numbers by name each: {"validation": {"resolution":
+/// 1e-4}}.
 /// @throws ConfigError naming the JSON path: an unknown name (with the nearest known one), a
 ///   value of the wrong type or out of range.
 IdentificationOptions identification_options(const Configuration& configuration,

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "lacuna/core/options.hpp"
+#include "lacuna/core/stage.hpp"
 #include "lacuna/dynamics/synchroniser.hpp"
 
 namespace lacuna {
@@ -16,19 +18,35 @@ struct SyncVerdict {
   std::string sentence;                      ///< for people
 };
 
+/// When a slave counts as being with the record. docs/decisions.md says what each trades.
+struct SyncVerdictOptions {
+  static constexpr StageInfo kInfo{"sync", "When a model holds on a record that drives it", ""};
+
+  double above_noise = 2.0;
+  double above_response = 1.25;
+  double follows = 0.1;
+  double resolution = 1e-4;
+  int pieces = 40;
+  double least_held = 0.1;
+
+  void describe(OptionVisitor& visitor);
+};
+
 /// Judges a synchronisation by the noise of the record: a slave of a complete model is off by
 /// the noise or less.
 ///
-/// - The model holds where the root mean square error of no measured state is above twice its
-///   noise, or above 2e-4 of its spread where less noise than half of that is seen. Where the
-///   orbit is locally unstable a slave amplifies noise: an error up to 1.25 times
-///   sqrt(noise^2 + SyncResult::response^2) is what a complete model leaves, as long as the
-///   response is below a tenth of the spread.
-/// - It holds up to a time where the error stays below that in pieces of a fortieth of the
-///   record for at least a tenth of it, and is above in most pieces from there on.
+/// - The model holds where the root mean square error of no measured state is above its noise
+///   (times `above_noise`), or what is resolved of its spread where that is more. Where the
+///   orbit is locally unstable a slave amplifies noise: an error up to sqrt(noise^2 +
+///   SyncResult::response^2) (times `above_response`) is what a complete model leaves, as long
+///   as the slave `follows` the record.
+/// - It holds up to a time where the error stays below that in pieces of the record for at
+/// least
+///   `least_held` of it, and is above in most pieces from there on.
 /// - Else the equation is named to which the coupling has to add the largest part of its own
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
 /// @param record that drove the slave, in the states of the model.
-SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result);
+SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
+                  const SyncVerdictOptions& options = {});
 
 }  // namespace lacuna

@@ -24,13 +24,14 @@ IdentificationOptions rules_with(const std::vector<std::string>& assignments) {
 TEST(IdentificationConfiguration, SetsOptionsByTheirPath) {
   const IdentificationOptions options =
       rules_with({"forms.same=0.2", "validation.resolution=1e-5", "relations.strength=5",
-                  "advice.most_forms=1", "map.errors=5"});
+                  "advice.most_forms=1", "map.errors=5", "sync.above_noise=3"});
   EXPECT_EQ(options.forms.same, 0.2);
   EXPECT_EQ(options.forms.most_forms, FormOptions{}.most_forms) << "others stay";
   EXPECT_EQ(options.validation.resolution, 1e-5);
   EXPECT_EQ(options.relations.strength, 5.0);
   EXPECT_EQ(options.advice.most_forms, 1);
   EXPECT_EQ(options.map.errors, 5.0);
+  EXPECT_EQ(options.sync.above_noise, 3.0);
   EXPECT_EQ(options.advice.search.same, 0.2) << "advice seeks as forms are sought";
 }
 
@@ -51,7 +52,7 @@ TEST(IdentificationConfiguration, MistakesNameThePathAndTheNearest) {
 }
 
 TEST(IdentificationConfiguration, EveryOptionHasASentenceAndARange) {
-  for (const char* name : {"forms", "validation", "relations", "advice", "map"}) {
+  for (const char* name : {"forms", "validation", "relations", "advice", "map", "sync"}) {
     const auto options = describe_options(default_registry().find(name, name));
     EXPECT_GE(options.size(), 3u) << name;
     for (const OptionDescription& option : options) {
