@@ -12,7 +12,7 @@ namespace {
 /// The best of the sets that forward selection goes through: a start for the search.
 TermSet forward_set(const Subproblem& problem, const SubsetScore& score, Index most) {
   TermSet taken, best;
-  SubsetFit fit = fit_subset(problem, taken);
+  SubproblemFit fit = fit_subset(problem, taken);
   double least = score(fit.residual, 0);
   Index next = 0;
   while (static_cast<Index>(taken.size()) < most && fit.gains.maxCoeff(&next) > 0.0) {
@@ -34,7 +34,7 @@ Regression BestSubset::do_fit(const LeastSquaresSystem& system, const Subproblem
   const Index most = std::min<Index>(options().max_terms, problem.size());
   const BestSet best = best_set(problem, score, {most, options().most_operations},
                                 forward_set(problem, score, most), context);
-  const SubsetFit fit = fit_subset(problem, best.positions);
+  const SubproblemFit fit = fit_subset(problem, best.positions);
   SubsetChoice choice{best.positions, "score with the term", Vector(problem.size()),
                       best.score,     best.proved,           static_cast<int>(best.branches)};
   const auto terms = static_cast<Index>(best.positions.size());

@@ -58,7 +58,7 @@ Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem
   const double largest = 2.0 * (triangle.transpose() * target).cwiseAbs().maxCoeff();
   const double factor = std::pow(options().range, 1.0 / (options().points - 1.0));
 
-  SubsetFit fit = fit_subset(problem, {});
+  SubproblemFit fit = fit_subset(problem, {});
   SubsetChoice choice{.quantity = "|residual|^2 that the term takes off, of |y|^2",
                       .values = fit.gains,
                       .threshold = score.least_gain(fit.residual)};

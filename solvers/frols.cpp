@@ -27,7 +27,7 @@ Regression Frols::do_fit(const LeastSquaresSystem& system, const Subproblem& pro
                          Effort effort, const RunContext& context) const {
   const SubsetScore score(problem, options().penalty);
   SubsetChoice choice{.quantity = "error reduction ratio of the term"};
-  SubsetFit fit = fit_subset(problem, {});
+  SubproblemFit fit = fit_subset(problem, {});
   const auto keep = [&](const TermSet& taken) {
     const double size = std::max(std::pow(problem.target_norm(), 2), 1e-300);
     choice.positions = taken;

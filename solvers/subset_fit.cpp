@@ -19,7 +19,7 @@ Subproblem restricted(Subproblem problem, const TermSet& positions) {
 
 }  // namespace
 
-SubsetFit fit_subset(const Subproblem& problem, const TermSet& positions) {
+SubproblemFit fit_subset(const Subproblem& problem, const TermSet& positions) {
   const Index k = problem.size(), s = static_cast<Index>(positions.size());
   const double tolerance = rank_tolerance(k, problem.rows());
   const Eigen::HouseholderQR<Matrix> qr(problem.triangle()(Eigen::all, positions));
@@ -27,7 +27,7 @@ SubsetFit fit_subset(const Subproblem& problem, const TermSet& positions) {
   rest << problem.triangle(), problem.projected_target();
   if (s > 0) rest = (qr.householderQ().transpose() * rest).bottomRows(k - s).eval();
   const Vector residual = rest.col(k);
-  SubsetFit fit{0.0, Vector::Zero(k)};
+  SubproblemFit fit{0.0, Vector::Zero(k)};
   fit.residual = std::hypot(unexplained(problem), residual.norm());
   for (Index j = 0; j < k; ++j) {
     const double size = rest.col(j).norm();

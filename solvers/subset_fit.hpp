@@ -9,14 +9,14 @@
 namespace lacuna {
 
 /// Least squares on some of the terms, and what each of the others would take off.
-struct SubsetFit {
+struct SubproblemFit {
   double residual = 0.0;  ///< |y - Theta_S h|
   Vector gains;  ///< k: what |residual|^2 loses by each further term; 0 for members of S, and
                  ///< where a term depends on them
 };
 
 /// @param positions of the terms S in the problem, independent of each other.
-SubsetFit fit_subset(const Subproblem& problem, const TermSet& positions);
+SubproblemFit fit_subset(const Subproblem& problem, const TermSet& positions);
 
 /// rho: the residual that no coefficients remove.
 double unexplained(const Subproblem& problem);

@@ -129,7 +129,7 @@ Quantity variable_of(const Table& table, Index column, std::vector<std::string>&
   return quantity;
 }
 
-Matrix gather(const Table& table, const RowRange& rows, const std::vector<Index>& columns) {
+Matrix gather(const Table& table, const TableRows& rows, const std::vector<Index>& columns) {
   Matrix values(rows.count, static_cast<Index>(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i)
     values.col(static_cast<Index>(i)) =
@@ -138,7 +138,7 @@ Matrix gather(const Table& table, const RowRange& rows, const std::vector<Index>
 }
 
 Vector times_of(const Table& table, const ColumnIndices& columns,
-                const std::optional<double>& step, const RowRange& rows) {
+                const std::optional<double>& step, const TableRows& rows) {
   if (columns.time) return table.values.col(*columns.time).segment(rows.first, rows.count);
   Vector time(rows.count);
   for (Index i = 0; i < rows.count; ++i) time[i] = *step * static_cast<double>(rows.offset + i);
@@ -197,7 +197,7 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   const Records records = split_records(table, columns);
   append(data.notes, records.notes);
   for (std::size_t i = 0; i < records.ranges.size(); ++i) {
-    const RowRange& rows = records.ranges[i];
+    const TableRows& rows = records.ranges[i];
     Trajectory trajectory;
     trajectory.source = table.source;
     if (records.ranges.size() > 1) trajectory.source += ", record " + std::to_string(i + 1);

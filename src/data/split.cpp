@@ -210,8 +210,8 @@ Index missing_end(const Rows& rows, Index row, Index last) {
 }
 
 /// Cuts rows of one number where values are missing and time jumps.
-std::vector<RowRange> cut(const Rows& rows, NumberedRows part, NoteList& notes) {
-  std::vector<RowRange> ranges;
+std::vector<TableRows> cut(const Rows& rows, NumberedRows part, NoteList& notes) {
+  std::vector<TableRows> ranges;
   const auto add = [&](Index begin, Index end) {
     if (end - begin >= 2) ranges.push_back({begin, end - begin, begin - part.begin});
     if (end - begin == 1) notes.add(single_row_note(rows, begin));
@@ -252,10 +252,10 @@ Records split_records(const Table& table, const ColumnIndices& columns) {
   const Rows rows = with_missing(table, columns);
   const std::vector<NumberedRows> numbered = numbered_rows(rows);
   NoteList notes(table.source);
-  std::vector<RowRange> ranges;
+  std::vector<TableRows> ranges;
   for (const NumberedRows part : numbered) {
     check_time(rows, part);
-    const std::vector<RowRange> cuts = cut(rows, part, notes);
+    const std::vector<TableRows> cuts = cut(rows, part, notes);
     ranges.insert(ranges.end(), cuts.begin(), cuts.end());
   }
   if (numbered.size() > 1)

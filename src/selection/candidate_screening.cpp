@@ -163,8 +163,9 @@ Matrix gram_of(const IntegralRows& rows, std::vector<Index> terms, Index target)
 
 /// Screens one equation.
 /// @param rows white, of unit variance where the noise is known and the path right.
-Screening screen_equation(const SearchTask& task, const WindowSearch& search, Index equation,
-                          const IntegralRows& rows, const RunContext& context) {
+ScreenedCandidates screen_equation(const SearchTask& task, const WindowSearch& search,
+                                   Index equation, const IntegralRows& rows,
+                                   const RunContext& context) {
   constexpr Index kTaken = 40;
   constexpr std::size_t kTimes = 2, kMore = 4;
   const double sigma = search.sigma[equation];
@@ -186,7 +187,7 @@ Screening screen_equation(const SearchTask& task, const WindowSearch& search, In
   const Elimination left = eliminated(problem, scale * price, context);
   const std::size_t size = left.order.size();
   const std::size_t plausible = std::min(size, kTimes * (size - left.worth) + kMore);
-  Screening result;
+  ScreenedCandidates result;
   for (std::size_t i = 0; i < size; ++i) {
     const auto place = static_cast<std::size_t>(left.order[i]);
     const Coefficient column{equation, names[static_cast<std::size_t>(order.columns[place])]};
@@ -209,17 +210,17 @@ bool is_wide(const SearchTask& task) {
   return task.candidates.size() > kMost;
 }
 
-Screening screen_candidates(const SearchTask& task, WindowSearch& search,
-                            const RunContext& context) {
+ScreenedCandidates screen_candidates(const SearchTask& task, WindowSearch& search,
+                                     const RunContext& context) {
   const IntegralRows rows = fold_integrals(task, search, context);
   const auto m = static_cast<std::size_t>(task.equations.dimension());
-  std::vector<Screening> equations(m);
+  std::vector<ScreenedCandidates> equations(m);
   parallel_for(m, context.threads, [&](std::size_t k) {
     if (!task.equations.exact[k])
       equations[k] = screen_equation(task, search, static_cast<Index>(k), rows, context);
   });
-  Screening result;
-  for (const Screening& equation : equations) {
+  ScreenedCandidates result;
+  for (const ScreenedCandidates& equation : equations) {
     append(result.worth, equation.worth);
     append(result.plausible, equation.plausible);
   }

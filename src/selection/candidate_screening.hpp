@@ -14,7 +14,7 @@ namespace lacuna {
 bool is_wide(const SearchTask& task);
 
 /// What rows that are cheap say of the candidates.
-struct Screening {
+struct ScreenedCandidates {
   std::vector<Coefficient> worth;      ///< those worth their price, increasing
   std::vector<Coefficient> plausible;  ///< those, and the next best: several times as many
 };
@@ -30,7 +30,7 @@ struct Screening {
 /// is worth least first. Errors of the path bias this a little; the joint problem of the
 /// plausible columns decides. About the path of a fitted model the residuals are its own, so
 /// that what this finds worth its price is what the model lacks.
-Screening screen_candidates(const SearchTask& task, WindowSearch& search,
-                            const RunContext& context);
+ScreenedCandidates screen_candidates(const SearchTask& task, WindowSearch& search,
+                                     const RunContext& context);
 
 }  // namespace lacuna

@@ -31,7 +31,7 @@ Records split(const std::string& text, const ColumnRoles& roles = {}) {
 /// "first+count first+count ..." of the ranges.
 std::string ranges_of(const Records& records) {
   std::vector<std::string> texts;
-  for (const RowRange& range : records.ranges)
+  for (const TableRows& range : records.ranges)
     texts.push_back(std::to_string(range.first) + "+" + std::to_string(range.count));
   return join(texts, " ");
 }

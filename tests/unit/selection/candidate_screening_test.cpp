@@ -52,7 +52,7 @@ TEST(CandidateScreening, BeginsWhereThereAreMany) {
 
 TEST(CandidateScreening, TrueTermsAreAmongThePlausibleOnes) {
   ScreeningCase c(8);
-  const Screening found = screen_candidates(c.task, c.search, {});
+  const ScreenedCandidates found = screen_candidates(c.task, c.search, {});
   EXPECT_TRUE(contains(found.plausible, c.truth()));
   EXPECT_TRUE(contains(found.plausible, found.worth));
   EXPECT_TRUE(std::is_sorted(found.plausible.begin(), found.plausible.end()));
@@ -64,7 +64,7 @@ TEST(CandidateScreening, ColumnsOfTheModelStay) {
   ScreeningCase c(8);
   const Coefficient odd{3, c.library.size() - 1};  // x7^2, which explains nothing
   c.search.fit.coefficients(odd.equation, odd.term) = 0.1;
-  const Screening found = screen_candidates(c.task, c.search, {});
+  const ScreenedCandidates found = screen_candidates(c.task, c.search, {});
   EXPECT_TRUE(contains(found.plausible, {odd}));
   EXPECT_FALSE(contains(found.worth, {odd}));
 }

@@ -10,12 +10,12 @@
 namespace lacuna {
 namespace {
 
-TEST(SubsetFit, GainsAreWhatARefitSaves) {
+TEST(SubproblemFit, GainsAreWhatARefitSaves) {
   Random random(3);
   const auto data = testing::random_rows(60, 7, 3, 0.5, random);
   const LeastSquaresSystem system = data.system();
   const TermSet set{1, 5};
-  const SubsetFit fit = fit_subset(system.subproblem(0, system.all_terms()), set);
+  const SubproblemFit fit = fit_subset(system.subproblem(0, system.all_terms()), set);
   EXPECT_NEAR(fit.residual, data.residual({1, 5}), 1e-10);
   for (Index j = 0; j < 7; ++j) {
     const bool member = j == 1 || j == 5;
@@ -25,12 +25,12 @@ TEST(SubsetFit, GainsAreWhatARefitSaves) {
   }
 }
 
-TEST(SubsetFit, ADependentColumnGainsNothing) {
+TEST(SubproblemFit, ADependentColumnGainsNothing) {
   Random random(3);
   auto data = testing::random_rows(60, 4, 3, 0.5, random);
   data.theta.col(3) = data.theta.col(0) + 2.0 * data.theta.col(1);
   const LeastSquaresSystem system = data.system();
-  const SubsetFit fit = fit_subset(system.subproblem(0, system.all_terms()), {0, 1});
+  const SubproblemFit fit = fit_subset(system.subproblem(0, system.all_terms()), {0, 1});
   EXPECT_EQ(fit.gains[3], 0.0);
   EXPECT_NEAR(fit.residual, data.residual({0, 1}), 1e-10);
 }
