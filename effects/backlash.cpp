@@ -16,7 +16,7 @@ void add_play(const Scope& scope, const Expression& x, std::vector<Candidate>& r
 }
 
 // Between a measured place and one that is not, the other one is a state of its own.
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> backlash_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : linear_arguments(scope, equation)) {
     if (is_transmission(scope, x))
@@ -28,7 +28,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // Inside the play nothing acts; a follower takes over the whole of the action.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> backlash_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const std::string x = candidate.argument.to_string();
   if (has_form(candidate, "clip(m-x,-a,a)")) {
@@ -48,7 +48,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kBacklash{
     {"backlash", "Play in a transmission", "Nordin and Gutman, Automatica 38 (2002)"},
     "worn gears, couplings, linkages, screws",
-    forms,
-    reading};
+    backlash_forms,
+    backlash_reading};
 
 }  // namespace lacuna

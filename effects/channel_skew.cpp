@@ -23,15 +23,14 @@ Expression change_of(const Scope& scope, const Expression& rate) {
     add(scope.state(k).name, right_hand_side(scope, k));
   const Expression step = Expression::number(scope.step);
   for (const std::string& u : scope.model.variables().inputs)
-    add(u, formula(scope, "(u-delay(u,h))/h",
-                   {{"u", Expression::variable(u)}, {"h", step}}));
+    add(u, formula(scope, "(u-delay(u,h))/h", {{"u", Expression::variable(u)}, {"h", step}}));
   return sum.value_or(Expression());
 }
 
 // A channel that is sampled later by d shows x + d f + d^2/2 df/dt, and f is what the model
 // says of dx/dt. The second power is of use where d is not small against what the state needs
 // to change.
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> channel_skew_forms(const Scope& scope, Index equation) {
   const VariableRange& range = scope.state(equation);
   const Expression x = own_state(scope, equation);
   const Expression rate = right_hand_side(scope, equation);
@@ -46,9 +45,9 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return {brief, longer};
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> channel_skew_reading(const FittedForm& fitted) {
   Candidate found = fitted.candidate;
-  const std::vector<Candidate> own = forms(fitted.scope, found.equation);
+  const std::vector<Candidate> own = channel_skew_forms(fitted.scope, found.equation);
   const bool is_own = std::any_of(own.begin(), own.end(), [&](Candidate candidate) {
     candidate.equation = found.equation;
     return are_one_form(candidate, found);
@@ -63,8 +62,8 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kChannelSkew{
     {"channel-skew", "A channel is sampled later or earlier than the others", ""},
     "a multiplexed converter, unequal filters, clocks that differ",
-    forms,
-    reading,
+    channel_skew_forms,
+    channel_skew_reading,
     Place::Channel};
 
 }  // namespace lacuna

@@ -20,7 +20,7 @@ void add_friction(const Scope& scope, const Expression& v, std::vector<Candidate
                                     starts_at({0.01 * widest, 0.1 * widest})));
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> coulomb_friction_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& v : felt_speeds(scope, equation)) add_friction(scope, v, result);
   return result;
@@ -40,7 +40,7 @@ bool bends_at_standstill(const FittedForm& fitted) {
          (!own || bend->inside < 0.0);
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> coulomb_friction_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const Expression& v = candidate.argument;
   if (!is_felt_speed(fitted.scope, candidate.equation, v)) return std::nullopt;
@@ -58,7 +58,7 @@ const EffectFamily kCoulombFriction{
     {"coulomb-friction", "Dry friction: a constant force against the velocity",
      "Armstrong-Helouvry, Dupont, Canudas de Wit, Automatica 30 (1994)"},
     "bearings, seals, guides, brushes",
-    forms,
-    reading};
+    coulomb_friction_forms,
+    coulomb_friction_reading};
 
 }  // namespace lacuna

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> cross_term_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   const std::vector<Expression> all = all_variables(scope);
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -22,7 +22,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // A monomial of several variables, time not among them.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> cross_term_reading(const FittedForm& fitted) {
   constexpr int kHighest = 3;
   const Candidate& candidate = fitted.candidate;
   if (!candidate.shapes.empty() || !candidate.memory.empty()) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kCrossTerm{
     {"cross-term", "A product of different states or inputs, up to degree 3", ""},
     "a multiplier, a gyroscopic or Coriolis force, mass action, a controlled part",
-    forms,
-    reading};
+    cross_term_forms,
+    cross_term_reading};
 
 }  // namespace lacuna

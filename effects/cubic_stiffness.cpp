@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> cubic_stiffness_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   const auto add = [&](const Expression& x) {
     const Expression cube = formula(scope, "x^3", {{"x", x}});
@@ -19,7 +19,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // The cube of a position in the equation of its velocity, or of what lies between two places.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> cubic_stiffness_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const Expression& x = candidate.argument;
   const bool is_stretch = is_difference(x) || is_position(fitted.scope, candidate.equation, x);
@@ -33,7 +33,7 @@ const EffectFamily kCubicStiffness{
     {"cubic-stiffness", "A spring that hardens or softens with the cube of its stretch",
      "Duffing 1918"},
     "a clamped beam, a rubber mount, a saturating core",
-    forms,
-    reading};
+    cubic_stiffness_forms,
+    cubic_stiffness_reading};
 
 }  // namespace lacuna

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> cubic_term_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : all_variables(scope)) {
     const Expression power = formula(scope, "x^3", {{"x", x}});
@@ -16,7 +16,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> cubic_term_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (!is_variable(candidate.argument) || !has_form(candidate, "x^3")) return std::nullopt;
   return Reading{"cubic term in " + candidate.argument.name()};
@@ -26,7 +26,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 
 const EffectFamily kCubicTerm{{"cubic-term", "A term in the cube of a state or an input", ""},
                               "a symmetric characteristic that bends, an odd distortion",
-                              forms,
-                              reading};
+                              cubic_term_forms,
+                              cubic_term_reading};
 
 }  // namespace lacuna

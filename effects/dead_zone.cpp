@@ -16,7 +16,7 @@ Candidate with_edge(const Scope& scope, const char* form, const Expression& x) {
 }
 
 // What acts linearly in the nominal model loses its action about zero: the clipped part goes.
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> dead_zone_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : linear_arguments(scope, equation))
     if (scope.range_of(x).changes_sign())
@@ -28,7 +28,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // Where the nominal model has the argument, its term stays what acts outside.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> dead_zone_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const std::optional<Bend> bend = bend_of(fitted);
   if (!bend || !bend->sharp || !is_flat_inside(*bend, fitted.options)) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kDeadZone{
     {"dead-zone", "Nothing happens about zero: no action within an edge", ""},
     "valve overlap, a threshold, crossover distortion",
-    forms,
-    reading};
+    dead_zone_forms,
+    dead_zone_reading};
 
 }  // namespace lacuna

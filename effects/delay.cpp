@@ -79,7 +79,7 @@ void add_term(const Scope& scope, Index equation, const Expression& term,
   }
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> delay_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   add_variables(scope, equation, result);
   for (const Expression& term : nonlinear_terms(scope, equation))
@@ -94,7 +94,7 @@ bool is_too_short(const FittedForm& fitted) {
   return fitted.shapes[0] < fitted.scope.step && !is_whole_term(fitted);
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> delay_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (candidate.shapes.size() != 1 || !contains(candidate.form, Operation::Delay) ||
       is_too_short(fitted) ||
@@ -109,7 +109,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 
 const EffectFamily kDelay{{"delay", "Something acts a fixed time later", ""},
                           "transport, a queue, a computer in the loop, sound, gestation",
-                          forms,
-                          reading};
+                          delay_forms,
+                          delay_reading};
 
 }  // namespace lacuna

@@ -31,7 +31,7 @@ void add_junctions(const Scope& scope, const Expression& x, std::vector<Candidat
   if (both) add(kBoth, range.magnitude());
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> exponential_conduction_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (Index j = 0; j < scope.model.dimension(); ++j)
     add_junctions(scope, own_state(scope, j), result);
@@ -40,7 +40,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // A junction that the state itself drives takes away from it.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> exponential_conduction_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const bool is_junction = has_form(candidate, kForward) || has_form(candidate, kReverse) ||
                            has_form(candidate, kBoth);
@@ -57,7 +57,7 @@ const EffectFamily kExponentialConduction{
     {"exponential-conduction", "A junction conducts: a current that grows exponentially",
      "Shockley 1949"},
     "a diode, a Zener diode, a transistor, an input's protection",
-    forms,
-    reading};
+    exponential_conduction_forms,
+    exponential_conduction_reading};
 
 }  // namespace lacuna

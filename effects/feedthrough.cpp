@@ -22,7 +22,7 @@ bool is_factor(const Scope& scope, Index equation, const Expression& x) {
   return std::find(all.begin(), all.end(), x) != all.end();
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> feedthrough_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : all_variables(scope))
     if (!has_term(scope, equation, x) && (is_input(scope, x) || is_factor(scope, equation, x)))
@@ -31,7 +31,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // That of an input is a path of its own; a factor by itself is as well a linear term.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> feedthrough_reading(const FittedForm& fitted) {
   const Expression& x = fitted.candidate.form;
   if (is_input(fitted.scope, x))
     return Reading{"direct path from the input " + x.name(), Precedence::Contextual};
@@ -45,7 +45,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kFeedthrough{
     {"feedthrough", "An input or a factor of a product leaks into the equation by itself", ""},
     "a multiplier's feedthrough, stray capacitance, crosstalk",
-    forms,
-    reading};
+    feedthrough_forms,
+    feedthrough_reading};
 
 }  // namespace lacuna

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kPowers[] = {"x^4", "x^5"};
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> higher_order_term_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : all_variables(scope))
     for (const char* power : kPowers) {
@@ -19,7 +19,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> higher_order_term_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   for (const char* power : kPowers)
     if (is_variable(candidate.argument) && has_form(candidate, power))
@@ -32,7 +32,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kHigherOrderTerm{
     {"higher-order-term", "A term in the fourth or fifth power of a state or an input", ""},
     "a characteristic that bends late and strongly",
-    forms,
-    reading};
+    higher_order_term_forms,
+    higher_order_term_reading};
 
 }  // namespace lacuna

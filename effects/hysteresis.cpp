@@ -10,8 +10,8 @@ namespace {
 // Bouc-Wen loop of a spring: the restoring force r follows the position q until it yields,
 // dr/dt = v - (|v| r + skew v |r|) / yield. v is the rate of q. While it is loaded it bends by
 // 1 + skew, while it is unloaded by 1 - skew: at -1 it is straight under load, below that it
-// stiffens; at 1 it is straight when it lets go. The search ends as far beyond a straight loading
-// branch as the softening loop (0) is before it.
+// stiffens; at 1 it is straight when it lets go. The search ends as far beyond a straight
+// loading branch as the softening loop (0) is before it.
 constexpr double kStiffest = -2.0;
 
 Candidate bouc_wen(const Scope& scope, Index position, const Expression& v) {
@@ -30,7 +30,7 @@ Candidate bouc_wen(const Scope& scope, Index position, const Expression& v) {
 }
 
 // A follower with play gives a loop of straight lines.
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> hysteresis_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   if (const auto position = scope.integral_of(equation))
     result.push_back(bouc_wen(scope, *position, own_state(scope, equation)));
@@ -44,7 +44,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // A loop in a characteristic that is there takes over a part of it; a spring may be new.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> hysteresis_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const std::string x = candidate.argument.to_string();
   if (has_form(candidate, "clip(m-x,-a,a)")) {
@@ -61,7 +61,7 @@ const EffectFamily kHysteresis{
     {"hysteresis", "The action depends on where the state came from",
      "Bouc 1967; Wen, J. Eng. Mech. 102 (1976); Visintin, Differential Models of Hysteresis"},
     "magnetic cores, piezo actuators, wire rope, rubber, plastic deformation",
-    forms,
-    reading};
+    hysteresis_forms,
+    hysteresis_reading};
 
 }  // namespace lacuna

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> lag_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   const double shortest = 0.1 * scope.step, longest = 0.25 * scope.duration;
   for (const WeightedTerm& summand :
@@ -27,7 +27,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // Part of the term as it is fitted, or the whole of it.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> lag_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (!has_form(candidate, "m-x") || !is_part_of_term(fitted)) return std::nullopt;
   return Reading{"lag of " + candidate.argument.to_string() + " in d" +
@@ -39,7 +39,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kLag{
     {"lag", "A part of the model acts with finite bandwidth: one more pole", ""},
     "an amplifier's or actuator's bandwidth, a sensor's filter, a line",
-    forms,
-    reading};
+    lag_forms,
+    lag_reading};
 
 }  // namespace lacuna

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> leakage_forms(const Scope& scope, Index equation) {
   const Expression x = own_state(scope, equation);
   std::vector<Candidate> result;
   const Expression root = formula(scope, "sqrt(x)", {{"x", x}});
@@ -19,7 +19,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // What is lost is lost from the state itself; in proportion to it, it is as well a linear term.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> leakage_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const Expression own = own_state(fitted.scope, candidate.equation);
   if (candidate.argument != own || fitted.coefficient >= 0.0) return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kLeakage{{"leakage", "What is stored gets lost by itself",
                              "Torricelli's law for the outflow of a tank"},
                             "a leaky capacitor, a hole, a seal, heat loss",
-                            forms,
-                            reading};
+                            leakage_forms,
+                            leakage_reading};
 
 }  // namespace lacuna

@@ -13,7 +13,7 @@ bool may_exchange(const Scope& scope, Index equation, Index other) {
          !has_term(scope, equation, own_state(scope, other));
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> missing_coupling_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (Index j = 0; j < scope.model.dimension(); ++j) {
     const Expression x = own_state(scope, j);
@@ -26,7 +26,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // An exchange goes from the larger to the smaller.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> missing_coupling_reading(const FittedForm& fitted) {
   const Expression& form = fitted.candidate.form;
   const Index equation = fitted.candidate.equation;
   if (is_variable(form) && in_other_part(fitted.scope, equation, form))
@@ -42,7 +42,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kMissingCoupling{
     {"missing-coupling", "A path between parts that the nominal model keeps apart", ""},
     "a common supply, a common base, stray coupling",
-    forms,
-    reading};
+    missing_coupling_forms,
+    missing_coupling_reading};
 
 }  // namespace lacuna

@@ -25,7 +25,7 @@ void add_stops(const Scope& scope, const Expression& x, std::vector<Candidate>& 
                                     starts_at({at(0.35), at(0.2), at(0.07), at(0.015)})));
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> one_sided_stop_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : all_variables(scope)) add_stops(scope, x, result);
   for (const Expression& gap : differences(scope, equation)) add_stops(scope, gap, result);
@@ -34,7 +34,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 
 // A stop stands at the rim of the motion and pushes back: in the equation of a velocity it acts
 // against the position.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> one_sided_stop_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const bool above = has_form(candidate, "max(x-a,0)");
   if (!above && !has_form(candidate, "min(x-a,0)")) return std::nullopt;
@@ -55,7 +55,7 @@ const EffectFamily kOneSidedStop{
     {"one-sided-stop",
      "Something that acts beyond a threshold only, in proportion to the excess", ""},
     "an end stop, a loose contact, a clamp, a relief valve",
-    forms,
-    reading};
+    one_sided_stop_forms,
+    one_sided_stop_reading};
 
 }  // namespace lacuna

@@ -11,7 +11,7 @@ bool is_store(const Scope& scope, Index equation) {
   return !is_velocity(scope, equation) && scope.state(equation).is_amount();
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> overflow_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   if (!is_store(scope, equation)) return {};
   for (Index j = 0; j < scope.model.dimension(); ++j) {
@@ -28,7 +28,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
 }
 
 // What runs over is lost where it was and gained elsewhere.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> overflow_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const Scope& scope = fitted.scope;
   const Expression& x = candidate.argument;
@@ -45,7 +45,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 
 const EffectFamily kOverflow{{"overflow", "A store runs over beyond a level", ""},
                              "a weir, a spillway, a full tank, a bypass",
-                             forms,
-                             reading};
+                             overflow_forms,
+                             overflow_reading};
 
 }  // namespace lacuna

@@ -11,7 +11,7 @@ Candidate drifting(const Expression& term) {
   return plain_candidate(Expression::variable("t") * term, term);
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> parameter_drift_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& term : nonlinear_terms(scope, equation))
     result.push_back(drifting(term));
@@ -20,7 +20,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> parameter_drift_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (!has_form(candidate, "t*x") ||
       !has_term(fitted.scope, candidate.equation, candidate.argument))
@@ -33,7 +33,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kParameterDrift{
     {"parameter-drift", "A coefficient that changes steadily with time", ""},
     "warming up, wear, a battery that runs down",
-    forms,
-    reading};
+    parameter_drift_forms,
+    parameter_drift_reading};
 
 }  // namespace lacuna

@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> periodic_forcing_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const SpectralLine& line : scope.lines) {
     // A line of the spectrum is known to within the resolution of the record; what does not
@@ -30,7 +30,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> periodic_forcing_reading(const FittedForm& fitted) {
   if (!has_form(fitted.candidate, "sin(2*pi*a*t+b)")) return std::nullopt;
   return Reading{"periodic forcing of d" + fitted.scope.state(fitted.candidate.equation).name +
                  "/dt"};
@@ -41,7 +41,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kPeriodicForcing{
     {"periodic-forcing", "A force of one frequency from outside", ""},
     "mains hum, an unbalance, the day, a neighbouring machine",
-    forms,
-    reading};
+    periodic_forcing_forms,
+    periodic_forcing_reading};
 
 }  // namespace lacuna

@@ -25,7 +25,7 @@ void add_two_bends(const Scope& scope, const Expression& x, std::vector<Candidat
                        starts_at({at(0.04), at(0.15), at(0.4), at(0.7)})));
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> piecewise_linear_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   std::vector<Expression> arguments = all_variables(scope);
   for (const Expression& difference : differences(scope, equation))
@@ -52,7 +52,7 @@ bool is_one_bend(const FittedForm& fitted) {
 }
 
 // A slope that is 0 on one side of two bends has a name of its own.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> piecewise_linear_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const std::string x = candidate.argument.to_string();
   if (has_form(candidate, "abs(x)")) return Reading{"absolute value of " + x};
@@ -70,7 +70,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kPiecewiseLinear{
     {"piecewise-linear", "A characteristic of straight lines with one bend or two", ""},
     "a nonlinear resistor, a spring that lifts off, a rectifier",
-    forms,
-    reading};
+    piecewise_linear_forms,
+    piecewise_linear_reading};
 
 }  // namespace lacuna

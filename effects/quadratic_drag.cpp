@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> quadratic_drag_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& v : felt_speeds(scope, equation)) {
     const Expression form = formula(scope, "v*abs(v)", {{"v", v}});
@@ -17,7 +17,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> quadratic_drag_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const Expression& v = candidate.argument;
   if (!has_form(candidate, "x*abs(x)") || !opposes(fitted) ||
@@ -31,7 +31,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kQuadraticDrag{
     {"quadratic-drag", "Drag of the square of the speed, against the motion", ""},
     "air or water resistance, turbulent flow, an orifice",
-    forms,
-    reading};
+    quadratic_drag_forms,
+    quadratic_drag_reading};
 
 }  // namespace lacuna

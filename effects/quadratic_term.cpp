@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> quadratic_term_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : all_variables(scope)) {
     const Expression power = formula(scope, "x^2", {{"x", x}});
@@ -16,7 +16,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> quadratic_term_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (!is_variable(candidate.argument) || !has_form(candidate, "x^2")) return std::nullopt;
   return Reading{"quadratic term in " + candidate.argument.name()};
@@ -27,7 +27,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kQuadraticTerm{
     {"quadratic-term", "A term in the square of a state or an input", ""},
     "an asymmetric characteristic, an even distortion, crowding",
-    forms,
-    reading};
+    quadratic_term_forms,
+    quadratic_term_reading};
 
 }  // namespace lacuna

@@ -21,7 +21,7 @@ void add_rate(const Scope& scope, const Expression& rate, const Expression& x,
                        starts_at({0.2 * middle, middle, 5.0 * middle, 0.3 * range.high})));
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> saturating_rate_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : all_variables(scope)) add_rate(scope, x, x, result);
   for (const Expression& term : nonlinear_terms(scope, equation))
@@ -30,7 +30,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return result;
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> saturating_rate_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (candidate.form.operation() != Operation::Divide || !is_variable(candidate.argument))
     return std::nullopt;
@@ -50,7 +50,7 @@ const EffectFamily kSaturatingRate{
     {"saturating-rate", "A rate that saturates with the amount, x/(half + x)",
      "Michaelis and Menten 1913; Holling 1959"},
     "enzymes, predators that are sated, adsorption, a limited pump",
-    forms,
-    reading};
+    saturating_rate_forms,
+    saturating_rate_reading};
 
 }  // namespace lacuna

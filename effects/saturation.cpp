@@ -69,7 +69,7 @@ void add_new(const Scope& scope, const Expression& x, std::vector<Candidate>& re
   result.push_back(limited(scope, "tanh(x/limit)", x, soft_limit(scope, x)));
 }
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> saturation_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   for (const Expression& x : linear_arguments(scope, equation))
     add_limits(scope, equation, x, result);
@@ -94,7 +94,7 @@ bool acts_beside_the_term(const FittedForm& fitted) {
 // Nothing of the slope is left beyond the limit. Where the nominal model has it, its term stays
 // what acts inside and the form takes it away outside; a form that empties the nominal term
 // says the same with other coefficients than were given.
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> saturation_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (has_form(candidate, "sign(x)") && acts_beside_the_term(fitted))
     return Reading{"action of " + candidate.argument.to_string() + " that switches"};
@@ -116,7 +116,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kSaturation{
     {"saturation", "Something stops growing at a limit of both signs", ""},
     "an amplifier at its rails, a current limit, a magnetic core, a valve fully open",
-    forms,
-    reading};
+    saturation_forms,
+    saturation_reading};
 
 }  // namespace lacuna

@@ -12,9 +12,9 @@ constexpr double kSlowest = 0.005, kFastest = 0.5;
 
 // How wide the reversal may be: from where it cannot be told from a jump to where it hides the
 // rise.
-constexpr double kSharpest = 1e-4, kBluntest = 0.1;
+constexpr double kNarrowest = 1e-4, kBluntest = 0.1;
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equation) {
   const VariableRange& speed = scope.state(equation);
   if (!speed.changes_sign()) return {};
   const double widest = speed.magnitude();
@@ -26,7 +26,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   Candidate blunt = plain_candidate(
       formula(scope, "(1+rise*exp(-(v/speed)^2))*tanh(v/width)", {{"v", v}}), v);
   blunt.shapes = sharp.shapes;
-  blunt.shapes.push_back({"width", speed.unit, kSharpest * widest, kBluntest * widest, true});
+  blunt.shapes.push_back({"width", speed.unit, kNarrowest * widest, kBluntest * widest, true});
   for (const double rises : {0.02 * widest, 0.08 * widest, 0.25 * widest}) {
     sharp.starts.push_back(Vector{{1.0, rises}});
     blunt.starts.push_back(Vector{{1.0, rises, 0.01 * widest}});
@@ -34,7 +34,7 @@ std::vector<Candidate> forms(const Scope& scope, Index equation) {
   return {sharp, blunt};
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> stribeck_friction_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (!has_form(candidate, "(1+a*exp(-(x/b)^2))*sign(x)") &&
       !has_form(candidate, "(1+a*exp(-(x/b)^2))*tanh(x/c)"))
@@ -50,7 +50,7 @@ const EffectFamily kStribeckFriction{
     {"stribeck-friction", "Dry friction that is larger near standstill",
      "Armstrong-Helouvry, Dupont, Canudas de Wit, Automatica 30 (1994)"},
     "boundary lubrication, stick-slip",
-    forms,
-    reading};
+    stribeck_friction_forms,
+    stribeck_friction_reading};
 
 }  // namespace lacuna

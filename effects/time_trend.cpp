@@ -6,13 +6,13 @@
 namespace lacuna {
 namespace {
 
-std::vector<Candidate> forms(const Scope& scope, Index equation) {
+std::vector<Candidate> time_trend_forms(const Scope& scope, Index equation) {
   const Expression t = Expression::variable("t");
   if (has_term(scope, equation, t)) return {};
   return {plain_candidate(t, t)};
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> time_trend_reading(const FittedForm& fitted) {
   if (fitted.candidate.form != Expression::variable("t")) return std::nullopt;
   return Reading{"steady trend of d" + fitted.scope.state(fitted.candidate.equation).name +
                  "/dt"};
@@ -23,7 +23,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kTimeTrend{
     {"time-trend", "A rate that grows steadily with time, whatever the states do", ""},
     "a room that warms up, a load that is added, an offset that drifts",
-    forms,
-    reading};
+    time_trend_forms,
+    time_trend_reading};
 
 }  // namespace lacuna

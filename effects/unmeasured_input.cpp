@@ -11,7 +11,7 @@ namespace {
 constexpr double kFewSteps = 3.0, kFewTimes = 10.0;
 
 // A free input is a process of its own (Ornstein and Uhlenbeck's), moved by white noise.
-std::vector<Candidate> forms(const Scope& scope, Index) {
+std::vector<Candidate> unmeasured_input_forms(const Scope& scope, Index) {
   const double shortest = kFewSteps * scope.step;
   const double longest = scope.duration / kFewTimes;
   if (!(shortest < longest)) return {};
@@ -24,7 +24,7 @@ std::vector<Candidate> forms(const Scope& scope, Index) {
   return {candidate};
 }
 
-std::optional<Reading> reading(const FittedForm& fitted) {
+std::optional<Reading> unmeasured_input_reading(const FittedForm& fitted) {
   if (!fitted.candidate.is_driven()) return std::nullopt;
   return Reading{"input that is not measured in d" +
                  fitted.scope.state(fitted.candidate.equation).name + "/dt"};
@@ -35,7 +35,7 @@ std::optional<Reading> reading(const FittedForm& fitted) {
 const EffectFamily kUnmeasuredInput{
     {"unmeasured-input", "Something acts from outside that was not recorded", ""},
     "wind, a load that changes, a neighbouring process, a person",
-    forms,
-    reading};
+    unmeasured_input_forms,
+    unmeasured_input_reading};
 
 }  // namespace lacuna
