@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lacuna/linear/triangular.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -85,7 +86,7 @@ Vector ridge_solution(const Matrix& triangle, const Vector& target, const Vector
   stacked << triangle, Matrix(penalty.cwiseSqrt().asDiagonal());
   Vector extended = Vector::Zero(stacked.rows());
   extended.head(triangle.rows()) = target;
-  return stacked.colPivHouseholderQr().solve(extended);
+  return least_squares(stacked, extended);
 }
 
 TermSet support_of(const Vector& coefficients) {

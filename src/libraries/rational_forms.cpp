@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lacuna/numerics/least_squares.hpp"
 #include "lacuna/selection/subset_search.hpp"
 #include "product_forms.hpp"
 
@@ -110,7 +111,7 @@ class Denominators {
     const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
     columns.array().rowwise() /= norms.transpose().array();
     const Vector left = is_one(denominator.monomials[0]) ? target_ : Vector(products.col(0));
-    const Vector solution = columns.colPivHouseholderQr().solve(left);
+    const Vector solution = least_squares(columns, left);
     Vector numbers = -(solution.head(count).array() / norms.head(count).array());
     const double size = size_of(denominator.monomials[0]);
     for (Index j = 0; j < count; ++j) {

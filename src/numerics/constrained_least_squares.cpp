@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -34,7 +35,7 @@ ConstrainedSolution constrained_least_squares(const Matrix& r, const Vector& c, 
   const Index rank = factor.rank();
   const Matrix basis = factor.householderQ() * Matrix::Identity(q, q);
   const Matrix null = basis.rightCols(q - rank);
-  const Vector particular = as.completeOrthogonalDecomposition().solve(b);
+  const Vector particular = smallest_least_squares(as, b);
   ConstrainedSolution solution{particular, Vector::Zero(q)};
   if (null.cols() > 0) {
     const auto free = factor_of(rs * null);
@@ -53,7 +54,7 @@ ConstrainedSolution constrained_least_squares(const Matrix& r, const Vector& c, 
 
 bool is_feasible(const Matrix& a, const Vector& b) {
   if (a.rows() == 0) return true;
-  const Vector h = a.completeOrthogonalDecomposition().solve(b);
+  const Vector h = smallest_least_squares(a, b);
   constexpr double kRounding = 1e-9;
   return (a * h - b).norm() <= kRounding * std::max(1e-300, b.norm());
 }

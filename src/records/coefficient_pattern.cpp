@@ -2,13 +2,14 @@
 #include "coefficient_pattern.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <set>
 #include <utility>
+
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -64,7 +65,7 @@ std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Da
     const Vector scales = terms.colwise().norm();
     if (!(scales.minCoeff() > 0.0)) continue;
     terms = terms * scales.cwiseInverse().asDiagonal();
-    const Vector said = terms.colPivHouseholderQr().solve(measured.col(k));
+    const Vector said = least_squares(terms, measured.col(k));
     const double rest = (measured.col(k) - terms * said).squaredNorm() /
                         static_cast<double>(terms.rows() - terms.cols());
     const Vector variances = rest * (terms.transpose() * terms).inverse().diagonal();

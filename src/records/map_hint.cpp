@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -137,9 +138,7 @@ double remainder_of(const Matrix& theta, const Matrix& after) {
   for (const bool second : {false, true}) {
     const std::vector<Index> fitted = half_of(theta.rows(), second);
     const std::vector<Index> left = half_of(theta.rows(), !second);
-    const Matrix h = Matrix(theta(fitted, Eigen::all))
-                         .colPivHouseholderQr()
-                         .solve(Matrix(after(fitted, Eigen::all)));
+    const Matrix h = least_squares(theta(fitted, Eigen::all), after(fitted, Eigen::all));
     squares += (after(left, Eigen::all) - theta(left, Eigen::all) * h)
                    .colwise()
                    .squaredNorm()
@@ -151,7 +150,7 @@ double remainder_of(const Matrix& theta, const Matrix& after) {
 double reversed_share(const std::vector<Factors>& terms, const Matrix& theta,
                       const Pairs& pairs) {
   const Index m = pairs.after.cols();
-  const Matrix h = theta.colPivHouseholderQr().solve(pairs.after);
+  const Matrix h = least_squares(theta, pairs.after);
   Index reversed = 0;
   for (Index row = 0; row < theta.rows(); ++row) {
     Matrix slopes(theta.cols(), m);

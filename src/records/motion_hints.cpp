@@ -2,7 +2,6 @@
 #include "motion_hints.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <optional>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -43,7 +43,7 @@ double share_of_states(const Dataset& data, Index input) {
     if (states.col(k).norm() > 0.0) states.col(k).normalize();
   }
   const Vector moved = u.array() - u.mean();
-  const Vector rest = moved - states * states.colPivHouseholderQr().solve(moved);
+  const Vector rest = moved - states * least_squares(states, moved);
   return 1.0 - rest.squaredNorm() / moved.squaredNorm();
 }
 

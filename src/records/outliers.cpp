@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "outliers.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 
 #include "lacuna/data/marks.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -32,7 +32,7 @@ bool stands_out(const Trajectory& record, Index state, Index i, double off,
     powers.row(row) << 1.0, s, s * s, s * s * s;
     values[row] = record.states(j, state);
   }
-  const Vector cubic = powers.colPivHouseholderQr().solve(values);
+  const Vector cubic = least_squares(powers, values);
   const double left = (values - powers * cubic).norm();
   return left < off && std::abs(record.states(i, state) - cubic[0]) > off;
 }

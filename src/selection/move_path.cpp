@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "move_path.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/core/parallel.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -18,7 +18,7 @@ Vector start_of(const Matrix& head, const Vector& values) {
   const auto triangle = head.leftCols(m).triangularView<Eigen::Upper>();
   const Vector pivots = head.leftCols(m).diagonal().cwiseAbs();
   if (pivots.minCoeff() > kSingular * pivots.maxCoeff()) return triangle.solve(target);
-  return Matrix(triangle).completeOrthogonalDecomposition().solve(target);
+  return smallest_least_squares(triangle, target);
 }
 
 /// The solution of x' = J x + b at the nodes of a window, middles by Hermite's cubic.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/selection/moving_polynomial.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -59,7 +60,7 @@ Smoothed smooth(const Vector& time, const Vector& values, Index width) {
     const Index first = window_begin(i, width, n);
     if (made_for < 0 || !same_grid(time, made_for, first, width)) {
       basis = powers(time, first, width, degree);
-      inverse = basis.completeOrthogonalDecomposition().pseudoInverse();
+      inverse = smallest_least_squares(basis, Matrix::Identity(basis.rows(), basis.rows()));
       place = -1;
     }
     made_for = first;
