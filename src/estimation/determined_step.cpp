@@ -2,8 +2,9 @@
 #include "determined_step.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+
+#include "lacuna/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
 namespace {
@@ -43,10 +44,10 @@ DeterminedStep determined_step(const Matrix& normal, const Vector& right, const 
   Matrix changes(sized, sized);
   Index held = 0;
   if (sized > 0) {
-    const Eigen::SelfAdjointEigenSolver<Matrix> directions(
+    const SymmetricEigen directions = symmetric_eigen(
         sizes.asDiagonal() * schur_complement(normal, parts) * sizes.asDiagonal());
-    changes = directions.eigenvectors();
-    while (held < sized && !(directions.eigenvalues()[held] >= 1.0 / (kTold * kTold))) ++held;
+    changes = directions.vectors;
+    while (held < sized && !(directions.values[held] >= 1.0 / (kTold * kTold))) ++held;
   }
   const Index moved = sized - held;
   Matrix basis = Matrix::Zero(p, moved + static_cast<Index>(parts.free.size()));

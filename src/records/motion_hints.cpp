@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motion_hints.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/numerics/least_squares.hpp"
+#include "lacuna/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
 namespace {
@@ -119,9 +119,9 @@ std::optional<Hint> alike_terms(const OdeModel& model, Index equation, Matrix te
     if (terms.col(j).norm() == 0.0) return std::nullopt;
     terms.col(j).normalize();
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(terms.transpose() * terms);
-  if (solver.eigenvalues()[0] > alike * alike) return std::nullopt;
-  const Vector together = solver.eigenvectors().col(0).cwiseAbs();
+  const SymmetricEigen found = symmetric_eigen(terms.transpose() * terms);
+  if (found.values[0] > alike * alike) return std::nullopt;
+  const Vector together = found.vectors.col(0).cwiseAbs();
   std::vector<std::string> names;
   for (Index j = 0; j < terms.cols(); ++j)
     if (together[j] > 0.1 * together.maxCoeff())

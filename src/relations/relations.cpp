@@ -2,11 +2,11 @@
 #include "lacuna/relations/relations.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "lacuna/numerics/symmetric_eigen.hpp"
 #include "moments.hpp"
 
 namespace lacuna {
@@ -36,10 +36,10 @@ std::optional<Vector> flattest(const MonomialMoments& moments, const Set& set) {
   noise = scale.asDiagonal() * noise * scale.asDiagonal();
   constexpr double kRounding = 1e-14;
   noise.diagonal().array() += kRounding;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(
-      scale.asDiagonal() * covariance * scale.asDiagonal(), noise);
-  if (solver.info() != Eigen::Success) return std::nullopt;
-  const Vector c = scale.asDiagonal() * solver.eigenvectors().col(0);
+  const auto found =
+      symmetric_eigen(scale.asDiagonal() * covariance * scale.asDiagonal(), noise);
+  if (!found) return std::nullopt;
+  const Vector c = scale.asDiagonal() * found->vectors.col(0);
   if (!(std::abs(c[0]) > 0.0) || !c.allFinite()) return std::nullopt;
   return Vector(c / c[0]);
 }
