@@ -5,12 +5,23 @@
 
 namespace lacuna {
 
+namespace {
+
+/// One column is solved as a vector: what can be exact, as a fixed coefficient, is.
+template <class Decomposition>
+Matrix solved(const Decomposition& decomposition, const Matrix& b) {
+  if (b.cols() == 1) return Vector(decomposition.solve(Vector(b.col(0))));
+  return decomposition.solve(b);
+}
+
+}  // namespace
+
 Matrix least_squares(const Matrix& a, const Matrix& b) {
-  return a.colPivHouseholderQr().solve(b);
+  return solved(a.colPivHouseholderQr(), b);
 }
 
 Matrix smallest_least_squares(const Matrix& a, const Matrix& b) {
-  return a.completeOrthogonalDecomposition().solve(b);
+  return solved(a.completeOrthogonalDecomposition(), b);
 }
 
 }  // namespace lacuna
