@@ -28,7 +28,7 @@ std::uint64_t default_memory() {
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int kLargest = 32 << 20;  // the most that the heap may be asked for
+  constexpr int kLargest = 32 << 20;  // a fact of glibc: its largest threshold, in bytes
   mallopt(M_MMAP_THRESHOLD, kLargest);
   mallopt(M_TRIM_THRESHOLD, 8 * kLargest);
 #endif

@@ -43,6 +43,7 @@ LACUNA_INLINE double sum(const V& value) {
   return total;
 }
 
+/// A fact of the machines: doubles in a register of AVX2.
 inline constexpr Index kLane = 4;
 using Pack = Lanes<kLane>::Type;
 

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <cstdlib>
+#include <cmath>
 
 #include "lacuna/codegen/export_model.hpp"
 #include "lacuna/core/random.hpp"
@@ -13,6 +12,7 @@
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/model/ode_text.hpp"
 #include "lacuna/systems/test_systems.hpp"
+#include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna::testing {
@@ -32,26 +32,6 @@ std::vector<ExportedModel> exported_models() {
           {"servo", parse_ode("input u\ndw/dt = -3*w + 20*i\n"
                               "di/dt = 50*clip(u,-6,6) - 5*tanh(i/2) - 0.3*w - i*abs(i)\n",
                               "servo.ode")}};
-}
-
-bool can_run(const std::string& call) {
-  return std::system((call + " > /dev/null 2>&1").c_str()) == 0;
-}
-
-/// A Python that has a module; empty where there is none.
-std::string python_with(const std::string& module) {
-  for (const char* python : {"python3", "/usr/bin/python3"})
-    if (can_run(std::string(python) + " -c 'import " + module + "'")) return python;
-  return "";
-}
-
-std::vector<double> printed_numbers(const std::string& command) {
-  std::vector<double> numbers;
-  FILE* pipe = popen(command.c_str(), "r");
-  double value = 0.0;
-  while (pipe != nullptr && std::fscanf(pipe, "%lf", &value) == 1) numbers.push_back(value);
-  EXPECT_EQ(pclose(pipe), 0) << command;
-  return numbers;
 }
 
 /// States and inputs at a few places, in rows, and what the model says of the rates there.

@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <sstream>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/model/ode_text.hpp"
+#include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna {
@@ -40,20 +39,6 @@ std::vector<double> expected_rates(const OdeModel& model) {
   return rates;
 }
 
-bool has_program(const std::string& call) {
-  return std::system((call + " > /dev/null 2>&1").c_str()) == 0;
-}
-
-/// The numbers that a command prints.
-std::vector<double> numbers_of(const std::string& command) {
-  std::vector<double> numbers;
-  FILE* pipe = popen(command.c_str(), "r");
-  double value = 0.0;
-  while (pipe != nullptr && std::fscanf(pipe, "%lf", &value) == 1) numbers.push_back(value);
-  EXPECT_EQ(pclose(pipe), 0) << command;
-  return numbers;
-}
-
 void expect_rates(const std::vector<double>& numbers) {
   const std::vector<double> expected = expected_rates(parse_ode(kModel, "all.ode"));
   ASSERT_EQ(numbers.size(), expected.size());
@@ -66,7 +51,7 @@ std::string exported(const std::string& format) {
 }
 
 TEST(ExportModel, CIsCompiledAndGivesTheRates) {
-  if (!has_program("cc --version")) GTEST_SKIP() << "there is no C compiler";
+  if (!testing::can_run("cc --version")) GTEST_SKIP() << "there is no C compiler";
   const testing::TemporaryFolder place;
   const std::string source = place.write("model.c", exported("c") + R"(#include <stdio.h>
 int main(void) {
@@ -76,45 +61,48 @@ int main(void) {
   printf("%.17g %.17g %.17g\n", rate[0], rate[1], rate[2]);
 })");
   const std::string program = place.file("model");
-  ASSERT_TRUE(
-      has_program("cc -std=c99 -Wall -Wextra -Werror " + source + " -o " + program + " -lm"));
-  expect_rates(numbers_of(program));
+  ASSERT_TRUE(testing::can_run("cc -std=c99 -Wall -Wextra -Werror " + source + " -o " +
+                               program + " -lm"));
+  expect_rates(testing::printed_numbers(program));
 }
 
 TEST(ExportModel, CppIsCompiledAndGivesTheRates) {
-  if (!has_program("c++ --version")) GTEST_SKIP() << "there is no C++ compiler";
+  if (!testing::can_run("c++ --version")) GTEST_SKIP() << "there is no C++ compiler";
   const testing::TemporaryFolder place;
   const std::string source = place.write("model.cpp", exported("cpp") + R"(#include <cstdio>
 int main() {
   for (const double r : lacuna_rate(0.7, {0.3, -0.4, 1.2}, {-0.8, 2.5})) std::printf("%.17g ", r);
 })");
   const std::string program = place.file("model");
-  ASSERT_TRUE(has_program("c++ -std=c++17 -Wall -Wextra -Werror " + source + " -o " + program));
-  expect_rates(numbers_of(program));
+  ASSERT_TRUE(
+      testing::can_run("c++ -std=c++17 -Wall -Wextra -Werror " + source + " -o " + program));
+  expect_rates(testing::printed_numbers(program));
 }
 
 TEST(ExportModel, PythonGivesTheRates) {
-  if (!has_program("python3 -c 'import numpy'")) GTEST_SKIP() << "there is no numpy";
+  const std::string python = testing::python_with("numpy");
+  if (python.empty()) GTEST_SKIP() << "there is no numpy";
   const testing::TemporaryFolder place;
   const std::string script =
       place.write("model.py", exported("python") +
                                   "\nprint(*('%.17g' % r for r in rate(0.7, [0.3, -0.4, 1.2], "
                                   "[-0.8, 2.5])))\n");
-  expect_rates(numbers_of("python3 " + script));
+  expect_rates(testing::printed_numbers(python + " " + script));
 }
 
 TEST(ExportModel, MatlabGivesTheRatesInOctave) {
-  if (!has_program("octave-cli --version")) GTEST_SKIP() << "there is no Octave";
+  if (!testing::can_run("octave-cli --version")) GTEST_SKIP() << "there is no Octave";
   const testing::TemporaryFolder place;
   const std::string file = place.write("lacuna_rate.m", exported("matlab"));
-  expect_rates(numbers_of("cd " + std::filesystem::path(file).parent_path().string() +
-                          " && octave-cli --quiet --eval \"printf('%.17g ', lacuna_rate(0.7, "
-                          "[0.3; -0.4; 1.2], [-0.8; 2.5]))\""));
+  expect_rates(testing::printed_numbers(
+      "cd " + std::filesystem::path(file).parent_path().string() +
+      " && octave-cli --quiet --eval \"printf('%.17g ', lacuna_rate(0.7, "
+      "[0.3; -0.4; 1.2], [-0.8; 2.5]))\""));
 }
 
 /// dv/dt = -v/2 + u^2 - v^3 from v = 0: the voltage of the sub-circuit after 1 s.
 TEST(ExportModel, SpiceHasTheSolutionInNgspice) {
-  if (!has_program("ngspice --version")) GTEST_SKIP() << "there is no ngspice";
+  if (!testing::can_run("ngspice --version")) GTEST_SKIP() << "there is no ngspice";
   const testing::TemporaryFolder place;
   const OdeModel model = parse_ode("input u\ndv/dt = -v/2 + u^2 - v^3\n", "v.ode");
   const std::string deck = place.write(
@@ -129,8 +117,8 @@ TEST(ExportModel, SpiceHasTheSolutionInNgspice) {
                  d = f(v + h * c);
     v += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
   }
-  const auto numbers = numbers_of("ngspice -b " + deck +
-                                  " 2>/dev/null | sed -n 's/^last *= *\\([^ ]*\\).*/\\1/p'");
+  const auto numbers = testing::printed_numbers(
+      "ngspice -b " + deck + " 2>/dev/null | sed -n 's/^last *= *\\([^ ]*\\).*/\\1/p'");
   ASSERT_EQ(numbers.size(), 1u);
   EXPECT_NEAR(numbers[0], v, 1e-3);
 }
