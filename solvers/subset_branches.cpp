@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "subset_branches.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "lacuna/linear/triangular.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -72,9 +72,9 @@ Branch reordered(Branch branch) {
         columns[static_cast<std::size_t>(f + from)];
   }
   auto open = branch.problem.triangle.bottomRightCorner(m, m);
-  const Eigen::HouseholderQR<Matrix> qr(open);
-  branch.problem.target.tail(m).applyOnTheLeft(qr.householderQ().adjoint());
-  open = qr.matrixQR().triangularView<Eigen::Upper>();
+  const Qr qr(open);
+  branch.problem.target.tail(m) = qr.transposed_times(branch.problem.target.tail(m));
+  open = qr.triangle();
   return branch;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "subset_fit.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/linear/triangular.hpp"
 #include "lacuna/numerics/least_squares.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -23,10 +23,10 @@ Subproblem restricted(Subproblem problem, const TermSet& positions) {
 SubproblemFit fit_subset(const Subproblem& problem, const TermSet& positions) {
   const Index k = problem.size(), s = static_cast<Index>(positions.size());
   const double tolerance = rank_tolerance(k, problem.rows());
-  const Eigen::HouseholderQR<Matrix> qr(problem.triangle()(Eigen::all, positions));
+  const Qr qr(problem.triangle()(Eigen::all, positions));
   Matrix rest(k, k + 1);
   rest << problem.triangle(), problem.projected_target();
-  if (s > 0) rest = (qr.householderQ().transpose() * rest).bottomRows(k - s).eval();
+  if (s > 0) rest = qr.transposed_times(rest).bottomRows(k - s).eval();
   const Vector residual = rest.col(k);
   SubproblemFit fit{0.0, Vector::Zero(k)};
   fit.residual = std::hypot(unexplained(problem), residual.norm());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/solvers/l1/l1_optimality.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -31,13 +32,13 @@ std::optional<Vector> stationary(const L1Problem& problem, const std::vector<Ind
   const auto k = static_cast<Index>(active.size());
   Vector z = Vector::Zero(guess.size());
   if (k == 0) return z;
-  const Eigen::HouseholderQR<Matrix> qr(problem.triangle(Eigen::all, active));
-  const Matrix s = qr.matrixQR().topRows(k);
+  const Qr qr(problem.triangle(Eigen::all, active));
+  const Matrix s = qr.triangle();
   if (s.diagonal().cwiseAbs().minCoeff() < 1e-13) return std::nullopt;
   const auto upper = s.triangularView<Eigen::Upper>();
   const Vector signs = guess(active).array().sign();
   const Vector shift = 0.5 * signs.cwiseProduct(problem.penalty(active));
-  const Vector projected = (qr.householderQ().adjoint() * problem.target).head(k);
+  const Vector projected = qr.transposed_times(problem.target).col(0).head(k);
   const Vector back = upper.transpose().solve(shift);
   z(active) = Vector(upper.solve(projected - back));
   return z;

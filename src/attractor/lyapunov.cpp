@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/attractor/lyapunov.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/numerics/interval.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -46,9 +46,9 @@ class VariationalOrbit {
     if (stepper_->advance(rhs, time_, end, point_.data()) != IntegrationStatus::Completed)
       throw ArgumentError("lyapunov_spectrum", "the orbit diverges",
                           "start on the attractor, or use a smaller step");
-    const Eigen::HouseholderQR<Matrix> qr(directions());
-    directions() = qr.householderQ() * Matrix::Identity(m_, m_);
-    return qr.matrixQR().diagonal().cwiseAbs().array().log();
+    const Qr qr(directions());
+    directions() = qr.basis();
+    return qr.triangle().diagonal().cwiseAbs().array().log();
   }
 
  private:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/candidates/nesting.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "lacuna/numerics/qr.hpp"
 #include "nelder_mead.hpp"
 #include "shape_scale.hpp"
 
@@ -33,8 +33,7 @@ Matrix nominal_columns(const Scope& scope, Index equation) {
       terms.push_back(summand.term.expression());
   const Matrix columns = at_samples(terms, scope);
   if (columns.cols() == 0 || !columns.allFinite()) return Matrix(columns.rows(), 0);
-  const Eigen::ColPivHouseholderQR<Matrix> factor(columns);
-  return factor.householderQ() * Matrix::Identity(columns.rows(), factor.rank());
+  return PivotedQr(columns).basis();
 }
 
 bool is_of_the_present(const Candidate& candidate) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/candidates/screening.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "lacuna/core/parallel.hpp"
+#include "lacuna/numerics/qr.hpp"
 #include "nelder_mead.hpp"
 #include "shape_scale.hpp"
 
@@ -103,14 +103,7 @@ std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted,
 
 Screening::Screening(const Assimilation& assimilation)
     : assimilation_(assimilation), system_(assimilation) {
-  const Matrix columns = system_.fitted_columns();
-  if (columns.cols() > 0) {
-    const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
-    const Eigen::ColPivHouseholderQR<Matrix> factor(columns * scale.asDiagonal());
-    nominal_ = factor.householderQ() * Matrix::Identity(columns.rows(), factor.rank());
-  } else {
-    nominal_.resize(columns.rows(), 0);
-  }
+  nominal_ = orthonormal_basis(system_.fitted_columns());
   innovations_ = system_.innovations();
   innovations_ -= nominal_ * (nominal_.transpose() * innovations_);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/diagnosis/locate.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "lacuna/estimation/innovation_system.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -70,7 +70,7 @@ Location line_location(const Assimilation& fit, const InnovationSystem& system,
   }
   const Matrix columns = system.rate_columns(line.equation, values);
   const Vector inner = columns.transpose() * system.innovations();
-  const Vector solved = Matrix(columns.transpose() * columns).ldlt().solve(inner);
+  const Vector solved = solve_symmetric(columns.transpose() * columns, inner);
   const double gain = solved.dot(inner);
   return {"", 0.0, 0.0, line.frequency, gain > 0.0 ? std::sqrt(gain) : 0.0};
 }

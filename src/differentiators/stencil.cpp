@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/differentiators/stencil.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -131,16 +131,11 @@ Vector fit_weights(const Vector& nodes, double at, int degree, int order) {
   powers.col(0).setOnes();
   for (int p = 1; p <= degree; ++p) powers.col(p) = powers.col(p - 1).cwiseProduct(s);
   // With V = QR the fit has coefficients R^-1 Q'x; its derivative is d'R^-1 Q'x.
-  const Eigen::HouseholderQR<Matrix> qr(powers);
+  const Qr qr(powers);
   Vector weights = Vector::Zero(nodes.size());
-  weights.head(degree + 1) =
-      qr.matrixQR()
-          .topRows(degree + 1)
-          .triangularView<Eigen::Upper>()
-          .transpose()
-          .solve(power_derivatives((at - centre) / scale, degree, order));
-  weights.applyOnTheLeft(qr.householderQ());
-  return weights / std::pow(scale, order);
+  weights.head(degree + 1) = qr.triangle().triangularView<Eigen::Upper>().transpose().solve(
+      power_derivatives((at - centre) / scale, degree, order));
+  return qr.times(weights) / std::pow(scale, order);
 }
 
 Matrix apply_stencil(const StencilRule& rule, const Vector& time,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/estimation/assimilation.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "lacuna/estimation/innovation_system.hpp"
 #include "lacuna/estimation/variance_fit.hpp"
 #include "lacuna/model/formula_channel.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -226,11 +226,10 @@ class Turns {
     }
     const Vector scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     const Matrix scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-    const Eigen::LDLT<Matrix> factor(scaled);
-    state_.covariance = scale.asDiagonal() *
-                        factor.solve(Matrix::Identity(scaled.rows(), scaled.cols())) *
-                        scale.asDiagonal();
-    return scale.asDiagonal() * factor.solve(scale.asDiagonal() * right);
+    const Matrix inverse =
+        solve_symmetric(scaled, Matrix::Identity(right.size(), right.size()));
+    state_.covariance = scale.asDiagonal() * inverse * scale.asDiagonal();
+    return scale.asDiagonal() * solve_symmetric(scaled, scale.asDiagonal() * right);
   }
 
   /// What new coefficients predict beyond the path, to first order, so that the records need

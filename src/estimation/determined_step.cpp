@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "determined_step.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "lacuna/numerics/least_squares.hpp"
 #include "lacuna/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
@@ -28,7 +28,7 @@ Matrix schur_complement(const Matrix& normal, const Parts& parts) {
   if (parts.free.empty()) return own;
   const Matrix shared = normal(parts.free, parts.sized);
   const Matrix other = normal(parts.free, parts.free);
-  return own - shared.transpose() * Eigen::LDLT<Matrix>(other).solve(shared);
+  return own - shared.transpose() * solve_symmetric(other, shared);
 }
 
 }  // namespace
@@ -60,10 +60,9 @@ DeterminedStep determined_step(const Matrix& normal, const Vector& right, const 
   const Vector scale = reduced.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   basis = (basis * scale.asDiagonal()).eval();
   reduced = (scale.asDiagonal() * reduced * scale.asDiagonal()).eval();
-  const Eigen::LDLT<Matrix> factor(reduced);
   DeterminedStep step;
-  step.change = basis * factor.solve(basis.transpose() * right);
-  step.covariance = basis * factor.solve(basis.transpose());
+  step.change = basis * solve_symmetric(reduced, basis.transpose() * right);
+  step.covariance = basis * solve_symmetric(reduced, basis.transpose());
   step.held = Matrix::Zero(p, held);
   for (Index j = 0; j < sized; ++j)
     step.held.row(parts.sized[static_cast<std::size_t>(j)]) = changes.row(j).head(held);

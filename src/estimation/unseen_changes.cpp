@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/estimation/unseen_changes.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/model/program.hpp"
+#include "lacuna/numerics/qr.hpp"
 #include "lacuna/numerics/singular_values.hpp"
 
 namespace lacuna {
@@ -182,8 +182,7 @@ Matrix changes_in(const Matrix& null, const Vector& scale,
   Matrix result = Matrix::Zero(free, seen);
   if (seen == 0) return result;
   const Matrix relative = scale.head(p).asDiagonal() * own.left.leftCols(seen);
-  const Eigen::HouseholderQR<Matrix> factor(relative);
-  const Matrix basis = factor.householderQ() * Matrix::Identity(p, seen);
+  const Matrix basis = Qr(relative).basis();
   for (Index j = 0; j < p; ++j)
     result.row(static_cast<Index>(unknown[static_cast<std::size_t>(j)])) = basis.row(j);
   return result;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fit_errors.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "identifiability.hpp"
 #include "lacuna/linear/row_fold.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 #include "lacuna/numerics/singular_values.hpp"
 #include "shooting/shooting_problem.hpp"
 
@@ -218,7 +218,8 @@ FitMinimum nearest_minimum(FitEngine& engine, const FitUnknowns& unknowns, FitMi
     const double start = all[unknowns.global[static_cast<std::size_t>(i)]];
     if (start * values[i] > 0.0) shares[i] = std::log(start / values[i]);
   }
-  const Vector moves = open * (open.transpose() * open).ldlt().solve(open.transpose() * shares);
+  const Vector moves =
+      open * solve_symmetric(open.transpose() * open, open.transpose() * shares);
   FitMinimum moved = minimum;
   for (Index i = 0; i < values.size(); ++i) {
     const Index p = unknowns.global[static_cast<std::size_t>(i)];

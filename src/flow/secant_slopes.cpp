@@ -7,11 +7,11 @@ namespace lacuna {
 
 Matrix secant_slopes(Rates& rates, const Eigen::Ref<const Matrix>& slots,
                      const Eigen::Ref<const Vector>& length, const Vector& accuracy) {
-  constexpr Index kBlock = 256;  // rows that are done together and stay in cache
+  constexpr Index kRowsAtOnce = 256;  // rows that are done together and stay in cache
   const Index m = rates.dimension();
   Matrix result(m * m, slots.rows());
-  for (Index first = 0; first < slots.rows(); first += kBlock) {
-    const Index rows = std::min(kBlock, slots.rows() - first);
+  for (Index first = 0; first < slots.rows(); first += kRowsAtOnce) {
+    const Index rows = std::min(kRowsAtOnce, slots.rows() - first);
     Matrix point = slots.middleRows(first, rows);
     Matrix here(rows, m), above(rows, m), below(rows, m);
     rates.rate(point, here);

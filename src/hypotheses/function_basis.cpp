@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "function_basis.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/numerics/qr.hpp"
 #include "period_search.hpp"
 
 namespace lacuna {
@@ -114,13 +114,6 @@ FunctionBasis lines(const Scope& scope, Index equation) {
   return basis;
 }
 
-Matrix orthonormal(const Matrix& columns) {
-  if (columns.cols() == 0) return Matrix(columns.rows(), 0);
-  const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
-  const Eigen::ColPivHouseholderQR<Matrix> factor(columns * scale.asDiagonal());
-  return factor.householderQ() * Matrix::Identity(columns.rows(), factor.rank());
-}
-
 }  // namespace
 
 std::vector<FunctionBasis> present_functions(const Assimilation& fit, const Scope& scope,
@@ -150,7 +143,7 @@ std::vector<FunctionBasis> other_functions(const Scope& scope, Index equation) {
 FunctionScreening::FunctionScreening(const Assimilation& assimilation)
     : assimilation_(assimilation),
       system_(assimilation),
-      fitted_(orthonormal(system_.fitted_columns())) {
+      fitted_(orthonormal_basis(system_.fitted_columns())) {
   const Vector& all = system_.innovations();
   left_ = all - fitted_ * (fitted_.transpose() * all);
 }
@@ -191,15 +184,14 @@ FunctionScore FunctionScreening::score(const FunctionBasis& basis) const {
   columns.conservativeResize(Eigen::NoChange, static_cast<Index>(places.size()));
   if (places.empty()) return {};
   columns -= fitted_ * (fitted_.transpose() * columns);
-  Eigen::ColPivHouseholderQR<Matrix> factor(columns.rows(), columns.cols());
-  factor.compute(columns);
+  const PivotedQr factor(columns);
+  const Vector inner = factor.transposed_times(left_), pivots = factor.pivots();
+  const std::vector<Index> order = factor.order();
   FunctionScore result;
-  const Vector inner = factor.householderQ().adjoint() * left_;
-  for (Index j = 0; j < std::min(columns.cols(), columns.rows()); ++j) {
-    if (std::abs(factor.matrixR()(j, j)) < kIndependent) break;
+  for (Index j = 0; j < pivots.size() && pivots[j] >= kIndependent; ++j) {
     result.gain += inner[j] * inner[j];
-    const auto column = static_cast<std::size_t>(factor.colsPermutation().indices()[j]);
-    result.members.push_back(places[column]);
+    result.members.push_back(
+        places[static_cast<std::size_t>(order[static_cast<std::size_t>(j)])]);
   }
   std::sort(result.members.begin(), result.members.end());
   return result;

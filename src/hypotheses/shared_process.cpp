@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/hypotheses/shared_process.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +11,7 @@
 #include "effect_names.hpp"
 #include "lacuna/candidates/candidate_column.hpp"
 #include "lacuna/core/parallel.hpp"
+#include "lacuna/numerics/qr.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
@@ -75,10 +75,7 @@ struct Projection {
   Vector innovations;
 
   explicit Projection(const Assimilation& start) : fit(start), system(start) {
-    const Matrix columns = system.fitted_columns();
-    const Vector scale = columns.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
-    const Eigen::ColPivHouseholderQR<Matrix> factor(columns * scale.asDiagonal());
-    nominal = factor.householderQ() * Matrix::Identity(columns.rows(), factor.rank());
+    nominal = orthonormal_basis(system.fitted_columns());
     innovations = system.innovations();
     innovations -= nominal * (nominal.transpose() * innovations);
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base_columns.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
+
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -30,16 +31,10 @@ BaseColumns::BaseColumns(const Matrix& columns, const Vector& target) {
   Matrix scaled = columns;
   for (Index j = 0; j < scaled.cols(); ++j)
     scaled.col(j) /= std::max(scaled.col(j).norm(), 1e-300);
-  Index rank = 0;
   if (scaled.cols() > 0) {
-    Eigen::ColPivHouseholderQR<Matrix> factor(scaled);
-    factor.setThreshold(kNew);
-    rank = factor.rank();
-    basis_ = factor.householderQ() * Matrix::Identity(scaled.rows(), rank);
-    root_ = factor.matrixR()
-                .topLeftCorner(rank, rank)
-                .template triangularView<Eigen::Upper>()
-                .solve(Matrix::Identity(rank, rank));
+    const PivotedQr factor(scaled, kNew);
+    basis_ = factor.basis();
+    root_ = factor.inverse_triangle();
   } else {
     basis_.resize(target.size(), 0);
     root_.resize(0, 0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "form_problem.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "base_columns.hpp"
 #include "candidates/nelder_mead.hpp"
+#include "lacuna/numerics/qr.hpp"
 #include "lacuna/selection/subset_search.hpp"
 
 namespace lacuna {
@@ -47,14 +47,11 @@ std::optional<Vector> column_losses(const Matrix& columns, const Vector& target)
   if (columns.cols() < 2 || columns.rows() < columns.cols() || !columns.allFinite())
     return std::nullopt;
   const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
-  Eigen::ColPivHouseholderQR<Matrix> factor(columns * norms.cwiseInverse().asDiagonal());
-  factor.setThreshold(kIndependent);
+  const PivotedQr factor(columns * norms.cwiseInverse().asDiagonal(), kIndependent);
   const Index count = columns.cols();
   if (factor.rank() < count) return std::nullopt;
-  const Matrix inverse =
-      factor.matrixR().topRows(count).template triangularView<Eigen::Upper>().solve(
-          Matrix::Identity(count, count));
-  const Vector variances = factor.colsPermutation() * inverse.rowwise().squaredNorm();
+  Vector variances(count);
+  variances(factor.order()) = factor.inverse_triangle().rowwise().squaredNorm();
   return Vector(factor.solve(target).array().square() / variances.array());
 }
 
@@ -203,10 +200,7 @@ Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
   Matrix system(members.rows(), members.cols() + 1);
   system << members, rows_.target(from.equation);
   const auto rows = static_cast<double>(rows_.rows());
-  const Matrix triangle = Eigen::HouseholderQR<Matrix>(system)
-                              .matrixQR()
-                              .topRows(system.cols())
-                              .template triangularView<Eigen::Upper>();
+  const Matrix triangle = Qr(system).triangle();
   const Subset subset =
       best_subset(subset_problem(triangle / std::sqrt(std::max(limit.left, 1e-300) / rows)),
                   2.0 * std::log(rows), {{last}}, Exchange::Single, context_);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "form_rows.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "lacuna/formulations/weak_form.hpp"
+#include "lacuna/numerics/qr.hpp"
 #include "lacuna/selection/moving_polynomial.hpp"
 
 namespace lacuna {
@@ -136,9 +136,8 @@ double squares_left(const Matrix& columns, const Vector& target) {
   for (Index j = 0; j < scaled.cols(); ++j)
     scaled.col(j) /= std::max(scaled.col(j).norm(), 1e-300);
   if (scaled.cols() == 0) return target.squaredNorm();
-  Eigen::ColPivHouseholderQR<Matrix> factor(scaled);
-  factor.setThreshold(1e-11);
-  const Vector rotated = factor.householderQ().adjoint() * target;
+  const PivotedQr factor(scaled, 1e-11);
+  const Vector rotated = factor.transposed_times(target);
   return rotated.tail(rotated.size() - factor.rank()).squaredNorm();
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "rational_forms.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "lacuna/numerics/least_squares.hpp"
+#include "lacuna/numerics/qr.hpp"
 #include "lacuna/selection/subset_search.hpp"
 #include "product_forms.hpp"
 
@@ -134,12 +134,8 @@ class Denominators {
     Matrix system(target_.size(), samples.cols() + 1);
     system << rows_.projected(samples), target_;
     const auto rows = static_cast<double>(target_.size());
-    const Matrix triangle = Eigen::HouseholderQR<Matrix>(system)
-                                .matrixQR()
-                                .topRows(system.cols())
-                                .template triangularView<Eigen::Upper>();
-    return best_subset(subset_problem(triangle / unit_), std::log(rows), {}, Exchange::Single,
-                       context_)
+    return best_subset(subset_problem(Qr(system).triangle() / unit_), std::log(rows), {},
+                       Exchange::Single, context_)
         .score;
   }
 

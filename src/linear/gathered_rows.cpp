@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gathered_rows.hpp"
 
-#include <Eigen/QR>
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 
@@ -25,10 +25,7 @@ Matrix gathered_rows(const LeastSquaresSystem& system, Index target, const TermS
 
 Matrix row_triangle(const Eigen::Ref<const Matrix>& rows) {
   if (rows.rows() <= rows.cols()) return rows;
-  return Eigen::HouseholderQR<Matrix>(rows)
-      .matrixQR()
-      .topRows(rows.cols())
-      .triangularView<Eigen::Upper>();
+  return Qr(rows).triangle();
 }
 
 Factor factor_of_rows(Matrix rows, Index count) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/linear/subproblem.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <string>

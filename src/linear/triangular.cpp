@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/linear/triangular.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/numerics/constrained_least_squares.hpp"
 
-#include <Eigen/QR>
+#include <limits>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/numerics/least_squares.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -12,11 +13,11 @@ namespace {
 /// Share of the largest pivot below which a direction is none.
 constexpr double kRank = 1e-12;
 
-Eigen::ColPivHouseholderQR<Matrix> factor_of(const Matrix& matrix) {
-  Eigen::ColPivHouseholderQR<Matrix> factor;
-  factor.setThreshold(kRank);
-  factor.compute(matrix);
-  return factor;
+/// What moves along any of the directions that nothing determines has no finite variance.
+void mark_open(const Matrix& directions, Vector& variances) {
+  for (Index j = 0; j < variances.size(); ++j)
+    if (!directions.row(j).isZero(kRank))
+      variances[j] = std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -31,21 +32,18 @@ ConstrainedSolution constrained_least_squares(const Matrix& r, const Vector& c, 
   for (double& norm : scale) norm = norm > 0.0 ? 1.0 / norm : 1.0;
   const Matrix rs = r * scale.asDiagonal(), as = a * scale.asDiagonal();
   const Index q = r.cols();
-  const auto factor = factor_of(as.transpose());
-  const Index rank = factor.rank();
-  const Matrix basis = factor.householderQ() * Matrix::Identity(q, q);
-  const Matrix null = basis.rightCols(q - rank);
+  const Matrix null = PivotedQr(as.transpose(), kRank).complement();
   const Vector particular = smallest_least_squares(as, b);
   ConstrainedSolution solution{particular, Vector::Zero(q)};
   if (null.cols() > 0) {
-    const auto free = factor_of(rs * null);
-    solution.h += null * free.solve(c - rs * particular);
-    const Index k = null.cols();
-    const Matrix upper = free.matrixR().topLeftCorner(k, k);
-    const Matrix inverse =
-        upper.triangularView<Eigen::Upper>().solve(Matrix(Matrix::Identity(k, k)));
-    const Matrix spread = null * (free.colsPermutation() * inverse);
+    const Matrix free = rs * null;
+    const PivotedQr factor(free, kRank);
+    solution.h += null * factor.solve(Vector(c - rs * particular));
+    const Matrix ordered = null(Eigen::all, factor.order());
+    const Matrix spread = ordered.leftCols(factor.rank()) * factor.inverse_triangle();
     solution.variances = spread.rowwise().squaredNorm();
+    if (factor.rank() < null.cols())
+      mark_open(null * PivotedQr(free.transpose(), kRank).complement(), solution.variances);
   }
   solution.h = solution.h.cwiseProduct(scale);
   solution.variances = solution.variances.cwiseProduct(scale.cwiseAbs2());

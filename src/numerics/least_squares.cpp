@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/numerics/least_squares.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
+
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 
@@ -16,8 +18,10 @@ Matrix solved(const Decomposition& decomposition, const Matrix& b) {
 
 }  // namespace
 
-Matrix least_squares(const Matrix& a, const Matrix& b) {
-  return solved(a.colPivHouseholderQr(), b);
+Matrix least_squares(const Matrix& a, const Matrix& b) { return solved(PivotedQr(a), b); }
+
+Matrix solve_symmetric(const Matrix& a, const Matrix& b) {
+  return Eigen::LDLT<Matrix>(a).solve(b);
 }
 
 Matrix smallest_least_squares(const Matrix& a, const Matrix& b) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "coefficient_pattern.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -68,7 +67,9 @@ std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Da
     const Vector said = least_squares(terms, measured.col(k));
     const double rest = (measured.col(k) - terms * said).squaredNorm() /
                         static_cast<double>(terms.rows() - terms.cols());
-    const Vector variances = rest * (terms.transpose() * terms).inverse().diagonal();
+    const Matrix inverse = solve_symmetric(terms.transpose() * terms,
+                                           Matrix::Identity(terms.cols(), terms.cols()));
+    const Vector variances = rest * inverse.diagonal();
     for (Index j = 0; j < terms.cols(); ++j) {
       const double nominal =
           model.equations()[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)]

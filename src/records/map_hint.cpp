@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/records/map_hint.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "unused_columns.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
@@ -36,8 +36,7 @@ Matrix plain_means(const Dataset& data, const RateWindows& windows) {
 Matrix without(Matrix columns, const Matrix& others) {
   for (Index k = 0; k < columns.cols(); ++k)
     if (columns.col(k).norm() > 0.0) columns.col(k).normalize();
-  const Eigen::ColPivHouseholderQR<Matrix> qr(columns);
-  return others - columns * qr.solve(others);
+  return others - columns * least_squares(columns, others);
 }
 
 /// Correlations of a series with itself, for distances up to a quarter of its length.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/relations/relations.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "lacuna/numerics/least_squares.hpp"
 #include "lacuna/numerics/symmetric_eigen.hpp"
 #include "moments.hpp"
 
@@ -84,8 +84,7 @@ Vector errors_of(const MonomialMoments& moments, const Set& set, double scatter)
   Vector errors = Vector::Zero(size);
   if (size < 2) return errors;
   const Matrix covariance = moments.covariance(set, set).bottomRightCorner(size - 1, size - 1);
-  const Matrix inverse =
-      covariance.ldlt().solve(Matrix::Identity(covariance.rows(), covariance.cols()));
+  const Matrix inverse = solve_symmetric(covariance, Matrix::Identity(size - 1, size - 1));
   const double rows = static_cast<double>(moments.samples);
   errors.tail(size - 1) = scatter * (inverse.diagonal() / rows).cwiseMax(0.0).cwiseSqrt();
   return errors;

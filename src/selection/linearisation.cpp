@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "linearisation.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -9,6 +8,7 @@
 
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/linear/row_fold.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -21,22 +21,6 @@ std::vector<Index> terms_of(const std::vector<Coefficient>& columns) {
   return terms;
 }
 
-/// rows Q, for Q = H_1 ... H_m = 1 - V T V' of a factor, all at once (Schreiber & Van Loan
-/// 1989).
-void apply_on_the_right(const Eigen::HouseholderQR<Matrix>& factor, Eigen::Ref<Matrix> rows) {
-  const Index m = std::min(factor.rows(), factor.cols());
-  Matrix v = factor.matrixQR().leftCols(m).triangularView<Eigen::StrictlyLower>();
-  v.diagonal().setOnes();
-  Matrix t = Matrix::Zero(m, m);
-  for (Index i = 0; i < m; ++i) {
-    t(i, i) = factor.hCoeffs()[i];
-    t.col(i).head(i) =
-        -t(i, i) * (t.topLeftCorner(i, i) * (v.leftCols(i).transpose() * v.col(i)).eval());
-  }
-  const Matrix shares = (rows * v).eval() * t;
-  rows.noalias() -= shares * v.transpose();
-}
-
 /// Turns the rows of a window so that only the first m know of the initial state; folds the
 /// others. @return the first m, nothing when the rows determine no more than the initial state.
 Matrix eliminate_start(SensitivityRows& window, RowFold& fold, const RunContext& context) {
@@ -44,7 +28,7 @@ Matrix eliminate_start(SensitivityRows& window, RowFold& fold, const RunContext&
   const Index m = window.now.cols(), rest = window.used - m;
   auto rows = window.rows.leftCols(window.used);
   if (rest <= 0 || !rows.allFinite()) return {};
-  apply_on_the_right(Eigen::HouseholderQR<Matrix>(rows.topRows(m).transpose()), rows);
+  Qr(rows.topRows(m).transpose()).apply_on_the_right(rows);
   const auto free = rows.bottomRightCorner(rows.rows() - m, rest);
   for (Index done = 0; done < rest; done += kFoldedAtOnce) {
     context.check_stop();

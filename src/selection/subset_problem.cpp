@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/selection/subset_problem.hpp"
 
-#include <Eigen/QR>
-
 #include "deflated_columns.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 
@@ -21,7 +20,7 @@ SubsetFit fit_subset(const SubsetProblem& problem, const std::vector<Index>& sub
   Matrix part(scaled.rows(), k + 1);
   for (Index i = 0; i < k; ++i) part.col(i) = scaled.col(subset[static_cast<std::size_t>(i)]);
   part.col(k) = scaled.col(problem.columns());
-  const Matrix r = Eigen::HouseholderQR<Matrix>(part).matrixQR();
+  const Matrix r = Qr(part).triangle();
   SubsetFit fit;
   const auto triangle = r.topLeftCorner(k, k).triangularView<Eigen::Upper>();
   fit.inverse = triangle.solve(Matrix::Identity(k, k));

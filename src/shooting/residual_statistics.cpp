@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/shooting/residual_statistics.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shooting_problem.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -47,9 +48,7 @@ Vector solve_determined(const Eigen::Ref<const Matrix>& triangle,
   if (determined) {
     scaled.triangularView<Eigen::Upper>().solveInPlace(solution);
   } else {
-    Eigen::ColPivHouseholderQR<Matrix> qr(scaled);
-    qr.setThreshold(kRounding);
-    solution = qr.solve(target);
+    solution = PivotedQr(scaled, kRounding).solve(Vector(target));
   }
   return solution.cwiseQuotient(norms);
 }

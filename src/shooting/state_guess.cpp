@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "state_guess.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -31,7 +31,7 @@ LocalFit fit_quadratic(const Vector& time, const Eigen::Ref<const Vector>& value
       powers(i, j) = power;
   }
   const Vector y = values.segment(first, n);
-  const Vector c = powers.householderQr().solve(y);
+  const Vector c = least_squares(powers, y);
   return {c[1] / unit, (y - powers * c).squaredNorm(), n - terms};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "prediction_windows.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "lacuna/flow/linearised_record.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -92,12 +92,9 @@ std::optional<WindowSolution> solve(const PredictedRecord& record,
                           Matrix::Zero(window.length, m)};
   if (rows == 0) return solution;
   const Vector norms = problem.columns.colwise().norm().cwiseMax(1e-300);
-  Eigen::ColPivHouseholderQR<Matrix> factor(problem.columns *
-                                            norms.cwiseInverse().asDiagonal());
-  factor.setThreshold(kRank);
+  const PivotedQr factor(problem.columns * norms.cwiseInverse().asDiagonal(), kRank);
   const Vector start = factor.solve(problem.target).cwiseQuotient(norms);
-  const Matrix basis =
-      factor.householderQ() * Matrix::Identity(rows, std::min(factor.rank(), rows));
+  const Matrix basis = factor.basis();
   for (Index i = 0; i < window.length; ++i)
     solution.deviation.row(i) =
         (flow.transitions[static_cast<std::size_t>(i)] * start + flow.shifts.col(i))

@@ -8,7 +8,8 @@ namespace lacuna {
 /// The solution of min |R h - c| subject to A h = b, with what is left free around it.
 struct ConstrainedSolution {
   Vector h;          ///< q
-  Vector variances;  ///< q: diagonal of N (N'R'RN)^-1 N', N spanning the null space of A
+  Vector variances;  ///< q: diagonal of N (N'R'RN)^-1 N', N spanning the null
+                     ///< space of A; infinite where R and A do not determine h
 };
 
 /// Least squares under linear equality constraints by the null-space method: h = h_p + N z with

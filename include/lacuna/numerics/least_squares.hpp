@@ -10,6 +10,9 @@ namespace lacuna {
 /// @param a n x L. @param b n x K. @return L x K.
 Matrix least_squares(const Matrix& a, const Matrix& b);
 
+/// X of A X = B, A symmetric and positive semidefinite, by L D L' with pivoting.
+Matrix solve_symmetric(const Matrix& a, const Matrix& b);
+
 /// The smallest of all H of min |A H - B|, by a complete orthogonal decomposition.
 Matrix smallest_least_squares(const Matrix& a, const Matrix& b);
 

@@ -84,9 +84,9 @@ TEST(OptionReader, RefusesOtherTypes) {
       {"number", "true"},     {"number", "null"},      {"whole", "1.5"}, {"whole", "1e300"},
       {"flag", "1"},          {"text", "3"},           {"list", "[1]"},  {"colour", "1"},
       {"maybe_number", "[]"}, {"maybe_whole", "\"x\""}};
-  for (const auto& [name, value] : wrong)
-    expect_error<ConfigError>([&] { read(", \"" + name + "\": " + value); }, "$.basis." + name,
-                              "is not", "give");
+  for (const auto& entry : wrong)
+    expect_error<ConfigError>([&] { read(", \"" + entry[0] + "\": " + entry[1]); },
+                              "$.basis." + entry[0], "is not", "give");
 }
 
 TEST(OptionReader, ChecksRanges) {

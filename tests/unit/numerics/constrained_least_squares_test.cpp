@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/random.hpp"
@@ -68,6 +69,18 @@ TEST(ConstrainedLeastSquares, RepeatedConstraintsAreOne) {
              constrained_least_squares(r, c, twice, Vector::Zero(2)).h)
                 .norm(),
             1e-12);
+}
+
+TEST(ConstrainedLeastSquares, WhatTheRowsDoNotTellHasNoFiniteVariance) {
+  Matrix r = random_matrix(9, 4, 5);
+  r.col(3) = r.col(2);
+  Matrix a = Matrix::Zero(1, 4);
+  a(0, 0) = 1.0;
+  const ConstrainedSolution found =
+      constrained_least_squares(r, random_matrix(9, 1, 6), a, Vector::Constant(1, 1.0));
+  EXPECT_TRUE(found.h.allFinite());
+  EXPECT_TRUE(std::isfinite(found.variances[0]) && std::isfinite(found.variances[1]));
+  EXPECT_TRUE(std::isinf(found.variances[2]) && std::isinf(found.variances[3]));
 }
 
 TEST(ConstrainedLeastSquares, ContradictionsAreSeen) {

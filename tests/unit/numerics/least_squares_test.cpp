@@ -24,6 +24,14 @@ TEST(LeastSquares, ADependentColumnGetsNothing) {
   EXPECT_EQ(h(1, 0), 0.0);
 }
 
+TEST(SolveSymmetric, UndoesTheProduct) {
+  // Cofactors of [4 2; 2 3] over its determinant 8.
+  Matrix a(2, 2), inverse(2, 2);
+  a << 4, 2, 2, 3;
+  inverse << 3.0 / 8.0, -0.25, -0.25, 0.5;
+  EXPECT_TRUE(solve_symmetric(a, Matrix::Identity(2, 2)).isApprox(inverse, 1e-14));
+}
+
 TEST(LeastSquares, TheSmallestSharesAmongEqualColumns) {
   const Matrix h = smallest_least_squares(Matrix::Ones(3, 2), Matrix::Constant(3, 1, 4.0));
   EXPECT_NEAR(h(0, 0), 2.0, 1e-14);

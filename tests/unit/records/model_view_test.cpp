@@ -175,7 +175,9 @@ TEST(ModelView, AColumnOfItsOwnNameGoesFirst) {
 }
 
 TEST(ModelView, AStateThatNobodyMeasuredIsHidden) {
-  const auto [model, data] = seen("y", "x", {"y", "spare"});
+  const auto scene = seen("y", "x", {"y", "spare"});
+  const auto& model = scene.model;
+  const auto& data = scene.data;
   const Dataset view = model_view(model, data, kDifferences);
   EXPECT_THAT(view.reconstructed, ElementsAre(false, true));
   EXPECT_FALSE(is_hidden(view, 0));
@@ -207,10 +209,14 @@ TEST(ModelView, AFormulaHasAColumnBehindTheStates) {
 }
 
 TEST(ModelView, NothingMeasuredIsAnError) {
-  const auto [model, data] = seen("y", "abs(x)+z", {"z", "Y"});
+  const auto scene = seen("y", "abs(x)+z", {"z", "Y"});
+  const auto& model = scene.model;
+  const auto& data = scene.data;
   expect_error<DataError>([&] { model_view(model, data, kDifferences); }, "waves",
                           "the output 'y'", "--map");
-  const auto [other, unnamed] = seen("y", "x", {"a", "b"});
+  const auto second = seen("y", "x", {"a", "b"});
+  const auto& other = second.model;
+  const auto& unnamed = second.data;
   expect_error<DataError>([&] { model_view(other, unnamed, kDifferences); }, "waves",
                           "the output 'y'", "'x'");
   expect_error<DataError>([&] { model_view(other.with_outputs({}), unnamed, kDifferences); },
