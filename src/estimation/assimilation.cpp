@@ -64,6 +64,11 @@ class Turns {
     std::optional<Assimilation> best;
     int rises = 0;
     relinearise();
+    // A guessed path may lie where the model has no slope, as the root of an empty tank.
+    if (!options_.hidden.empty() && !is_linearised()) {
+      state_.deviance = std::numeric_limits<double>::infinity();
+      return std::move(state_);
+    }
     if (!fresh) update_coefficients();
     for (int pass = 0; pass < options_.passes; ++pass) {
       context_.check_stop();

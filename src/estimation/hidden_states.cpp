@@ -95,18 +95,21 @@ Dataset with_paths_of(Dataset data, const std::vector<bool>& hidden,
 std::vector<Vector> hidden_begins(const Dataset& data, const std::vector<bool>& hidden,
                                   const Vector& first) {
   std::vector<Vector> begins{first};
+  Vector reach = Vector::Zero(first.size());
   for (const Index k : places_of(hidden)) {
     double low = first[k], high = first[k];
     for (const Trajectory& record : data.trajectories) {
       low = std::min(low, record.states.col(k).minCoeff());
       high = std::max(high, record.states.col(k).maxCoeff());
     }
-    const double range = high > low ? high - low : 1.0;
+    reach[k] = high > low ? high - low : 1.0;
     for (const double sign : {1.0, -1.0}) {
       begins.push_back(first);
-      begins.back()[k] += sign * range;
+      begins.back()[k] += sign * reach[k];
     }
   }
+  if (places_of(hidden).size() > 1)
+    for (const double sign : {1.0, -1.0}) begins.emplace_back(first + sign * reach);
   return begins;
 }
 

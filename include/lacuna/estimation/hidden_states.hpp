@@ -31,7 +31,7 @@ Dataset with_paths_of(Dataset data, const std::vector<bool>& hidden,
                       const std::vector<Matrix>& paths);
 
 /// Where hidden states may begin: at `first`, and a range of the path from there above and
-/// below it, one state at a time.
+/// below it, one state at a time, and all at once (levels and concentrations are all positive).
 /// @param data records with the path from `first`.
 std::vector<Vector> hidden_begins(const Dataset& data, const std::vector<bool>& hidden,
                                   const Vector& first);

@@ -63,6 +63,45 @@ TEST(HiddenStates, BeginsAreARangeApart) {
   EXPECT_NEAR(begins[2][1], -20.0, 1e-9);
 }
 
+TEST(HiddenStates, SeveralAlsoBeginARangeApartTogether) {
+  const OdeModel model = parse_ode("dx/dt = -x\ndz/dt = 1\ndw/dt = 2\n", "test");
+  const std::vector<bool> hidden{false, true, true};
+  const Dataset data = with_hidden_paths(model, sine(model), hidden, Vector::Zero(3));
+  const auto begins = hidden_begins(data, hidden, Vector::Zero(3));
+  ASSERT_EQ(begins.size(), 7u);
+  EXPECT_TRUE(begins[5].isApprox(Vector{{0.0, 20.0, 40.0}}, 1e-9));
+  EXPECT_TRUE(begins[6].isApprox(Vector{{0.0, -20.0, -40.0}}, 1e-9));
+}
+
+TEST(HiddenStates, LevelsOfWhichTheModelTakesRootsAreFound) {
+  // Three tanks in a row, only the last level measured; no rate has a slope at an empty tank.
+  const OdeModel truth = parse_ode(
+      "dx/dt = 0.5*sqrt(w) - 0.4*sqrt(x)\n"
+      "dz/dt = 0.4 + 0.2*sin(0.7*t) - 0.5*sqrt(z)\ndw/dt = 0.5*sqrt(z) - 0.5*sqrt(w)\n",
+      "test");
+  Dataset data = sine(truth);
+  Matrix exact(401, 3);
+  double x = 1.2, z = 0.8, w = 0.6;
+  for (Index i = 0; i < 401; ++i) {
+    exact.row(i) << x, z, w;
+    data.trajectories.front().states(i, 0) =
+        x + 1e-4 * std::sin(917.0 * std::pow(static_cast<double>(i), 2));
+    const double h = 0.05 / 500;
+    for (int s = 0; s < 500; ++s) {
+      const double t = 0.05 * static_cast<double>(i) + h * (s + 0.5);
+      const double from_z = 0.5 * std::sqrt(z), from_w = 0.5 * std::sqrt(w);
+      x += h * (from_w - 0.4 * std::sqrt(x));
+      z += h * (0.4 + 0.2 * std::sin(0.7 * t) - from_z);
+      w += h * (from_z - from_w);
+    }
+  }
+  AssimilationOptions options;
+  options.hidden = {false, true, true};
+  const Assimilation fit = assimilate_from_starts(truth, data, {}, options, RunContext{});
+  ASSERT_TRUE(std::isfinite(fit.deviance));
+  EXPECT_LT((fit.records.front().path - exact).cwiseAbs().maxCoeff(), 0.05);
+}
+
 TEST(HiddenStates, AMissingColumnIsNoMarkAnyMore) {
   const OdeModel model = parse_ode("dx/dt = -x\ndz/dt = x - z\n", "test");
   Dataset data = sine(model);
