@@ -133,6 +133,12 @@ double correlation_sigma(const FitEngine& engine, const Matrix& residuals, Index
   return sigma_of_log_probability(log_chi_squared_tail(statistic, static_cast<double>(lags)));
 }
 
+bool are_white(const FitEngine& engine, const Matrix& residuals) {
+  for (Index c = 0; c < residuals.cols(); ++c)
+    if (correlation_sigma(engine, residuals, c) >= kStructure) return false;
+  return true;
+}
+
 std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
                                    const FitPath& path, Index ahead, Index skip) {
   const Vector prediction = prediction_rms(engine, point, path, ahead);

@@ -11,6 +11,9 @@ namespace lacuna {
 /// Biometrika 65:297-303 (1978), of lags 1 .. 20 within records, as far as these go.
 double correlation_sigma(const FitEngine& engine, const Matrix& residuals, Index channel);
 
+/// Whether no channel's residuals are correlated in time beyond chance.
+bool are_white(const FitEngine& engine, const Matrix& residuals);
+
 /// Of each channel, from samples of each record from `skip` on.
 std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
                                    const FitPath& path, Index ahead, Index skip);

@@ -43,6 +43,9 @@ TEST(CorrelationSigma, SlowResidualsHaveMuch) {
   double state = 0.0;
   for (double& value : residuals.col(0)) value = state = 0.5 * state + random.normal();
   EXPECT_GT(correlation_sigma(*walk.engine, residuals, 0), 5.0);
+  EXPECT_FALSE(are_white(*walk.engine, residuals));
+  for (double& value : residuals.col(0)) value = random.normal();
+  EXPECT_TRUE(are_white(*walk.engine, residuals));
   EXPECT_EQ(correlation_sigma(*walk.engine, Matrix::Zero(600, 1), 0), 0.0);
 }
 

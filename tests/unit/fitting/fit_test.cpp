@@ -66,6 +66,22 @@ TEST(Fit, FindsTheNumbersOfAModelWithAHiddenState) {
   EXPECT_NEAR(model.coefficient(0, "u"), 0.4, 0.02);
 }
 
+TEST(Fit, LevelsBeginAboveEmpty) {
+  // From empty tanks, of which the model takes roots, the fit ends in exchanged time constants.
+  const std::string text =
+      "input u hold linear\ndx1/dt = u - 0.5*sqrt(x1)\ndx2/dt = 0.5*sqrt(x1) - 0.4*sqrt(x2)\n"
+      "dx3/dt = 0.4*sqrt(x2) - 0.45*sqrt(x3)\ndx4/dt = 0.45*sqrt(x3) - 0.35*sqrt(x4)\n"
+      "y2 = x2\ny4 = x4\n";
+  const Vector start{{0.8, 1.0, 0.9, 1.2}};
+  const Dataset record = support::grey_box(
+      parse_ode(text, "t.ode"), {.start = start, .step = 0.1, .samples = 1500, .seed = 3});
+  const Fit found = fit(parse_ode_system(text, "t.ode"), record, {});
+  EXPECT_TRUE(found.quality[0].white && found.quality[1].white);
+  EXPECT_NEAR(number(found, "x2: sqrt(x2)").value, -0.4, 0.02);
+  EXPECT_NEAR(number(found, "x4: sqrt(x4)").value, -0.35, 0.02);
+  EXPECT_FALSE(found.combinations.empty()) << "the scale of hidden levels";
+}
+
 TEST(Fit, IsTheSameWithTheSameSeed) {
   const SystemModel start = off_by(parse_ode_system(kTanks, "t.ode"), 2.0);
   EXPECT_EQ(format_json(fit(start, tanks_record(), {})),
