@@ -362,7 +362,8 @@ std::vector<std::string> rivals_elsewhere(const EffectSearch& search,
       result.push_back("in the place of " + found.named[e].name +
                        " the records allow as well " + form.named.name + " (" +
                        term_of(form.effect) + ") in d" +
-                       search.problem.nominal.states()[k].name + "/dt");
+                       search.problem.nominal.states()[k].name +
+                       "/dt; coefficients that are known (--tolerance) may decide");
     }
   return result;
 }

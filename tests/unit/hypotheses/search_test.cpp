@@ -73,7 +73,9 @@ TEST_F(Search, RivalsElsewhereDoAsWellInTheEnd) {
   asked_.options.decision.undecided = 1e6;
   const auto rivals = rivals_elsewhere(search, effects);
   ASSERT_EQ(rivals.size(), 1u);
-  EXPECT_EQ(rivals[0], "in the place of dry the records allow as well cubic (q^3) in dv/dt");
+  EXPECT_EQ(rivals[0],
+            "in the place of dry the records allow as well cubic (q^3) in dv/dt; coefficients "
+            "that are known (--tolerance) may decide");
 }
 
 TEST_F(Search, NothingIsAddedWhereNothingIsMissing) {
