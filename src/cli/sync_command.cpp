@@ -54,7 +54,7 @@ int sync_command(const Session& session, const SyncArguments& options) {
   const Dataset data =
       read_records(model, options.data.paths, common_roles(options.data), *differentiator);
 
-  check_states_known(model, data);
+  check_outputs_are_states(model, data);
   const OdeModel driven = with_shown_holds(model, data);
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), options.integrator};

@@ -12,6 +12,7 @@
 #include "lacuna/estimation/hidden_states.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/records/hints.hpp"
+#include "lacuna/records/model_view.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "output_channels.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "lacuna/core/random.hpp"
 #include "lacuna/data/noise.hpp"
@@ -131,6 +132,25 @@ class Slave {
   bool fresh_ = false;
 };
 
+/// 1 for each state of the slave that the record shows.
+Vector seen_states(const Dataset& view) {
+  Vector seen = Vector::Ones(view.state_count());
+  for (Index k = 0; k < seen.size(); ++k)
+    if (is_hidden(view, k)) seen[k] = 0.0;
+  return seen;
+}
+
+void check_delays(const OdeModel& model, const Vector& seen) {
+  const CompiledModel compiled = model.compile();
+  for (const DelayedVariable& variable : compiled.delays())
+    if (variable.slot < seen.size() && seen[variable.slot] == 0.0)
+      throw ModelError("synchronisation",
+                       "the past of the hidden state '" +
+                           model.states()[static_cast<std::size_t>(variable.slot)].name +
+                           "' is not known",
+                       "measure it, or leave its delay out");
+}
+
 /// One trajectory's run of the slave.
 struct Run {
   Vector errors;
@@ -140,8 +160,9 @@ struct Run {
   Vector end_state;
 };
 
+/// @param seen 1 for the states whose errors count.
 Run follow(Slave& slave, const Trajectory& record, const Integrator& integrator,
-           const Vector& start, const RunContext& context) {
+           const Vector& start, const Vector& seen, const RunContext& context) {
   Run run{.errors = Vector(record.samples()),
           .states = Matrix(record.samples(), start.size()),
           .end_time = record.time[0],
@@ -149,7 +170,7 @@ Run follow(Slave& slave, const Trajectory& record, const Integrator& integrator,
   const std::unique_ptr<Stepper> stepper = integrator.make_stepper(start.size());
   const auto keep = [&](Index n) {
     run.states.row(n) = run.end_state.transpose();
-    run.errors[n] = (run.states.row(n) - record.states.row(n)).norm();
+    run.errors[n] = ((run.states.row(n) - record.states.row(n)) * seen.asDiagonal()).norm();
   };
   keep(0);
   for (Index n = 0; n + 1 < record.samples(); ++n) {
@@ -261,14 +282,20 @@ struct SlaveTask {
   const Matrix& coupling;
   const Integrator& integrator;
   const std::optional<Vector>& start;
+  const Vector& seen;  ///< m: 1 for the states that the record shows, else 0
   const RunContext& context;
 };
 
-Run run_slave(const SlaveTask& task, const Trajectory& trajectory) {
+Vector start_of(const SlaveTask& task, const Trajectory& trajectory) {
+  if (task.start) return *task.start;
+  const Vector given = given_begin(task.model), first = trajectory.states.row(0).transpose();
+  return (task.seen.array() > 0.0).select(first, given);
+}
+
+Run run_slave(const SlaveTask& task, const Trajectory& trajectory, const Vector& start) {
   Slave slave(task.model, task.coupling, trajectory,
               LagrangeWindow::driving(task.integrator.order()));
-  const Vector start = task.start ? *task.start : trajectory.states.row(0).transpose();
-  return follow(slave, trajectory, task.integrator, start, task.context);
+  return follow(slave, trajectory, task.integrator, start, task.seen, task.context);
 }
 
 /// See SyncResult::response.
@@ -283,11 +310,32 @@ Vector response_to_noise(const SlaveTask& task, const Dataset& record,
     for (Index n = 0; n < noisier.samples(); ++n)
       for (Index k = 0; k < none.size(); ++k)
         noisier.states(n, k) += result.noise[k] * random.normal();
-    Run run = run_slave(task, noisier);
+    Run run = run_slave(task, noisier, start_of(task, noisier));
     if (run.status != IntegrationStatus::Completed) return none;
     states.push_back(std::move(run.states));
   }
   return late_errors(states, result.states);
+}
+
+/// See SyncResult::conditional_exponent.
+double conditional_exponent(const SlaveTask& task, const Trajectory& record,
+                            const SyncResult& result) {
+  constexpr double kForgotten = 1e-6;
+  const Matrix& own = result.states.front();
+  Vector reach = (own.colwise().maxCoeff() - own.colwise().minCoeff()).transpose();
+  reach = (reach.array() > 0.0).select(reach, 1.0);
+  const Vector weight = (1.0 - task.seen.array()) / reach.array();
+  const Vector start =
+      start_of(task, record) + (1.0 - task.seen.array()).matrix().cwiseProduct(reach);
+  const Run other = run_slave(task, record, start);
+  if (other.status != IntegrationStatus::Completed ||
+      result.status != IntegrationStatus::Completed)
+    return std::numeric_limits<double>::infinity();
+  const Vector distance = ((other.states - own) * weight.asDiagonal()).rowwise().norm();
+  Index n = 1;
+  while (n + 1 < distance.size() && distance[n] > kForgotten * distance[0]) ++n;
+  return std::log(std::max(distance[n], 1e-300) / distance[0]) /
+         (record.time[n] - record.time[0]);
 }
 
 std::string divergence_message(const Trajectory& trajectory, const Run& run,
@@ -309,11 +357,14 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   const Dataset view = model_view(model, record);
   check_lengths(view, window.points);
   SyncResult result;
-  result.coupling = options.coupling ? *options.coupling : default_coupling(view);
+  const Vector seen = seen_states(view);
+  check_delays(model, seen);
+  result.coupling =
+      (options.coupling ? *options.coupling : default_coupling(view)) * seen.asDiagonal();
   result.noise = estimate_noise(view);
-  const SlaveTask task{model, result.coupling, integrator, options.start, context};
+  const SlaveTask task{model, result.coupling, integrator, options.start, seen, context};
   for (const Trajectory& trajectory : view.trajectories) {
-    Run run = run_slave(task, trajectory);
+    Run run = run_slave(task, trajectory, start_of(task, trajectory));
     if (run.status != IntegrationStatus::Completed && result.message.empty()) {
       result.status = run.status;
       result.message = divergence_message(trajectory, run, model, record.time_unit);
@@ -325,6 +376,8 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   result.settled = has_settled(view, result);
   result.response = response_to_noise(task, view, result);
   result.error_over_noise = error_over_noise(view, result);
+  if (seen.minCoeff() == 0.0)
+    result.conditional_exponent = conditional_exponent(task, view.trajectories.front(), result);
   return result;
 }
 

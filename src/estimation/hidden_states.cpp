@@ -9,6 +9,7 @@
 #include "lacuna/data/marks.hpp"
 #include "lacuna/flow/linearised_record.hpp"
 #include "lacuna/flow/record_steps.hpp"
+#include "lacuna/records/model_view.hpp"
 
 namespace lacuna {
 namespace {
@@ -61,14 +62,6 @@ std::vector<bool> hidden_states(const OdeModel& model, const Dataset& data) {
   if (std::all_of(known.begin(), known.end(), [](bool one) { return one; })) return {};
   known.flip();
   return known;
-}
-
-Vector given_begin(const OdeModel& model) {
-  Vector begin = Vector::Zero(model.dimension());
-  const auto& initial = model.initial();
-  for (std::size_t k = 0; k < initial.size(); ++k)
-    if (initial[k]) begin[static_cast<Index>(k)] = initial[k]->value;
-  return begin;
 }
 
 Dataset with_hidden_paths(const OdeModel& model, Dataset data, const std::vector<bool>& hidden,

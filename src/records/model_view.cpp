@@ -176,15 +176,15 @@ std::vector<MeasuredOutput> measured_outputs(const OdeModel& model, const Datase
   return found;
 }
 
-void check_states_known(const OdeModel& model, const Dataset& view) {
-  for (Index k = 0; k < model.dimension(); ++k)
-    if (is_hidden(view, k))
-      throw DataError(source_of(view),
-                      "there is no column for the state '" +
-                          model.states()[static_cast<std::size_t>(k)].name +
-                          "', which this command needs",
-                      "name a column so, or define the state in the model as the derivative "
-                      "of one that has a column");
+Vector given_begin(const OdeModel& model) {
+  Vector begin = Vector::Zero(model.dimension());
+  const auto& initial = model.initial();
+  for (std::size_t k = 0; k < initial.size(); ++k)
+    if (initial[k]) begin[static_cast<Index>(k)] = initial[k]->value;
+  return begin;
+}
+
+void check_outputs_are_states(const OdeModel& model, const Dataset& view) {
   if (const auto outputs = measured_outputs(model, view); !outputs.empty())
     throw DataError(source_of(view),
                     "the output '" + outputs.front().output.name +

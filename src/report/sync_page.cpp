@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/records/model_view.hpp"
 #include "lacuna/report/pages.hpp"
 #include "readable.hpp"
 #include "run_figures.hpp"
@@ -17,8 +19,12 @@ std::vector<GapRecord> runs_of(const SyncReport& report, const Dataset& data) {
     const Index n = slave.rows();
     if (n < 2) continue;
     const Trajectory& record = data.trajectories[r];
+    Matrix measured = record.states.topRows(n);
+    for (Index k = 0; k < measured.cols(); ++k)
+      if (is_hidden(data, k))
+        measured.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
     runs.push_back(
-        {record.source, record.time.head(n), record.states.topRows(n), Matrix(), slave, 0, n});
+        {record.source, record.time.head(n), std::move(measured), Matrix(), slave, 0, n});
   }
   return runs;
 }
@@ -46,6 +52,10 @@ std::vector<Fact> facts_of(const SyncReport& report) {
   if (result.error_over_noise)
     facts.push_back({"Error over noise", format_number(*result.error_over_noise, 3),
                      "about 1 where nothing is missing"});
+  if (result.conditional_exponent)
+    facts.push_back({"Conditional exponent",
+                     format_number(*result.conditional_exponent, 2) + " 1/" + report.time_unit,
+                     "below 0 the record tells the hidden states"});
   return facts;
 }
 
@@ -60,7 +70,7 @@ Page sync_page(const SyncReport& report, const Dataset& data) {
                                           : short_name(file_of(data.trajectories.front()))) +
                "?";
   page.headline = verdict.sentence;
-  page.tone = verdict.holds ? Tone::Good : Tone::Bad;
+  page.tone = verdict.holds ? Tone::Good : verdict.told ? Tone::Bad : Tone::Doubtful;
   page.facts = facts_of(report);
   if (runs.empty()) return page;
   const RunView view{runs,

@@ -39,7 +39,9 @@ nlohmann::ordered_json sync_to_json(const SyncReport& report) {
   json["relative"] = result.relative;
   json["settled"] = result.settled;
   if (result.error_over_noise) json["error_over_noise"] = *result.error_over_noise;
+  if (result.conditional_exponent) json["conditional_exponent"] = *result.conditional_exponent;
   json["holds"] = report.verdict.holds;
+  if (!report.verdict.sentence.empty()) json["sentence"] = report.verdict.sentence;
   if (report.verdict.until) json["holds_until"] = *report.verdict.until;
   if (report.verdict.equation) json["equation"] = *report.verdict.equation;
   json["status"] = to_string(result.status);
@@ -77,6 +79,10 @@ std::string format_text(const SyncReport& report) {
         << (result.settled ? "settled" : "did not settle: the error still grows") << "\n";
   }
   if (!report.verdict.sentence.empty()) out << "  " << report.verdict.sentence << "\n";
+  if (result.conditional_exponent)
+    out << "  hidden states: slaves that begin elsewhere part by "
+        << format_number(*result.conditional_exponent, 2) << " 1/" << report.time_unit
+        << " (conditional Lyapunov exponent)\n";
   out << "  coupling [1/" << report.time_unit << "]: " << coupling_text(report)
       << (report.coupling_given ? "" : " (from the record's own time scale)") << "\n";
   return out.str();

@@ -123,6 +123,7 @@ double help(const Case& c, Index k) {
 
 std::optional<Index> helped_most(const OdeModel& model, const Case& c) {
   std::optional<Index> most;
+  if (c.result.conditional_exponent) return most;
   double largest = 0.0;
   for (Index k = 0; k < model.dimension(); ++k) {
     if (identity_of(model, k)) continue;
@@ -145,6 +146,14 @@ std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
   const double share = worst.ratio * c.floor[worst.state] / c.spread[worst.state];
   return format_number(100.0 * share, 2) + " % of the spread of " +
          model.states()[static_cast<std::size_t>(worst.state)].name;
+}
+
+/// Whether slaves that begin elsewhere in hidden states are together soon enough.
+bool tells_hidden(const Trajectory& first, const SyncResult& result,
+                  const SyncVerdictOptions& options) {
+  if (!result.conditional_exponent) return true;
+  const double quarter = 0.25 * (first.time[first.samples() - 1] - first.time[0]);
+  return *result.conditional_exponent * quarter <= std::log(options.forgotten);
 }
 
 }  // namespace
@@ -175,12 +184,25 @@ void SyncVerdictOptions::describe(OptionVisitor& v) {
           pieces);
   v.field({"least_held", "", "Share of a record that `holds up to` needs.", 0.0, 1.0},
           least_held);
+  v.field({"forgotten", "",
+           "Share of their distance that slaves which begin elsewhere in hidden states may be "
+           "apart after a quarter of the record; else the record does not tell these states, "
+           "and there is no verdict.",
+           0.0, 1.0},
+          forgotten);
 }
 
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options) {
   if (result.status != IntegrationStatus::Completed)
     return {.sentence = "Does not hold: " + result.message + "."};
+  if (!tells_hidden(record.trajectories.front(), result, options))
+    return {.told = false,
+            .sentence =
+                "Cannot tell: slaves that begin elsewhere in hidden states do not come "
+                "together (conditional Lyapunov exponent " +
+                format_number(*result.conditional_exponent, 2) + " 1/" + record.time_unit +
+                "); try a stronger --coupling, or measure one of them."};
   const Case c = case_of(record, result, options);
   const Worst worst = worst_of(c);
   const std::string size = "the error is " + size_of(model, c, worst);

@@ -12,12 +12,14 @@
 namespace lacuna {
 
 /// How the slave is driven: dx_s/dt = f(t, x_s) - K (x_s - x_m(t)), Karimov et al. 2023,
-/// Sect. 2.2.
+/// Sect. 2.2. A state that nobody measured (is_hidden()) has no x_m: its column of K is 0, it
+/// begins where the model says (given_begin()), and no error is counted in it.
 struct SyncOptions {
   /// K, m x m, in 1 / time unit. Without it all states are coupled with default_coupling().
   std::optional<Matrix> coupling = {};
 
-  /// State the slave starts from; without it the record's first sample.
+  /// State the slave starts from; without it the record's first sample, and where states are
+  /// hidden what the model says.
   std::optional<Vector> start = {};
 };
 
@@ -49,6 +51,14 @@ struct SyncResult {
   /// quarters to the noise: about 1 where the model lacks nothing, as the slave follows the
   /// signal and not its noise. Nothing where no noise is seen.
   std::optional<double> error_over_noise = {};
+
+  /// Where states are hidden: the largest conditional Lyapunov exponent, 1 / time unit, by
+  /// which slaves that begin elsewhere in them part (Pecora and Carroll, Phys. Rev. Lett.
+  /// 64:821, 1990): ln(d_n / d_0) / (t_n - t_0) on the first trajectory, from a range of their
+  /// path away, d_n their distance in the hidden states in these ranges, n the first sample at
+  /// which it is 1e-6 d_0, or the last. Below 0 the record tells these states. Infinite where a
+  /// slave from there does not get to the end.
+  std::optional<double> conditional_exponent = {};
 
   IntegrationStatus status = IntegrationStatus::Completed;
   std::string message;  ///< on divergence: trajectory, time and state; else empty

@@ -15,9 +15,6 @@ std::vector<bool> hidden_states(const OdeModel& model, const Dataset& data);
 /// The numbers of those that are marked.
 std::vector<Index> places_of(const std::vector<bool>& marks);
 
-/// Where hidden states begin as far as a model says so (OdeModel::initial()), or 0.
-Vector given_begin(const OdeModel& model);
-
 /// Records with a path for their hidden states, from which an estimation may start: the model's
 /// equations integrated from sample to sample, each step from the measured states as they are
 /// and from where the hidden ones have come.

@@ -38,6 +38,9 @@ Dataset model_view(const OdeModel& model, const Dataset& record,
 /// Whether no sample of any record says anything of a state.
 bool is_hidden(const Dataset& data, Index state);
 
+/// Where hidden states begin as far as a model says so (OdeModel::initial()), or 0.
+Vector given_begin(const OdeModel& model);
+
 /// An output of a model and where it is in a view: a column of Trajectory::states behind those
 /// of the m states, with marks and noise as theirs.
 struct MeasuredOutput {
@@ -48,8 +51,8 @@ struct MeasuredOutput {
 /// The outputs of a view in a model's variables that are channels of their own.
 std::vector<MeasuredOutput> measured_outputs(const OdeModel& model, const Dataset& view);
 
-/// Refuses records of which a state is hidden or an output is a formula, for those who cannot
-/// work with them. @throws DataError naming the first one.
-void check_states_known(const OdeModel& model, const Dataset& view);
+/// Refuses records of which an output is a formula, for those who cannot work with them.
+/// @throws DataError naming the first one.
+void check_outputs_are_states(const OdeModel& model, const Dataset& view);
 
 }  // namespace lacuna

@@ -13,6 +13,7 @@ namespace lacuna {
 /// Whether a model holds on a record that drove it.
 struct SyncVerdict {
   bool holds = false;
+  bool told = true;                  ///< false: hidden states leave it open whether it holds
   std::optional<double> until = {};  ///< time up to which it does, where it does not later
   std::optional<std::string> equation = {};  ///< state whose equation has to be helped most
   std::string sentence;                      ///< for people
@@ -28,6 +29,7 @@ struct SyncVerdictOptions {
   double resolution = 1e-4;
   int pieces = 40;
   double least_held = 0.1;
+  double forgotten = 0.01;
 
   void describe(OptionVisitor& visitor);
 };
@@ -43,8 +45,11 @@ struct SyncVerdictOptions {
 /// - It holds up to a time where the error stays below that in pieces of the record for at
 /// least
 ///   `least_held` of it, and is above in most pieces from there on.
+/// - Where states are hidden and slaves that begin elsewhere in them are not together, to a
+///   share `forgotten` of their distance, within a quarter of the record, there is no verdict.
 /// - Else the equation is named to which the coupling has to add the largest part of its own
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
+///   With hidden states none is named: what one lacks, the coupling adds to another.
 /// @param record that drove the slave, in the states of the model.
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options = {});

@@ -41,11 +41,28 @@ TEST(SyncCommand, ReconstructsAStateThatIsADerivative) {
   EXPECT_LT(json["relative"].get<double>(), 1e-3);
 }
 
-TEST(SyncCommand, ARecordThatLacksAStateIsStatus2) {
+TEST(SyncCommand, AStateThatNobodyMeasuredGoesAlone) {
   const Records records;
-  const std::string record = records.folder().write("xy.csv", "t,x,y\n0,1,2\n1,2,3\n2,3,4\n");
-  expect_failure(run_command({"sync", "rossler", record}), 2,
-                 {"xy.csv", "state 'z'", "column"});
+  std::string text = "t,x\n";
+  for (int i = 0; i <= 400; ++i)
+    text += std::to_string(0.05 * i) + "," + std::to_string(std::sin(0.05 * i)) + "\n";
+  const std::string record = records.folder().write("x.csv", text);
+  const std::string model =
+      records.folder().write("m.ode", "dx/dt = cos(t)\ndz/dt = x - 0.5*z\n");
+  const auto outcome = run_command({"sync", model, record, "--json", "-"});
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NEAR(json["conditional_exponent"].get<double>(), -0.5, 1e-3);
+  EXPECT_EQ(json["coupling"][1][1], 0.0);
+  EXPECT_THAT(run_command({"sync", model, record}).out,
+              HasSubstr("slaves that begin elsewhere part by -0.5 1/s"));
+}
+
+TEST(SyncCommand, AnOutputThatIsAFormulaIsStatus2) {
+  const Records records;
+  const std::string record = records.folder().write("y.csv", "t,y\n0,1\n1,2\n2,3\n3,1\n");
+  const std::string model = records.folder().write("m.ode", "dx/dt = -x\ny = x^2\n");
+  expect_failure(run_command({"sync", model, record}), 2, {"y.csv", "output 'y'", "formula"});
 }
 
 TEST(SyncCommand, DivergenceIsStatus1) {

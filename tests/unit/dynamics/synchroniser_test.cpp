@@ -6,9 +6,12 @@
 
 #include <cmath>
 
+#include "lacuna/core/error.hpp"
 #include "lacuna/core/random.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/model/ode_text.hpp"
 #include "lacuna/systems/measurement.hpp"
 #include "lacuna/systems/test_systems.hpp"
 
@@ -177,6 +180,52 @@ TEST(Synchroniser, DelayedVariablesAreThoseOfTheRecord) {
   run.states.col(1) = (run.time.array() - 0.3).sin();
   const SyncResult result = synchronise(model, record, Rk4{});
   EXPECT_LT(result.errors[0].tail(300).maxCoeff(), 1e-4);
+}
+
+/// x measured, z as a view has it that nobody measured; noise is as it comes in a record.
+Dataset half_measured(const OdeModel& model) {
+  Dataset data;
+  data.states = model.states();
+  Trajectory run;
+  run.time = Vector::LinSpaced(2001, 0.0, 20.0);
+  run.states = Matrix::Zero(2001, 2);
+  run.states.col(0) = run.time.array().sin();
+  run.inputs.resize(2001, 0);
+  run.marks = Matrix::Zero(2001, 2);
+  run.marks.col(1).setConstant(number_of(Mark::Missing));
+  data.trajectories = {run};
+  data.reconstructed = {false, true};
+  return data;
+}
+
+TEST(Synchroniser, HiddenStatesGoAloneFromWhereTheModelSays) {
+  // dz/dt = sin t - z/2 from z(0) = 2 is 2.8 exp(-t/2) + 0.4 sin t - 0.8 cos t.
+  const OdeModel model = parse_ode("dx/dt = cos(t)\ndz/dt = x - 0.5*z\ninitial z = 2\n", "t");
+  const SyncResult result = synchronise(model, half_measured(model), Rk4{});
+  EXPECT_EQ(result.coupling(1, 1), 0.0);
+  EXPECT_GT(result.coupling(0, 0), 0.0);
+  const double t = 7.0;
+  EXPECT_NEAR(result.states[0](700, 1),
+              2.8 * std::exp(-0.5 * t) + 0.4 * std::sin(t) - 0.8 * std::cos(t), 1e-6);
+  EXPECT_LT(result.errors[0].maxCoeff(), 1e-6) << "the hidden state is no error";
+  ASSERT_TRUE(result.conditional_exponent);
+  EXPECT_NEAR(*result.conditional_exponent, -0.5, 1e-5);
+}
+
+TEST(Synchroniser, AHiddenIntegralIsNotTold) {
+  const OdeModel model = parse_ode("dx/dt = cos(t)\ndz/dt = x\n", "t");
+  const SyncResult result = synchronise(model, half_measured(model), Rk4{});
+  EXPECT_NEAR(result.conditional_exponent.value(), 0.0, 1e-9);
+}
+
+TEST(Synchroniser, ThePastOfAHiddenStateIsRefused) {
+  const OdeModel model = parse_ode("dx/dt = cos(t)\ndz/dt = x - delay(z,0.5)\n", "t");
+  EXPECT_THROW(synchronise(model, half_measured(model), Rk4{}), ModelError);
+}
+
+TEST(Synchroniser, WithoutHiddenStatesThereIsNoConditionalExponent) {
+  const Dataset record = record_on_attractor("rossler", Rk4{}, 0.1, 200);
+  EXPECT_FALSE(as_in_the_article("rossler", record).conditional_exponent);
 }
 
 TEST(Synchroniser, DivergenceIsReportedWithPlace) {

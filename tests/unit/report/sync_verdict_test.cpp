@@ -8,6 +8,7 @@
 #include <random>
 
 #include "lacuna/core/text.hpp"
+#include "lacuna/data/marks.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/model/ode_text.hpp"
 #include "lacuna/systems/measurement.hpp"
@@ -103,6 +104,34 @@ TEST(SyncVerdict, AWrongModelOnAnUnstableOrbitDoesNotHold) {
 }
 
 /// A slave that noise drives anywhere says nothing for the model.
+/// The oscillator's record with v not measured.
+Dataset position_only() {
+  Dataset data = record(0.01, 0.0);
+  Trajectory& run = data.trajectories.front();
+  run.states.col(1).setZero();
+  run.marks = Matrix::Zero(run.samples(), 2);
+  run.marks.col(1).setConstant(number_of(Mark::Missing));
+  data.reconstructed = {false, true};
+  return data;
+}
+
+TEST(SyncVerdict, AHiddenStateThatTheRecordTellsIsNoHindrance) {
+  const SyncVerdict right = verdict(1.0, position_only());
+  EXPECT_TRUE(right.holds) << right.sentence;
+  const SyncVerdict wrong = verdict(1.5, position_only());
+  EXPECT_FALSE(wrong.holds);
+  EXPECT_FALSE(wrong.equation) << "the coupling helps x with what v lacks";
+}
+
+TEST(SyncVerdict, AHiddenStateThatTheRecordDoesNotTellLeavesNoVerdict) {
+  const OdeModel model = parse_ode("dx/dt = -x\ndv/dt = x\n", "test");
+  const Dataset data = position_only();
+  const SyncVerdict found = judge(model, data, synchronise(model, data, Rk4{}));
+  EXPECT_FALSE(found.holds);
+  EXPECT_FALSE(found.told);
+  EXPECT_THAT(found.sentence, HasSubstr("Cannot tell"));
+}
+
 TEST(SyncVerdict, ALostSlaveDoesNotHold) {
   const Dataset data = record(0.01, 0.0);
   const OdeModel model = oscillator(1.5);
