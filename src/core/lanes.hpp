@@ -19,20 +19,25 @@ namespace lacuna {
 template <int W>
 struct Lanes {
   typedef double Type __attribute__((vector_size(sizeof(double) * W)));
-  typedef double Memory
-      __attribute__((vector_size(sizeof(double) * W), aligned(sizeof(double)), may_alias));
 };
 
-/// W numbers in memory. Vectors are passed by reference: by value they would have one calling
-/// convention for each instruction set.
+/// W numbers anywhere in memory. A packed structure: the alignment of a typedef is lost where
+/// clang instantiates a template with it.
 template <int W>
-LACUNA_INLINE const typename Lanes<W>::Memory& at(const double* address) {
-  return *reinterpret_cast<const typename Lanes<W>::Memory*>(address);
+struct [[gnu::packed, gnu::may_alias]] InMemory {
+  typename Lanes<W>::Type values;
+};
+
+/// The W numbers at an address. Vectors are passed by reference: by value they would have one
+/// calling convention for each instruction set.
+template <int W>
+LACUNA_INLINE const InMemory<W>& at(const double* address) {
+  return *reinterpret_cast<const InMemory<W>*>(address);
 }
 
 template <int W>
-LACUNA_INLINE typename Lanes<W>::Memory& at(double* address) {
-  return *reinterpret_cast<typename Lanes<W>::Memory*>(address);
+LACUNA_INLINE InMemory<W>& at(double* address) {
+  return *reinterpret_cast<InMemory<W>*>(address);
 }
 
 /// The sum of the lanes.

@@ -21,10 +21,10 @@ constexpr int kMany = 8, kFew = kLane;
 template <int Together>
 struct TermLanes {
   static constexpr int kPacks = Together / static_cast<int>(kLane);
-  Lanes<kLane>::Memory packs[kPacks];  // anywhere in memory
+  InMemory<kLane> packs[kPacks];
 
   LACUNA_INLINE void add(double factor, const TermLanes& other) {
-    for (int p = 0; p < kPacks; ++p) packs[p] += factor * other.packs[p];
+    for (int p = 0; p < kPacks; ++p) packs[p].values += factor * other.packs[p].values;
   }
 };
 
@@ -65,7 +65,7 @@ class ErrorRecursion {
   LACUNA_INLINE void read(Index row, Terms& terms) const {
     for (int p = 0; p < Terms::kPacks; ++p) {
       const double* const* v = values_.data() + p * kLane;
-      terms.packs[p] = Pack{v[0][row], v[1][row], v[2][row], v[3][row]};
+      terms.packs[p].values = Pack{v[0][row], v[1][row], v[2][row], v[3][row]};
     }
   }
 
@@ -132,7 +132,7 @@ class ErrorRecursion {
 
   LACUNA_INLINE void write(Index row, double scale, const Terms& seen) {
     for (int p = 0; p < Terms::kPacks; ++p) {
-      const Pack scaled = scale * seen.packs[p];
+      const Pack scaled = scale * seen.packs[p].values;
       double* const* out = out_.data() + p * kLane;
       for (int lane = 0; lane < kLane; ++lane)
         if (p * kLane + lane < count_) out[lane][row] = scaled[lane];

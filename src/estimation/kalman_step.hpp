@@ -81,7 +81,7 @@ LACUNA_INLINE void constant_response(const S& shape, const LinearisedRecord& rec
     load_some(w + p, m - p, 1, begin);
     load_some(w + m + p, m - p, 1, middle);
     load_some(w + 2 * m + p, m - p, 1, end);
-    at<kLane>(out + p) = begin + middle + end;
+    at<kLane>(out + p).values = begin + middle + end;
   }
 }
 
@@ -120,9 +120,10 @@ class Transition {
   LACUNA_INLINE void carry_mean(double* x) {
     multiply(shape_, block_.data(), x, shape_.states(), carried_.data());
     for (Index p = 0; p < shape_.stride(); p += kLane) {
-      Pack next = at<kLane>(carried_.data() + p);
-      if constexpr (!S::kExact) next += at<kLane>(decay_.data() + p) * at<kLane>(x + p);
-      at<kLane>(x + p) = next;
+      Pack next = at<kLane>(carried_.data() + p).values;
+      if constexpr (!S::kExact)
+        next += at<kLane>(decay_.data() + p).values * at<kLane>(x + p).values;
+      at<kLane>(x + p).values = next;
     }
   }
 
@@ -131,12 +132,14 @@ class Transition {
     const Index m = shape_.states(), size = shape_.size(), stride = shape_.stride();
     if constexpr (!S::kExact)
       for (Index i = 0; i < size * stride; i += kLane)
-        at<kLane>(half_.data() + i) = at<kLane>(decay_.data() + i % stride) * at<kLane>(p + i);
+        at<kLane>(half_.data() + i).values =
+            at<kLane>(decay_.data() + i % stride).values * at<kLane>(p + i).values;
     product(shape_, block_.data(), p, 1, stride, size, half_.data());
     if constexpr (!S::kExact)
       for (Index j = 0; j < size; ++j)
         for (Index i = 0; i < stride; i += kLane)
-          at<kLane>(p + j * stride + i) = decay_[j] * at<kLane>(half_.data() + j * stride + i);
+          at<kLane>(p + j * stride + i).values =
+              decay_[j] * at<kLane>(half_.data() + j * stride + i).values;
     product(shape_, half_.data(), block_.data(), stride, 1, m, p);
   }
 
@@ -161,7 +164,7 @@ class Transition {
       for (Index p = 0; p < m; p += kLane) {
         Pack rows;
         load_some(phi + k * across + p * down, m - p, down, rows);
-        at<kLane>(block_.data() + k * shape_.stride() + p) = rows;
+        at<kLane>(block_.data() + k * shape_.stride() + p).values = rows;
       }
   }
 
@@ -197,9 +200,9 @@ class KalmanStep {
     const Innovation whole = expect(channel, measured);
     const Innovation seen = is_clipped(mark) ? censored(whole, mark) : whole;
     for (Index p = 0; p < shape_.stride(); p += kLane) {
-      const Pack gain = at<kLane>(row_.data() + p) / seen.variance;
-      at<kLane>(gain_.data() + p) = gain;
-      at<kLane>(mean_.data() + p) += gain * seen.value;
+      const Pack gain = at<kLane>(row_.data() + p).values / seen.variance;
+      at<kLane>(gain_.data() + p).values = gain;
+      at<kLane>(mean_.data() + p).values += gain * seen.value;
     }
     add_outer(shape_, -1.0, gain_.data(), row_.data(), covariance_.data());
     return seen;
@@ -213,7 +216,7 @@ class KalmanStep {
     for (Index p = 0; p < shape_.states(); p += kLane) {
       Pack more;
       load_some(defect + p, shape_.states() - p, 1, more);
-      at<kLane>(mean_.data() + p) += more;
+      at<kLane>(mean_.data() + p).values += more;
     }
     transition_.carry_covariance(covariance_.data());
     transition_.make_symmetric(i, covariance_.data());
@@ -237,12 +240,13 @@ class KalmanStep {
     if (coloured) {
       const double* noise = covariance_.data() + colour * shape_.stride();
       for (Index p = 0; p < shape_.stride(); p += kLane)
-        at<kLane>(row_.data() + p) = at<kLane>(own + p) + at<kLane>(noise + p);
+        at<kLane>(row_.data() + p).values =
+            at<kLane>(own + p).values + at<kLane>(noise + p).values;
       expected += mean_[colour];
       variance = row_[state] + row_[colour] + variances_.white[channel];
     } else {
       for (Index p = 0; p < shape_.stride(); p += kLane)
-        at<kLane>(row_.data() + p) = at<kLane>(own + p);
+        at<kLane>(row_.data() + p).values = at<kLane>(own + p).values;
     }
     const double value = measured - expected;
     return {value, variance, value * value / variance, variance};
@@ -280,7 +284,8 @@ class KalmanStep {
   }
 
   LACUNA_INLINE void response_to(Index i, Index equation) {
-    for (Index p = 0; p < shape_.stride(); p += kLane) at<kLane>(row_.data() + p) = Pack{};
+    for (Index p = 0; p < shape_.stride(); p += kLane)
+      at<kLane>(row_.data() + p).values = Pack{};
     constant_response(shape_, record_, i, equation, row_.data());
   }
 

@@ -80,8 +80,9 @@ LACUNA_INLINE void multiply(const S& shape, const double* a, const double* x, In
                             double* out) {
   for (Index p = 0; p < shape.stride(); p += kLane) {
     Pack total = {};
-    for (Index k = 0; k < count; ++k) total += x[k] * at<kLane>(a + k * shape.stride() + p);
-    at<kLane>(out + p) = total;
+    for (Index k = 0; k < count; ++k)
+      total += x[k] * at<kLane>(a + k * shape.stride() + p).values;
+    at<kLane>(out + p).values = total;
   }
 }
 
@@ -89,7 +90,7 @@ template <class S>
 LACUNA_INLINE double dot(const S& shape, const double* a, const double* b) {
   Pack total = {};
   for (Index p = 0; p < shape.stride(); p += kLane)
-    total += at<kLane>(a + p) * at<kLane>(b + p);
+    total += at<kLane>(a + p).values * at<kLane>(b + p).values;
   return sum(total);
 }
 
@@ -97,7 +98,7 @@ LACUNA_INLINE double dot(const S& shape, const double* a, const double* b) {
 template <class S>
 LACUNA_INLINE void add(const S& shape, double factor, const double* y, double* x) {
   for (Index p = 0; p < shape.stride(); p += kLane)
-    at<kLane>(x + p) += factor * at<kLane>(y + p);
+    at<kLane>(x + p).values += factor * at<kLane>(y + p).values;
 }
 
 /// m += factor left right'.
@@ -105,9 +106,9 @@ template <class S>
 LACUNA_INLINE void add_outer(const S& shape, double factor, const double* left,
                              const double* right, double* m) {
   for (Index p = 0; p < shape.stride(); p += kLane) {
-    const Pack rows = factor * at<kLane>(left + p);
+    const Pack rows = factor * at<kLane>(left + p).values;
     for (Index j = 0; j < shape.size(); ++j)
-      at<kLane>(m + j * shape.stride() + p) += right[j] * rows;
+      at<kLane>(m + j * shape.stride() + p).values += right[j] * rows;
   }
 }
 
@@ -119,12 +120,14 @@ LACUNA_INLINE void product_columns(const S& shape, const double* a, const double
   for (Index p = 0; p < shape.stride(); p += kLane) {
     Pack total[Together] = {};
     if constexpr (!S::kExact)
-      for (int j = 0; j < Together; ++j) total[j] = at<kLane>(out + j * shape.stride() + p);
+      for (int j = 0; j < Together; ++j)
+        total[j] = at<kLane>(out + j * shape.stride() + p).values;
     for (Index k = 0; k < shape.states(); ++k) {
-      const Pack left = at<kLane>(a + k * shape.stride() + p);
+      const Pack left = at<kLane>(a + k * shape.stride() + p).values;
       for (int j = 0; j < Together; ++j) total[j] += b[k * down + j * across] * left;
     }
-    for (int j = 0; j < Together; ++j) at<kLane>(out + j * shape.stride() + p) = total[j];
+    for (int j = 0; j < Together; ++j)
+      at<kLane>(out + j * shape.stride() + p).values = total[j];
   }
 }
 

@@ -41,7 +41,8 @@ Forward room_for(const S& shape, const SmootherTask& task) {
 }
 
 LACUNA_INLINE void copy_packs(const double* from, Index count, double* to) {
-  for (Index p = 0; p < count; p += kLane) at<kLane>(to + p) = at<kLane>(from + p);
+  for (Index p = 0; p < count; p += kLane)
+    at<kLane>(to + p).values = at<kLane>(from + p).values;
 }
 
 template <class S>
@@ -163,7 +164,8 @@ class Backward {
   /// Back over step i.
   LACUNA_INLINE void step(Index i) {
     const double length = record_.time[i + 1] - record_.time[i];
-    for (Index p = 0; p < shape_.stride(); p += kLane) at<kLane>(moved_.data() + p) = Pack{};
+    for (Index p = 0; p < shape_.stride(); p += kLane)
+      at<kLane>(moved_.data() + p).values = Pack{};
     for (Index k = 0; k < shape_.states(); ++k) {
       constant_response(shape_, record_, i, k, moved_.data());
       const double pull = dot(shape_, moved_.data(), adjoint_.data());

@@ -41,15 +41,16 @@ LACUNA_INLINE void multiply(Index m, const Pack& factor, const double* left,
       Pack total[kTogether] = {};
       if (beside.base)
         for (Index j = 0; j < count; ++j)
-          total[j] = at<kLane>(beside.base + (i * m + first + j) * kLane);
+          total[j] = at<kLane>(beside.base + (i * m + first + j) * kLane).values;
       for (Index k = 0; k < m; ++k) {
         if (Size > 4 || Size == Eigen::Dynamic)
           if (beside.size && beside.size[i + m * k] == 0.0) continue;
-        const Pack scaled = factor * at<kLane>(left + (i * m + k) * kLane);
+        const Pack scaled = factor * at<kLane>(left + (i * m + k) * kLane).values;
         for (Index j = 0; j < count; ++j)
-          total[j] += scaled * at<kLane>(right + (k * m + first + j) * kLane);
+          total[j] += scaled * at<kLane>(right + (k * m + first + j) * kLane).values;
       }
-      for (Index j = 0; j < count; ++j) at<kLane>(out + (i * m + first + j) * kLane) = total[j];
+      for (Index j = 0; j < count; ++j)
+        at<kLane>(out + (i * m + first + j) * kLane).values = total[j];
     }
 }
 
@@ -102,7 +103,8 @@ class StepPack {
       for (Index i = 0; i < m(); ++i)
         for (Index j = 0; j < m(); ++j) {
           const Index e = i + m() * j + skip;
-          at<kLane>(into + (i * m() + j) * kLane) = Pack{a[0][e], a[1][e], a[2][e], a[3][e]};
+          at<kLane>(into + (i * m() + j) * kLane).values =
+              Pack{a[0][e], a[1][e], a[2][e], a[3][e]};
         }
       return;
     }
@@ -114,7 +116,7 @@ class StepPack {
           const Index e = i + m() * j + static_cast<Index>(node) * count;
           value += weight[node] * Pack{a[0][e], a[1][e], a[2][e], a[3][e]};
         }
-        at<kLane>(into + (i * m() + j) * kLane) = value;
+        at<kLane>(into + (i * m() + j) * kLane).values = value;
       }
   }
 
@@ -145,15 +147,16 @@ class StepPack {
       std::swap(a_, c_);
     read_slope(half, b_);
     read_slope(to, c_);
-    const Pack h = at<kLane>(length_);
+    const Pack h = at<kLane>(length_).values;
     product(b_, 0.5 * h, b_, a_, k2_);
     product(b_, 0.5 * h, b_, k2_, k3_);
     product(c_, h, c_, k3_, k4_);
     for (Index e = 0; e < room(); e += kLane) {
-      const Pack more = at<kLane>(a_ + e) + 2.0 * at<kLane>(k2_ + e) +
-                        2.0 * at<kLane>(k3_ + e) + at<kLane>(k4_ + e);
-      at<kLane>(whole_ + e) = h / 6.0 * more;
-      at<kLane>(k2_ + e) = 0.25 * h * (at<kLane>(b_ + e) + at<kLane>(c_ + e));
+      const Pack more = at<kLane>(a_ + e).values + 2.0 * at<kLane>(k2_ + e).values +
+                        2.0 * at<kLane>(k3_ + e).values + at<kLane>(k4_ + e).values;
+      at<kLane>(whole_ + e).values = h / 6.0 * more;
+      at<kLane>(k2_ + e).values =
+          0.25 * h * (at<kLane>(b_ + e).values + at<kLane>(c_ + e).values);
     }
     add_identity(whole_);
     product(k2_, Pack{} + 0.5, k2_, k2_, later_);
@@ -168,22 +171,23 @@ class StepPack {
   }
 
   LACUNA_INLINE void add_identity(double* square) const {
-    for (Index i = 0; i < m(); ++i) at<kLane>(square + i * (m() + 1) * kLane) += 1.0;
+    for (Index i = 0; i < m(); ++i) at<kLane>(square + i * (m() + 1) * kLane).values += 1.0;
   }
 
   /// The response of one part behind those of the parts before it.
   LACUNA_INLINE void add_response(int part, const Factors& share, double*& response) {
     if (part > 0) carry(response);
-    const Pack h = at<kLane>(length_) / 6.0;
+    const Pack h = at<kLane>(length_).values / 6.0;
     for (Index e = 0; e < room(); e += kLane) {
-      const Pack own =
-          h * (share[0] * at<kLane>(whole_ + e) + share[1] * at<kLane>(later_ + e));
+      const Pack own = h * (share[0] * at<kLane>(whole_ + e).values +
+                            share[1] * at<kLane>(later_ + e).values);
       if (part == 0)
-        at<kLane>(response + e) = own;
+        at<kLane>(response + e).values = own;
       else
-        at<kLane>(response + e) += own;
+        at<kLane>(response + e).values += own;
     }
-    for (Index i = 0; i < m(); ++i) at<kLane>(response + i * (m() + 1) * kLane) += h * share[2];
+    for (Index i = 0; i < m(); ++i)
+      at<kLane>(response + i * (m() + 1) * kLane).values += h * share[2];
   }
 
   /// out = base + factor left right, with a left factor that is 0 where the slopes are.

@@ -27,10 +27,10 @@ LACUNA_INLINE void gram_block(const TileView& tile, const double* left, const do
   using V = typename Lanes<W>::Type;
   V products[kBlock][kBlock] = {};
   for (Index row = 0; row < tile.rows; row += W) {
-    const V a[kBlock] = {at<W>(left + row), at<W>(left + tile.stride + row),
-                         at<W>(left + 2 * tile.stride + row)};
+    const V a[kBlock] = {at<W>(left + row).values, at<W>(left + tile.stride + row).values,
+                         at<W>(left + 2 * tile.stride + row).values};
     for (int j = 0; j < kBlock; ++j) {
-      const V b = at<W>(right + j * tile.stride + row);
+      const V b = at<W>(right + j * tile.stride + row).values;
       for (int i = 0; i < kBlock; ++i) products[j][i] += a[i] * b;
     }
   }
@@ -65,12 +65,12 @@ LACUNA_INLINE void reflect(const TileView& tile, const Reflection& reflection, d
   V even[N] = {};
   V odd[N] = {};
   for (Index row = 0; row < tile.rows; row += 2 * W) {
-    const V first = at<W>(reflection.column + row);
-    const V second = at<W>(reflection.column + row + W);
+    const V first = at<W>(reflection.column + row).values;
+    const V second = at<W>(reflection.column + row + W).values;
     for (int k = 0; k < N; ++k) {
       const double* column = columns + k * tile.stride + row;
-      even[k] += at<W>(column) * first;
-      odd[k] += at<W>(column + W) * second;
+      even[k] += at<W>(column).values * first;
+      odd[k] += at<W>(column + W).values * second;
     }
   }
   double weights[N];
@@ -80,9 +80,9 @@ LACUNA_INLINE void reflect(const TileView& tile, const Reflection& reflection, d
     entry -= weights[k] * reflection.head;
   }
   for (Index row = 0; row < tile.rows; row += W) {
-    const V direction = at<W>(reflection.column + row);
+    const V direction = at<W>(reflection.column + row).values;
     for (int k = 0; k < N; ++k)
-      at<W>(columns + k * tile.stride + row) -= direction * weights[k];
+      at<W>(columns + k * tile.stride + row).values -= direction * weights[k];
   }
 }
 
@@ -105,7 +105,7 @@ LACUNA_INLINE double squared_norm(const double* column, Index rows) {
   using V = typename Lanes<W>::Type;
   V total = {};
   for (Index row = 0; row < rows; row += W) {
-    const V value = at<W>(column + row);
+    const V value = at<W>(column + row).values;
     total += value * value;
   }
   return sum(total);

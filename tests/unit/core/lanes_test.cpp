@@ -12,10 +12,10 @@ TEST(Lanes, AreReadAndWrittenAnywhereInMemory) {
   std::vector<double> numbers(9);
   std::iota(numbers.begin(), numbers.end(), 0.0);
   for (std::size_t first = 0; first < 5; ++first) {
-    const Pack pack = at<kLane>(numbers.data() + first);
+    const Pack pack = at<kLane>(numbers.data() + first).values;
     EXPECT_EQ(sum(pack), 4.0 * static_cast<double>(first) + 6.0);
   }
-  at<kLane>(numbers.data() + 1) += 10.0;
+  at<kLane>(numbers.data() + 1).values += 10.0;
   EXPECT_EQ(numbers, (std::vector<double>{0, 11, 12, 13, 14, 5, 6, 7, 8}));
 }
 
