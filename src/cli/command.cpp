@@ -31,7 +31,7 @@ std::string check_seed(const std::string& text) {
   return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
 
-/// Bytes of "4G", "500M", "200k" or plain digits, as digits. @throws CLI::ValidationError.
+/// Bytes of "4G", "500MB", "200k" or plain digits, as digits. @throws CLI::ValidationError.
 std::string bytes_of(std::string text) {
   constexpr std::string_view kUnits = "kMGT";
   std::uint64_t value = 0;
@@ -39,7 +39,9 @@ std::string bytes_of(std::string text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   const std::size_t unit = stop == end ? std::string::npos : kUnits.find(*stop);
   const unsigned shift = stop == end ? 0U : 10U * (static_cast<unsigned>(unit) + 1U);
-  const bool known = stop == end || (unit != std::string::npos && stop + 1 == end);
+  const std::string_view rest(stop == end ? end : stop + 1, end);
+  const bool known =
+      stop == end || (unit != std::string::npos && (rest.empty() || rest == "B"));
   if (error != std::errc() || !known || value > (std::uint64_t{1} << 62U) >> shift ||
       value << shift < kLeastMemory)
     throw CLI::ValidationError("'" + text + "' is not a size from 16M on, such as 500M or 4G");
@@ -68,6 +70,11 @@ bool shows_progress(const Session& session, const RunOptions& options) {
 
 }  // namespace
 
+void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,
+                         const std::string& description) {
+  app.add_option(name, bytes, description)->transform(bytes_of, "")->type_name("SIZE");
+}
+
 void declare_run_options(CLI::App& app, RunOptions& options) {
   app.add_option("--seed", options.seed, "Start of everything random in the run")
       ->check(check_seed, "whole number", "seed")
@@ -77,11 +84,10 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
                  "Threads; the result does not depend on it [default: the machine's cores]")
       ->check(CLI::Range(1, 1024));
   options.max_memory = default_memory();
-  app.add_option("--max-memory", options.max_memory,
-                 "Memory that the run may take, e.g. 4G, in bytes [default: three quarters of "
-                 "the machine's]")
-      ->transform(bytes_of, "")
-      ->type_name("SIZE");
+  declare_size_option(
+      app, "--max-memory", options.max_memory,
+      "Memory that the run may take, e.g. 4G, in bytes [default: three quarters "
+      "of the machine's]");
   app.add_option("--progress", options.progress,
                  "Progress on standard error: always, never, auto (where it is a terminal)")
       ->check(CLI::IsMember({"always", "never", "auto"}))

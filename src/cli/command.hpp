@@ -51,6 +51,10 @@ struct RunOptions {
 
 void declare_run_options(CLI::App& app, RunOptions& options);
 
+/// An option that is a size in memory: 300MB, 4G or a number of bytes.
+void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,
+                         const std::string& description);
+
 /// The run context of a command, with progress on standard error where that is wanted.
 RunContext make_context(const Session& session, const RunOptions& options);
 

@@ -2,9 +2,12 @@
 #include "data_options.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "lacuna/core/options.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/streams/read_stream.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -32,6 +35,14 @@ class DifferentiatorFinder final : public OptionVisitor {
 
 std::vector<std::string> list_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : split_list(text);
+}
+
+ColumnRoles roles_of(const DataOptions& options) {
+  ColumnRoles roles = common_roles(options);
+  roles.states = list_of(options.states);
+  roles.inputs = list_of(options.inputs);
+  roles.derivatives = list_of(options.derivatives);
+  return roles;
 }
 
 void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity>& inputs) {
@@ -134,13 +145,29 @@ OdeModel with_holds(const OdeModel& model, const DataOptions& options) {
 }
 
 Dataset read_data(const DataOptions& options) {
-  ColumnRoles roles = common_roles(options);
-  roles.states = list_of(options.states);
-  roles.inputs = list_of(options.inputs);
-  roles.derivatives = list_of(options.derivatives);
-  Dataset data = read_dataset(options.paths, roles);
+  Dataset data = read_dataset(options.paths, roles_of(options));
   set_holds(options.holds, data.inputs);
   return data;
+}
+
+RecordStream read_data_in_pieces(const DataOptions& options, const RunContext& context) {
+  if (!options.holds.empty())
+    throw ConfigError("--hold", "how inputs go on is not asked of records in pieces",
+                      "leave it out, or leave out --memory");
+  return read_stream(options.paths, roles_of(options), context);
+}
+
+bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
+  constexpr std::uint64_t kCopies =
+      4;  // the file, its table, the records, what is made of them
+  if (memory == 0) return false;
+  std::uint64_t bytes = 0;
+  for (const std::string& path : expand_patterns(options.paths)) {
+    std::error_code none;
+    const auto size = std::filesystem::file_size(path, none);
+    if (!none) bytes += size;
+  }
+  return bytes > memory / kCopies;
 }
 
 std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options) {

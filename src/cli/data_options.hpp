@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "lacuna/data/read.hpp"
 #include "lacuna/model/ode_model.hpp"
 #include "lacuna/records/embedding.hpp"
+#include "lacuna/streams/record_stream.hpp"
 
 namespace lacuna::cli {
 
@@ -47,6 +49,13 @@ OdeModel with_holds(const OdeModel& model, const DataOptions& options);
 
 /// The record that the options describe, as measured.
 Dataset read_data(const DataOptions& options);
+
+/// The same in pieces.
+RecordStream read_data_in_pieces(const DataOptions& options, const RunContext& context);
+
+/// Whether the files, with what is made of them in memory, take more than so many bytes; never
+/// for 0.
+bool reads_in_pieces(const DataOptions& options, std::uint64_t memory);
 
 /// "q=2" as an embedding. @throws ConfigError when it is not NAME=ORDER.
 std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options);

@@ -14,6 +14,7 @@
 #include "lacuna/relations/relations.hpp"
 #include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/pages.hpp"
+#include "lacuna/streams/record_stream.hpp"
 #include "lacuna/validation/validate.hpp"
 #include "report_options.hpp"
 
@@ -30,6 +31,7 @@ struct IdentifyArguments {
   ReportOptions report;
   bool full = false, discrete = false;
   std::string integrator = "rk4";
+  std::uint64_t memory = 0;  ///< bytes; 0: as much as there is
 };
 
 void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
@@ -91,9 +93,13 @@ Configuration make_configuration(const IdentifyArguments& options) {
   return configuration;
 }
 
-Dataset load(const IdentifyArguments& options, const Pipeline& pipeline) {
-  const Dataset data = read_data(options.data);
+RecordStream load(const IdentifyArguments& options, const Pipeline& pipeline,
+                  const RunContext& context) {
   const std::vector<EmbeddingOrder> orders = embedding_orders(options.data);
+  const bool needs_all = options.hidden || !orders.empty();
+  if (!needs_all && reads_in_pieces(options.data, options.memory))
+    return read_data_in_pieces(options.data, context);
+  Dataset data = read_data(options.data);
   if (orders.empty()) return data;
   return embed(data, orders, *differentiator_of(*pipeline.formulation));
 }
@@ -186,16 +192,17 @@ void write_results(const Session& session, const IdentifyArguments& options,
 
 /// Forms beside the library enter where the user has not said what the library is.
 IdentificationResult identified(const Plan& plan, const IdentifyArguments& options,
-                                Dataset& data, const RunContext& context) {
+                                RecordStream& records, const RunContext& context) {
   const Pipeline& pipeline = plan.pipeline;
   if (options.hidden) {
-    HiddenIdentification found = identify_hidden(
-        data, pipeline, *differentiator_of(*pipeline.formulation), "h1", context);
-    data = std::move(found.data);
+    HiddenIdentification found =
+        identify_hidden(*records.in_memory(), pipeline,
+                        *differentiator_of(*pipeline.formulation), "h1", context);
+    records = std::move(found.data);
     return std::move(found.result);
   }
-  if (plan.is_chosen) return identify(data, pipeline, context);
-  return identify_with_forms(data, pipeline, plan.effects, plan.rules.forms, context);
+  if (plan.is_chosen) return identify(records, pipeline, context);
+  return identify_with_forms(records, pipeline, plan.effects, plan.rules.forms, context);
 }
 
 int identify_command(const Session& session, const IdentifyArguments& options) {
@@ -218,10 +225,11 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  Dataset data = load(options, plan.pipeline);
+  RecordStream records = load(options, plan.pipeline, context);
 
-  IdentificationReport report{identified(plan, options, data, context), plan.pipeline,
+  IdentificationReport report{identified(plan, options, records, context), plan.pipeline,
                               configuration.text()};
+  const Dataset& data = records.excerpt();
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());
   if (const auto hint =
@@ -251,6 +259,9 @@ Command declare_identify(CLI::App& root) {
   declare_column_options(*app, options->data, true);
   declare_pipeline_options(*app, *options);
   declare_output_options(*app, *options);
+  declare_size_option(*app, "--memory", options->memory,
+                      "Records (.npy) that do not fit into so much are read in pieces, e.g. "
+                      "300MB [default: all are read into memory]");
   declare_run_options(*app, options->run);
   return {app,
           [options](const Session& session) { return identify_command(session, *options); }};

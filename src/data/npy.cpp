@@ -74,21 +74,26 @@ void load_column(const char* bytes, std::size_t stride, const NpyField& field,
   }
 }
 
-void load_structured(std::string_view data, const NpyHeader& header, Table& table) {
+void load_structured(std::string_view data, const NpyHeader& header, Matrix& values) {
   Index column = 0;
   for (const NpyField& field : header.fields)
-    load_column(data.data() + field.offset, header.item_size, field,
-                table.values.col(column++));
+    load_column(data.data() + field.offset, header.item_size, field, values.col(column++));
 }
 
-void load_matrix(std::string_view data, const NpyHeader& header, Table& table) {
-  const auto rows = static_cast<std::size_t>(table.values.rows());
-  const auto columns = static_cast<std::size_t>(table.values.cols());
+void load_matrix(std::string_view data, const NpyHeader& header, Matrix& values) {
+  const auto rows = static_cast<std::size_t>(values.rows());
+  const auto columns = static_cast<std::size_t>(values.cols());
   const NpyField& field = header.fields[0];
   const std::size_t stride = header.fortran_order ? field.size : field.size * columns;
   const std::size_t next = header.fortran_order ? field.size * rows : field.size;
-  for (std::size_t i = 0; i < columns; ++i)
-    load_column(data.data() + i * next, stride, field, table.values.col(static_cast<Index>(i)));
+  // A fact of the machines: so many rows stay in cache while their columns are taken apart.
+  constexpr std::size_t kTogether = 512;
+  for (std::size_t row = 0; row < rows; row += kTogether) {
+    const auto count = static_cast<Index>(std::min(kTogether, rows - row));
+    for (std::size_t i = 0; i < columns; ++i)
+      load_column(data.data() + row * stride + i * next, stride, field,
+                  values.col(static_cast<Index>(i)).segment(static_cast<Index>(row), count));
+  }
 }
 
 std::string padded_header(const Matrix& values) {
@@ -108,20 +113,30 @@ void append_value(std::string& bytes, double value) {
 
 }  // namespace
 
-Table parse_npy(std::string_view bytes, const std::string& source) {
-  const NpyHeader header = parse_npy_header(bytes, source);
-  const std::string_view data = bytes.substr(header.data_begin);
+Table npy_columns(const NpyHeader& header, const std::string& source) {
   Table table;
   table.source = source;
   std::vector<Quantity> names;
   for (const NpyField& field : header.fields) names.push_back({field.name, ""});
   if (!header.structured) names.resize(header.columns);
   name_columns(table, names, std::nullopt);
-  table.values.resize(static_cast<Index>(header.rows), static_cast<Index>(names.size()));
+  return table;
+}
+
+Matrix npy_values(const NpyHeader& header, std::string_view data) {
+  Matrix values(static_cast<Index>(header.rows),
+                static_cast<Index>(header.structured ? header.fields.size() : header.columns));
   if (header.structured)
-    load_structured(data, header, table);
+    load_structured(data, header, values);
   else
-    load_matrix(data, header, table);
+    load_matrix(data, header, values);
+  return values;
+}
+
+Table parse_npy(std::string_view bytes, const std::string& source) {
+  const NpyHeader header = parse_npy_header(bytes, bytes.size(), source);
+  Table table = npy_columns(header, source);
+  table.values = npy_values(header, bytes.substr(header.data_begin));
   return table;
 }
 

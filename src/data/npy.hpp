@@ -7,6 +7,7 @@
 
 #include "lacuna/core/types.hpp"
 #include "lacuna/data/table.hpp"
+#include "npy_header.hpp"
 
 namespace lacuna {
 
@@ -15,6 +16,12 @@ namespace lacuna {
 /// Columns without a name are called c1, c2, ...
 /// @throws DataError naming source and what is not supported.
 Table parse_npy(std::string_view bytes, const std::string& source);
+
+/// A table without rows that has the columns of an array.
+Table npy_columns(const NpyHeader& header, const std::string& source);
+
+/// The numbers of an array. @param data header.rows rows of them, without the header.
+Matrix npy_values(const NpyHeader& header, std::string_view data);
 
 /// Writes a matrix as .npy version 1, little-endian doubles in Fortran order, whole or not at
 /// all.

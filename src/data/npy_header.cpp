@@ -191,7 +191,8 @@ bool fits(const NpyHeader& header, std::size_t available) {
 
 }  // namespace
 
-NpyHeader parse_npy_header(std::string_view bytes, const std::string& source) {
+NpyHeader parse_npy_header(std::string_view bytes, std::size_t file_size,
+                           const std::string& source) {
   constexpr std::size_t kLengthAt = 8;
   const HeaderParser damaged("", source);
   if (bytes.substr(0, 6) != "\x93NUMPY") damaged.fail("its first bytes are not those of one");
@@ -205,7 +206,7 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& source) {
   if (length > bytes.size() - begin) damaged.fail("it is cut short");
   NpyHeader header = HeaderParser(bytes.substr(begin, length), source).parse();
   header.data_begin = begin + length;
-  if (!fits(header, bytes.size() - header.data_begin)) damaged.fail("it is cut short");
+  if (!fits(header, file_size - header.data_begin)) damaged.fail("it is cut short");
   return header;
 }
 

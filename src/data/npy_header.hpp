@@ -29,7 +29,10 @@ struct NpyHeader {
 };
 
 /// Reads the header (format versions 1 to 3) and checks it against the size of the file.
+/// @param bytes with which the file begins, the header at least.
+/// @param file_size in bytes.
 /// @throws DataError naming source and what is not supported or does not fit.
-NpyHeader parse_npy_header(std::string_view bytes, const std::string& source);
+NpyHeader parse_npy_header(std::string_view bytes, std::size_t file_size,
+                           const std::string& source);
 
 }  // namespace lacuna

@@ -177,6 +177,18 @@ ColumnIndices find_columns(const Table& table, const ColumnRoles& roles) {
   return columns;
 }
 
+Trajectory take_record(const Table& table, const ColumnIndices& columns,
+                       const std::optional<double>& step, const TableRows& rows) {
+  Trajectory record;
+  record.source = table.source;
+  record.time = times_of(table, columns, step, rows);
+  record.states = gather(table, rows, columns.states);
+  record.inputs = gather(table, rows, columns.inputs);
+  if (!columns.derivatives.empty())
+    record.derivatives = gather(table, rows, columns.derivatives);
+  return record;
+}
+
 Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   const ColumnIndices columns = find_columns(given, roles);
   std::optional<FilledTable> filled;
@@ -198,14 +210,8 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   append(data.notes, records.notes);
   for (std::size_t i = 0; i < records.ranges.size(); ++i) {
     const TableRows& rows = records.ranges[i];
-    Trajectory trajectory;
-    trajectory.source = table.source;
+    Trajectory trajectory = take_record(table, columns, roles.step, rows);
     if (records.ranges.size() > 1) trajectory.source += ", record " + std::to_string(i + 1);
-    trajectory.time = times_of(table, columns, roles.step, rows);
-    trajectory.states = gather(table, rows, columns.states);
-    trajectory.inputs = gather(table, rows, columns.inputs);
-    if (!columns.derivatives.empty())
-      trajectory.derivatives = gather(table, rows, columns.derivatives);
     if (filled && filled->marks.size() > 0)
       trajectory.marks = filled->marks.middleRows(rows.first, rows.count);
     data.trajectories.push_back(std::move(trajectory));

@@ -140,6 +140,20 @@ Vector seen_states(const Dataset& view) {
   return seen;
 }
 
+/// K as it was given, or made for this record.
+/// @throws ArgumentError where it couples a state that nobody measured.
+Matrix coupling_of(const OdeModel& model, const Dataset& view, const Vector& seen,
+                   const std::optional<Matrix>& given) {
+  if (!given) return default_coupling(view) * seen.asDiagonal();
+  for (Index k = 0; k < seen.size(); ++k)
+    if (seen[k] == 0.0 && !given->col(k).isZero(0.0))
+      throw ArgumentError("synchronisation, coupling",
+                          "nobody measured the state '" +
+                              model.states()[static_cast<std::size_t>(k)].name + "'",
+                          "couple states that have a column");
+  return *given;
+}
+
 void check_delays(const OdeModel& model, const Vector& seen) {
   const CompiledModel compiled = model.compile();
   for (const DelayedVariable& variable : compiled.delays())
@@ -320,7 +334,7 @@ Vector response_to_noise(const SlaveTask& task, const Dataset& record,
 /// See SyncResult::conditional_exponent.
 double conditional_exponent(const SlaveTask& task, const Trajectory& record,
                             const SyncResult& result) {
-  constexpr double kForgotten = 1e-6;
+  constexpr double kResolved = 1e-6;  // a fact of doubles: well above their rounding
   const Matrix& own = result.states.front();
   Vector reach = (own.colwise().maxCoeff() - own.colwise().minCoeff()).transpose();
   reach = (reach.array() > 0.0).select(reach, 1.0);
@@ -333,7 +347,7 @@ double conditional_exponent(const SlaveTask& task, const Trajectory& record,
     return std::numeric_limits<double>::infinity();
   const Vector distance = ((other.states - own) * weight.asDiagonal()).rowwise().norm();
   Index n = 1;
-  while (n + 1 < distance.size() && distance[n] > kForgotten * distance[0]) ++n;
+  while (n + 1 < distance.size() && distance[n] > kResolved * distance[0]) ++n;
   return std::log(std::max(distance[n], 1e-300) / distance[0]) /
          (record.time[n] - record.time[0]);
 }
@@ -359,8 +373,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   SyncResult result;
   const Vector seen = seen_states(view);
   check_delays(model, seen);
-  result.coupling =
-      (options.coupling ? *options.coupling : default_coupling(view)) * seen.asDiagonal();
+  result.coupling = coupling_of(model, view, seen, options.coupling);
   result.noise = estimate_noise(view);
   const SlaveTask task{model, result.coupling, integrator, options.start, seen, context};
   for (const Trajectory& trajectory : view.trajectories) {

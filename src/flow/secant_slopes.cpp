@@ -7,7 +7,7 @@ namespace lacuna {
 
 Matrix secant_slopes(Rates& rates, const Eigen::Ref<const Matrix>& slots,
                      const Eigen::Ref<const Vector>& length, const Vector& accuracy) {
-  constexpr Index kRowsAtOnce = 256;  // rows that are done together and stay in cache
+  constexpr Index kRowsAtOnce = 256;  // a fact of the machines: they stay in cache
   const Index m = rates.dimension();
   Matrix result(m * m, slots.rows());
   for (Index first = 0; first < slots.rows(); first += kRowsAtOnce) {

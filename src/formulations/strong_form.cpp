@@ -9,6 +9,7 @@
 #include "lacuna/model/ode_model.hpp"
 #include "lacuna/records/derived_record.hpp"
 #include "non_finite_error.hpp"
+#include "streamed_rows.hpp"
 
 namespace lacuna {
 namespace {
@@ -32,6 +33,30 @@ double noise_gain(const Trajectory& record, const Differentiator& differentiator
          std::sqrt(static_cast<double>(places));
 }
 
+bool has_delay(const TermLibrary& library) {
+  return std::any_of(library.terms.begin(), library.terms.end(), [](const Term& term) {
+    return contains(term.expression(), Operation::Delay);
+  });
+}
+
+/// The system of rows that know where they come from.
+/// @param error see LeastSquaresSystem::target_error.
+template <class Rows>
+LeastSquaresSystem system_of(const std::shared_ptr<const Rows>& rows,
+                             const TermLibrary& library, const std::optional<Vector>& error,
+                             const RunContext& context) {
+  try {
+    const LeastSquaresSystem system(rows, library.names(),
+                                    left_hand_sides(library.variables.states, Evolution::Flow),
+                                    context);
+    return error ? system.with_target_error(*error) : system;
+  } catch (const DataError&) {
+    // The system knows row numbers only; where and why is worth another pass.
+    if (const auto entry = rows->find_non_finite()) throw_non_finite(*entry);
+    throw;
+  }
+}
+
 }  // namespace
 
 LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrary& library,
@@ -45,19 +70,24 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
     records.push_back(with_derivatives(record, *method, options().smooth_states));
   }
   const Index margin = data.has_derivatives() ? 0 : method->margin();
-  const auto rows = std::make_shared<const LibraryRows>(library, records, margin);
-  try {
-    const LeastSquaresSystem system(rows, library.names(),
-                                    left_hand_sides(library.variables.states, Evolution::Flow),
-                                    context);
-    const std::optional<Vector> error =
-        data.has_derivatives() ? std::nullopt : method->truncation_error(data);
-    return error ? system.with_target_error(*error) : system;
-  } catch (const DataError&) {
-    // The system knows row numbers only; where and why is worth another pass.
-    if (const auto entry = rows->find_non_finite()) throw_non_finite(*entry);
-    throw;
-  }
+  return system_of(std::make_shared<const LibraryRows>(library, records, margin), library,
+                   data.has_derivatives() ? std::nullopt : method->truncation_error(data),
+                   context);
+}
+
+LeastSquaresSystem StrongForm::do_assemble_long(const RecordStream& records,
+                                                const TermLibrary& library,
+                                                const RunContext& context) const {
+  // What has a past needs it in memory; the rows say so where it is not.
+  if (has_delay(library) && records.in_memory())
+    return do_assemble(*records.in_memory(), library, context);
+  const Dataset& data = records.excerpt();
+  const Stage<Differentiator> method = fitted_to(options().differentiator, data);
+  const bool given = data.has_derivatives();
+  return system_of(
+      std::make_shared<const StreamedRows>(library, records.records(),
+                                           SampleRates{method, options().smooth_states}, given),
+      library, given ? std::nullopt : method->truncation_error(data), context);
 }
 
 std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,

@@ -8,6 +8,7 @@
 
 #include "base_columns.hpp"
 #include "candidates/nelder_mead.hpp"
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/numerics/qr.hpp"
 #include "lacuna/selection/subset_search.hpp"
 
@@ -161,13 +162,16 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
     if (has_form(equation, start.form.candidate)) continue;
     trials.push_back({equation, 0.0});
     trials.back().equation.forms.push_back(start.form);
-    trials.back().left = fit_shapes(base, trials.back().equation.forms.back(), kRough);
   }
+  const auto fit = [&](std::size_t count, int evaluations) {
+    parallel_for(std::min(count, trials.size()), context_.threads, [&](std::size_t i) {
+      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), evaluations);
+    });
+  };
+  fit(trials.size(), kRough);
   const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
-  for (std::size_t i = 0;
-       i < std::min(static_cast<std::size_t>(options_.exact_fits), trials.size()); ++i)
-    trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), kExact);
+  fit(static_cast<std::size_t>(options_.exact_fits), kExact);
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   return trials;
 }
@@ -278,13 +282,15 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
 
 Matrix FormProblem::rated(const std::vector<Beside>& equations,
                           const std::vector<Start>& starts) const {
-  constexpr std::size_t kTogether = 256;  // columns of the samples in memory
+  constexpr std::size_t kTogether = 32;  // a fact of the machines: columns in memory at a time
   std::vector<BaseColumns> bases;
   for (const auto& [equation, without_two] : equations)
     bases.emplace_back(columns(equation), rows_.target(equation.equation));
   Matrix left(static_cast<Index>(starts.size()), static_cast<Index>(equations.size()));
-  for (std::size_t first = 0; first < starts.size(); first += kTogether) {
+  const std::size_t chunks = (starts.size() + kTogether - 1) / kTogether;
+  parallel_for(chunks, context_.threads, [&](std::size_t chunk) {
     context_.check_stop();
+    const std::size_t first = chunk * kTogether;
     const std::size_t end = std::min(starts.size(), first + kTogether);
     std::vector<Expression> forms;
     for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
@@ -294,7 +300,7 @@ Matrix FormProblem::rated(const std::vector<Beside>& equations,
         left(static_cast<Index>(first) + i, static_cast<Index>(e)) =
             equations[e].without_two ? bases[e].left_without_two(added.col(i))
                                      : bases[e].left_with(added.col(i));
-  }
+  });
   return left;
 }
 

@@ -121,16 +121,17 @@ std::vector<std::string> with_forms(const TermLibrary& library,
 /// A run with forms beside the library.
 class ExtendedRun {
  public:
-  ExtendedRun(const Dataset& data, const Pipeline& pipeline, const FormOptions& options,
+  ExtendedRun(const RecordStream& records, const Pipeline& pipeline, const FormOptions& options,
               const IdentificationResult& alone, const RunContext& context)
-      : data_(data),
+      : records_(records),
+        data_(records.excerpt()),
         pipeline_(pipeline),
         options_(options),
         context_(context),
         alone_(alone),
         library_(pipeline.basis->library(alone.model.variables())),
-        models_(data),
-        search_(data, alone.noise, options, context, library_.terms) {}
+        models_(data_),
+        search_(data_, alone.noise, options, context, library_.terms) {}
 
   /// Collects the candidates of each equation.
   void look_for(const std::vector<Stage<Effect>>& effects, const IdentificationResult& alone) {
@@ -285,16 +286,17 @@ class ExtendedRun {
         terms.terms.push_back(form.expression().to_string());
       extended.equations.push_back(std::move(terms));
     }
-    return identify(data_, extended, context_);
+    return identify(records_, extended, context_);
   }
 
   IdentificationResult identified(const std::vector<EquationForms>& equations) const {
     Pipeline extended = pipeline_;
     extended.basis = Expressions{{.terms = with_forms(library_, equations)}};
-    return identify(data_, extended, context_);
+    return identify(records_, extended, context_);
   }
 
-  const Dataset& data_;
+  const RecordStream& records_;
+  const Dataset& data_;  ///< the excerpt
   const Pipeline& pipeline_;
   const FormOptions& options_;
   const RunContext& context_;
@@ -307,15 +309,15 @@ class ExtendedRun {
 
 }  // namespace
 
-IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pipeline,
+IdentificationResult identify_with_forms(const RecordStream& records, const Pipeline& pipeline,
                                          const std::vector<Stage<Effect>>& effects,
                                          const FormOptions& options,
                                          const RunContext& context) {
-  IdentificationResult alone = identify(data, pipeline, context);
-  if (leaves_nothing(alone, options.worth_asking) || lacks_input_columns(data) ||
+  IdentificationResult alone = identify(records, pipeline, context);
+  if (leaves_nothing(alone, options.worth_asking) || lacks_input_columns(records.excerpt()) ||
       !pipeline.equations.empty())
     return alone;
-  ExtendedRun run(data, pipeline, options, alone, context);
+  ExtendedRun run(records, pipeline, options, alone, context);
   if (!run.is_possible()) return alone;
   run.look_for(effects, alone);
   Extension extended = run.result(alone);

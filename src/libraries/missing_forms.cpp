@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "form_problem.hpp"
+#include "lacuna/core/parallel.hpp"
 #include "rational_forms.hpp"
 
 namespace lacuna {
@@ -101,10 +102,16 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   for (std::size_t b = 0; b < bases.size(); ++b) {
     const EquationForms* const from = bases[b];
     set_left(rated.col(static_cast<Index>(b)), starts);
-    for (const Start& start : best_of(starts, tried)) {
-      if (from != &whole) take(problem_->thinned(*from, start.form, limit));
-      if (from != &linear) take(problem_->chosen(whole, start.form, limit));
-    }
+    const std::vector<Start> best_starts = best_of(starts, tried);
+    std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
+    parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
+      const MissingForm& form = best_starts[i].form;
+      if (from != &whole) trials[i][0] = problem_->thinned(*from, form, limit);
+      if (from != &linear) trials[i][1] = problem_->chosen(whole, form, limit);
+    });
+    for (const auto& of_start : trials)
+      for (const std::optional<Trial>& trial : of_start)
+        if (trial) take(*trial);
   }
   // One form may do the work of some terms, another that of others.
   if (best.equation.parameters() < equation.parameters())

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/numerics/least_squares.hpp"
 #include "lacuna/numerics/qr.hpp"
 #include "lacuna/selection/subset_search.hpp"
@@ -59,11 +60,11 @@ class Denominators {
   /// The best, each with its numbers.
   std::vector<Denominator> best(std::size_t count) const {
     std::vector<Denominator> all = pairs();
-    for (Denominator& each : all) {
+    parallel_for(all.size(), context_.threads, [&](std::size_t i) {
       context_.check_stop();
-      each.numbers = implicit(each);
-      each.score = score(each);
-    }
+      all[i].numbers = implicit(all[i]);
+      all[i].score = score(all[i]);
+    });
     std::stable_sort(all.begin(), all.end(), [](const Denominator& a, const Denominator& b) {
       return a.score < b.score;
     });

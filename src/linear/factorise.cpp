@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,8 +63,9 @@ Factor gram_factor(const Shape& shape, const Vector& norms, GramFactor gram) {
   return make_factor(shape, norms, std::move(gram.triangle), Folding::Gram);
 }
 
-Factor factor_from_gram(const RowSource& rows, const Shape& shape, const Matrix& gram,
-                        Folding folding, const RunContext& context) {
+// The factor of a Gram matrix; nothing where it has to resolve the problem and cannot.
+std::optional<Factor> factor_of_gram(const Shape& shape, const Matrix& gram, Folding folding,
+                                     const RunContext& context) {
   GramFactor cholesky = factor_gram(gram, shape.terms, context);
   const bool broke_down = cholesky.broke_down;
   const Vector norms = gram.diagonal().cwiseSqrt();
@@ -70,7 +73,39 @@ Factor factor_from_gram(const RowSource& rows, const Shape& shape, const Matrix&
   if (folding == Folding::Gram) return factor;
   const bool resolved = !broke_down && residuals_resolved(factor) &&
                         condition_estimate(without_zero_columns(factor)) <= kGramCondition;
-  return resolved ? factor : orthogonal_factor(shape, fold_orthogonal(rows, context));
+  return resolved ? std::optional<Factor>(std::move(factor)) : std::nullopt;
+}
+
+Factor factor_from_gram(const RowSource& rows, const Shape& shape, const Matrix& gram,
+                        Folding folding, const RunContext& context) {
+  if (auto factor = factor_of_gram(shape, gram, folding, context)) return *std::move(factor);
+  return orthogonal_factor(shape, fold_orthogonal(rows, context));
+}
+
+// The first rows of many.
+class FirstRows final : public RowSource {
+ public:
+  FirstRows(const RowSource& rows, Index count) : rows_(rows), count_(count) {}
+
+  Index rows() const override { return count_; }
+  Index terms() const override { return rows_.terms(); }
+  Index targets() const override { return rows_.targets(); }
+  std::unique_ptr<RowReader> open() const override { return rows_.open(); }
+
+ private:
+  const RowSource& rows_;
+  Index count_;
+};
+
+// Whether the first of many rows tell that a pass for their Gram would be in vain.
+bool begins_unresolved(const RowSource& rows, const RunContext& context) {
+  constexpr Index kFirst = Index{1} << 15, kMany = 8 * kFirst;
+  if (rows.rows() < kMany) return false;
+  const FirstRows first(rows, kFirst);
+  const Matrix gram = fold_gram(first, context);
+  return squares_in_range(gram.diagonal()) &&
+         !factor_of_gram({kFirst, rows.terms(), rows.targets()}, gram, Folding::Automatic,
+                         context);
 }
 
 void unscale(Factor& factor, const std::vector<int>& exponents) {
@@ -92,7 +127,8 @@ void unscale(Factor& factor, const std::vector<int>& exponents) {
 Factor factorise(const RowSource& rows, Folding folding, ColumnName name,
                  const RunContext& context) {
   const Shape shape{rows.rows(), rows.terms(), rows.targets()};
-  const bool orthogonal = folding == Folding::Orthogonal;
+  const bool orthogonal = folding == Folding::Orthogonal ||
+                          (folding == Folding::Automatic && begins_unresolved(rows, context));
   const Matrix folded = orthogonal ? fold_orthogonal(rows, context) : fold_gram(rows, context);
   const Vector squares =
       orthogonal ? Vector(folded.colwise().squaredNorm().transpose()) : folded.diagonal();

@@ -305,11 +305,19 @@ IdentificationResult run_equations(const Run& run) {
   return result;
 }
 
+std::string excerpt_note(const RecordStream& records) {
+  return "the terms come from all " + std::to_string(records.samples()) +
+         " samples; noise, refinement and verification from " +
+         std::to_string(records.excerpt().samples()) + " of them, spread over the records";
+}
+
 }  // namespace
 
-IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
+IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,
                               const RunContext& context) {
-  if (lacks_input_columns(data)) return identify(with_input_columns(data), pipeline, context);
+  const Dataset& data = records.excerpt();
+  if (lacks_input_columns(data))
+    return identify(with_input_columns(*records.in_memory()), pipeline, context);
   check_dataset(data);
   const EquationLibraries libraries =
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
@@ -323,11 +331,12 @@ IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
                       "leave it out, or identify a flow");
   const Vector noise = is_map ? Vector() : estimate_noise(data);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
-  const LeastSquaresSystem system = fitted.formulation->assemble(data, library, context);
+  const LeastSquaresSystem system = fitted.formulation->assemble(records, library, context);
   context.report("filtering terms", 0.0);
   const FilterResult filtered = fitted.filter->filter(system, context);
   IdentificationResult result =
       run_equations({data, fitted, context, library, system, filtered, noise, libraries});
+  if (records.is_long()) result.warnings.push_back(excerpt_note(records));
   context.report("fitting equations", 1.0);
   return result;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/numerics/least_squares.hpp"
+#include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {
@@ -30,6 +30,12 @@ Matrix powers(const Vector& time, Index first, Index width, Index degree) {
   const Vector u = (time.segment(first, width).array() - middle) / half;
   for (Index p = 1; p <= degree; ++p) matrix.col(p) = matrix.col(p - 1).cwiseProduct(u);
   return matrix;
+}
+
+/// A^+ = R^-1 Q' of columns that do not depend on each other.
+Matrix pseudo_inverse(const Matrix& a) {
+  const Qr factor(a);
+  return factor.triangle().triangularView<Eigen::Upper>().solve(factor.basis().transpose());
 }
 
 /// Weights of a window's samples for signal (row 0) and rate (row 1) at one of its samples.
@@ -60,7 +66,7 @@ Smoothed smooth(const Vector& time, const Vector& values, Index width) {
     const Index first = window_begin(i, width, n);
     if (made_for < 0 || !same_grid(time, made_for, first, width)) {
       basis = powers(time, first, width, degree);
-      inverse = smallest_least_squares(basis, Matrix::Identity(basis.rows(), basis.rows()));
+      inverse = pseudo_inverse(basis);
       place = -1;
     }
     made_for = first;

@@ -76,9 +76,11 @@ void check_count(const Dataset& data, Index count, const std::string& what, Inde
 
 }  // namespace
 
-LeastSquaresSystem Formulation::assemble(const Dataset& data, const TermLibrary& library,
+LeastSquaresSystem Formulation::assemble(const RecordStream& records,
+                                         const TermLibrary& library,
                                          const RunContext& context) const {
   context.check_stop();
+  const Dataset& data = records.in_memory() ? *records.in_memory() : records.excerpt();
   check_dataset(data);
   check_variables(data, library.variables);
   for (Index state = 0; state < data.state_count(); ++state) {
@@ -87,9 +89,20 @@ LeastSquaresSystem Formulation::assemble(const Dataset& data, const TermLibrary&
   }
   check_count(data, data.samples(), "samples",
               library.size());  // before L x L numbers are made
-  LeastSquaresSystem system = do_assemble(data, library, context);
+  LeastSquaresSystem system = records.is_long() ? do_assemble_long(records, library, context)
+                                                : do_assemble(data, library, context);
   check_count(data, system.rows(), "rows", system.terms());
   return system;
+}
+
+LeastSquaresSystem Formulation::do_assemble_long(const RecordStream& records,
+                                                 const TermLibrary& library,
+                                                 const RunContext& context) const {
+  if (!records.in_memory())
+    throw ConfigError("formulation " + std::string(info().name),
+                      "it needs the records in memory, and these are read in pieces",
+                      "leave out --memory, or choose --set formulation=strong");
+  return do_assemble(*records.in_memory(), library, context);
 }
 
 std::optional<Vector> Formulation::target_noise(const Dataset& data,

@@ -24,15 +24,17 @@ Allowed allowed_includes() {
   allowed["data"] = {"core", "numerics"};
   allowed["model"] = {"core", "numerics", "data"};
   allowed["linear"] = {"core", "numerics", "data", "model"};
-  allowed["stages"] = {"core", "numerics", "data", "model", "linear"};
+  allowed["streams"] = {"core", "data"};
+  allowed["stages"] = {"core", "numerics", "data", "model", "linear", "streams"};
   allowed["records"] = {"core", "numerics", "data", "model", "stages"};
   for (const std::string& folder : kConcrete)
-    allowed[folder] = {"core", "numerics", "data", "model", "linear", "stages"};
+    allowed[folder] = {"core", "numerics", "data", "model", "linear", "streams", "stages"};
   allowed["formulations"].insert("records");
   allowed["selection"] = allowed["formulations"];
   allowed["selection"].insert({"records", "formulations", "flow", "shooting"});
   allowed["relations"] = {"core", "numerics", "data", "model"};
-  allowed["pipeline"] = {"core", "numerics", "data", "model", "linear", "stages", "relations"};
+  allowed["pipeline"] = {"core",    "numerics", "data",   "model",
+                         "streams", "linear",   "stages", "relations"};
   allowed["pipeline"].insert(kConcrete.begin(), kConcrete.end());
   allowed["pipeline"].insert("selection");
   allowed["dynamics"] = {"core", "numerics", "data", "model", "records"};

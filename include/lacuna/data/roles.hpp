@@ -34,6 +34,13 @@ struct ColumnRoles {
   std::vector<std::pair<std::string, std::string>> names = {};
 };
 
+/// Rows first, first + 1, ..., first + count - 1 of a table.
+struct TableRows {
+  Index first = 0;
+  Index count = 0;
+  Index offset = 0;  ///< of `first` from the first row with the same trajectory number
+};
+
 /// Numbers of the columns that play the roles.
 struct ColumnIndices {
   std::optional<Index> time;       ///< nothing when the step is given
@@ -63,5 +70,10 @@ ColumnIndices find_columns(const Table& table, const ColumnRoles& roles);
 /// noted.
 /// @throws DataError for unknown names, time that goes backwards, an infinite value, ...
 Dataset assign_roles(const Table& table, const ColumnRoles& roles);
+
+/// Rows of a table as a record.
+/// @param step of the samples where no column is the time.
+Trajectory take_record(const Table& table, const ColumnIndices& columns,
+                       const std::optional<double>& step, const TableRows& rows);
 
 }  // namespace lacuna

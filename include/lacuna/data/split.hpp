@@ -12,16 +12,9 @@
 
 namespace lacuna {
 
-/// Rows first, first + 1, ..., first + count - 1 of a table.
-struct TableRows {
-  Index first = 0;
-  Index count = 0;
-  Index offset = 0;  ///< of `first` from the first row with the same trajectory number
-};
-
 /// The uninterrupted records of a table.
 struct Records {
-  std::vector<TableRows> ranges;  ///< at least two rows each
+  std::vector<TableRows> ranges;   ///< at least two rows each
   std::vector<std::string> notes;  ///< where and why it was split; at most about a dozen
 };
 

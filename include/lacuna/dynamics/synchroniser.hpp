@@ -15,7 +15,8 @@ namespace lacuna {
 /// Sect. 2.2. A state that nobody measured (is_hidden()) has no x_m: its column of K is 0, it
 /// begins where the model says (given_begin()), and no error is counted in it.
 struct SyncOptions {
-  /// K, m x m, in 1 / time unit. Without it all states are coupled with default_coupling().
+  /// K, m x m, in 1 / time unit. Without it all measured states are coupled with
+  /// default_coupling(); a state that nobody measured cannot be (ArgumentError).
   std::optional<Matrix> coupling = {};
 
   /// State the slave starts from; without it the record's first sample, and where states are

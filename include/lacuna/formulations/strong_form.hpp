@@ -34,7 +34,7 @@ struct StrongFormOptions {
 /// the fit in a window gives signal and derivative of one and the same polynomial, and signals
 /// that went through unequal filters would bias the coefficients. Finite differences smooth
 /// nothing. Samples at the ends of a record, where the differentiator is one-sided, have no row
-/// unless the record is shorter than four such ends.
+/// unless the record is shorter than four such ends. Long records are passed over in pieces.
 class StrongForm final : public Configured<Formulation, StrongFormOptions> {
  public:
   explicit StrongForm(Options options) : Configured(std::move(options)) {}
@@ -42,6 +42,8 @@ class StrongForm final : public Configured<Formulation, StrongFormOptions> {
  private:
   LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,
                                  const RunContext& context) const override;
+  LeastSquaresSystem do_assemble_long(const RecordStream& records, const TermLibrary& library,
+                                      const RunContext& context) const override;
   std::optional<Vector> do_target_noise(const Dataset& data,
                                         const Vector& state_noise) const override;
   std::shared_ptr<const Formulation> do_fit(const Dataset& data,

@@ -16,7 +16,7 @@ namespace lacuna {
 /// (IdentificationResult::library_alone). A pipeline with libraries of single equations is run
 /// as it is.
 /// @throws as identify().
-IdentificationResult identify_with_forms(const Dataset& data, const Pipeline& pipeline,
+IdentificationResult identify_with_forms(const RecordStream& records, const Pipeline& pipeline,
                                          const std::vector<Stage<Effect>>& effects,
                                          const FormOptions& options = {},
                                          const RunContext& context = {});

@@ -54,9 +54,11 @@ struct Pipeline {
 /// pruner (refitting with the regressor) and a final fit. An equation the dataset knows as an
 /// identity (Dataset::rate_of) is taken over with coefficient 1. The refiner then fits the
 /// model to the trajectories and may change its structure. Coefficients
-/// satisfy the constraints; those of absent terms are 0.
+/// satisfy the constraints; those of absent terms are 0. Of long records all samples determine
+/// the terms, an excerpt the rest.
+/// @param records a Dataset, or records that are read in pieces.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.
-IdentificationResult identify(const Dataset& data, const Pipeline& pipeline,
+IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,
                               const RunContext& context = {});
 
 }  // namespace lacuna

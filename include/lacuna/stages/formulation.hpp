@@ -6,10 +6,10 @@
 
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/core/stage.hpp"
-#include "lacuna/data/dataset.hpp"
 #include "lacuna/linear/least_squares_system.hpp"
 #include "lacuna/model/ode_model.hpp"
 #include "lacuna/model/term.hpp"
+#include "lacuna/streams/record_stream.hpp"
 
 namespace lacuna {
 
@@ -24,8 +24,9 @@ class Formulation : public StageInterface {
   /// @throws DataError when the dataset is not usable (check_dataset), when there are fewer
   /// rows
   ///   than terms, when a state is constant, when a derivative is zero throughout, or when a
-  ///   term is not finite on the data: names the place and the remedy.
-  LeastSquaresSystem assemble(const Dataset& data, const TermLibrary& library,
+  ///   term is not finite on the data: names the place and the remedy; ConfigError when
+  ///   the form needs records in memory that are not.
+  LeastSquaresSystem assemble(const RecordStream& records, const TermLibrary& library,
                               const RunContext& context = {}) const;
 
   /// What the equations are that the targets make.
@@ -49,6 +50,12 @@ class Formulation : public StageInterface {
 
   virtual LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,
                                          const RunContext& context) const = 0;
+
+  /// The same for records that are longer than an excerpt. Without it they have to be in
+  /// memory.
+  virtual LeastSquaresSystem do_assemble_long(const RecordStream& records,
+                                              const TermLibrary& library,
+                                              const RunContext& context) const;
 
   virtual Evolution do_evolution() const { return Evolution::Flow; }
 

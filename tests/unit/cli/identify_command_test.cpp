@@ -2,9 +2,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "data/npy.hpp"
 #include "lacuna/data/write.hpp"
 #include "support/noisy_records.hpp"
 #include "unit/cli/records.hpp"
+#include "unit/streams/long_records.hpp"
 
 namespace lacuna {
 namespace {
@@ -265,6 +267,38 @@ TEST(IdentifyCommand, OtherCommandsRefuseMaps) {
     expect_failure(run_command({"identify", record.data(), "--discrete", option,
                                 option == std::string("--embed") ? "x=2" : "1"}),
                    2, {"--discrete", "no derivatives"});
+}
+
+TEST(IdentifyCommand, ReadsInPiecesWhatDoesNotFitIntoTheMemoryItIsGiven) {
+  const TemporaryFolder folder;
+  const Dataset data = testing::long_oscillation(400000, 97.3);
+  write_npy(folder.file("a.npy"), testing::table_of(data));
+  const std::vector<std::string> common = {"identify",    folder.file("a.npy"), "--map",
+                                           "t=1,x=2,v=3", "--degree",           "1"};
+  const auto with = [&](const std::string& memory) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), {"--memory", memory});
+    return run_command(arguments);
+  };
+  const CommandResult pieces = with("16MB"), whole = with("4G");
+  EXPECT_EQ(pieces.status, 0) << pieces.err;
+  EXPECT_EQ(pieces.out, whole.out);
+  EXPECT_THAT(pieces.out, HasSubstr("the terms come from all 400000 samples"));
+  EXPECT_THAT(pieces.out, HasSubstr("dx/dt = v"));
+}
+
+TEST(IdentifyCommand, PiecesHaveLimits) {
+  const TemporaryFolder folder;
+  write_npy(folder.file("a.npy"), testing::table_of(testing::long_oscillation(400000, 97.3)));
+  const auto refused = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"identify", folder.file("a.npy"), "--map", "t=1,x=2,v=3", "--memory", "16MB"});
+    return run_command(more).err;
+  };
+  EXPECT_THAT(refused({"--hold", "u=zero"}), HasSubstr("--memory"));
+  EXPECT_THAT(refused({"--set", "formulation=weak"}), HasSubstr("formulation=strong"));
+  EXPECT_THAT(refused({"--terms", "delay(x,0.1)"}), HasSubstr("without a past"));
+  EXPECT_THAT(refused({"--memory", "3MX"}), HasSubstr("not a size"));
 }
 
 }  // namespace

@@ -212,6 +212,15 @@ TEST(Synchroniser, HiddenStatesGoAloneFromWhereTheModelSays) {
   EXPECT_NEAR(*result.conditional_exponent, -0.5, 1e-5);
 }
 
+TEST(Synchroniser, AHiddenStateIsNotCoupled) {
+  const OdeModel model = parse_ode("dx/dt = cos(t)\ndz/dt = x - 0.5*z\n", "t");
+  const Dataset record = half_measured(model);
+  EXPECT_THROW(synchronise(model, record, Rk4{}, {.coupling = Matrix::Identity(2, 2)}),
+               ArgumentError);
+  const Matrix first = Vector::Unit(2, 0).asDiagonal();
+  EXPECT_EQ(synchronise(model, record, Rk4{}, {.coupling = first}).coupling, first);
+}
+
 TEST(Synchroniser, AHiddenIntegralIsNotTold) {
   const OdeModel model = parse_ode("dx/dt = cos(t)\ndz/dt = x\n", "t");
   const SyncResult result = synchronise(model, half_measured(model), Rk4{});

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "find_records.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/parallel.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr Index kPiece = Index{1} << 17;
+constexpr Index kOverlap = 2;  // so that no step of time lies between pieces
+
+/// Whether rows are one record as far as anybody can see: all is finite, time goes on evenly.
+bool is_plain(const Matrix& values, const ColumnIndices& columns) {
+  if (columns.trajectory || values.rows() < 2) return false;
+  for (const Index column : columns.used())
+    if (!values.col(column).allFinite()) return false;
+  if (!columns.time) return true;
+  const auto time = values.col(*columns.time);
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  for (Index row = 1; row < time.size(); ++row) {
+    const double step = time[row] - time[row - 1];
+    smallest = std::min(smallest, step);
+    largest = std::max(largest, step);
+  }
+  return smallest > 0.0 && largest <= 1.5 * smallest;
+}
+
+/// Its ranges count from the first row of the piece.
+Records records_of_piece(const NpyFile& file, const ColumnIndices& columns, Index first,
+                         Index count) {
+  Table piece = file.columns();
+  piece.values = file.values(first, count);
+  if (is_plain(piece.values, columns)) return {{{0, count, 0}}, {}};
+  piece.source += ", rows from " + std::to_string(first + 1);
+  return split_records(piece, columns);
+}
+
+/// Adds the ranges of a piece; one that goes on across its begin is joined with the last.
+void join_ranges(const std::vector<TableRows>& ranges, Index first,
+                 std::vector<TableRows>& all) {
+  for (TableRows range : ranges) {
+    range.first += first;
+    range.offset += first;
+    if (!all.empty() && range.first < all.back().first + all.back().count)
+      all.back().count = range.first + range.count - all.back().first;
+    else
+      all.push_back(range);
+  }
+}
+
+void add_notes(std::vector<std::string> notes, std::vector<std::string>& all) {
+  constexpr std::size_t kShown = 12;
+  for (std::string& note : notes)
+    if (all.size() < kShown) all.push_back(std::move(note));
+}
+
+}  // namespace
+
+Records find_records(const NpyFile& file, const ColumnIndices& columns,
+                     const RunContext& context) {
+  const auto pieces = static_cast<std::size_t>((file.rows() + kPiece - 1) / kPiece);
+  std::vector<Records> found(pieces);
+  parallel_for(pieces, context.threads, [&](std::size_t i) {
+    context.check_stop();
+    const Index first = std::max<Index>(static_cast<Index>(i) * kPiece - kOverlap, 0);
+    const Index end = std::min(static_cast<Index>(i + 1) * kPiece, file.rows());
+    found[i] = records_of_piece(file, columns, first, end - first);
+  });
+  Records all;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    join_ranges(found[i].ranges, std::max<Index>(static_cast<Index>(i) * kPiece - kOverlap, 0),
+                all.ranges);
+    add_notes(std::move(found[i].notes), all.notes);
+  }
+  if (all.ranges.empty())
+    throw DataError(file.columns().source, "there are no two rows of numbers",
+                    "give at least two samples in a row");
+  return all;
+}
+
+}  // namespace lacuna

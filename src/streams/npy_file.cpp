@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "npy_file.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "data/npy.hpp"
+#include "lacuna/core/error.hpp"
+
+namespace lacuna {
+namespace {
+
+NpyHeader header_of(const PositionedFile& file) {
+  constexpr std::size_t kLongestHeader = std::size_t{1} << 20U;
+  std::string begin(std::min(file.size(), kLongestHeader), '\0');
+  file.read(0, begin);
+  if (!begin.starts_with("\x93NUMPY"))
+    throw DataError(
+        file.path().string(), "this is no NumPy array",
+        "only .npy is read in pieces; leave out --memory, or save the record as one");
+  return parse_npy_header(begin, file.size(), file.path().string());
+}
+
+}  // namespace
+
+NpyFile::NpyFile(const std::filesystem::path& path)
+    : file_(path), header_(header_of(file_)), columns_(npy_columns(header_, path.string())) {}
+
+Matrix NpyFile::values(Index first, Index count) const {
+  NpyHeader part = header_;
+  part.rows = static_cast<std::size_t>(count);
+  // In Fortran order each column lies by itself, else rows lie together.
+  const bool by_column = !header_.structured && header_.fortran_order;
+  const std::size_t blocks = by_column ? header_.columns : 1;
+  const std::size_t row = header_.item_size * (by_column ? 1 : header_.columns);
+  const std::size_t length = part.rows * row;
+  const auto bytes = std::make_unique_for_overwrite<char[]>(blocks * length);
+  for (std::size_t i = 0; i < blocks; ++i)
+    file_.read(header_.data_begin + (i * header_.rows + static_cast<std::size_t>(first)) * row,
+               {bytes.get() + i * length, length});
+  return npy_values(part, {bytes.get(), blocks * length});
+}
+
+Table NpyFile::read(Index first, Index count) const {
+  Table table = columns_;
+  table.values = values(first, count);
+  return table;
+}
+
+}  // namespace lacuna

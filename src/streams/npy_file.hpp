@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "core/positioned_file.hpp"
+#include "data/npy_header.hpp"
+#include "lacuna/data/table.hpp"
+
+namespace lacuna {
+
+/// A NumPy array in a file, read by rows.
+class NpyFile {
+ public:
+  /// @throws FileError when it cannot be read; DataError when it is no such array.
+  explicit NpyFile(const std::filesystem::path& path);
+
+  Index rows() const noexcept { return static_cast<Index>(header_.rows); }
+
+  /// Its columns, without rows; what is changed here is found in what is read.
+  Table& columns() noexcept { return columns_; }
+  const Table& columns() const noexcept { return columns_; }
+
+  /// Rows [first, first + count) as a table. Its places count from `first`.
+  Table read(Index first, Index count) const;
+
+  /// The numbers of these rows.
+  Matrix values(Index first, Index count) const;
+
+ private:
+  PositionedFile file_;
+  NpyHeader header_;
+  Table columns_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "lacuna/core/random.hpp"
+#include "lacuna/data/dataset.hpp"
+
+namespace lacuna::testing {
+
+/// x = sin(w t), v = dx/dt, with white noise, in the states of one record.
+/// @param per_period samples of a period.
+inline Dataset long_oscillation(Index samples, double per_period, double noise = 0.0) {
+  constexpr double kTurn = 6.283185307179586;
+  Random random(3);
+  Trajectory record;
+  record.source = "swing";
+  record.time = Vector::LinSpaced(samples, 0.0, 0.01 * static_cast<double>(samples - 1));
+  record.states.resize(samples, 2);
+  const double w = kTurn / (0.01 * per_period);
+  for (Index i = 0; i < samples; ++i) {
+    record.states(i, 0) = std::sin(w * record.time[i]) + noise * random.normal();
+    record.states(i, 1) = w * std::cos(w * record.time[i]) + w * noise * random.normal();
+  }
+  record.inputs.resize(samples, 0);
+  Dataset data;
+  data.states = {{"x", "m"}, {"v", "m/s"}};
+  data.trajectories = {std::move(record)};
+  return data;
+}
+
+/// Time and states as a file has them.
+inline Matrix table_of(const Dataset& data) {
+  const Trajectory& record = data.trajectories[0];
+  Matrix values(record.samples(), 1 + record.states.cols());
+  values << record.time, record.states;
+  return values;
+}
+
+}  // namespace lacuna::testing

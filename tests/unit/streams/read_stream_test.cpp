@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/streams/read_stream.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "data/npy.hpp"
+#include "lacuna/core/random.hpp"
+#include "lacuna/data/read.hpp"
+#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/model/model_file.hpp"
+#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/systems/test_systems.hpp"
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/streams/long_records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::long_oscillation;
+using testing::TemporaryFolder;
+
+ColumnRoles first_is_time() {
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"x", "2"}, {"v", "3"}};
+  return roles;
+}
+
+std::string saved(const TemporaryFolder& folder, const std::string& name,
+                  const Matrix& values) {
+  const std::string path = folder.file(name);
+  write_npy(path, values);
+  return path;
+}
+
+/// Time and states of Lorenz' system with a little noise.
+Matrix lorenz_table(Index samples) {
+  const OdeModel model = test_system("lorenz").model;
+  const Vector time = sample_times(0.0, 0.002, samples);
+  const Solution orbit = simulate(model, Rk4{}, Vector::Ones(3), time);
+  Random random(5);
+  Matrix values(samples, 4);
+  values << time, orbit.states;
+  for (double& value : values.rightCols(3).reshaped()) value += 0.01 * random.normal();
+  return values;
+}
+
+TEST(ReadStream, ModelsAreTheSameToTheBitAsFromMemory) {
+  const TemporaryFolder folder;
+  const std::string path = saved(folder, "long.npy", lorenz_table(200000));
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"x", "2"}, {"y", "3"}, {"z", "4"}};
+  const Dataset data = read_dataset({path}, roles);
+  const Pipeline pipeline = preset("algorithm1");
+  RunContext two;
+  two.threads = 2;
+  const RecordStream stream = read_stream({path}, roles, two);
+  ASSERT_TRUE(stream.is_long());
+  EXPECT_EQ(stream.in_memory(), nullptr);
+  EXPECT_EQ(stream.samples(), 200000);
+  const OdeModel streamed = identify(stream, pipeline, two).model;
+  EXPECT_EQ(format_model(streamed), format_model(identify(data, pipeline).model));
+  EXPECT_NEAR(streamed.coefficient(1, "x*z"), -1.0, 1e-3);
+}
+
+TEST(ReadStream, RecordsEndWhereValuesOrTimesAreMissing) {
+  const TemporaryFolder folder;
+  Matrix values = testing::table_of(long_oscillation(300000, 97.3));
+  values(1000, 2) = std::numeric_limits<double>::quiet_NaN();
+  values.col(0).tail(300000 - 131072).array() += 5.0;  // between two pieces of the file
+  const std::string path = saved(folder, "cut.npy", values);
+  const RecordStream stream = read_stream({path}, first_is_time());
+  const Dataset data = read_dataset({path}, first_is_time());
+  ASSERT_EQ(stream.records().size(), data.trajectories.size());
+  for (std::size_t i = 0; i < data.trajectories.size(); ++i) {
+    EXPECT_EQ(stream.records()[i]->samples(), data.trajectories[i].samples());
+    const Index last = data.trajectories[i].samples() - 1;
+    const Trajectory end = stream.records()[i]->read(last, 1);
+    EXPECT_EQ(end.time[0], data.trajectories[i].time[last]);
+    EXPECT_EQ(end.states.row(0), data.trajectories[i].states.row(last));
+    EXPECT_EQ(end.source, data.trajectories[i].source);
+  }
+}
+
+TEST(ReadStream, FilesFollowEachOther) {
+  const TemporaryFolder folder;
+  const Matrix values = testing::table_of(long_oscillation(90000, 97.3));
+  saved(folder, "part-1.npy", values);
+  saved(folder, "part-2.npy", values.topRows(80000));
+  const RecordStream stream = read_stream({folder.file("part-*.npy")}, first_is_time());
+  ASSERT_EQ(stream.records().size(), 2U);
+  EXPECT_EQ(stream.samples(), 170000);
+}
+
+TEST(ReadStream, AStepStandsForTheTime) {
+  const TemporaryFolder folder;
+  const std::string path =
+      saved(folder, "a.npy", long_oscillation(150000, 97.3).trajectories[0].states);
+  ColumnRoles roles;
+  roles.step = 0.01;
+  const RecordStream stream = read_stream({path}, roles);
+  EXPECT_DOUBLE_EQ(stream.records()[0]->read(140000, 2).time[1], 1400.01);
+}
+
+TEST(ReadStream, RefusesOtherFilesAndOtherColumns) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("a.csv")) << "t,x\n0,1\n1,2\n";
+  testing::expect_error<DataError>([&] { read_stream({folder.file("a.csv")}); },
+                                   folder.file("a.csv"), "no NumPy array", "--memory");
+  testing::expect_error<FileError>([&] { read_stream({folder.file("none.npy")}); },
+                                   folder.file("none.npy"), "cannot be read", "name");
+  saved(folder, "1.npy", Matrix::Random(10, 3));
+  saved(folder, "2.npy", Matrix::Random(10, 4));
+  ColumnRoles step;
+  step.step = 0.1;
+  testing::expect_error<DataError>([&] { read_stream({folder.file("?.npy")}, step); },
+                                   folder.file("2.npy"), "columns", "same columns");
+}
+
+TEST(ReadStream, TimeThatGoesBackwardsIsAnError) {
+  const TemporaryFolder folder;
+  Matrix values = testing::table_of(long_oscillation(200000, 97.3));
+  values(150000, 0) = 0.0;
+  const std::string path = saved(folder, "back.npy", values);
+  EXPECT_THROW(read_stream({path}, first_is_time()), DataError);
+}
+
+}  // namespace
+}  // namespace lacuna
