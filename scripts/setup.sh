@@ -14,6 +14,7 @@ packages=(
   nlohmann-json3-dev       # model files and configurations
   libcli11-dev             # command line
   zlib1g-dev               # compressed records
+  libopenmpi-dev openmpi-bin  # several machines: lacuna-mpi
   libmatio-dev libhdf5-dev # records of MATLAB, HDF5 and netCDF
   libgtest-dev libgmock-dev libbenchmark-dev
   rapidjson-dev            # checks of JSON schemas, in the tests

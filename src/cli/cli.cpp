@@ -176,9 +176,11 @@ int with_output_checked(int status, const CliStreams& streams) {
               "there is space, or give a file (-o, --json)");
 }
 
-/// Parses and runs. @param patience of the guard against interrupts.
-int run_words(int argc, const char* const* argv, const Registry& registry,
-              const CliStreams& streams, cli::InterruptGuard::Patience patience) {
+/// Parses and runs. @param session without what the arguments and the guard give.
+/// @param patience of the guard against interrupts.
+int run_words(int argc, const char* const* argv, cli::Session session,
+              cli::InterruptGuard::Patience patience) {
+  const CliStreams& streams = session.streams;
   CLI::App app;
   describe_program(app);
   const std::vector<cli::Command> commands = {
@@ -193,7 +195,11 @@ int run_words(int argc, const char* const* argv, const Registry& registry,
   const auto chosen = std::find_if(commands.begin(), commands.end(),
                                    [](const auto& command) { return command.app->parsed(); });
   const cli::InterruptGuard interrupt(patience);
-  const cli::Session session{registry, streams, interrupt.token(), command_line(argc, argv)};
+  session.stop = interrupt.token();
+  session.command_line = command_line(argc, argv);
+  // Only what identify does is divided.
+  const bool leads = session.team == nullptr || session.team->rank() == 0;
+  if (!leads && chosen->app->get_name() != "identify") return 0;
   return with_output_checked(run_chosen(*chosen, session), streams);
 }
 
@@ -208,11 +214,16 @@ int run_cli(int argc, const char* const* argv) {
 }
 
 int run_cli(int argc, const char* const* argv, const Registry& registry) {
-  return run_words(argc, argv, registry, {std::cout, std::cerr}, kPatience);
+  return run_words(argc, argv, {registry, {std::cout, std::cerr}, {}}, kPatience);
 }
 
 int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams) {
-  return run_words(argc, argv, registry, streams, {});
+  return run_words(argc, argv, {registry, streams, {}}, {});
+}
+
+int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams,
+            const Team& team) {
+  return run_words(argc, argv, {registry, streams, {}, {}, &team}, {});
 }
 
 }  // namespace lacuna

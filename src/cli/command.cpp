@@ -99,6 +99,7 @@ RunContext make_context(const Session& session, const RunOptions& options) {
   context.stop = session.stop;
   context.threads = options.threads;
   context.seed = options.seed;
+  context.team = session.team;
   if (!shows_progress(session, options)) return context;
   std::ostream& err = session.streams.err;
   context.progress = [&err](const Progress& progress) {

@@ -20,6 +20,7 @@ struct Session {
   CliStreams streams;
   std::stop_token stop;
   std::string command_line = {};  ///< as a shell would take it, for reports
+  const Team* team = nullptr;     ///< processes among which the work is divided
 };
 
 /// A declared subcommand and what it does when it is chosen; gives the exit status.

@@ -178,16 +178,26 @@ bool found_a_model(const IdentificationResult& result) {
   return false;
 }
 
+/// What was read, in a line.
+std::string read_line(const RecordStream& records) {
+  const Dataset& data = records.excerpt();
+  std::string line = data_line(data, data.input_count());
+  if (!records.is_long()) return line;
+  const std::size_t count = records.records().size();
+  return line + "; an excerpt of " + std::to_string(records.samples()) + " rows in " +
+         std::to_string(count) + (count == 1 ? " record" : " records");
+}
+
 void write_results(const Session& session, const IdentifyArguments& options,
-                   const IdentificationReport& report, const Dataset& data) {
+                   const IdentificationReport& report, const RecordStream& records) {
   if (options.model_out)
     write_output(session, *options.model_out,
                  format_model_for(*options.model_out, report.result.model));
   if (options.json) write_output(session, *options.json, format_json(report));
-  write_report(session, options.report, [&] { return identification_page(report, data); });
+  write_report(session, options.report,
+               [&] { return identification_page(report, records.excerpt()); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
-    show(session,
-         data_line(data, data.input_count()) + "\n\n" + format_text(report, options.full));
+    show(session, read_line(records) + "\n\n" + format_text(report, options.full));
 }
 
 /// Forms beside the library enter where the user has not said what the library is.
@@ -197,7 +207,7 @@ IdentificationResult identified(const Plan& plan, const IdentifyArguments& optio
   if (options.hidden) {
     HiddenIdentification found =
         identify_hidden(*records.in_memory(), pipeline,
-                        *differentiator_of(*pipeline.formulation), "h1", context);
+                        *differentiator_of(*pipeline.formulation), "h1", context.alone());
     records = std::move(found.data);
     return std::move(found.result);
   }
@@ -223,12 +233,14 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
   const Configuration configuration = make_configuration(options);
   const Plan plan = plan_of(session, configuration);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
-  const RunContext context = make_context(session, options.run);
-  context.report("reading data", 0.0);
-  RecordStream records = load(options, plan.pipeline, context);
+  const RunContext divided = make_context(session, options.run);
+  divided.report("reading data", 0.0);
+  RecordStream records = load(options, plan.pipeline, divided);
 
-  IdentificationReport report{identified(plan, options, records, context), plan.pipeline,
+  IdentificationReport report{identified(plan, options, records, divided), plan.pipeline,
                               configuration.text()};
+  if (!divided.leads()) return 0;
+  const RunContext context = divided.alone();
   const Dataset& data = records.excerpt();
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());
@@ -238,7 +250,7 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
   verify(plan, report, data, *integrator, context);
   judge_model(plan, options, data, report, context);
   finish_progress(session, options.run);
-  write_results(session, options, report, data);
+  write_results(session, options, report, records);
   if (found_a_model(report.result)) return 0;
   session.streams.err << "lacuna: error: no equation was found: no candidate term explains a "
                          "derivative; try other terms (--degree, --terms) or --preset robust\n";

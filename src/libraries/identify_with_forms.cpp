@@ -314,10 +314,11 @@ IdentificationResult identify_with_forms(const RecordStream& records, const Pipe
                                          const FormOptions& options,
                                          const RunContext& context) {
   IdentificationResult alone = identify(records, pipeline, context);
-  if (leaves_nothing(alone, options.worth_asking) || lacks_input_columns(records.excerpt()) ||
-      !pipeline.equations.empty())
+  if (!context.leads() || leaves_nothing(alone, options.worth_asking) ||
+      lacks_input_columns(records.excerpt()) || !pipeline.equations.empty())
     return alone;
-  ExtendedRun run(records, pipeline, options, alone, context);
+  const RunContext leader = context.alone();
+  ExtendedRun run(records, pipeline, options, alone, leader);
   if (!run.is_possible()) return alone;
   run.look_for(effects, alone);
   Extension extended = run.result(alone);

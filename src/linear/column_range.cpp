@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/parts.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/linear/row_pass.hpp"
 
@@ -21,9 +22,27 @@ struct Entry {
   Index column;
 };
 
-struct SlotScan {
-  Vector largest;
-  std::optional<Entry> bad;
+// Largest sizes of the columns, behind them row and column of the first entry that is not
+// finite, or -1: numbers that a team can share.
+class SlotScan {
+ public:
+  explicit SlotScan(Index columns) : numbers_(Vector::Zero(columns + 2)) {
+    numbers_.tail(2).setConstant(-1.0);
+  }
+
+  auto largest() { return numbers_.head(numbers_.size() - 2); }
+  std::optional<Entry> bad() const {
+    const auto place = numbers_.tail(2);
+    if (place[0] < 0.0) return std::nullopt;
+    return Entry{static_cast<Index>(place[0]), static_cast<Index>(place[1])};
+  }
+  void set_bad(const Entry& entry) {
+    numbers_.tail(2) << static_cast<double>(entry.row), static_cast<double>(entry.column);
+  }
+  std::span<double> numbers() { return numbers_of(numbers_); }
+
+ private:
+  Vector numbers_;
 };
 
 std::optional<Entry> first_not_finite(const MatrixMap& block, Index first_row) {
@@ -36,11 +55,11 @@ std::optional<Entry> first_not_finite(const MatrixMap& block, Index first_row) {
 }
 
 void scan_tile(Tile& tile, SlotScan& scan) {
-  if (scan.bad) return;
+  if (scan.bad()) return;
   const MatrixMap block = tile.all();
   const Vector largest = block.cwiseAbs().colwise().maxCoeff().transpose();
-  scan.largest = scan.largest.cwiseMax(largest);
-  if (!block.allFinite()) scan.bad = first_not_finite(block, tile.first());
+  scan.largest() = scan.largest().cwiseMax(largest).eval();
+  if (!block.allFinite()) scan.set_bad(*first_not_finite(block, tile.first()));
 }
 
 int exponent_of(double magnitude) {
@@ -93,17 +112,18 @@ class ScaledRows final : public RowSource {
 std::vector<int> scan_columns(const RowSource& rows, FunctionRef<std::string(Index)> name,
                               const RunContext& context) {
   const Index columns = rows.terms() + rows.targets();
-  std::vector<SlotScan> slots(row_slots(rows.rows()).size(), {Vector::Zero(columns), {}});
+  std::vector<SlotScan> slots(row_slots(rows.rows()).size(), SlotScan(columns));
   for_each_tile(rows, context, "looking for the range of terms", [&](Index slot, Tile& tile) {
     scan_tile(tile, slots[static_cast<std::size_t>(slot)]);
   });
+  share_parts(slots.size(), context, [&](std::size_t slot) { return slots[slot].numbers(); });
   Vector largest = Vector::Zero(columns);
-  for (const SlotScan& slot : slots) {
-    if (slot.bad) {
-      throw DataError(name(slot.bad->column) + ", row " + std::to_string(slot.bad->row + 1),
+  for (SlotScan& slot : slots) {
+    if (const auto bad = slot.bad()) {
+      throw DataError(name(bad->column) + ", row " + std::to_string(bad->row + 1),
                       "the value is not finite", "mend or leave out the row or the term");
     }
-    largest = largest.cwiseMax(slot.largest);
+    largest = largest.cwiseMax(slot.largest());
   }
   std::vector<int> exponents(static_cast<std::size_t>(columns));
   std::transform(largest.begin(), largest.end(), exponents.begin(), exponent_of);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/parts.hpp"
 #include "lacuna/linear/row_pass.hpp"
 #include "lacuna/linear/tile_kernels.hpp"
 
@@ -28,6 +29,7 @@ Matrix fold_gram(const RowSource& rows, const RunContext& context) {
   for_each_tile(rows, context, "reading rows", [&](Index slot, Tile& tile) {
     add_gram(tile.scratch(), tile.rows(), slots[static_cast<std::size_t>(slot)]);
   });
+  share_parts(slots.size(), context, [&](std::size_t slot) { return numbers_of(slots[slot]); });
   Matrix total = Matrix::Zero(padded, padded);
   for (const Matrix& slot : slots) total += slot;
   return symmetric(total.topLeftCorner(columns, columns));

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/parts.hpp"
 #include "lacuna/linear/factorise.hpp"
 #include "lacuna/linear/row_pass.hpp"
 #include "lacuna/linear/subproblem.hpp"
@@ -121,6 +122,7 @@ Vector LeastSquaresSystem::refined(const Subproblem& problem, const Vector& h,
   for_each_tile(*source_, context, "refining coefficients", [&](Index slot, Tile& tile) {
     add_gradient(equation, tile, slots[static_cast<std::size_t>(slot)]);
   });
+  share_parts(slots.size(), context, [&](std::size_t slot) { return numbers_of(slots[slot]); });
   Vector gradient = Vector::Zero(h.size());
   for (const Vector& slot : slots) gradient += slot;
   return h + problem.solve_normal(gradient);
@@ -134,6 +136,11 @@ Vector LeastSquaresSystem::residuals(Index target, const TermSet& active, const 
   for_each_tile(*source_, context, "computing residuals", [&](Index, Tile& tile) {
     equation_residuals(equation, tile.theta(), tile.targets(),
                        result.segment(tile.first(), tile.rows()));
+  });
+  const std::vector<RowRange> slots = row_slots(rows());
+  share_parts(slots.size(), context, [&](std::size_t slot) {
+    const auto count = static_cast<std::size_t>(slots[slot].count);
+    return std::span<double>(result.data() + slots[slot].first, count);
   });
   return result;
 }

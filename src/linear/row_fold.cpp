@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/parts.hpp"
 #include "lacuna/linear/gram.hpp"
 #include "lacuna/linear/tile_kernels.hpp"
 #include "lacuna/linear/triangular.hpp"
@@ -118,6 +119,7 @@ Matrix fold_orthogonal(const RowSource& rows, const RunContext& context) {
   for_each_tile(rows, context, "reading rows (orthogonal)", [&](Index slot, Tile& tile) {
     fold_triangle(tile.scratch(), tile.rows(), slots[static_cast<std::size_t>(slot)]);
   });
+  share_parts(slots.size(), context, [&](std::size_t slot) { return numbers_of(slots[slot]); });
   Matrix total = slots.size() == 1 ? slots.front() : merge(slots, columns);
   make_diagonal_non_negative(total);
   return total;

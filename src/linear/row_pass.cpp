@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <mutex>
 
-#include "lacuna/core/parallel.hpp"
+#include "core/parts.hpp"
 
 namespace lacuna {
 namespace {
@@ -74,7 +74,7 @@ void for_each_tile(const RowSource& rows, const RunContext& context, std::string
   const Index total = rows.rows();
   const auto slots = row_slots(total);
   std::mutex one_reports;
-  parallel_for(slots.size(), context.threads, [&](std::size_t slot) {
+  for_each_own_part(slots.size(), context, [&](std::size_t slot) {
     const auto reader = rows.open();
     Tile tile(rows.terms(), rows.targets());
     const Index end = slots[slot].first + slots[slot].count;

@@ -254,7 +254,8 @@ void append(std::vector<T>& target, std::vector<T> more) {
 std::vector<EquationOutcome> fit_equations(const Run& run) {
   const auto states = static_cast<std::size_t>(run.data.state_count());
   std::vector<EquationOutcome> outcomes(states);
-  if (states == 1 || run.context.threads == 1) {
+  // A team divides the passes of one equation after the other.
+  if (states == 1 || run.context.threads == 1 || run.context.team != nullptr) {
     for (std::size_t k = 0; k < states; ++k) {
       run.context.report("fitting equations",
                          static_cast<double>(k) / static_cast<double>(states));
@@ -298,7 +299,9 @@ IdentificationResult run_equations(const Run& run) {
   satisfy_constraints(run.system, run.libraries, result);
   if (!run.libraries.constraints.empty()) measure_residuals(run, result);
   note_noise_floors(run, result);
-  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result, run.context))
+  if (!run.context.leads()) return result;
+  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result,
+                    run.context.alone()))
     measure_residuals(run, result);
   else
     judge_fits(result);

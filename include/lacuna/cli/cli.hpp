@@ -7,6 +7,8 @@
 
 namespace lacuna {
 
+class Team;
+
 /// Where the command line reads and writes.
 struct CliStreams {
   std::ostream& out;  ///< results for people, or JSON with `--json -`
@@ -22,5 +24,10 @@ struct CliStreams {
 int run_cli(int argc, const char* const* argv);
 int run_cli(int argc, const char* const* argv, const Registry& registry);
 int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams);
+
+/// The same in each member of a team: the leader reads, shows and writes what is not divided.
+/// @param streams of a member that does not lead: errors only.
+int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams,
+            const Team& team);
 
 }  // namespace lacuna

@@ -15,6 +15,7 @@ namespace lacuna {
 /// numbers, shapes counted. The model of the library alone stands beside it
 /// (IdentificationResult::library_alone). A pipeline with libraries of single equations is run
 /// as it is.
+/// A team divides the run without forms; its leader looks for them.
 /// @throws as identify().
 IdentificationResult identify_with_forms(const RecordStream& records, const Pipeline& pipeline,
                                          const std::vector<Stage<Effect>>& effects,

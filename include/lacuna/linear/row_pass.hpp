@@ -89,7 +89,8 @@ std::vector<RowRange> row_slots(Index rows);
 
 /// Reads all rows once, tile by tile, and shows each tile to `visit` with the number of its
 /// slot. Tiles of a slot come in order, slots on the threads of the context; `visit` may change
-/// the tile and must touch nothing but the tile and what belongs to the slot.
+/// the tile and must touch nothing but the tile and what belongs to the slot. A team divides the
+/// slots; what was made of them is to be shared (core/parts.hpp).
 /// @throws Cancelled on a stop request, looked at before each tile.
 void for_each_tile(const RowSource& rows, const RunContext& context, std::string_view activity,
                    FunctionRef<void(Index slot, Tile& tile)> visit);

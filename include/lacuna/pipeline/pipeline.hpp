@@ -56,6 +56,7 @@ struct Pipeline {
 /// model to the trajectories and may change its structure. Coefficients
 /// satisfy the constraints; those of absent terms are 0. Of long records all samples determine
 /// the terms, an excerpt the rest.
+/// In a team only the leader's result is refined.
 /// @param records a Dataset, or records that are read in pieces.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.
 IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,

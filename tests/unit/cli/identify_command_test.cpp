@@ -284,7 +284,8 @@ TEST(IdentifyCommand, ReadsInPiecesWhatDoesNotFitIntoTheMemoryItIsGiven) {
   EXPECT_EQ(pieces.status, 0) << pieces.err;
   EXPECT_EQ(pieces.out, whole.out);
   EXPECT_THAT(pieces.out, HasSubstr("the terms come from all 400000 samples"));
-  EXPECT_THAT(pieces.out, HasSubstr("dx/dt = v"));
+  EXPECT_THAT(pieces.out, HasSubstr("an excerpt of 400000 rows in 1 record\n"));
+  EXPECT_THAT(pieces.out, HasSubstr("*v\n  dv/dt = -41.69"));
 }
 
 TEST(IdentifyCommand, PiecesHaveLimits) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <fstream>
+#include <string>
 
 #include "lacuna/core/random.hpp"
 #include "lacuna/data/dataset.hpp"
@@ -35,6 +37,22 @@ inline Matrix table_of(const Dataset& data) {
   Matrix values(record.samples(), 1 + record.states.cols());
   values << record.time, record.states;
   return values;
+}
+
+/// Writes a file as NumPy does, in C order. @return its path.
+inline std::string write_rows(const std::string& path, const Matrix& values) {
+  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
+                       std::to_string(values.rows()) + ", " + std::to_string(values.cols()) +
+                       "), }";
+  header.append(118 - header.size() - 1, ' ');
+  header += '\n';
+  std::ofstream file(path, std::ios::binary);
+  file << std::string("\x93NUMPY\x01\x00", 8) << static_cast<char>(header.size()) << '\0'
+       << header;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = values;
+  file.write(reinterpret_cast<const char*>(rows.data()),
+             static_cast<std::streamsize>(rows.size() * 8));
+  return path;
 }
 
 }  // namespace lacuna::testing

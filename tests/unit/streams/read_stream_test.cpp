@@ -16,6 +16,7 @@
 #include "lacuna/systems/test_systems.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thread_team.hpp"
 #include "unit/streams/long_records.hpp"
 
 namespace lacuna {
@@ -65,6 +66,27 @@ TEST(ReadStream, ModelsAreTheSameToTheBitAsFromMemory) {
   const OdeModel streamed = identify(stream, pipeline, two).model;
   EXPECT_EQ(format_model(streamed), format_model(identify(data, pipeline).model));
   EXPECT_NEAR(streamed.coefficient(1, "x*z"), -1.0, 1e-3);
+}
+
+TEST(ReadStream, ATeamFindsTheSameToTheBit) {
+  const TemporaryFolder folder;
+  Matrix values = lorenz_table(200000);
+  values(150000, 2) = std::numeric_limits<double>::quiet_NaN();
+  const std::string path = saved(folder, "long.npy", values);
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"x", "2"}, {"y", "3"}, {"z", "4"}};
+  const Pipeline pipeline = preset("algorithm1");
+  const RecordStream alone = read_stream({path}, roles);
+  const std::string expected = format_model(identify(alone, pipeline).model);
+  testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
+    const RecordStream stream = read_stream({path}, roles, context);
+    EXPECT_EQ(stream.records().size(), 2U);
+    EXPECT_EQ(stream.excerpt().notes, alone.excerpt().notes);
+    const OdeModel model = identify(stream, pipeline, context).model;
+    if (context.leads()) {
+      EXPECT_EQ(format_model(model), expected);
+    }
+  });
 }
 
 TEST(ReadStream, RecordsEndWhereValuesOrTimesAreMissing) {

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The command on several processes, where there is an MPI.
+#include <gmock/gmock.h>
+
+#include "integration/program.hpp"
+#include "support/other_programs.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/streams/long_records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::run_program;
+using testing::TemporaryFolder;
+
+const std::string kJob =
+    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+    "timeout 100 mpirun --oversubscribe --bind-to none -n ";
+
+bool has_mpi() {
+  return std::string(LACUNA_MPI_COMMAND) != "" && testing::can_run(kJob + "1 true");
+}
+
+std::string job(int processes, const std::string& arguments) {
+  return kJob + std::to_string(processes) + " " LACUNA_MPI_COMMAND " " + arguments;
+}
+
+std::string long_file(const TemporaryFolder& folder) {
+  const Dataset data = testing::long_oscillation(400000, 97.3, 0.001);
+  return testing::write_rows(folder.file("a.npy"), testing::table_of(data)) +
+         " --map t=1,x=2,v=3 --degree 1 --memory 16MB";
+}
+
+TEST(Mpi, ResultsAreThoseOfOneProcessToTheBit) {
+  if (!has_mpi()) GTEST_SKIP() << "there is no MPI";
+  const TemporaryFolder folder;
+  const std::string arguments = "identify " + long_file(folder) + " --json ";
+  ASSERT_EQ(run_program(arguments + folder.file("one.json")).status, 0);
+  for (const int processes : {1, 3}) {
+    ASSERT_TRUE(testing::can_run(job(processes, arguments + folder.file("many.json"))));
+    EXPECT_EQ(folder.read("many.json"), folder.read("one.json")) << processes;
+  }
+}
+
+TEST(Mpi, AnErrorIsSaidOnce) {
+  if (!has_mpi()) GTEST_SKIP() << "there is no MPI";
+  const TemporaryFolder folder;
+  const std::string call = job(3, "identify " + folder.file("none.npy")) + " 2> " +
+                           folder.file("err") + " > " + folder.file("out");
+  EXPECT_NE(std::system(call.c_str()), 0);
+  const std::string errors = folder.read("err");
+  const std::size_t first = errors.find("lacuna: error: ");
+  ASSERT_NE(first, std::string::npos) << errors;
+  EXPECT_EQ(errors.find("lacuna: error: ", first + 1), std::string::npos) << errors;
+  EXPECT_EQ(folder.read("out"), "");
+}
+
+TEST(Mpi, AKilledProcessEndsTheJobAndLeavesNothing) {
+  if (!has_mpi()) GTEST_SKIP() << "there is no MPI";
+  const TemporaryFolder folder;
+  const std::string arguments =
+      "identify " + long_file(folder) + " --json " + folder.file("result.json");
+  const std::string members = folder.write(
+      "run.sh",
+      "[ \"$OMPI_COMM_WORLD_RANK\" = 1 ] && kill -9 $$\nexec " LACUNA_MPI_COMMAND " \"$@\"\n");
+  const std::string call = kJob + "3 sh " + members + " " + arguments + " 2> " +
+                           folder.file("err") + " > " + folder.file("out");
+  EXPECT_NE(std::system(call.c_str()), 0);
+  EXPECT_NE(folder.read("err"), "");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("result.json")));
+}
+
+}  // namespace
+}  // namespace lacuna
