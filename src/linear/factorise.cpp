@@ -99,8 +99,8 @@ class FirstRows final : public RowSource {
 
 // Whether the first of many rows tell that a pass for their Gram would be in vain.
 bool begins_unresolved(const RowSource& rows, const RunContext& context) {
-  constexpr Index kFirst = Index{1} << 15, kMany = 8 * kFirst;
-  if (rows.rows() < kMany) return false;
+  constexpr Index kFirst = Index{1} << 15;
+  if (rows.rows() < kManyRows) return false;
   const FirstRows first(rows, kFirst);
   const Matrix gram = fold_gram(first, context);
   return squares_in_range(gram.diagonal()) &&

@@ -1,148 +1,248 @@
 // SPDX-License-Identifier: MIT
-// Identifies Lorenz' 1996 model with more and more states and Lorenz' 1963 model from longer
-// and longer records, with the default preset and on one thread and two. Usage: study_scaling
-// [OUTPUT_FOLDER] [MOST_STATES] [MOST_ROWS]
+// What identification costs against states, rows and candidate terms: time, memory, exponents.
+// Usage: study_scaling [OUTPUT_FOLDER] [MOST_STATES] [MOST_ROWS]
 //               (default build/studies/scaling 20 1000000)
-#include <sys/resource.h>
-
+//        study_scaling speed [OUTPUT_FOLDER]
+//               a million rows with derivatives for benchmarks/peers/pysindy_speed.py, and
+//               lacuna's times on them
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <vector>
 
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/random.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/pipeline/presets.hpp"
+#include "lacuna/plot/figure.hpp"
+#include "lacuna/streams/read_stream.hpp"
 #include "lacuna/systems/test_systems.hpp"
+#include "studies/scaling/meter.hpp"
+#include "studies/scaling/records.hpp"
 #include "support/accuracy.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
 
-/// dx_i/dt = (x_(i+1) - x_(i-2)) x_(i-1) - x_i + 8, indices modulo m.
-OdeModel lorenz96(Index m) {
-  std::vector<Quantity> states;
-  Variables variables;
-  const auto name = [m](Index i) { return "x" + std::to_string((i + m) % m); };
-  for (Index i = 0; i < m; ++i) {
-    states.push_back({name(i), ""});
-    variables.states.push_back(name(i));
-  }
-  std::vector<Equation> equations;
-  for (Index i = 0; i < m; ++i)
-    equations.push_back({{Term::parse("1", variables), 8.0},
-                         {Term::parse(name(i), variables), -1.0},
-                         {Term::parse(name(i + 1) + "*" + name(i - 1), variables), 1.0},
-                         {Term::parse(name(i - 2) + "*" + name(i - 1), variables), -1.0}});
-  return OdeModel(states, {}, equations);
-}
+namespace fs = std::filesystem;
 
-/// What is identified.
-struct Problem {
-  std::string name;
-  OdeModel model;
-  double step = 0.01;
-  Index rows = 20000;
-  int degree = 2;
-  double noise = 0.0;  ///< share of the rms of each state
+/// One identification.
+struct Task {
+  RecordProblem problem;
+  std::string preset = "algorithm1";
+  int degree = 3;
+  int threads = 1;
 };
 
-Dataset record_of(const Problem& problem) {
-  constexpr Index kTransient = 2000;
-  const Index m = problem.model.dimension();
-  const Vector start = Vector::LinSpaced(m, 1.0, 2.0);
-  const Solution orbit = simulate(problem.model, Dopri8{}, start,
-                                  sample_times(0.0, problem.step, kTransient + problem.rows));
-  Trajectory record;
-  record.source = problem.name;
-  record.time = sample_times(0.0, problem.step, problem.rows);
-  record.states = orbit.states.bottomRows(problem.rows);
-  record.inputs.resize(problem.rows, 0);
-  Random random(1);
-  for (Index k = 0; k < m; ++k) {
-    auto x = record.states.col(k);
-    const double sigma = problem.noise * std::sqrt((x.array() - x.mean()).square().mean());
-    for (double& value : x) value += sigma * random.normal();
-  }
+/// What it took.
+struct Outcome {
+  Task task;
+  double size = 0.0;  ///< what the family varies: states, rows or terms
+  Reading reading;
+  bool exact = false;
+};
+
+/// Records of more samples than this are read in pieces from a file.
+constexpr Index kInMemory = 1000000;
+
+Pipeline pipeline_of(const Task& task) {
+  Pipeline pipeline = preset(task.preset);
+  pipeline.basis = Monomials{{.max_degree = task.degree}};
+  return pipeline;
+}
+
+Outcome run(const Task& task, double size, const fs::path& folder) {
+  const Pipeline pipeline = pipeline_of(task);
+  RunContext context;
+  context.threads = task.threads;
+  const bool in_memory = task.problem.rows <= kInMemory;
+  const fs::path file = folder / "long.npy";
   Dataset data;
-  data.states = problem.model.states();
-  data.trajectories.push_back(std::move(record));
-  return data;
+  if (in_memory)
+    data = record_of(task.problem);
+  else
+    write_record(task.problem, file);
+  const Meter meter;
+  const IdentificationResult result =
+      in_memory ? identify(data, pipeline, context)
+                : identify(read_stream({file.string()}, file_roles(task.problem), context),
+                           pipeline, context);
+  const Reading reading = meter.read();
+  fs::remove(file);
+  std::cout << task.problem.name << ", " << size << ": " << reading.wall << " s" << std::endl;
+  return {task, size, reading,
+          compare_models(result.model, task.problem.model).exact_structure};
 }
 
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-void run(const Problem& problem, ResultTable& table) {
-  const Dataset data = record_of(problem);
-  Pipeline pipeline = preset("algorithm1");
-  pipeline.basis = Monomials{{.max_degree = problem.degree}};
+/// The same on one thread and on two.
+void run_threads(Task task, double size, const fs::path& folder, std::vector<Outcome>& all) {
   for (const int threads : {1, 2}) {
-    RunContext context;
-    context.threads = threads;
-    const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t cpu = std::clock();
-    const IdentificationResult result = identify(data, pipeline, context);
-    const double used = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    table.rows.push_back(
-        {problem.name, std::to_string(problem.rows), std::to_string(problem.degree),
-         format_number(100.0 * problem.noise), std::to_string(threads),
-         format_number(wall.count(), 3), format_number(used, 3),
-         format_number(peak_megabytes(), 3),
-         compare_models(result.model, problem.model).exact_structure ? "yes" : "no"});
-    std::cout << problem.name << ' ' << problem.rows << ": " << table.rows.back()[5] << " s"
-              << std::endl;
+    task.threads = threads;
+    all.push_back(run(task, size, folder));
   }
 }
 
-int run_study(const std::filesystem::path& folder, Index most_states, Index most_rows) {
-  ResultTable table;
-  table.header = {"system", "rows",  "degree",         "noise %", "threads",
-                  "wall s", "CPU s", "peak MB so far", "exact"};
-  for (Index m = 5; m <= most_states; m *= 2)
+std::vector<Outcome> against_states(Index most, const fs::path& folder) {
+  std::vector<Outcome> all;
+  for (const Index m : {5, 10, 20, 40, 64})
     for (const double noise : {0.001, 0.01})
-      run({"lorenz-96, " + std::to_string(m), lorenz96(m), 0.01, 20000, 2, noise}, table);
-  for (Index rows = 10000; rows <= most_rows; rows *= 10)
+      if (m <= most)
+        run_threads({{"lorenz-96", lorenz96(m), 0.01, 20000, noise}, "algorithm1", 2},
+                    static_cast<double>(m), folder, all);
+  return all;
+}
+
+std::vector<Outcome> against_rows(Index most, const fs::path& folder) {
+  std::vector<Outcome> all;
+  for (Index rows = 1000; rows <= most; rows *= 10)
     for (const double noise : {0.0, 0.01})
-      run({"lorenz", test_system("lorenz").model, 0.001, rows, 3, noise}, table);
-  std::filesystem::create_directories(folder);
+      run_threads({{"lorenz", test_system("lorenz").model, 0.001, rows, noise}},
+                  static_cast<double>(rows), folder, all);
+  return all;
+}
+
+/// Terms of three states: 10, 20, 56, 165, 455 and 1771.
+std::vector<Outcome> against_terms(const fs::path& folder) {
+  std::vector<Outcome> all;
+  for (const int degree : {2, 3, 5, 8, 12, 20}) {
+    const double terms = (degree + 1) * (degree + 2) * (degree + 3) / 6.0;
+    run_threads({{"lorenz", test_system("lorenz").model, 0.01, 20000, 0.0}, "sindy", degree},
+                terms, folder, all);
+  }
+  return all;
+}
+
+/// Slope of log(time) against log(size) on one thread, by least squares over the largest sizes.
+double exponent(const std::vector<Outcome>& outcomes, double noise) {
+  constexpr std::size_t kLargest = 3;
+  std::vector<std::pair<double, double>> points;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.task.threads == 1 && outcome.task.problem.noise == noise)
+      points.emplace_back(std::log(outcome.size), std::log(outcome.reading.wall));
+  if (points.size() > kLargest) points.erase(points.begin(), points.end() - kLargest);
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const auto& [size, time] : points) {
+    x += size;
+    y += time;
+    xx += size * size;
+    xy += size * time;
+  }
+  const auto n = static_cast<double>(points.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+void add_rows(const std::string& family, const std::vector<Outcome>& outcomes,
+              ResultTable& table) {
+  for (const Outcome& o : outcomes)
+    table.rows.push_back({family, format_number(o.size, 9), o.task.problem.name, o.task.preset,
+                          std::to_string(o.task.problem.rows), std::to_string(o.task.degree),
+                          format_number(100.0 * o.task.problem.noise),
+                          std::to_string(o.task.threads), format_number(o.reading.wall, 3),
+                          format_number(o.reading.cpu, 3),
+                          format_number(o.reading.megabytes, 3), o.exact ? "yes" : "no"});
+}
+
+/// Times of a family at one noise, one thread.
+Series curve(const std::string& label, const std::vector<Outcome>& outcomes, double noise) {
+  std::vector<double> x, y;
+  for (const Outcome& o : outcomes) {
+    if (o.task.threads != 1 || o.task.problem.noise != noise) continue;
+    x.push_back(o.size);
+    y.push_back(o.reading.wall);
+  }
+  const auto n = static_cast<Index>(x.size());
+  return {label, Eigen::Map<const Vector>(x.data(), n), Eigen::Map<const Vector>(y.data(), n)};
+}
+
+int run_study(const fs::path& folder, Index most_states, Index most_rows) {
+  fs::create_directories(folder);
+  const std::vector<Outcome> states = against_states(most_states, folder);
+  const std::vector<Outcome> rows = against_rows(most_rows, folder);
+  const std::vector<Outcome> terms = against_terms(folder);
+  ResultTable table;
+  table.header = {"against", "size",    "system", "preset", "rows", "degree",
+                  "noise %", "threads", "wall s", "CPU s",  "MB",   "exact"};
+  add_rows("states", states, table);
+  add_rows("rows", rows, table);
+  add_rows("terms", terms, table);
   write_file_atomically(folder / "scaling.csv", table.csv());
+  LineFigure figure;
+  figure.name = "scaling";
+  figure.title = "Time of an identification, one thread";
+  figure.x_label = "states, rows, terms";
+  figure.y_label = "time / s";
+  figure.logarithmic_x = figure.logarithmic_y = true;
+  figure.series = {curve("states (1 % noise)", states, 0.01), curve("rows (1 %)", rows, 0.01),
+                   curve("terms (no noise)", terms, 0.0)};
+  figure.series[1].curve = Curve::Model;
+  figure.series[2].curve = Curve::Before;
+  write_file_atomically(folder / "scaling.svg", stand_alone(draw(figure)));
   write_file_atomically(
       folder / "scaling.md",
-      "# Scaling\n\nThe default preset inside the process, reading and verification not "
-      "counted. Wall time is that of a machine that does other things,\ntoo; compare CPU "
-      "times.\n\nMade by `study_scaling FOLDER " +
+      "# Scaling\n\nIdentification inside the process; more than " +
+          format_number(double(kInMemory), 7) +
+          " rows are read in pieces from a file, which is counted, and written before, which "
+          "is "
+          "not.\nMB: what the run takes beside the record. Time grows with the power " +
+          format_number(exponent(states, 0.01), 2) + " of the states and " +
+          format_number(exponent(rows, 0.01), 2) +
+          " of the rows (1 % noise), and with the power " +
+          format_number(exponent(terms, 0.0), 2) +
+          " of the terms (preset `sindy`),\neach over the three largest sizes.\n\nMade by "
+          "`study_scaling FOLDER " +
           std::to_string(most_states) + " " + std::to_string(most_rows) + "` on " + today() +
-          ", " + machine_description() + ".\n\n" + table.markdown());
+          ", " + machine_description() + ".\n\n![times](scaling.svg)\n\n" + table.markdown());
   return 0;
+}
+
+/// Median time and memory of five fits with derivatives given.
+int run_speed(const fs::path& folder) {
+  constexpr int kRepeats = 5;
+  fs::create_directories(folder);
+  const RecordProblem problem{"lorenz", test_system("lorenz").model, 0.001, 1000000, 0.0, true};
+  write_record(problem, folder / "lorenz.npy");
+  const Dataset data = record_of(problem);
+  ResultTable table;
+  table.header = {"degree", "seconds", "MB", "exact"};
+  for (const int degree : {3, 5}) {
+    std::vector<double> times;
+    Reading reading;
+    bool exact = true;
+    for (int repeat = 0; repeat < kRepeats; ++repeat) {
+      const Meter meter;
+      const auto result = identify(data, pipeline_of({problem, "sindy", degree}));
+      reading = meter.read();
+      times.push_back(reading.wall);
+      exact = exact && compare_models(result.model, problem.model).exact_structure;
+    }
+    std::sort(times.begin(), times.end());
+    table.rows.push_back({std::to_string(degree), format_number(times[kRepeats / 2], 4),
+                          format_number(reading.megabytes, 3), exact ? "yes" : "no"});
+  }
+  write_file_atomically(folder / "speed.csv", table.csv());
+  std::cout << table.csv();
+  return 0;
+}
+
+int run_arguments(const std::vector<std::string>& arguments) {
+  const auto text = [&](std::size_t place, const std::string& otherwise) {
+    return place < arguments.size() ? arguments[place] : otherwise;
+  };
+  const auto number = [&](std::size_t place, double otherwise) {
+    return static_cast<Index>(parse_number(text(place, "")).value_or(otherwise));
+  };
+  if (text(0, "") == "speed") return run_speed(text(1, "build/studies/scaling"));
+  return run_study(text(0, "build/studies/scaling"), number(1, 20), number(2, 1e6));
 }
 
 }  // namespace
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto number = [&](std::size_t place, double otherwise) {
-    return static_cast<lacuna::Index>(
-        place < arguments.size() ? lacuna::parse_number(arguments[place]).value_or(otherwise)
-                                 : otherwise);
-  };
   try {
-    return lacuna::benchmarks::run_study(
-        arguments.empty() ? "build/studies/scaling" : arguments[0], number(1, 20),
-        number(2, 1e6));
+    return lacuna::benchmarks::run_arguments({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::cerr << "study_scaling: " << error.what() << '\n';
     return 2;

@@ -65,6 +65,7 @@ class LeastSquaresSystem {
                         const WeightFunction& weights, const RunContext& context = {}) const;
 
   /// Coefficients after one pass of iterative refinement: r = y - Theta h, R'R dh = Theta' r.
+  /// Of very many rows that were folded orthogonally: as they are.
   /// @param problem not a weighted one.
   /// @throws ArgumentError when h does not fit.
   Vector refined(const Subproblem& problem, const Vector& h,

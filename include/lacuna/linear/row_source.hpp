@@ -7,6 +7,9 @@
 
 namespace lacuna {
 
+/// So many rows that another pass over them is worth avoiding.
+inline constexpr Index kManyRows = Index{1} << 18;
+
 /// Reads rows for one thread; holds that thread's scratch memory.
 class RowReader {
  public:

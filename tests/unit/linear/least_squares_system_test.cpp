@@ -127,6 +127,18 @@ TEST_F(System, FactorIsTheSameToTheBitForAnyNumberOfThreads) {
   }
 }
 
+TEST(ManyRows, FoldedOrthogonallyNeedNoRefinement) {
+  const Matrix theta = Matrix::Random(kManyRows, 3);
+  const Vector truth = Vector::LinSpaced(3, 1.0, 2.0);
+  const LeastSquaresSystem system(make_row_source(theta, theta * truth), {"a", "b", "c"},
+                                  {"y"});
+  ASSERT_EQ(system.factor().folding, Folding::Orthogonal);
+  const Subproblem problem = system.subproblem(0, system.all_terms());
+  const Vector h = problem.solve();
+  EXPECT_LT((h - truth).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_EQ(system.refined(problem, h), h);
+}
+
 TEST_F(System, RefinedAndResidualsAgreeWithTheMatrix) {
   const auto system = make(theta_, targets_);
   const TermSet active{0, 2, 3};

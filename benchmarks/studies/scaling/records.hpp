@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lacuna/data/dataset.hpp"
+#include "lacuna/data/roles.hpp"
+#include "lacuna/model/ode_model.hpp"
+
+namespace lacuna::benchmarks {
+
+/// A record to be simulated.
+struct RecordProblem {
+  std::string name;
+  OdeModel model;
+  double step = 0.01;
+  Index rows = 20000;
+  double noise = 0.0;  ///< share of the rms of each state, as it is at the begin
+  bool derivatives = false;
+};
+
+/// dx_i/dt = (x_(i+1) - x_(i-2)) x_(i-1) - x_i + 8, indices modulo m.
+OdeModel lorenz96(Index m);
+
+/// The record, simulated behind a transient.
+Dataset record_of(const RecordProblem& problem);
+
+/// The same as a NumPy array: time, states and, where they are given, derivatives. Never all of
+/// it is in memory.
+void write_record(const RecordProblem& problem, const std::filesystem::path& path);
+
+/// What its columns are.
+ColumnRoles file_roles(const RecordProblem& problem);
+
+}  // namespace lacuna::benchmarks
