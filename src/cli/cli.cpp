@@ -197,9 +197,10 @@ int run_words(int argc, const char* const* argv, cli::Session session,
   const cli::InterruptGuard interrupt(patience);
   session.stop = interrupt.token();
   session.command_line = command_line(argc, argv);
-  // Only what identify does is divided.
   const bool leads = session.team == nullptr || session.team->rank() == 0;
-  if (!leads && chosen->app->get_name() != "identify") return 0;
+  const std::string name = chosen->app->get_name();
+  const bool divides = name == "identify" || name == "diagnose";
+  if (!leads && !divides) return 0;
   return with_output_checked(run_chosen(*chosen, session), streams);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/systems/test_systems.hpp"
 #include "memory_limit.hpp"
+#include "progress_line.hpp"
 #include "terminal.hpp"
 
 namespace lacuna::cli {
@@ -102,9 +104,8 @@ RunContext make_context(const Session& session, const RunOptions& options) {
   context.team = session.team;
   if (!shows_progress(session, options)) return context;
   std::ostream& err = session.streams.err;
-  context.progress = [&err](const Progress& progress) {
-    err << "\r\x1b[K" << progress.activity << ": "
-        << static_cast<int>(100.0 * progress.fraction) << " %" << std::flush;
+  context.progress = [&err, line = ProgressLine()](const Progress& progress) mutable {
+    err << "\r\x1b[K" << line.text(progress, std::chrono::steady_clock::now()) << std::flush;
   };
   return context;
 }

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "command.hpp"
+#include "core/parts.hpp"
 #include "data_options.hpp"
 #include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/core/text.hpp"
@@ -12,6 +13,7 @@
 #include "lacuna/records/read_records.hpp"
 #include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/diagnosis_report.hpp"
+#include "lacuna/report/fleet_report.hpp"
 #include "lacuna/report/pages.hpp"
 #include "limit_options.hpp"
 #include "report_options.hpp"
@@ -31,7 +33,7 @@ struct DiagnoseArguments {
   std::optional<std::string> config;
   std::vector<std::string> assignments;
   std::optional<int> max_effects;
-  bool fill_gap = false, explain = false, full = false;
+  bool fill_gap = false, explain = false, full = false, each = false;
   std::optional<std::string> json, model_out;
   ReportOptions report;
 };
@@ -102,13 +104,55 @@ std::vector<std::string> inputs_of(const DiagnoseArguments& options) {
   return files;
 }
 
+/// What a record says by itself.
+FleetAnswer answer_of(const std::string& file, const OdeModel& model,
+                      const DiagnoseArguments& options, const Session& session,
+                      const RunContext& context) {
+  try {
+    const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
+    const Dataset data = with_given_limits(
+        read_records(model, {file}, roles_of(options), *differentiator, Columns::All),
+        options.limits);
+    return fleet_answer(
+        file, diagnose(model, data, {}, make_options(session, model, options), context));
+  } catch (const Error& error) {
+    return fleet_failure(file, error.what());
+  }
+}
+
+/// Each record by itself; a team divides the records.
+int diagnose_each(const Session& session, const DiagnoseArguments& options) {
+  if (!options.held_out.empty() || options.model_out || options.report.page ||
+      options.report.pictures)
+    throw ConfigError("--each", "the answers are many",
+                      "leave out --holdout, --model-out, --report and --plot");
+  const OdeModel model = with_holds(load_model(options.model), options.data);
+  make_options(session, model, options);  // what is wrong with them is said once
+  const RunContext context = make_context(session, options.run);
+  const std::vector<std::string> files = expand_patterns(options.data.paths);
+  std::vector<std::string> texts(files.size());
+  const OwnParts own = own_parts(files.size(), context);
+  for (std::size_t i = own.first; i < own.end; ++i)
+    texts[i] = answer_of(files[i], model, options, session, context.alone()).json;
+  share_texts(texts, context);
+  if (!context.leads()) return 0;
+  finish_progress(session, options.run);
+  std::vector<FleetAnswer> fleet;
+  for (const std::string& text : texts) fleet.push_back({text});
+  if (options.json) write_output(session, *options.json, format_json(fleet));
+  if (options.json != "-") show(session, format_text(fleet));
+  return 0;
+}
+
 int diagnose_command(const Session& session, const DiagnoseArguments& options) {
   check_outputs(inputs_of(options),
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
+  if (options.each) return diagnose_each(session, options);
+  if (session.team != nullptr && session.team->rank() != 0) return 0;  // nothing is divided
   const OdeModel model = with_holds(load_model(options.model), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
-  const RunContext context = make_context(session, options.run);
+  const RunContext context = make_context(session, options.run).alone();
   context.report("reading data", 0.0);
   const Dataset data = with_given_limits(
       read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All),
@@ -169,6 +213,8 @@ Command declare_diagnose(CLI::App& root) {
                   "Ends of the range of a channel, beyond which it shows the end; found by "
                   "themselves where many samples are there")
       ->type_name("q=LOW:HIGH");
+  app->add_flag("--each", options->each,
+                "Each file by itself: one table of answers, and how often each effect occurs");
   declare_search_options(*app, *options);
   app->add_option("--differentiator", options->differentiator,
                   "How states without a column are made from those that have one")

@@ -15,10 +15,13 @@ OwnParts parts_of(int member, std::size_t parts, const RunContext& context) {
   return {place * parts / size, (place + 1) * parts / size};
 }
 
+OwnParts own_parts(std::size_t parts, const RunContext& context) {
+  return parts_of(context.team == nullptr ? 0 : context.team->rank(), parts, context);
+}
+
 void for_each_own_part(std::size_t parts, const RunContext& context,
                        FunctionRef<void(std::size_t)> work) {
-  const int rank = context.team == nullptr ? 0 : context.team->rank();
-  const OwnParts own = parts_of(rank, parts, context);
+  const OwnParts own = own_parts(parts, context);
   parallel_for(own.end - own.first, context.threads,
                [&](std::size_t i) { work(own.first + i); });
 }
@@ -40,6 +43,23 @@ void share_parts(std::size_t parts, const RunContext& context,
       std::copy_n(next, part.size(), part.begin());
       next += static_cast<std::ptrdiff_t>(part.size());
     }
+  }
+}
+
+void share_texts(std::vector<std::string>& texts, const RunContext& context) {
+  if (context.team == nullptr) return;
+  std::vector<double> sizes;
+  for (const std::string& text : texts) sizes.push_back(static_cast<double>(text.size()));
+  share_parts(texts.size(), context, [&](std::size_t i) { return std::span(&sizes[i], 1); });
+  std::vector<std::vector<double>> letters;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    letters.emplace_back(texts[i].begin(), texts[i].end());
+    letters[i].resize(static_cast<std::size_t>(sizes[i]));
+  }
+  share_parts(texts.size(), context, [&](std::size_t i) { return std::span(letters[i]); });
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    texts[i].clear();
+    for (const double letter : letters[i]) texts[i] += static_cast<char>(letter);
   }
 }
 

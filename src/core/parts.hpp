@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "lacuna/core/function_ref.hpp"
 #include "lacuna/core/run_context.hpp"
@@ -18,6 +20,9 @@ struct OwnParts {
 
 OwnParts parts_of(int member, std::size_t parts, const RunContext& context);
 
+/// Those of this process.
+OwnParts own_parts(std::size_t parts, const RunContext& context);
+
 /// Calls work(i) for the parts that are this process' own, on the threads of the context.
 void for_each_own_part(std::size_t parts, const RunContext& context,
                        FunctionRef<void(std::size_t)> work);
@@ -26,6 +31,9 @@ void for_each_own_part(std::size_t parts, const RunContext& context,
 /// @param numbers of a part; the same count in every member.
 void share_parts(std::size_t parts, const RunContext& context,
                  FunctionRef<std::span<double>(std::size_t)> numbers);
+
+/// The same for a text of each part.
+void share_texts(std::vector<std::string>& texts, const RunContext& context);
 
 /// The numbers of a matrix or a vector.
 template <class Dense>

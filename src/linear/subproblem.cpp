@@ -77,7 +77,6 @@ void Subproblem::set_problem(TriangularProblem problem) {
   triangle_ = std::move(problem.triangle);
   projected_target_ = std::move(problem.target);
   remainder_ = problem.residual;
-  residual_norm_ = is_rank_deficient() ? determined_part().first.residual : remainder_;
 }
 
 bool Subproblem::is_rank_deficient() const {
@@ -114,6 +113,10 @@ Vector Subproblem::solve_normal(const Vector& gradient) const {
   Vector change = Vector::Zero(size());
   change(kept) = scaled.cwiseQuotient(norms);
   return change;
+}
+
+double Subproblem::residual_norm() const {
+  return is_rank_deficient() ? determined_part().first.residual : remainder_;
 }
 
 double Subproblem::residual_norm(const Vector& h) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -41,49 +42,36 @@ Records records_of_piece(const NpyFile& file, const ColumnIndices& columns, Inde
   return split_records(piece, columns);
 }
 
-/// Ranges, then notes letter by letter, each with an end.
-std::vector<double> as_numbers(const Records& records) {
-  std::vector<double> numbers{static_cast<double>(records.ranges.size())};
+/// A line for each range, an empty one, then the notes.
+std::string as_text(const Records& records) {
+  std::ostringstream text;
   for (const TableRows& range : records.ranges)
-    for (const Index number : {range.first, range.count, range.offset})
-      numbers.push_back(static_cast<double>(number));
-  for (const std::string& note : records.notes)
-    for (const char letter : note + '\n') numbers.push_back(static_cast<double>(letter));
-  return numbers;
+    text << range.first << ' ' << range.count << ' ' << range.offset << '\n';
+  text << '\n';
+  for (const std::string& note : records.notes) text << note << '\n';
+  return text.str();
 }
 
-Records from_numbers(const std::vector<double>& numbers) {
+Records from_text(const std::string& text) {
   Records records;
-  const auto ranges = static_cast<std::size_t>(numbers[0]);
-  const auto at = [&](std::size_t place) { return static_cast<Index>(numbers[place]); };
-  for (std::size_t i = 0; i < ranges; ++i)
-    records.ranges.push_back({at(1 + 3 * i), at(2 + 3 * i), at(3 + 3 * i)});
-  std::string note;
-  for (std::size_t i = 1 + 3 * ranges; i < numbers.size(); ++i) {
-    const char letter = static_cast<char>(numbers[i]);
-    if (letter == '\n')
-      records.notes.push_back(std::exchange(note, ""));
-    else
-      note += letter;
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line) && !line.empty()) {
+    TableRows range;
+    std::istringstream(line) >> range.first >> range.count >> range.offset;
+    records.ranges.push_back(range);
   }
+  while (std::getline(lines, line)) records.notes.push_back(line);
   return records;
 }
 
 /// Gives all members of a team what each has found in its pieces.
 void share_records(std::vector<Records>& found, const RunContext& context) {
   if (context.team == nullptr) return;
-  std::vector<std::vector<double>> numbers;
-  std::vector<double> sizes;
-  for (const Records& records : found) {
-    numbers.push_back(as_numbers(records));
-    sizes.push_back(static_cast<double>(numbers.back().size()));
-  }
-  share_parts(found.size(), context,
-              [&](std::size_t i) { return std::span<double>(&sizes[i], 1); });
-  for (std::size_t i = 0; i < found.size(); ++i)
-    numbers[i].resize(static_cast<std::size_t>(sizes[i]));
-  share_parts(found.size(), context, [&](std::size_t i) { return std::span(numbers[i]); });
-  for (std::size_t i = 0; i < found.size(); ++i) found[i] = from_numbers(numbers[i]);
+  std::vector<std::string> texts;
+  for (const Records& records : found) texts.push_back(as_text(records));
+  share_texts(texts, context);
+  std::transform(texts.begin(), texts.end(), found.begin(), from_text);
 }
 
 /// Adds the ranges of a piece; one that goes on across its begin is joined with the last.

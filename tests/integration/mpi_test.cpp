@@ -42,6 +42,23 @@ TEST(Mpi, ResultsAreThoseOfOneProcessToTheBit) {
   }
 }
 
+TEST(Mpi, AFleetOfRecordsIsDivided) {
+  if (!has_mpi()) GTEST_SKIP() << "there is no MPI";
+  const TemporaryFolder folder;
+  folder.write("m.ode", "dx/dt = -x\n");
+  for (const char* name : {"1.csv", "2.csv", "3.csv"}) {
+    std::string text = "t,x\n";
+    for (int i = 0; i < 300; ++i)
+      text += std::to_string(0.01 * i) + "," + std::to_string(std::exp(-0.01 * i)) + "\n";
+    folder.write(name, text);
+  }
+  const std::string arguments = "diagnose --each --model " + folder.file("m.ode") + " '" +
+                                folder.file("?.csv") + "' --json ";
+  ASSERT_EQ(run_program(arguments + folder.file("one.json")).status, 0);
+  ASSERT_TRUE(testing::can_run(job(2, arguments + folder.file("two.json"))));
+  EXPECT_EQ(folder.read("two.json"), folder.read("one.json"));
+}
+
 TEST(Mpi, AnErrorIsSaidOnce) {
   if (!has_mpi()) GTEST_SKIP() << "there is no MPI";
   const TemporaryFolder folder;

@@ -108,6 +108,13 @@ TEST_F(Schemas, DescribeDiagnoses) {
   EXPECT_THAT(folder_.read("out.json"), ::testing::HasSubstr("coulomb-friction"));
 }
 
+TEST_F(Schemas, DescribeFleets) {
+  folder_.write("none.csv", "t,th,w,u\n");
+  expect_conforms("fleet", "diagnose --each --effect coulomb-friction --model " +
+                               path("m.ode") + " " + path("rough.csv") + " " +
+                               path("none.csv"));
+}
+
 TEST_F(Schemas, DescribeIdentifications) {
   expect_conforms("identification",
                   "identify " + path("free.csv") + " --inputs u --add 'sin(th)'");

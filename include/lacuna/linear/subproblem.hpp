@@ -47,8 +47,8 @@ class Subproblem {
   /// sets to 0 do not change.
   Vector solve_normal(const Vector& gradient) const;
 
-  /// |y - Theta_A h| of the least-squares solution.
-  double residual_norm() const noexcept { return residual_norm_; }
+  /// |y - Theta_A h| of the least-squares solution; O(|A|^3) where terms depend on each other.
+  double residual_norm() const;
 
   /// |y - Theta_A h| of any h.
   double residual_norm(const Vector& h) const;
@@ -79,7 +79,6 @@ class Subproblem {
   Index rows_ = 0;
   double target_norm_ = 0.0;
   double remainder_ = 0.0;      // rho
-  double residual_norm_ = 0.0;  // rho, and what of c only undetermined directions could explain
   Vector column_norms_;
   Matrix triangle_;
   Vector projected_target_;

@@ -74,6 +74,27 @@ TEST(DiagnoseCommand, TellsTheMissingEffectInAFewLines) {
   EXPECT_NEAR(augmented.coefficient(1, "sign(v)"), -0.3, 0.02);
 }
 
+TEST(DiagnoseCommand, AnswersForEachRecordOfAFleet) {
+  const HiddenRecords records(friction);
+  std::ofstream(records.file("r3.csv")) << "t,q,v,F\n";
+  const std::vector<std::string> fleet = with(
+      {"diagnose", "--each", "--model", records.file("nominal.json"), records.file("r*.csv")},
+      kTwoEffects);
+  const auto shown = run_command(fleet);
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("coulomb-friction in v  2 of 3"));
+  EXPECT_THAT(shown.out, HasSubstr("r3.csv  error"));
+  const auto json = nlohmann::json::parse(run_command(with(fleet, {"--json", "-"})).out);
+  const auto alone = nlohmann::json::parse(
+      run_command(with({"diagnose", "--model", records.file("nominal.json"),
+                        records.file("r2.csv"), "--json", "-"},
+                       kTwoEffects))
+          .out);
+  EXPECT_EQ(json["answers"][1]["diagnosis"], alone);
+  EXPECT_THAT(run_command(with(fleet, {"--model-out", records.file("m.json")})).err,
+              HasSubstr("--each"));
+}
+
 TEST(DiagnoseCommand, DoesNotDependOnTheNumberOfThreads) {
   const HiddenRecords records(friction);
   const auto one = records.diagnose({"--json", "-", "--threads", "1"});

@@ -40,6 +40,16 @@ TEST(Parts, AreDividedAmongTheMembersAndSharedByAll) {
   }
 }
 
+TEST(Parts, TextsAreSharedWhateverTheirLengths) {
+  const std::vector<std::string> expected{"", "a", std::string(1000, 'z'), "\xc3\xa4\n", "end"};
+  testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
+    std::vector<std::string> texts(expected.size());
+    for_each_own_part(texts.size(), context, [&](std::size_t i) { texts[i] = expected[i]; });
+    share_texts(texts, context);
+    EXPECT_EQ(texts, expected);
+  });
+}
+
 TEST(Parts, OfAMemberAreNeighbours) {
   testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
     std::size_t next = 0;
