@@ -241,11 +241,11 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
                               configuration.text()};
   if (!divided.leads()) return 0;
   const RunContext context = divided.alone();
-  const Dataset& data = records.excerpt();
+  const bool is_map = report.result.model.is_map();
+  const Dataset& data = is_map ? *records.in_memory() : records.excerpt();
   report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
                                 data.notes.end());
-  if (const auto hint =
-          report.result.model.is_map() ? std::nullopt : map_hint(data, plan.rules.map))
+  if (const auto hint = is_map ? std::nullopt : map_hint(data, plan.rules.map))
     report.result.warnings.push_back(hint->message + "; try " + hint->remedy);
   verify(plan, report, data, *integrator, context);
   judge_model(plan, options, data, report, context);

@@ -318,7 +318,9 @@ std::string excerpt_note(const RecordStream& records) {
 
 IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,
                               const RunContext& context) {
-  const Dataset& data = records.excerpt();
+  const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
+  const Dataset& data =
+      is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
   if (lacks_input_columns(data))
     return identify(with_input_columns(*records.in_memory()), pipeline, context);
   check_dataset(data);
@@ -327,7 +329,6 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
   const TermLibrary& library = libraries.library;
   context.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
-  const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
   if (is_map && pipeline.energy_preserving)
     throw ConfigError("constraint energy-preserving",
                       "it is one of rates, which a map has none of",
@@ -339,7 +340,7 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
   const FilterResult filtered = fitted.filter->filter(system, context);
   IdentificationResult result =
       run_equations({data, fitted, context, library, system, filtered, noise, libraries});
-  if (records.is_long()) result.warnings.push_back(excerpt_note(records));
+  if (records.is_long() && !is_map) result.warnings.push_back(excerpt_note(records));
   context.report("fitting equations", 1.0);
   return result;
 }

@@ -74,12 +74,21 @@ void check_count(const Dataset& data, Index count, const std::string& what, Inde
                   "give a longer record or fewer terms, e.g. a lower degree");
 }
 
+/// @throws ConfigError where records are read in pieces.
+void check_in_memory(const RecordStream& records, const std::string& who) {
+  if (records.in_memory()) return;
+  throw ConfigError(who, "it needs the records in memory, and these are read in pieces",
+                    "leave out --memory, or choose --set formulation=strong");
+}
+
 }  // namespace
 
 LeastSquaresSystem Formulation::assemble(const RecordStream& records,
                                          const TermLibrary& library,
                                          const RunContext& context) const {
   context.check_stop();
+  const bool is_map = evolution() == Evolution::Map;
+  if (is_map) check_in_memory(records, "a map");
   const Dataset& data = records.in_memory() ? *records.in_memory() : records.excerpt();
   check_dataset(data);
   check_variables(data, library.variables);
@@ -89,8 +98,10 @@ LeastSquaresSystem Formulation::assemble(const RecordStream& records,
   }
   check_count(data, data.samples(), "samples",
               library.size());  // before L x L numbers are made
-  LeastSquaresSystem system = records.is_long() ? do_assemble_long(records, library, context)
-                                                : do_assemble(data, library, context);
+  const bool in_pieces = records.is_long() && !is_map;
+  LeastSquaresSystem system =
+      in_pieces ? do_assemble_long(records, library, context)
+                : do_assemble(is_map ? data : records.excerpt(), library, context);
   check_count(data, system.rows(), "rows", system.terms());
   return system;
 }
@@ -98,10 +109,7 @@ LeastSquaresSystem Formulation::assemble(const RecordStream& records,
 LeastSquaresSystem Formulation::do_assemble_long(const RecordStream& records,
                                                  const TermLibrary& library,
                                                  const RunContext& context) const {
-  if (!records.in_memory())
-    throw ConfigError("formulation " + std::string(info().name),
-                      "it needs the records in memory, and these are read in pieces",
-                      "leave out --memory, or choose --set formulation=strong");
+  check_in_memory(records, "formulation " + std::string(info().name));
   return do_assemble(*records.in_memory(), library, context);
 }
 

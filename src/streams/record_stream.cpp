@@ -123,7 +123,7 @@ void RecordStream::take_excerpt(Dataset description) {
         records_[stretch.record]->read(stretch.first, stretch.count));
   excerpt_ = std::make_shared<const Dataset>(std::move(description));
   if (samples_ > kExcerpt) return;
-  all_ = excerpt_;
+  if (step == 1) all_ = excerpt_;
   records_.clear();
 }
 

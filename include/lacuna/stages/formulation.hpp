@@ -25,7 +25,8 @@ class Formulation : public StageInterface {
   /// rows
   ///   than terms, when a state is constant, when a derivative is zero throughout, or when a
   ///   term is not finite on the data: names the place and the remedy; ConfigError when
-  ///   the form needs records in memory that are not.
+  ///   the form needs records in memory that are not. A map always does: it is lost where
+  ///   samples are left out.
   LeastSquaresSystem assemble(const RecordStream& records, const TermLibrary& library,
                               const RunContext& context = {}) const;
 

@@ -35,7 +35,7 @@ class RecordStream {
   /// The records, or the excerpt of long ones.
   const Dataset& excerpt() const noexcept { return *excerpt_; }
 
-  /// All records in memory; null where they are not.
+  /// All records in memory, as they were given; null where they are not.
   const Dataset* in_memory() const noexcept { return all_.get(); }
 
   /// Whether there is more than the excerpt.

@@ -4,17 +4,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "data/npy.hpp"
+#include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/formulations/next_sample.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/pipeline/presets.hpp"
+#include "lacuna/solvers/ols.hpp"
 #include "lacuna/systems/test_systems.hpp"
 #include "support/expect_error.hpp"
+#include "support/maps.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thread_team.hpp"
 #include "unit/streams/long_records.hpp"
@@ -87,6 +92,28 @@ TEST(ReadStream, ATeamFindsTheSameToTheBit) {
       EXPECT_EQ(format_model(model), expected);
     }
   });
+}
+
+TEST(ReadStream, ASlowMapIsNotThinned) {
+  // A turn by 2 pi / 200 000 in each step.
+  const double turn = 2.0 * std::acos(-1.0) / 2e5;
+  const auto rotated = [&](const Vector& x) {
+    return Vector{{std::cos(turn) * x[0] - std::sin(turn) * x[1],
+                   std::sin(turn) * x[0] + std::cos(turn) * x[1]}};
+  };
+  const Dataset data = testing::orbit_of_map(rotated, Vector{{1.0, 0.0}}, 300000);
+  ASSERT_GT(RecordStream(data).excerpt().notes.size(), 0U) << "a flow would be thinned";
+  Pipeline pipeline = preset("sindy");
+  pipeline.basis = Monomials{{.max_degree = 1}};
+  pipeline.formulation = NextSample{};
+  pipeline.regressor = Ols{};
+  const OdeModel model = identify(data, pipeline).model;
+  EXPECT_NEAR(model.coefficient(1, "x"), std::sin(turn), 1e-9);
+  const TemporaryFolder folder;
+  const std::string path = saved(folder, "map.npy", data.trajectories[0].states);
+  ColumnRoles roles;
+  roles.step = 1.0;
+  EXPECT_THROW(identify(read_stream({path}, roles), pipeline), ConfigError);
 }
 
 TEST(ReadStream, RecordsEndWhereValuesOrTimesAreMissing) {

@@ -79,6 +79,7 @@ TEST(RecordStream, VerySlowSignalsAreThinnedUntilTheExcerptShowsThem) {
   const RecordStream stream = data;
   EXPECT_FALSE(stream.is_long());
   EXPECT_EQ(stream.samples(), kExcerpt);
+  EXPECT_EQ(stream.in_memory(), &data);
   EXPECT_EQ(stream.excerpt().trajectories[0].states.row(100),
             data.trajectories[0].states.row(400));
   ASSERT_EQ(stream.excerpt().notes.size(), 1U);
