@@ -102,7 +102,7 @@ bool Limit::prefers(const Trial& a, const Trial& b) {
 
 FormProblem::FormProblem(const Dataset& data, Vector noise, FormOptions options,
                          RunContext context, const std::vector<Term>& library)
-    : rows_(data, noise, library),
+    : rows_(data, noise, library, context.threads),
       noise_(std::move(noise)),
       options_(options),
       context_(std::move(context)) {}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/formulations/weak_form.hpp"
 #include "lacuna/numerics/qr.hpp"
 #include "lacuna/selection/moving_polynomial.hpp"
@@ -52,33 +53,51 @@ TestFunction narrow_function(const Dataset& data) {
 
 }  // namespace
 
-FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library) {
+FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library,
+                   int threads) {
   for (const Quantity& state : data.states) variables_.states.push_back(state.name);
   for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
   const TestFunction function = narrow_function(data);
   const double spacing =
       std::max(test_function_spacing(function), total_duration(data) / kMostRows);
-  Index first = 0;
   states_.resize(data.samples(), data.state_count());
   rates_.resize(data.samples(), data.state_count());
   slots_.resize(data.samples(), variables_.count());
+  std::vector<Part> parts;
+  Index first = 0;
   for (const Trajectory& record : data.trajectories) {
-    Part part{first, record.samples(), weak_projection(record, function, spacing), {}};
-    slots_.middleRows(first, record.samples()) << record.states, record.inputs, record.time;
-    for (Index k = 0; k < noise.size(); ++k) {
-      const Matrix smooth = smooth_by_polynomials(record.time, record.states.col(k), noise[k]);
-      rates_.col(k).segment(first, record.samples()) = smooth.col(1);
-      if (noise[k] > 0.0) slots_.col(k).segment(first, record.samples()) = smooth.col(0);
-    }
-    states_.middleRows(first, record.samples()) = record.states;
+    parts.push_back({first, record.samples(), {}, {}});
     first += record.samples();
+  }
+  parallel_for(parts.size(), threads, [&](std::size_t i) {
+    const Trajectory& record = data.trajectories[i];
+    parts[i].projection = weak_projection(record, function, spacing);
+    states_.middleRows(parts[i].first, parts[i].samples) = record.states;
+    slots_.middleRows(parts[i].first, parts[i].samples) << record.states, record.inputs,
+        record.time;
+    if (parts[i].projection.rows() > 0) parts[i].factor = whitening(parts[i].projection);
+  });
+  const auto states = static_cast<std::size_t>(noise.size());
+  parallel_for(parts.size() * states, threads, [&](std::size_t i) {
+    const auto k = static_cast<Index>(i % states);
+    smooth(data.trajectories[i / states], k, noise[k], parts[i / states].first);
+  });
+  for (Part& part : parts) {
     if (part.projection.rows() == 0) continue;
-    part.factor = whitening(part.projection);
     rows_ += part.projection.rows();
     parts_.push_back(std::move(part));
   }
-  for (const Term& term : library)
-    known_.emplace(term.name(), columns({term.expression()}).col(0));
+  std::vector<Vector> known(library.size());
+  parallel_for(library.size(), threads,
+               [&](std::size_t i) { known[i] = columns({library[i].expression()}).col(0); });
+  for (std::size_t i = 0; i < library.size(); ++i)
+    known_.emplace(library[i].name(), std::move(known[i]));
+}
+
+void FormRows::smooth(const Trajectory& record, Index state, double noise, Index first) {
+  const Matrix smooth = smooth_by_polynomials(record.time, record.states.col(state), noise);
+  rates_.col(state).segment(first, record.samples()) = smooth.col(1);
+  if (noise > 0.0) slots_.col(state).segment(first, record.samples()) = smooth.col(0);
 }
 
 template <class Functional>

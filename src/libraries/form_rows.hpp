@@ -20,7 +20,8 @@ class FormRows {
   /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
   ///   argument makes bends out of jumps.
   /// @param library terms whose columns are made once.
-  FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library = {});
+  FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library = {},
+           int threads = 1);
 
   const Variables& variables() const { return variables_; }
   Index rows() const { return rows_; }  ///< K
@@ -49,6 +50,9 @@ class FormRows {
     Projection projection;
     SparseRows factor;  ///< L of the whitening, banded
   };
+
+  /// A state of a record, smoothed, at its place among the samples.
+  void smooth(const Trajectory& record, Index state, double noise, Index first);
 
   template <class Functional>
   Matrix projected_by(const Matrix& samples, Functional functional) const;
