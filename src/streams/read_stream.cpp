@@ -65,7 +65,8 @@ std::shared_ptr<const RecordFile> open_file(const std::string& path, const Colum
   NpyFile file(path);
   for (const auto& [name, column] : roles.names) rename_column(file.columns(), name, column);
   ColumnIndices columns = find_columns(file.columns(), roles);
-  return std::make_shared<const RecordFile>(std::move(file), std::move(columns), roles.step);
+  return std::make_shared<const RecordFile>(
+      RecordFile{std::move(file), std::move(columns), roles.step});
 }
 
 void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
