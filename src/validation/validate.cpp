@@ -149,6 +149,29 @@ Validation validate_map(const ValidationTask& task, const ValidationOptions& opt
   return validation;
 }
 
+/// What models are judged by.
+struct Judges {
+  const Dataset& data;
+  const PredictedRecords& records;
+  const ValidationOptions& options;
+  Index window = 0;  ///< samples
+};
+
+/// A validation with what a model predicts, and the verdict on it.
+Validation judged_by(const OdeModel& given, const Judges& judges, Validation validation,
+                     const RunContext& context) {
+  constexpr int kOnce = 1, kSettled = 4;  // linearisations: a step is nearly linear
+  const OdeModel model = with_shown_holds(given, judges.data);
+  const OdeModel still = without_rates(model, judges.data);
+  const WindowTrial trial{model, still, judges.data, judges.records, judges.options};
+  const Index shortest = shortest_window(judges.data);
+  validation.one_step = test_windows(trial, shortest, kOnce, context);
+  if (judges.window > shortest)
+    validation.windows = test_windows(trial, judges.window, kSettled, context);
+  judge(judges.options, validation);
+  return validation;
+}
+
 }  // namespace
 
 Validation validate(const ValidationTask& task, const ValidationOptions& options,
@@ -172,22 +195,25 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
   if (!held_out && !refitted) blocks = all_blocks(tested);
   blocks = limited(blocks, needed);
 
-  const OdeModel model = with_shown_holds(refitted.value_or(result.model), tested);
-  const OdeModel still = without_rates(model, tested);
   const PredictedRecords records = predicted_records(tested, blocks, noise);
   Validation validation{.records = sources_of(tested, blocks),
                         .time_unit = tested.time_unit,
                         .given = held_out.has_value(),
                         .refitted = refitted.has_value()};
   for (const Block& block : blocks) validation.samples += block.count;
-  const WindowTrial trial{model, still, tested, records, options};
-  constexpr int kOnce = 1, kSettled = 4;  // linearisations: a step is nearly linear
-  const Index shortest = shortest_window(tested);
-  validation.one_step = test_windows(trial, shortest, kOnce, context);
   const Index window = std::min(period, common_room(blocks));
-  if (window > shortest) validation.windows = test_windows(trial, window, kSettled, context);
-  judge(options, validation);
-  return validation;
+  const auto judged = [&](const OdeModel& model) {
+    return judged_by(model, {tested, records, options, window}, validation, context);
+  };
+  const Validation found = judged(refitted.value_or(result.model));
+  if (!refitted || found.verdict != ValidationVerdict::FitsToNoise) return found;
+  // Where terms depend on each other the coefficients that are shown may be lost though those
+  // of a part of the records are not.
+  validation.refitted = false;
+  const Validation shown = judged(result.model);
+  const bool is_lost = shown.verdict == ValidationVerdict::Approximation ||
+                       shown.verdict == ValidationVerdict::WrongLibrary;
+  return is_lost ? shown : found;
 }
 
 }  // namespace lacuna

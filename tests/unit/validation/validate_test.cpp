@@ -123,6 +123,20 @@ TEST(Validate, RecordsOfOneSystemAreHeldOutInTurn) {
   EXPECT_EQ(validation.verdict, ValidationVerdict::FitsToNoise) << validation.sentence;
 }
 
+TEST(Validate, CoefficientsThatAreShownHaveToPredictToo) {
+  // The right terms, which a part of the record fits well, with other coefficients.
+  const Dataset data = lorenz_record(0.01, 1500);
+  const Pipeline pipeline = with_terms(kLorenzTerms);
+  IdentificationResult found = identify(data, pipeline);
+  std::vector<Equation> equations = found.model.equations();
+  for (Equation& equation : equations)
+    for (WeightedTerm& summand : equation) summand.coefficient *= 1.5;
+  found.model = found.model.with_equations(std::move(equations));
+  const Validation validation = validate({found, data, pipeline});
+  EXPECT_EQ(validation.verdict, ValidationVerdict::WrongLibrary) << validation.sentence;
+  EXPECT_FALSE(validation.refitted);
+}
+
 TEST(Validate, TheModelStaysWhatItIs) {
   const Dataset data = lorenz_record(0.01, 1500);
   const Pipeline pipeline = with_terms(kLorenzTerms);
