@@ -6,7 +6,7 @@
 namespace lacuna::cli {
 
 std::string ProgressLine::text(const Progress& progress, Time now) {
-  constexpr double kMoment = 2.0;  // s
+  constexpr double kMoment = 2.0;  // s; for people: what is shorter is over before it is read
   if (progress.activity != activity_ || progress.fraction < begin_fraction_) {
     activity_ = progress.activity;
     begin_ = now;

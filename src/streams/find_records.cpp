@@ -13,8 +13,8 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kPiece = Index{1} << 17;
-constexpr Index kOverlap = 2;  // so that no step of time lies between pieces
+constexpr Index kPiece = Index{1} << 17;  // a fact of the machines: what a thread has in memory
+constexpr Index kOverlap = 2;             // a fact of steps: none lies between pieces
 
 /// Whether rows are one record as far as anybody can see: all is finite, time goes on evenly.
 bool is_plain(const Matrix& values, const ColumnIndices& columns) {
@@ -32,13 +32,29 @@ bool is_plain(const Matrix& values, const ColumnIndices& columns) {
   return smallest > 0.0 && largest <= 1.5 * smallest;
 }
 
-/// Its ranges count from the first row of the piece.
+/// Whether two rows that follow each other are complete. What is infinite counts: it is an
+/// error.
+bool has_record(const Matrix& values, const ColumnIndices& columns) {
+  const Matrix used = values(Eigen::all, columns.used());
+  bool before = false;
+  for (Index row = 0; row < used.rows(); ++row) {
+    const bool complete = !used.row(row).array().isNaN().any();
+    if ((before && complete) || used.row(row).array().isInf().any()) return true;
+    before = complete;
+  }
+  return false;
+}
+
+/// Its ranges count from the first row of the piece; none where all of it is missing.
 Records records_of_piece(const NpyFile& file, const ColumnIndices& columns, Index first,
                          Index count) {
   Table piece = file.columns();
   piece.values = file.values(first, count);
   if (is_plain(piece.values, columns)) return {{{0, count, 0}}, {}};
   piece.source += ", rows from " + std::to_string(first + 1);
+  if (!has_record(piece.values, columns))
+    return {{},
+            {piece.source + ": values are missing in all " + std::to_string(count) + " rows"}};
   return split_records(piece, columns);
 }
 
@@ -88,7 +104,7 @@ void join_ranges(const std::vector<TableRows>& ranges, Index first,
 }
 
 void add_notes(std::vector<std::string> notes, std::vector<std::string>& all) {
-  constexpr std::size_t kShown = 12;
+  constexpr std::size_t kShown = 12;  // for people
   for (std::string& note : notes)
     if (all.size() < kShown) all.push_back(std::move(note));
 }

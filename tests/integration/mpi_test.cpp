@@ -17,6 +17,8 @@ const std::string kJob =
     "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "timeout 100 mpirun --oversubscribe --bind-to none -n ";
 
+/// Whether lacuna-mpi was built, which is optional, and jobs can be started here;
+/// scripts/setup.sh installs what that takes.
 bool has_mpi() {
   return std::string(LACUNA_MPI_COMMAND) != "" && testing::can_run(kJob + "1 true");
 }

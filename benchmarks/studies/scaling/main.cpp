@@ -21,6 +21,7 @@
 #include "studies/scaling/meter.hpp"
 #include "studies/scaling/records.hpp"
 #include "support/accuracy.hpp"
+#include "support/lorenz96.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

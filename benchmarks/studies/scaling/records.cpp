@@ -85,23 +85,6 @@ std::string header_of(Index rows, std::size_t columns) {
 
 }  // namespace
 
-OdeModel lorenz96(Index m) {
-  std::vector<Quantity> states;
-  Variables variables;
-  const auto name = [m](Index i) { return "x" + std::to_string((i + m) % m); };
-  for (Index i = 0; i < m; ++i) {
-    states.push_back({name(i), ""});
-    variables.states.push_back(name(i));
-  }
-  std::vector<Equation> equations;
-  for (Index i = 0; i < m; ++i)
-    equations.push_back({{Term::parse("1", variables), 8.0},
-                         {Term::parse(name(i), variables), -1.0},
-                         {Term::parse(name(i + 1) + "*" + name(i - 1), variables), 1.0},
-                         {Term::parse(name(i - 2) + "*" + name(i - 1), variables), -1.0}});
-  return OdeModel(states, {}, equations);
-}
-
 Dataset record_of(const RecordProblem& problem) {
   Dataset data;
   data.states = problem.model.states();

@@ -20,9 +20,6 @@ struct RecordProblem {
   bool derivatives = false;
 };
 
-/// dx_i/dt = (x_(i+1) - x_(i-2)) x_(i-1) - x_i + 8, indices modulo m.
-OdeModel lorenz96(Index m);
-
 /// The record, simulated behind a transient.
 Dataset record_of(const RecordProblem& problem);
 

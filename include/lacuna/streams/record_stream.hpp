@@ -26,7 +26,8 @@ class RecordStream {
   RecordStream(const Dataset& data);  // NOLINT(google-explicit-constructor): a view
 
   /// Records in memory, which this keeps.
-  RecordStream(Dataset&& data);  // NOLINT(google-explicit-constructor)
+  RecordStream(
+      Dataset&& data);  // NOLINT(google-explicit-constructor): as above, of a temporary
 
   /// Records that are read in pieces.
   /// @param description all that a dataset says beside its records.

@@ -57,6 +57,20 @@ TEST(FindRecords, EndsAtMissingValuesInsideAndBetweenPieces) {
   expect_same_ranges(values, time_and_state(), 4);
 }
 
+TEST(FindRecords, GoesOnBehindADropoutOfMoreThanAPiece) {
+  Matrix values = even_samples(500000);
+  values.col(1).segment(100000, 300000).setConstant(kMissing);
+  expect_same_ranges(values, time_and_state(), 2);
+}
+
+TEST(FindRecords, WhereAllIsMissingThereIsNoRecord) {
+  const testing::TemporaryFolder folder;
+  Matrix values = even_samples();
+  values.col(1).setConstant(kMissing);
+  write_npy(folder.file("a.npy"), values);
+  EXPECT_THROW(find_records(NpyFile(folder.file("a.npy")), time_and_state(), {}), DataError);
+}
+
 TEST(FindRecords, EndsAtJumpsOfTimeBetweenPieces) {
   for (const Index row : {131071, 131072, 131073}) {
     Matrix values = even_samples();
