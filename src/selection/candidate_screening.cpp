@@ -15,6 +15,9 @@
 namespace lacuna {
 namespace {
 
+/// Columns of a problem of all equations that is solved at once.
+constexpr Index kMostColumns = 250;
+
 /// Integrals over the window from its begin to each sample, by Simpson's rule.
 /// @param theta L x nodes. @return L x samples.
 Matrix running_integrals(const Matrix& theta, const PathRecord& record,
@@ -166,17 +169,18 @@ Matrix gram_of(const IntegralRows& rows, std::vector<Index> terms, Index target)
 ScreenedCandidates screen_equation(const SearchTask& task, const WindowSearch& search,
                                    Index equation, const IntegralRows& rows,
                                    const RunContext& context) {
-  constexpr Index kTaken = 40;
   constexpr std::size_t kTimes = 2, kMore = 4;
+  const Index room = kMostColumns / task.equations.dimension();
+  const Index taken = std::max<Index>(40, room);
   const double sigma = search.sigma[equation];
   const std::vector<Index> names = terms_of(task, equation);
   const auto terms = static_cast<Index>(names.size());
   const Matrix gram = gram_of(rows, names, task.equations.library.size() + equation);
   std::vector<Index> members = members_of(search, equation, names);
   // A model with so many terms says nothing of what is needed.
-  if (static_cast<Index>(members.size()) > kTaken / 2) members.clear();
+  if (static_cast<Index>(members.size()) > taken / 2) members.clear();
   const ForwardOrder order = forward_order_in_gram(
-      gram, terms, terms, {members, kTaken, std::numeric_limits<double>::infinity()}, context);
+      gram, terms, terms, {members, taken, std::numeric_limits<double>::infinity()}, context);
   const SubsetProblem problem = problem_in(gram, order.columns, terms, sigma);
   const auto n = static_cast<double>(rows.rows);
   const double scale =
@@ -186,7 +190,8 @@ ScreenedCandidates screen_equation(const SearchTask& task, const WindowSearch& s
       task.price.value_or(std::log(n) + std::log(static_cast<double>(task.candidates.size())));
   const Elimination left = eliminated(problem, scale * price, context);
   const std::size_t size = left.order.size();
-  const std::size_t plausible = std::min(size, kTimes * (size - left.worth) + kMore);
+  const std::size_t plausible = std::min(
+      size, std::max(kTimes * (size - left.worth) + kMore, static_cast<std::size_t>(room)));
   ScreenedCandidates result;
   for (std::size_t i = 0; i < size; ++i) {
     const auto place = static_cast<std::size_t>(left.order[i]);
@@ -206,8 +211,7 @@ void append(std::vector<Coefficient>& all, const std::vector<Coefficient>& more)
 }  // namespace
 
 bool is_wide(const SearchTask& task) {
-  constexpr std::size_t kMost = 250;
-  return task.candidates.size() > kMost;
+  return static_cast<Index>(task.candidates.size()) > kMostColumns;
 }
 
 ScreenedCandidates screen_candidates(const SearchTask& task, WindowSearch& search,

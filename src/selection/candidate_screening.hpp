@@ -16,7 +16,8 @@ bool is_wide(const SearchTask& task);
 /// What rows that are cheap say of the candidates.
 struct ScreenedCandidates {
   std::vector<Coefficient> worth;      ///< those worth their price, increasing
-  std::vector<Coefficient> plausible;  ///< those, and the next best: several times as many
+  std::vector<Coefficient> plausible;  ///< those, and the next best: several times as many, or
+                                       ///< as there is room for in 250
 };
 
 /// Screens the candidates of each equation by itself. With the path x(t) taken for the

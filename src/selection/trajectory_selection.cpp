@@ -11,6 +11,7 @@
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/selection/subset_problem.hpp"
 #include "negligible_columns.hpp"
+#include "plain_candidates.hpp"
 #include "record_stretches.hpp"
 #include "refitted.hpp"
 #include "window_search.hpp"
@@ -228,13 +229,37 @@ bool is_usable(const WindowFit& fit) {
   return fit.rows > 0 && !fit.subset.empty() && fit.coefficients.allFinite();
 }
 
+/// Whether another model does the same in windows no shorter, with fewer terms: the rms of a
+/// state's residuals is known to 1 / sqrt(2 n) of it.
+bool is_simpler(const WindowFit& other, const WindowFit& than) {
+  if (!is_usable(other) || other.subset.size() >= than.subset.size()) return false;
+  if (other.samples < than.samples) return false;
+  const double scatter = 4.0 / std::sqrt(2.0 * static_cast<double>(other.rows));
+  return (other.rms.array() <= (1.0 + scatter) * than.rms.array()).all();
+}
+
+/// Begins at a model, and where that leads to terms which plainer ones may stand for, at what
+/// is found in those alone, too. The simpler model stays.
+WindowSearch begun_at(const SearchTask& task, const std::optional<SearchTask>& plain,
+                      const WindowSearch& prepared, const Matrix& start,
+                      const RunContext& context) {
+  WindowSearch found = begun(task, prepared, start, context);
+  if (!plain || !has_other_terms(*plain, found.fit)) return found;
+  const WindowFit fit = begun(*plain, prepared, start, context).fit;
+  if (!is_usable(fit)) return found;
+  WindowSearch other = begun(task, prepared, fit.coefficients, context);
+  return is_simpler(other.fit, found.fit) ? other : found;
+}
+
 /// Searches to the end. The first one's fit has no rows when the records are too short.
-Searches search_windows(const SearchTask& task, const Matrix& start, bool second_opinion,
-                        const RunContext& context) {
+Searches search_windows(const SearchTask& task, const Matrix& start,
+                        const TrajectorySelectionOptions& options, const RunContext& context) {
   const WindowSearch prepared = prepared_search(task, context);
-  Searches searches{begun(task, prepared, start, context), std::nullopt};
-  if (second_opinion)
-    searches.second = begun(task, prepared, Matrix::Zero(start.rows(), start.cols()), context);
+  const std::optional<SearchTask> plain = plain_task(task, options.relation_strength, context);
+  Searches searches{begun_at(task, plain, prepared, start, context), std::nullopt};
+  if (options.second_opinion)
+    searches.second =
+        begun_at(task, plain, prepared, Matrix::Zero(start.rows(), start.cols()), context);
   if (searches.second && !is_usable(searches.first.fit)) {
     // A model that has no solution in the shortest windows is no start.
     searches.first = std::move(*searches.second);
@@ -253,15 +278,6 @@ Searches search_windows(const SearchTask& task, const Matrix& start, bool second
   finish(searches.first, context);
   if (searches.second) finish(*searches.second, context);
   return searches;
-}
-
-/// Whether another model does the same in windows no shorter, with fewer terms: the rms of a
-/// state's residuals is known to 1 / sqrt(2 n) of it.
-bool is_simpler(const WindowFit& other, const WindowFit& than) {
-  if (!is_usable(other) || other.subset.size() >= than.subset.size()) return false;
-  if (other.samples < than.samples) return false;
-  const double scatter = 4.0 / std::sqrt(2.0 * static_cast<double>(other.rows));
-  return (other.rms.array() <= (1.0 + scatter) * than.rms.array()).all();
 }
 
 /// Half the usual gap: the first path is interpolated where a model would be carried on. With
@@ -309,7 +325,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   if (!from_model) start.setZero();
   const SearchTask search = search_task(
       std::move(data), {task.library, task.allowed, task.constraints}, noise, options());
-  auto [found, other] = search_windows(search, start, options().second_opinion, context);
+  auto [found, other] = search_windows(search, start, options(), context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;
   std::vector<LeftOut> left_out =

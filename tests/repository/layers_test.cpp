@@ -31,7 +31,7 @@ Allowed allowed_includes() {
     allowed[folder] = {"core", "numerics", "data", "model", "linear", "streams", "stages"};
   allowed["formulations"].insert("records");
   allowed["selection"] = allowed["formulations"];
-  allowed["selection"].insert({"records", "formulations", "flow", "shooting"});
+  allowed["selection"].insert({"records", "formulations", "flow", "shooting", "relations"});
   allowed["relations"] = {"core", "numerics", "data", "model"};
   allowed["pipeline"] = {"core",    "numerics", "data",   "model",
                          "streams", "linear",   "stages", "relations"};

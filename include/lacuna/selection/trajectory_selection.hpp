@@ -27,6 +27,7 @@ struct TrajectorySelectionOptions {
   Start start = Start::Nothing;
   bool second_opinion = false;
   std::optional<double> price = {};
+  double relation_strength = 3.0;
   NegligibleTerms negligible = {};
   GrowingNoise growing_noise = {};
 
@@ -43,6 +44,12 @@ struct TrajectorySelectionOptions {
          "given (extended information criterion, gamma = 1/2).",
          0.0},
         price);
+    v.field(
+        {"relation_strength", "",
+         "Relations of the record whose summands vary by so many times their scatter put off "
+         "the terms that they write in lower ones.",
+         0.0},
+        relation_strength);
     negligible.describe(v);
     growing_noise.describe(v);
   }
@@ -59,7 +66,10 @@ struct TrajectorySelectionOptions {
 /// the path about which it is linearised is then moved to the solution. The noise is estimated
 /// from the record; where it cannot be told from the signal it is what the fit leaves. Outliers
 /// are left out; short gaps are bridged; states that were not measured (`--embed`) follow from
-/// the others. A model that does not fit to the noise and breaks down in longer windows is an
+/// the others. Where a polynomial of the states is constant on the record (find_relations()),
+/// as on one orbit of an oscillator, the search is first done without multiples of its highest
+/// summands, which are other writings of lower terms, and then in all terms from there. A model
+/// that does not fit to the noise and breaks down in longer windows is an
 /// approximation, which any term improves a little: terms leave it, the least valuable first,
 /// as long as the rms of the residuals grows by no more than a tenth, unless a price is given.
 /// Terms that are significant and negligible (NegligibleTerms) leave before that.
