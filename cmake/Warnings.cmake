@@ -13,7 +13,13 @@ function(lacuna_compile_options target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(LACUNA_SANITIZE)
-    target_compile_options(${target} PUBLIC -fsanitize=${LACUNA_SANITIZE} -fno-omit-frame-pointer)
+    # What is reported ends the program: a report that nobody reads finds nothing.
+    target_compile_options(${target} PUBLIC -fsanitize=${LACUNA_SANITIZE} -fno-omit-frame-pointer
+      -fno-sanitize-recover=all)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+      target_compile_options(${target} PUBLIC
+        -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/sanitizer_ignorelist.txt)
+    endif()
     target_link_options(${target} PUBLIC -fsanitize=${LACUNA_SANITIZE})
   endif()
   if(LACUNA_COVERAGE)
