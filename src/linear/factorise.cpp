@@ -99,8 +99,8 @@ class FirstRows final : public RowSource {
 
 // Whether the first of many rows tell that a pass for their Gram would be in vain.
 bool begins_unresolved(const RowSource& rows, const RunContext& context) {
-  constexpr Index kFirst = Index{1}
-                           << 15;  // an eighth of the fewest: costs little beside a pass
+  // A fact of cost: an eighth of the fewest rows, little beside a pass.
+  constexpr Index kFirst = Index{1} << 15;
   if (rows.rows() < kManyRows) return false;
   const FirstRows first(rows, kFirst);
   const Matrix gram = fold_gram(first, context);

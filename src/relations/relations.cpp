@@ -7,6 +7,7 @@
 
 #include "lacuna/numerics/least_squares.hpp"
 #include "lacuna/numerics/symmetric_eigen.hpp"
+#include "lacuna/relations/divides.hpp"
 #include "moments.hpp"
 
 namespace lacuna {
@@ -68,12 +69,6 @@ bool is_strong(const MonomialMoments& moments, const Set& set, const Vector& c,
     if (std::abs(c[j]) * std::sqrt(moments.covariance(term, term)) < strength * scatter)
       return false;
   }
-  return true;
-}
-
-bool divides(const std::vector<int>& divisor, const std::vector<int>& exponents) {
-  for (std::size_t k = 0; k < divisor.size(); ++k)
-    if (divisor[k] > exponents[k]) return false;
   return true;
 }
 

@@ -15,7 +15,8 @@
 namespace lacuna {
 namespace {
 
-/// Columns of a problem of all equations that is solved at once.
+/// Columns of a problem of all equations that is solved at once. A decision of cost, which is
+/// cubic in it, and no option: results are not to depend on the machine (docs/decisions.md).
 constexpr Index kMostColumns = 250;
 
 /// Integrals over the window from its begin to each sample, by Simpson's rule.

@@ -2,10 +2,10 @@
 #include "plain_candidates.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <vector>
 
+#include "lacuna/relations/divides.hpp"
 #include "lacuna/relations/relations.hpp"
 
 namespace lacuna {
@@ -33,11 +33,6 @@ std::vector<Exponents> highest_summands(const Relation& relation, const Variable
   return summands;
 }
 
-bool is_multiple(const Exponents& exponents, const Exponents& divisor) {
-  return std::equal(exponents.begin(), exponents.end(), divisor.begin(),
-                    std::greater_equal<>());
-}
-
 }  // namespace
 
 std::optional<SearchTask> plain_task(const SearchTask& task, double strength,
@@ -51,7 +46,7 @@ std::optional<SearchTask> plain_task(const SearchTask& task, double strength,
   const auto is_other_writing = [&](const Coefficient& column) {
     const auto& exponents = library.terms[static_cast<std::size_t>(column.term)].exponents();
     return exponents && std::any_of(leaders.begin(), leaders.end(), [&](const auto& leader) {
-             return is_multiple(*exponents, leader);
+             return divides(leader, *exponents);
            });
   };
   if (std::none_of(task.candidates.begin(), task.candidates.end(), is_other_writing))
