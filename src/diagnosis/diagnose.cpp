@@ -96,6 +96,14 @@ void add_coefficient_hints(const Problem& problem, Diagnosis& diagnosis) {
   }
 }
 
+/// The model with coefficients that are not fitted.
+OdeModel held(const OdeModel& model) {
+  std::vector<Equation> equations = model.equations();
+  for (Equation& equation : equations)
+    for (WeightedTerm& term : equation) term.fixed = true;
+  return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -117,8 +125,9 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
   records.check =
       observed_alike(std::move(records.check), records.find, channel_options(options.decision));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
+  const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
 
-  JudgedModel inputs = judge_holds({nominal, records.find, options, context}, hypotheses);
+  JudgedModel inputs = judge_holds({known, records.find, options, context}, hypotheses);
   const Problem problem{*inputs.model, records.find, options, context};
   Judged judged = settle_account(problem, hypotheses, std::move(inputs.judged));
   std::optional<Gap> gap = gap_of(problem, judged.best, records.check);

@@ -10,8 +10,13 @@
 
 namespace lacuna {
 
-/// Gain, offset, drift and lag of one channel as candidates of place Channel.
+/// What one channel may show beside its state, as candidates of place Channel: gain, offset,
+/// drift, lag; a curve in place of a line; another quantity or a tone that it picks up.
 std::vector<Candidate> channel_forms(const Scope& scope, Index state);
+
+/// Whether a form of a channel stands for the whole of the state, so that its coefficient is 1:
+/// what a filter or a curve with an end makes of it, less the state itself.
+bool is_whole(const Candidate& candidate);
 
 /// What such a form is called with its numbers, and the sentence for it.
 struct ChannelName {

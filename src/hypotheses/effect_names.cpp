@@ -62,6 +62,7 @@ NamedEffect name_effect(const RankedEffect& ranked, const Ranking& ranking) {
   const FittedEffect& fitted = ranked.effect();
   NamedEffect named;
   named.equation = fitted.candidate.equation;
+  named.place = fitted.candidate.place;
   take_name(fitted, ranked.names.front(), named);
   named.sigma = ranked.sigma;
   named.contribution = ranked.contribution;

@@ -55,31 +55,50 @@ double size_of(const FittedEffect& effect, const Assimilation& fit) {
   return std::abs(effect.coefficient) * std::sqrt(sum / spread);
 }
 
-/// A filter shows the whole of the state behind it.
+/// Told from 0, and the whole of the state where the form stands for it.
 bool is_plausible(const FittedEffect& effect, const DecisionOptions& decision) {
-  return effect.candidate.memory.empty() ||
+  if (std::abs(effect.coefficient) < decision.significance * effect.deviation) return false;
+  return !is_whole(effect.candidate) ||
          std::abs(effect.coefficient - 1.0) < decision.filter_gain;
 }
 
-/// The channels that may be it, fitted; the best first.
+/// The geometric mean of the ends of each range.
+Vector middle(const std::vector<ShapeParameter>& shapes) {
+  Vector values(static_cast<Index>(shapes.size()));
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    values[static_cast<Index>(s)] = std::sqrt(shapes[s].low * shapes[s].high);
+  return values;
+}
+
+/// The channels that may be it, as they are to be fitted. A filter is one in any case, from the
+/// middle of its range: what it makes of a path that follows the noise says nothing of it.
 /// @param explained deviance that the best account explains: a channel has to show more than a
 /// minor part of it at first sight.
-std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
-                                    double explained,
-                                    const std::vector<ScreenedCandidate>& screened) {
-  const DecisionOptions& decision = problem.options.decision;
+std::vector<FittedEffect> worth_fitting(const std::vector<ScreenedCandidate>& screened,
+                                        double explained, const DecisionOptions& decision) {
   const auto tried = static_cast<double>(screened.size());
-  std::vector<Fitted> fitted;
-  int fits = 0;
+  std::vector<FittedEffect> starts;
   for (const ScreenedCandidate& one : screened) {
     const double freedom = 1.0 + static_cast<double>(one.shapes.size());
-    if (sigma_of_gain(one.gain, freedom, tried) < decision.significance ||
-        one.gain < decision.worth_fitting * screened.front().gain ||
-        one.gain < decision.minor * explained)
-      continue;
-    if (++fits > decision.rough_fits) break;
-    Explanation found = explain_on(problem, given, given.fitted,
-                                   {{one.candidate, one.shapes, one.coefficient, 0.0}});
+    if (static_cast<int>(starts.size()) < decision.rough_fits &&
+        sigma_of_gain(one.gain, freedom, tried) >= decision.significance &&
+        one.gain >= decision.worth_fitting * screened.front().gain &&
+        one.gain >= decision.minor * explained)
+      starts.push_back({one.candidate, one.shapes, one.coefficient, 0.0});
+  }
+  for (const ScreenedCandidate& one : screened)
+    if (!one.candidate.memory.empty())
+      starts.push_back({one.candidate, middle(one.candidate.shapes), 1.0, 0.0});
+  return starts;
+}
+
+/// The channels that may be it, fitted; the best first.
+std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
+                                    const std::vector<FittedEffect>& starts) {
+  const DecisionOptions& decision = problem.options.decision;
+  std::vector<Fitted> fitted;
+  for (const FittedEffect& start : starts) {
+    Explanation found = explain_on(problem, given, given.fitted, {start});
     const FittedEffect& effect = found.effects.front();
     if (!std::isfinite(found.fit.deviance) || !is_plausible(effect, decision) ||
         size_of(effect, found.fit) < decision.effect_size)
@@ -143,9 +162,10 @@ NamedEffect named(const Problem& problem, const Baseline& given,
   const ChannelName name = channel_name(effect, problem.nominal);
   NamedEffect result;
   result.equation = effect.candidate.equation;
+  result.place = effect.candidate.place;
   result.name = name.name;
   result.description = name.sentence;
-  result.cause = "a calibration that is off, a filter in the measuring chain";
+  result.cause = "a calibration that is off, a filter in the measuring chain, crosstalk";
   for (const ShapeParameter& shape : effect.candidate.shapes)
     result.parameters.push_back({shape.name, shape.unit, 0.0, {}});
   const double gain = given.fitted.deviance - own.explanation.fit.deviance;
@@ -257,7 +277,8 @@ Proposals SensorCalibration::do_propose(const Problem& problem, const Account& b
   const std::vector<ScreenedCandidate> screened =
       screen(candidates_of(problem, given), screening, {shape_price, decision.worth_shaping},
              problem.context);
-  std::vector<Fitted> fitted = fitted_channels(problem, given, explained, screened);
+  std::vector<Fitted> fitted =
+      fitted_channels(problem, given, worth_fitting(screened, explained, decision));
   const auto chosen = sound_one(problem, fitted);
   if (!chosen) return {};
   NamedEffect fault =

@@ -124,8 +124,8 @@ void describe_columns(HintOptions& o, OptionVisitor& v) {
            0.0, 1.0},
           o.column_rate);
   v.field({"told", "standard deviations",
-           "What such a column explains, or what the records say of a coefficient, is chance "
-           "where it is less significant.",
+           "What such a column explains, what the records say of a coefficient, or how far "
+           "samples are from white noise is chance where it is less significant.",
            0.0},
           o.told);
 }

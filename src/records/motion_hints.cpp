@@ -9,6 +9,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/numerics/least_squares.hpp"
+#include "lacuna/numerics/significance.hpp"
 #include "lacuna/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
@@ -70,6 +71,36 @@ void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptio
              " and of the states, and effects in either, are told apart by the rest only",
          "add a known excitation to " + name + ", or move its reference faster"});
   }
+}
+
+/// Significance of the first autocorrelations of a state together: n r_k^2, summed over lags,
+/// is chi squared for white noise (Box and Pierce, J. Am. Stat. Assoc. 65:1509, 1970). Infinite
+/// where there is a state that never changes.
+double significance_of_motion(const Dataset& data, Index state) {
+  constexpr Index kLags = 20;
+  double sum = 0.0, freedom = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    const Index n = record.samples();
+    const Vector x = record.states.col(state).array() - record.states.col(state).mean();
+    for (Index lag = 1; lag <= std::min(kLags, n / 4); ++lag) {
+      const double r = x.head(n - lag).dot(x.tail(n - lag)) / x.squaredNorm();
+      sum += static_cast<double>(n) * r * r;
+      ++freedom;
+    }
+  }
+  return std::isfinite(sum) ? sigma_of_gain(sum, freedom, 1.0)
+                            : std::numeric_limits<double>::infinity();
+}
+
+/// Whether all that was measured is white noise: no model is told from another one by it.
+bool is_still(const BoundRecords& records, double told) {
+  bool any = false;
+  for (std::size_t k = 0; k < records.channels.size(); ++k) {
+    if (!records.channels[k].measured) continue;
+    if (significance_of_motion(records.data, static_cast<Index>(k)) >= told) return false;
+    any = true;
+  }
+  return any;
 }
 
 void add_state_hints(const OdeModel& model, const BoundRecords& records,
@@ -154,6 +185,11 @@ double steps_in_period(const Dataset& data, Index state, double sigma) {
 
 std::vector<Hint> motion_hints(const OdeModel& model, const BoundRecords& records,
                                const RateWindows& windows, const HintOptions& options) {
+  if (is_still(records, options.told))
+    return {{HintKind::Excitation,
+             "nothing moves: what was measured is white noise, and neither effects nor "
+             "coefficients can be told by it",
+             "use a record with motion", Withheld::Claims}};
   std::vector<Hint> hints;
   add_input_hints(model, records.data, options, hints);
   add_state_hints(model, records, options, hints);

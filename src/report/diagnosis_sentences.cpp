@@ -67,10 +67,13 @@ std::string headline(const Diagnosis& diagnosis) {
 using Sentences = std::vector<std::string>;
 
 void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
-  out.push_back("Equation " + state_name(diagnosis, effect.equation) + ": " +
-                effect.description + " (" + effect.name + "), " +
-                with_error(effect.coefficient, kInterval * effect.deviation) + " " +
-                rate_unit_of(diagnosis, effect.equation) + " * " +
+  const bool acts = effect.place == Place::Rate;
+  const std::string unit = acts ? rate_unit_of(diagnosis, effect.equation)
+                                : state_of(diagnosis, effect.equation).unit;
+  out.push_back((acts ? "Equation " : "Channel ") + state_name(diagnosis, effect.equation) +
+                ": " + effect.description + " (" + effect.name + "), " +
+                with_error(effect.coefficient, kInterval * effect.deviation) +
+                (unit.empty() ? "" : " " + unit) + " * " +
                 readable_formula(effect.term, effect.parameters) + ", explains " +
                 share_of(effect.gap_closed) + " of the disagreement (" +
                 format_number(effect.sigma, 3) + " sigma).");

@@ -30,11 +30,12 @@ struct NamedParameter {
 /// An effect that the nominal model lacks.
 struct NamedEffect {
   Index equation = 0;
+  Place place = Place::Rate;  ///< in the equation of the state, or in its measured value
   std::string name = {};
   std::string description = {};
   std::string cause = {};  ///< what usually causes it
   std::string term = {};
-  double coefficient = 0.0;  ///< state unit per time unit and unit of the term
+  double coefficient = 0.0;  ///< state unit (in an equation per time unit) per unit of the term
   double deviation = 0.0;    ///< standard error of the coefficient
   std::vector<NamedParameter> parameters = {};
   double sigma = 0.0;

@@ -32,6 +32,7 @@ std::string to_string(HintKind kind);
 enum class Withheld {
   Nothing,  ///< a remark
   Names,    ///< no effect may be named: another cause is at hand
+  Claims,   ///< nor may a coefficient be said to be off: nothing moves
   Answer,   ///< records and model do not fit together, and nothing can be said
 };
 

@@ -22,7 +22,8 @@ TEST(Holdout, HalfOfTheSquareAboveTheFloorHasToGo) {
 }
 
 TEST(Holdout, WhereThereIsHardlyAGapThereIsNothingToShow) {
-  EXPECT_EQ(verdict(1.09, 1.09, 1.0), HoldoutVerdict::Confirmed);
+  EXPECT_EQ(verdict(1.09, 1.08, 1.0), HoldoutVerdict::Confirmed);
+  EXPECT_EQ(verdict(1.09, 1.09, 1.0), HoldoutVerdict::Little) << "nothing shrinks";
   EXPECT_EQ(verdict(1.11, 1.11, 1.0), HoldoutVerdict::Little);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lacuna/core/error.hpp"
+#include "lacuna/core/random.hpp"
 #include "lacuna/data/marks.hpp"
 #include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
@@ -37,6 +38,21 @@ TEST(Diagnose, ACompleteModelHasNoDiscrepancy) {
   const Diagnosis diagnosis = diagnosis_of(support::nothing);
   EXPECT_EQ(diagnosis.verdict, Verdict::NoDiscrepancy);
   EXPECT_TRUE(diagnosis.effects.empty());
+}
+
+TEST(Diagnose, AtRestNothingIsSaidOfTheModel) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Random random(seed);
+    Dataset data = support::hidden_record(support::nothing, 0.0);
+    Trajectory& record = data.trajectories[0];
+    record.inputs.setZero();
+    for (double& value : record.states.reshaped()) value = 0.01 * random.normal();
+    const Diagnosis diagnosis = diagnose(support::oscillator(), data, {}, {}, RunContext{});
+    EXPECT_EQ(diagnosis.verdict, Verdict::NoDiscrepancy) << seed;
+    EXPECT_EQ(withheld_by(diagnosis.hints), Withheld::Claims) << seed;
+    for (const CoefficientChange& change : diagnosis.coefficient_changes)
+      EXPECT_EQ(change.estimated, change.nominal) << seed;
+  }
 }
 
 TEST(Diagnose, WrongCoefficientsAreToldFromMissingStructure) {

@@ -14,26 +14,67 @@ FittedEffect fitted(const Candidate& candidate, double coefficient, double shape
   return {candidate, shapes, coefficient, 0.0};
 }
 
-TEST(ChannelForms, AreGainOffsetDriftAndLag) {
+/// The form of a channel.
+Candidate form_of(const std::string& text, const Scope& scope, Index state = 1) {
+  for (const Candidate& form : channel_forms(scope, state))
+    if (form.form == parse_expression(text)) return form;
+  ADD_FAILURE() << "there is no " << text;
+  return {};
+}
+
+void expect_name(const Candidate& form, double coefficient, const std::string& name,
+                 const std::string& words, double shape = 0.0) {
+  const ChannelName said =
+      channel_name(fitted(form, coefficient, shape), support::oscillator_scope().model);
+  EXPECT_EQ(said.name, name);
+  EXPECT_NE(said.sentence.find(words), std::string::npos) << said.sentence;
+}
+
+TEST(ChannelForms, StandInTheChannelAndCanBeStarted) {
   const Scope scope = support::oscillator_scope();
-  const std::vector<Candidate> forms = channel_forms(scope, 1);
-  ASSERT_EQ(forms.size(), 4u);
-  for (const Candidate& form : forms) {
+  for (const Candidate& form : channel_forms(scope, 1)) {
     EXPECT_EQ(form.place, Place::Channel);
     EXPECT_EQ(form.equation, 1);
-    EXPECT_FALSE(form.starts.empty());
+    ASSERT_FALSE(form.starts.empty());
+    for (const Vector& start : form.starts)
+      for (std::size_t s = 0; s < form.shapes.size(); ++s) {
+        EXPECT_GE(start[static_cast<Index>(s)], form.shapes[s].low) << form.form.to_string();
+        EXPECT_LE(start[static_cast<Index>(s)], form.shapes[s].high) << form.form.to_string();
+      }
   }
-  const OdeModel& model = scope.model;
-  EXPECT_EQ(channel_name(fitted(forms[0], 0.03), model).name, "sensor-gain");
-  EXPECT_NE(channel_name(fitted(forms[0], -0.03), model).sentence.find("3 % too little"),
-            std::string::npos);
-  EXPECT_EQ(channel_name(fitted(forms[1], 0.2), model).name, "sensor-offset");
-  EXPECT_NE(channel_name(fitted(forms[1], 0.2), model).sentence.find("too much"),
-            std::string::npos);
-  EXPECT_EQ(channel_name(fitted(forms[2], 0.2), model).name, "sensor-drift");
-  const ChannelName lag = channel_name(fitted(forms[3], 1.0, 0.07), model);
-  EXPECT_EQ(lag.name, "sensor-lag");
-  EXPECT_NE(lag.sentence.find("0.07"), std::string::npos);
+}
+
+TEST(ChannelForms, HaveNamesAndSentences) {
+  const Scope scope = support::oscillator_scope();
+  expect_name(form_of("v", scope), 0.03, "sensor-gain", "3 % too much");
+  expect_name(form_of("v", scope), -0.03, "sensor-gain", "3 % too little");
+  expect_name(form_of("1", scope), 0.2, "sensor-offset", "0.2 m/s too much");
+  expect_name(form_of("t", scope), 0.2, "sensor-drift", "0.2 m/s per s");
+  expect_name(form_of("behind-v", scope), 1.0, "sensor-lag", "0.07 s", 0.07);
+  expect_name(form_of("v^2", scope), -0.1, "sensor-gain",
+              "not linear: it reads 0.1*v^2 too little");
+  expect_name(form_of("end*tanh(v/end)-v", scope), 1.0, "sensor-gain", "3*tanh(v/3)", 3.0);
+  expect_name(form_of("q", scope), 0.05, "sensor-offset", "picks up 0.05*q too much");
+  expect_name(form_of("F", scope), 0.05, "sensor-offset", "picks up 0.05*F too much");
+}
+
+TEST(ChannelForms, AToneOfTheResidualsMayBeAHum) {
+  Scope scope = support::oscillator_scope();
+  const std::size_t without = channel_forms(scope, 1).size();
+  scope.lines = {{0, 5.0, 0.3}, {1, 0.1, 0.0}};  // the second is longer than half the record
+  EXPECT_EQ(channel_forms(scope, 1).size(), without + 1);
+  const Candidate hum = form_of("sin(2*pi*frequency*t+phase)", scope);
+  EXPECT_EQ(hum.equation, 1) << "wherever the line was seen";
+  EXPECT_FALSE(is_whole(hum));
+  expect_name(hum, 0.02, "sensor-offset", "a hum of 0.02 m/s, 5 per s", 5.0);
+}
+
+TEST(ChannelForms, AFilterAndAnEndStandForTheWholeState) {
+  const Scope scope = support::oscillator_scope();
+  EXPECT_TRUE(is_whole(form_of("behind-v", scope)));
+  EXPECT_TRUE(is_whole(form_of("end*tanh(v/end)-v", scope)));
+  EXPECT_FALSE(is_whole(form_of("v^3", scope)));
+  EXPECT_FALSE(is_whole(form_of("q", scope)));
 }
 
 TEST(ChannelForms, ADriftBeginsWithTheRecord) {
@@ -44,7 +85,7 @@ TEST(ChannelForms, ADriftBeginsWithTheRecord) {
 
 TEST(ChannelForms, AFilterShowsWhatIsBehindIt) {
   const Scope scope = support::oscillator_scope();
-  const Candidate lag = channel_forms(scope, 0).back();
+  const Candidate lag = form_of("behind-q", scope, 0);
   ASSERT_EQ(lag.memory.size(), 1u);
   EXPECT_EQ(lag.memory[0].start.to_string(), scope.state(0).name);
   EXPECT_LE(lag.shapes[0].low, 0.34 * scope.step);

@@ -69,6 +69,19 @@ TEST(SensorCalibration, FindsAFilterOfTheSensor) {
   EXPECT_NEAR(made.accounts[0].account.named[0].parameters[0].value, tau, 0.01);
 }
 
+TEST(SensorCalibration, FindsCurvesAndWhatAChannelPicksUp) {
+  expect_fault(with_sensor(0, [](double q, double) { return q + 0.05 * q * q; }),
+               "sensor-gain", 0, 0.05, 0.005);
+  expect_fault(with_sensor(0, [](double q, double) { return 2.0 * std::tanh(q / 2.0); }),
+               "sensor-gain", 0, 1.0, 0.1);
+  expect_fault(with_sensor(1, [](double v, double t) { return v + 0.05 * std::sin(9.0 * t); }),
+               "sensor-offset", 1, 0.05, 0.005);
+  Dataset data = support::hidden_record(support::nothing, 0.005);
+  Matrix& states = data.trajectories.front().states;
+  states.col(1) += 0.1 * states.col(0);
+  expect_fault({.records = observed(data)}, "sensor-offset", 1, 0.1, 0.01);
+}
+
 TEST(SensorCalibration, HasNothingToSayOfAGoodModel) {
   const Proposals made = proposed(support::asked(support::nothing, 0.005));
   EXPECT_TRUE(made.accounts.empty());

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "lacuna/core/random.hpp"
@@ -48,6 +49,25 @@ TEST(MotionHints, TellWhatDoesNotMove) {
   Random random(4);
   for (double& q : data.trajectories[0].states.col(0)) q = 1e-3 * random.normal();
   EXPECT_THAT(kinds_of(data), ::testing::Contains(HintKind::Excitation));
+}
+
+std::vector<Hint> hints_of(const Dataset& data) {
+  const BoundRecords records = observed(data);
+  return motion_hints(support::oscillator(), records, rate_windows(records), {});
+}
+
+TEST(MotionHints, WhiteNoiseTellsNothing) {
+  Random random(8);
+  Dataset still = good();
+  Trajectory& record = still.trajectories[0];
+  for (double& value : record.states.reshaped()) value = 1.0 + 0.01 * random.normal();
+  const std::vector<Hint> hints = hints_of(still);
+  EXPECT_EQ(withheld_by(hints), Withheld::Claims);
+  EXPECT_THAT(hints.back().message, HasSubstr("nothing moves"));
+  // A motion of half the noise in one state is something.
+  for (Index i = 0; i < record.samples(); ++i)
+    record.states(i, 0) += 0.007 * std::sin(2.0 * record.time[i]);
+  EXPECT_EQ(withheld_by(hints_of(still)), Withheld::Nothing);
 }
 
 TEST(MotionHints, TellFewSamplesAndFewPeriods) {
