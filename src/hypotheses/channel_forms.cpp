@@ -110,7 +110,7 @@ ChannelName picked_up(const FittedEffect& effect, const std::string& sensor,
 
 bool is_whole(const Candidate& candidate) {
   const bool curve = !candidate.shapes.empty() && !candidate.form.variables().contains("t");
-  return !candidate.memory.empty() || curve;
+  return candidate.families.empty() && (!candidate.memory.empty() || curve);
 }
 
 std::vector<Candidate> channel_forms(const Scope& scope, Index state) {

@@ -36,8 +36,28 @@ std::vector<Candidate> candidates_of(const Problem& problem, const Baseline& bas
     if (!base.given.noise.measurement[static_cast<std::size_t>(k)]) continue;
     for (Candidate& candidate : channel_forms(base.scope, k))
       all.push_back(std::move(candidate));
+    for (const Stage<Effect>& effect : problem.options.effects)
+      for (Candidate& candidate : effect->candidates(base.scope, k))
+        if (candidate.place == Place::Channel) all.push_back(std::move(candidate));
   }
   return all;
+}
+
+/// What a channel's form is called: by the effect that proposes it, where one does.
+std::optional<Name> name_of(const Problem& problem, const Baseline& base,
+                            const FittedEffect& effect, const OdeModel& fitted) {
+  if (effect.candidate.families.empty()) {
+    ChannelName own = channel_name(effect, problem.nominal);
+    Name name{std::move(own.name), std::move(own.sentence),
+              "a calibration that is off, a filter in the measuring chain, crosstalk"};
+    for (const ShapeParameter& shape : effect.candidate.shapes)
+      name.parameters.push_back(shape.name);
+    return name;
+  }
+  const NameTable table{problem.options.effects, base.scope, problem.options.decision.naming};
+  std::vector<Name> names = table.names_of(effect, fitted);
+  if (names.empty()) return std::nullopt;
+  return std::move(names.front());
 }
 
 /// rms of what a channel adds, about its mean where it varies, over the deviation of the state.
@@ -74,34 +94,37 @@ Vector middle(const std::vector<ShapeParameter>& shapes) {
 /// middle of its range: what it makes of a path that follows the noise says nothing of it.
 /// @param explained deviance that the best account explains: a channel has to show more than a
 /// minor part of it at first sight.
-std::vector<FittedEffect> worth_fitting(const std::vector<ScreenedCandidate>& screened,
-                                        double explained, const DecisionOptions& decision) {
+std::vector<std::vector<FittedEffect>> worth_fitting(
+    const std::vector<ScreenedCandidate>& screened, double explained,
+    const DecisionOptions& decision) {
   const auto tried = static_cast<double>(screened.size());
-  std::vector<FittedEffect> starts;
+  std::vector<std::vector<FittedEffect>> starts;
   for (const ScreenedCandidate& one : screened) {
     const double freedom = 1.0 + static_cast<double>(one.shapes.size());
     if (static_cast<int>(starts.size()) < decision.rough_fits &&
         sigma_of_gain(one.gain, freedom, tried) >= decision.significance &&
         one.gain >= decision.worth_fitting * screened.front().gain &&
         one.gain >= decision.minor * explained)
-      starts.push_back({one.candidate, one.shapes, one.coefficient, 0.0});
+      starts.push_back({{one.candidate, one.shapes, one.coefficient, 0.0}});
   }
   for (const ScreenedCandidate& one : screened)
     if (!one.candidate.memory.empty())
-      starts.push_back({one.candidate, middle(one.candidate.shapes), 1.0, 0.0});
+      starts.push_back({{one.candidate, middle(one.candidate.shapes), 1.0, 0.0}});
   return starts;
 }
 
-/// The channels that may be it, fitted; the best first.
+/// The channels that may be it, fitted; the best first. @param starts a channel's form, and
+/// effects that act beside it.
 std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
-                                    const std::vector<FittedEffect>& starts) {
+                                    const std::vector<std::vector<FittedEffect>>& starts) {
   const DecisionOptions& decision = problem.options.decision;
   std::vector<Fitted> fitted;
-  for (const FittedEffect& start : starts) {
-    Explanation found = explain_on(problem, given, given.fitted, {start});
+  for (const std::vector<FittedEffect>& start : starts) {
+    Explanation found = explain_on(problem, given, given.fitted, start);
     const FittedEffect& effect = found.effects.front();
     if (!std::isfinite(found.fit.deviance) || !is_plausible(effect, decision) ||
-        size_of(effect, found.fit) < decision.effect_size)
+        size_of(effect, found.fit) < decision.effect_size ||
+        !name_of(problem, given, effect, found.fit.model))
       continue;
     const double value = criterion_of(problem, given, found);
     fitted.push_back({std::move(found), {}, value});
@@ -109,6 +132,14 @@ std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& give
   std::stable_sort(fitted.begin(), fitted.end(),
                    [](const Fitted& a, const Fitted& b) { return a.criterion < b.criterion; });
   return fitted;
+}
+
+/// Share of what disturbs the equations that goes; all of nothing.
+double share_closed(const Baseline& given, const Fitted& own) {
+  const Vector rates = rate_rms(given.fitted);
+  const double before = total_disturbance(given.fitted, rates);
+  const double after = total_disturbance(own.explanation.fit, rates);
+  return before > 0.0 ? std::clamp(1.0 - after / before, 0.0, 1.0) : 1.0;
 }
 
 /// The best that leaves nothing over.
@@ -123,21 +154,33 @@ std::optional<std::size_t> sound_one(const Problem& problem, std::vector<Fitted>
   return std::nullopt;
 }
 
+/// Each of the best channels together with each of the effects of an account, fitted: one fault
+/// bends several equations and may stand behind all effects but one.
+std::vector<Fitted> beside_effects(const Problem& problem, const Baseline& given,
+                                   const Account& best, const std::vector<Fitted>& channels) {
+  const auto most = static_cast<std::size_t>(problem.options.decision.exact_fits);
+  std::vector<std::vector<FittedEffect>> starts;
+  for (std::size_t i = 0; i < std::min(most, channels.size()); ++i)
+    for (const FittedEffect& effect : best.explanation.effects)
+      if (effect.candidate.place == Place::Rate && !effect.candidate.is_driven())
+        starts.push_back({channels[i].explanation.effects.front(), effect});
+  return fitted_channels(problem, given, starts);
+}
+
 /// A rival that leaves the other coefficients as given.
 struct Peer {
   double criterion = std::numeric_limits<double>::infinity();
   Index parameters = 0;
 };
 
-/// One coefficient changed: the best of all.
-Peer best_coefficient(const Problem& problem, const Baseline& given) {
-  Peer best{.parameters = 1};
+/// One coefficient changed in the place of the channel: the best of all.
+Peer best_coefficient(const Problem& problem, const Baseline& given, const Explanation& own) {
+  const std::vector<FittedEffect> others(own.effects.begin() + 1, own.effects.end());
+  Peer best{.parameters = own.parameters()};
   for (const CoefficientPlace& place : free_coefficients(problem.nominal)) {
     Baseline one = given;
     one.fit_options.free = {place};
-    const Explanation changed{{},
-                              assimilate_from(problem.nominal, given.records->data,
-                                              given.fitted, one.fit_options, problem.context)};
+    const Explanation changed = explain_on(problem, one, given.fitted, others);
     if (std::isfinite(changed.fit.deviance))
       best.criterion = std::min(best.criterion, criterion_of(problem, one, changed));
   }
@@ -159,15 +202,10 @@ NamedEffect named(const Problem& problem, const Baseline& given,
   constexpr std::size_t kAlternatives = 4;
   const Fitted& own = fitted[chosen];
   const FittedEffect& effect = own.explanation.effects.front();
-  const ChannelName name = channel_name(effect, problem.nominal);
   NamedEffect result;
   result.equation = effect.candidate.equation;
   result.place = effect.candidate.place;
-  result.name = name.name;
-  result.description = name.sentence;
-  result.cause = "a calibration that is off, a filter in the measuring chain, crosstalk";
-  for (const ShapeParameter& shape : effect.candidate.shapes)
-    result.parameters.push_back({shape.name, shape.unit, 0.0, {}});
+  take_name(effect, *name_of(problem, given, effect, own.explanation.fit.model), result);
   const double gain = given.fitted.deviance - own.explanation.fit.deviance;
   result.sigma = sigma_of_gain(gain, 1.0 + static_cast<double>(effect.shapes.size()), tried);
   result.contribution = size_of(effect, own.explanation.fit);
@@ -179,20 +217,27 @@ NamedEffect named(const Problem& problem, const Baseline& given,
     return std::exp(-0.5 * (one.criterion - fitted.front().criterion)) / sum;
   };
   result.probability = probability(own);
-  const Vector rates = rate_rms(given.fitted);
-  const double before = total_disturbance(given.fitted, rates);
-  const double after = total_disturbance(own.explanation.fit, rates);
-  result.gap_closed = before > 0.0 ? std::clamp(1.0 - after / before, 0.0, 1.0) : 1.0;
+  result.gap_closed = share_closed(given, own);
   for (std::size_t i = 0; i < fitted.size() && result.alternatives.size() < kAlternatives;
        ++i) {
     if (i == chosen) continue;
     const FittedEffect& other = fitted[i].explanation.effects.front();
     const std::string where =
         problem.nominal.states()[static_cast<std::size_t>(other.candidate.equation)].name;
-    result.alternatives.push_back({channel_name(other, problem.nominal).name + " of " + where,
-                                   term_of(other), probability(fitted[i])});
+    const auto name = name_of(problem, given, other, fitted[i].explanation.fit.model);
+    result.alternatives.push_back(
+        {name->name + " of " + where, term_of(other), probability(fitted[i])});
   }
   return result;
+}
+
+/// What an account calls an effect.
+const NamedEffect& name_in(const Account& account, const FittedEffect& effect) {
+  const std::vector<FittedEffect>& effects = account.explanation.effects;
+  const auto found = std::find_if(effects.begin(), effects.end(), [&](const FittedEffect& one) {
+    return are_one_form(one.candidate, effect.candidate);
+  });
+  return account.named[static_cast<std::size_t>(found - effects.begin())];
 }
 
 Account account_of(const Account& best, const Baseline& given, Fitted own, NamedEffect fault) {
@@ -202,6 +247,8 @@ Account account_of(const Account& best, const Baseline& given, Fitted own, Named
                   .named = {std::move(fault)},
                   .rounds = best.rounds,
                   .left = std::move(own.left)};
+  for (std::size_t e = 1; e < account.explanation.effects.size(); ++e)
+    account.named.push_back(name_in(best, account.explanation.effects[e]));
   update_numbers(account.explanation, account.named);
   account.notes = best.notes;
   return account;
@@ -237,7 +284,7 @@ Proposal beside(const Account& best, const NamedEffect& fault, const std::string
 Proposals against_peers(const Problem& problem, const Account& best, const Baseline& given,
                         Fitted own, NamedEffect fault) {
   const double undecided = problem.options.decision.undecided;
-  const Peer coefficient = best_coefficient(problem, given);
+  const Peer coefficient = best_coefficient(problem, given, own.explanation);
   const Peer effects = same_effects(problem, given, best);
   const std::string term = term_of(own.explanation.effects.front());
   if (coefficient.criterion < own.criterion + undecided &&
@@ -279,7 +326,11 @@ Proposals SensorCalibration::do_propose(const Problem& problem, const Account& b
              problem.context);
   std::vector<Fitted> fitted =
       fitted_channels(problem, given, worth_fitting(screened, explained, decision));
-  const auto chosen = sound_one(problem, fitted);
+  auto chosen = sound_one(problem, fitted);
+  if (!chosen && best.named.size() > 1) {
+    fitted = beside_effects(problem, given, best, fitted);
+    chosen = sound_one(problem, fitted);
+  }
   if (!chosen) return {};
   NamedEffect fault =
       named(problem, given, fitted, *chosen, static_cast<double>(screened.size()));

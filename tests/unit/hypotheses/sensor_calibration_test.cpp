@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/hypotheses/sensor_fault.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/families.hpp"
+#include "lacuna/hypotheses/sensor_fault.hpp"
 #include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {
@@ -70,8 +72,8 @@ TEST(SensorCalibration, FindsAFilterOfTheSensor) {
 }
 
 TEST(SensorCalibration, FindsCurvesAndWhatAChannelPicksUp) {
-  expect_fault(with_sensor(0, [](double q, double) { return q + 0.05 * q * q; }),
-               "sensor-gain", 0, 0.05, 0.005);
+  expect_fault(with_sensor(0, [](double q, double) { return q + 0.05 * q * q; }), "sensor-gain",
+               0, 0.05, 0.005);
   expect_fault(with_sensor(0, [](double q, double) { return 2.0 * std::tanh(q / 2.0); }),
                "sensor-gain", 0, 1.0, 0.1);
   expect_fault(with_sensor(1, [](double v, double t) { return v + 0.05 * std::sin(9.0 * t); }),
@@ -111,6 +113,62 @@ TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
   EXPECT_EQ(account.named[0].name, "constant-offset") << "the dynamics lead";
   ASSERT_FALSE(account.named[0].alternatives.empty());
   EXPECT_EQ(account.named[0].alternatives[0].name, "sensor-offset");
+}
+
+/// Dry friction seen by a channel that picks up the position.
+support::Asked friction_and_crosstalk() {
+  Dataset data = support::hidden_record(support::dry_friction, 0.005);
+  Matrix& states = data.trajectories.front().states;
+  states.col(1) += 0.1 * states.col(0);
+  return {.records = observed(data)};
+}
+
+/// An account with effects of dv/dt without shapes, each named as its form.
+Account with_effects(const support::Asked& asked, const std::vector<std::string>& forms) {
+  Account best = asked.bare();
+  std::vector<FittedEffect> effects;
+  for (const std::string& form : forms) {
+    effects.push_back({support::plain_candidate(form), Vector(), 0.0, 0.0});
+    effects.back().candidate.equation = 1;
+    best.named.push_back({.equation = 1, .name = form, .probability = 0.9});
+  }
+  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted, effects);
+  return best;
+}
+
+TEST(SensorCalibration, StandsBesideAnEffectInThePlaceOfAllOthers) {
+  const support::Asked asked = friction_and_crosstalk();
+  const Proposals made = SensorCalibration().propose(
+      asked.problem(), with_effects(asked, {"q^3", "sign(v)", "F^2"}));
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Account& account = made.accounts[0].account;
+  ASSERT_EQ(account.named.size(), 2u);
+  EXPECT_EQ(account.named[0].name, "sensor-offset");
+  EXPECT_EQ(account.named[0].place, Place::Channel);
+  EXPECT_NEAR(account.named[0].coefficient, 0.1, 0.01);
+  EXPECT_EQ(account.named[1].name, "sign(v)");
+  EXPECT_NEAR(account.named[1].coefficient, -0.3, 0.01);
+  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+}
+
+TEST(SensorCalibration, StandsBesideNothingThatIsNotNamed) {
+  const support::Asked asked = friction_and_crosstalk();
+  EXPECT_TRUE(SensorCalibration()
+                  .propose(asked.problem(), with_effects(asked, {"q^3", "F^2"}))
+                  .accounts.empty());
+}
+
+TEST(SensorCalibration, TriesWhatEffectsSayOfChannels) {
+  support::Asked asked = with_sensor(1, [](double v, double) { return v; });
+  Matrix& states = asked.records.data.trajectories.front().states;
+  const Matrix before = states;
+  const Index n = states.rows() - 3;
+  states.col(0).tail(n) = before.col(0).head(n);  // the position comes three samples late
+  asked.options.effects = {FamilyEffect<kChannelSkew>()};
+  const Proposals made = proposed(asked);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  EXPECT_EQ(made.accounts[0].account.named[0].name, "channel-skew");
+  EXPECT_EQ(made.accounts[0].account.named[0].equation, 0);
 }
 
 }  // namespace
