@@ -8,11 +8,15 @@
 #include "channel_forms.hpp"
 #include "effect_names.hpp"
 #include "lacuna/candidates/screening.hpp"
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
 namespace {
+
+/// A channel's form, and effects that act beside it.
+using Start = std::vector<FittedEffect>;
 
 /// A channel with a form, fitted with the nominal coefficients as given.
 struct Fitted {
@@ -94,11 +98,10 @@ Vector middle(const std::vector<ShapeParameter>& shapes) {
 /// middle of its range: what it makes of a path that follows the noise says nothing of it.
 /// @param explained deviance that the best account explains: a channel has to show more than a
 /// minor part of it at first sight.
-std::vector<std::vector<FittedEffect>> worth_fitting(
-    const std::vector<ScreenedCandidate>& screened, double explained,
-    const DecisionOptions& decision) {
+std::vector<Start> worth_fitting(const std::vector<ScreenedCandidate>& screened,
+                                 double explained, const DecisionOptions& decision) {
   const auto tried = static_cast<double>(screened.size());
-  std::vector<std::vector<FittedEffect>> starts;
+  std::vector<Start> starts;
   for (const ScreenedCandidate& one : screened) {
     const double freedom = 1.0 + static_cast<double>(one.shapes.size());
     if (static_cast<int>(starts.size()) < decision.rough_fits &&
@@ -113,14 +116,26 @@ std::vector<std::vector<FittedEffect>> worth_fitting(
   return starts;
 }
 
-/// The channels that may be it, fitted; the best first. @param starts a channel's form, and
-/// effects that act beside it.
+std::vector<std::optional<Explanation>> explain_all(const Problem& problem,
+                                                    const Baseline& given,
+                                                    const std::vector<Start>& starts) {
+  const RunContext& context = problem.context;
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem alone{problem.nominal, problem.records, problem.options, quiet};
+  std::vector<std::optional<Explanation>> found(starts.size());
+  parallel_for(starts.size(), context.threads, [&](std::size_t i) {
+    found[i] = explain_on(alone, given, given.fitted, starts[i]);
+  });
+  return found;
+}
+
+/// The channels that may be it, fitted; the best first.
 std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
-                                    const std::vector<std::vector<FittedEffect>>& starts) {
+                                    const std::vector<Start>& starts) {
   const DecisionOptions& decision = problem.options.decision;
   std::vector<Fitted> fitted;
-  for (const std::vector<FittedEffect>& start : starts) {
-    Explanation found = explain_on(problem, given, given.fitted, start);
+  for (std::optional<Explanation>& one : explain_all(problem, given, starts)) {
+    Explanation& found = *one;
     const FittedEffect& effect = found.effects.front();
     if (!std::isfinite(found.fit.deviance) || !is_plausible(effect, decision) ||
         size_of(effect, found.fit) < decision.effect_size ||
@@ -159,7 +174,7 @@ std::optional<std::size_t> sound_one(const Problem& problem, std::vector<Fitted>
 std::vector<Fitted> beside_effects(const Problem& problem, const Baseline& given,
                                    const Account& best, const std::vector<Fitted>& channels) {
   const auto most = static_cast<std::size_t>(problem.options.decision.exact_fits);
-  std::vector<std::vector<FittedEffect>> starts;
+  std::vector<Start> starts;
   for (std::size_t i = 0; i < std::min(most, channels.size()); ++i)
     for (const FittedEffect& effect : best.explanation.effects)
       if (effect.candidate.place == Place::Rate && !effect.candidate.is_driven())
