@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 
 #include "integration/program.hpp"
 #include "support/sanitizers.hpp"
@@ -50,6 +51,19 @@ TEST(Output, AFullStandardOutputIsAnError) {
         "identify " + record + " --json -", std::string("list"), std::string("--help"),
         std::string("describe stlsq")})
     expect_one_error(run_in_shell("true", arguments, "/dev/full"), {"standard output", "; "});
+}
+
+TEST(Output, AReaderThatLeavesEndsTheProgramWithoutAWord) {
+  const TemporaryFolder folder;
+  // More than a pipe holds, so that the program still writes when its reader has gone.
+  const std::string command = "bash -c \"'" LACUNA_COMMAND
+                              "' simulate lorenz --x0 1,1,1 --t-end 1000 --dt .01 2> '" +
+                              folder.file("err") + "' | head -1 > '" + folder.file("out") +
+                              "'; exit \\${PIPESTATUS[0]}\"";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 128 + SIGPIPE);
+  EXPECT_EQ(folder.read("out"), "t,x,y,z\n");
+  EXPECT_EQ(folder.read("err"), "");
 }
 
 TEST(Output, AFileThatGrowsTooLargeLeavesNothing) {
