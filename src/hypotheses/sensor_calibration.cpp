@@ -64,8 +64,12 @@ std::optional<Name> name_of(const Problem& problem, const Baseline& base,
   return std::move(names.front());
 }
 
-/// rms of what a channel adds, about its mean where it varies, over the deviation of the state.
-double size_of(const FittedEffect& effect, const Assimilation& fit) {
+/// rms of what a channel adds, and of the state about its mean.
+struct Size {
+  double added = 0.0, state = 0.0;
+};
+
+Size size_of(const FittedEffect& effect, const Assimilation& fit) {
   double sum = 0.0, spread = 0.0;
   for (const LinearisedRecord& record : fit.records) {
     const Vector form =
@@ -76,7 +80,19 @@ double size_of(const FittedEffect& effect, const Assimilation& fit) {
     sum += form.squaredNorm() / static_cast<double>(form.size());
     spread += (path.array() - path.mean()).square().mean();
   }
-  return std::abs(effect.coefficient) * std::sqrt(sum / spread);
+  const auto count = static_cast<double>(fit.records.size());
+  return {std::abs(effect.coefficient) * std::sqrt(sum / count), std::sqrt(spread / count)};
+}
+
+/// Whether a channel adds as much as an effect does, and more than its samples are rounded:
+/// where a state rests between two values that goes along with the others.
+bool is_sizeable(const FittedEffect& effect, const Assimilation& fit, const Baseline& base,
+                 const DecisionOptions& decision) {
+  const Size size = size_of(effect, fit);
+  const auto k = static_cast<std::size_t>(effect.candidate.equation);
+  const double rounding =
+      base.records->channels[k].noise.lattice.value_or(0.0) / std::sqrt(12.0);
+  return size.added >= decision.effect_size * size.state && size.added > rounding;
 }
 
 /// Told from 0, and the whole of the state where the form stands for it.
@@ -138,7 +154,7 @@ std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& give
     Explanation& found = *one;
     const FittedEffect& effect = found.effects.front();
     if (!std::isfinite(found.fit.deviance) || !is_plausible(effect, decision) ||
-        size_of(effect, found.fit) < decision.effect_size ||
+        !is_sizeable(effect, found.fit, given, decision) ||
         !name_of(problem, given, effect, found.fit.model))
       continue;
     const double value = criterion_of(problem, given, found);
@@ -223,7 +239,8 @@ NamedEffect named(const Problem& problem, const Baseline& given,
   take_name(effect, *name_of(problem, given, effect, own.explanation.fit.model), result);
   const double gain = given.fitted.deviance - own.explanation.fit.deviance;
   result.sigma = sigma_of_gain(gain, 1.0 + static_cast<double>(effect.shapes.size()), tried);
-  result.contribution = size_of(effect, own.explanation.fit);
+  const Size size = size_of(effect, own.explanation.fit);
+  result.contribution = size.added / size.state;
   result.tried = static_cast<Index>(tried);
   double sum = 0.0;
   for (const Fitted& other : fitted)

@@ -158,6 +158,14 @@ TEST(SensorCalibration, StandsBesideNothingThatIsNotNamed) {
                   .accounts.empty());
 }
 
+TEST(SensorCalibration, AddsMoreThanSamplesAreRounded) {
+  support::Asked asked = with_sensor(0, [](double q, double) { return q - 0.1; });
+  asked.records.channels[0].noise.lattice = 0.34;  // rounded by 0.098 rms
+  EXPECT_EQ(proposed(asked).accounts.size(), 1u);
+  asked.records.channels[0].noise.lattice = 0.36;  // by 0.104
+  EXPECT_TRUE(proposed(asked).accounts.empty());
+}
+
 TEST(SensorCalibration, TriesWhatEffectsSayOfChannels) {
   support::Asked asked = with_sensor(1, [](double v, double) { return v; });
   Matrix& states = asked.records.data.trajectories.front().states;
