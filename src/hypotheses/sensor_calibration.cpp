@@ -111,11 +111,13 @@ Vector middle(const std::vector<ShapeParameter>& shapes) {
 }
 
 /// The channels that may be it, as they are to be fitted. A filter is one in any case, from the
-/// middle of its range: what it makes of a path that follows the noise says nothing of it.
+/// middle of its range: what it makes of a path that follows the noise says nothing of it. Not
+/// so beside hidden states, of which it would be one more.
 /// @param explained deviance that the best account explains: a channel has to show more than a
 /// minor part of it at first sight.
 std::vector<Start> worth_fitting(const std::vector<ScreenedCandidate>& screened,
-                                 double explained, const DecisionOptions& decision) {
+                                 double explained, const Baseline& given,
+                                 const DecisionOptions& decision) {
   const auto tried = static_cast<double>(screened.size());
   std::vector<Start> starts;
   for (const ScreenedCandidate& one : screened) {
@@ -126,6 +128,7 @@ std::vector<Start> worth_fitting(const std::vector<ScreenedCandidate>& screened,
         one.gain >= decision.minor * explained)
       starts.push_back({{one.candidate, one.shapes, one.coefficient, 0.0}});
   }
+  if (!given.fit_options.hidden.empty()) return starts;
   for (const ScreenedCandidate& one : screened)
     if (!one.candidate.memory.empty())
       starts.push_back({{one.candidate, middle(one.candidate.shapes), 1.0, 0.0}});
@@ -357,7 +360,7 @@ Proposals SensorCalibration::do_propose(const Problem& problem, const Account& b
       screen(candidates_of(problem, given), screening, {shape_price, decision.worth_shaping},
              problem.context);
   std::vector<Fitted> fitted =
-      fitted_channels(problem, given, worth_fitting(screened, explained, decision));
+      fitted_channels(problem, given, worth_fitting(screened, explained, given, decision));
   auto chosen = sound_one(problem, fitted);
   if (!chosen && best.named.size() > 1) {
     fitted = beside_effects(problem, given, best, fitted);

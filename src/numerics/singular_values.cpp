@@ -14,6 +14,7 @@ Matrix SingularValues::null_space(double share) const {
 }
 
 SingularValues singular_values(const Matrix& a) {
+  if (a.rows() == 0) return {Vector(0), Matrix(0, 0), Matrix::Identity(a.cols(), a.cols())};
   const Eigen::BDCSVD<Matrix> found(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
   return {found.singularValues(), found.matrixU(), found.matrixV()};
 }

@@ -97,6 +97,13 @@ TEST(UnseenChanges, AFixedOrKnownCoefficientGivesTheScale) {
             0);
 }
 
+TEST(UnseenChanges, NothingIsUnseenWhereNothingIsFree) {
+  const OdeModel model = parse_ode(kCompartments, "test");
+  EXPECT_EQ(
+      unseen_changes(model, records_of(model), {false, true}, {{}, {}, {}}).coefficients.size(),
+      0);
+}
+
 TEST(UnseenChanges, NothingIsUnseenWhereAllIsMeasured) {
   EXPECT_EQ(unseen_of(kCompartments, {}).coefficients.cols(), 0);
 }

@@ -19,6 +19,12 @@ TEST(SingularValues, ProductIsTheMatrix) {
   EXPECT_TRUE((found.left * found.values.asDiagonal() * found.right.transpose()).isApprox(a));
 }
 
+TEST(SingularValues, NoRowsTellNothing) {
+  const SingularValues found = singular_values(Matrix(0, 3));
+  EXPECT_EQ(found.rank(0.1), 0);
+  EXPECT_EQ(found.null_space(0.1), Matrix(Matrix::Identity(3, 3)));
+}
+
 TEST(SingularValues, SquaresAreThoseOfTheGramMatrix) {
   // Of [3 0; 4 5]: a'a = [25 20; 20 25] with the eigenvalues 45 and 5.
   Matrix a(2, 2);
