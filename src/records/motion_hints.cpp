@@ -77,7 +77,9 @@ void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptio
 /// is chi squared for white noise (Box and Pierce, J. Am. Stat. Assoc. 65:1509, 1970). Infinite
 /// where there is a state that never changes.
 double significance_of_motion(const Dataset& data, Index state) {
-  constexpr Index kLags = 20;  // the usual number; a motion is in the first ones
+  // A fact of the statistic: its distribution knows how many are summed, HintOptions::told
+  // decides.
+  constexpr Index kLags = 20;
   double sum = 0.0, freedom = 0.0;
   for (const Trajectory& record : data.trajectories) {
     const Index n = record.samples();
