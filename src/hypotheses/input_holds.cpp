@@ -174,6 +174,18 @@ double deviance_under(const Problem& problem, const Account& best, const OdeMode
   return explain_roughly(task, best.base->fitted, best.explanation.effects).fit.deviance;
 }
 
+/// Whether the model with its effects follows the records from their first samples to the last
+/// with nothing that disturbs it on the way: then no other hold has anything to explain.
+bool needs_no_disturbance(const Problem& problem, const Account& best) {
+  Assimilation start = best.explanation.fit;
+  start.noise.disturbance.setZero();
+  const JointFitTask task{problem.records.data, problem.nominal, best.base->fit_options,
+                          problem.context};
+  const Explanation free = explain_roughly(task, start, best.explanation.effects);
+  return free.fit.deviance <
+         best.explanation.fit.deviance + problem.options.decision.undecided;
+}
+
 /// Other holds of an input under which the effects that were found fit better by `lead`.
 std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, Index input,
                                    double lead) {
@@ -198,18 +210,19 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
   std::vector<OdeModel> rivals;
   const std::vector<FittedEffect>& effects = best.explanation.effects;
   const DecisionOptions& decision = problem.options.decision;
-  if (effects.empty()) return rivals;
+  if (open.empty() || effects.empty()) return rivals;
+  const bool complete = needs_no_disturbance(problem, best);
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
   for (const auto& [input, second, lead] : open) {
     const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;
-    const bool doubtful = effects.size() > 1 || leaves_structure(best, decision) ||
+    const bool doubtful = complete || effects.size() > 1 || leaves_structure(best, decision) ||
                           std::any_of(effects.begin(), effects.end(),
                                       [&](const auto& effect) { return is_of(effect, name); });
     std::vector<OdeModel> better =
         better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
     // What the hold explains of a model that lacks an effect settles nothing where the effect
-    // explains more.
-    if (better.empty() && lead < explained)
+    // explains more, unless nothing is left to explain.
+    if (better.empty() && lead < explained && !complete)
       better.push_back(with_hold(problem.nominal, input, second));
     std::move(better.begin(), better.end(), std::back_inserter(rivals));
   }

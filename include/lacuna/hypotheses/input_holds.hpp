@@ -36,9 +36,11 @@ ChosenHolds choose_holds(const Problem& problem);
 /// wrong hold makes effects necessary that the right one does without, so also
 /// - those under which the effects do not fit decidedly worse, where there are several, where
 ///   one is of that input (half a step of delay may be all there is to it) or where structure
-///   is left;
+///   is left, and where nothing disturbs the model with the effects;
 /// - the second one, where the lead of the first is less than what the effects explain: a model
-///   that lacks so much is no judge of half a step.
+///   that lacks so much is no judge of half a step. Not so where the model with the effects
+///   follows the records from their first samples on and needs no disturbance: no other hold
+///   has anything left to explain.
 /// @param problem its model has the chosen holds.
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
                                   const Account& best);

@@ -68,12 +68,12 @@ TEST(InputHolds, AreNotDoubtedWithoutEffects) {
 class HoldsBesideFriction : public ::testing::Test {
  protected:
   /// The friction that is found under a hold.
-  Account account_under(Hold hold) {
+  Account account_under(Hold hold, const std::string& friction = "tanh(v/0.01)") {
     asked_.nominal = asked_.nominal.with_holds({hold});
     Account account = asked_.bare();
     account.explanation =
         explain_on(asked_.problem(), *account.base, account.base->fitted,
-                   {{support::plain_candidate("tanh(v/0.01)"), Vector(0), -0.3, 0.0}});
+                   {{support::plain_candidate(friction), Vector(0), -0.3, 0.0}});
     return account;
   }
 
@@ -93,8 +93,9 @@ TEST_F(HoldsBesideFriction, AreJudgedAnew) {
   EXPECT_TRUE(rivals_under(Hold::Zero).empty());
 }
 
+/// With a friction that is not quite the true one.
 TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
-  const Account account = account_under(Hold::Zero);
+  const Account account = account_under(Hold::Zero, "tanh(v/0.03)");
   const double explained = account.base->fitted.deviance - account.explanation.fit.deviance;
   ASSERT_GT(explained, 100.0);
   const auto rivals_with = [&](double lead) {
@@ -103,6 +104,11 @@ TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
   ASSERT_EQ(rivals_with(0.99 * explained).size(), 1u);
   EXPECT_EQ(rivals_with(0.99 * explained).front().inputs()[0].hold, Hold::Linear);
   EXPECT_TRUE(rivals_with(1.01 * explained).empty());
+}
+
+TEST_F(HoldsBesideFriction, AreSettledWhereNothingDisturbsTheModel) {
+  const Account account = account_under(Hold::Zero);
+  EXPECT_TRUE(rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, account).empty());
 }
 
 }  // namespace
