@@ -97,7 +97,7 @@ class ColumnElimination {
     if (least)
       left_out_.push_back(
           {columns_[static_cast<std::size_t>(members_[static_cast<std::size_t>(*least)])],
-           shares[*least]});
+           shares[*least], rule_.effect_size});
     return least;
   }
 

@@ -28,7 +28,8 @@ class RateEffects {
 /// A column that was left out, and why.
 struct LeftOut {
   Coefficient column;
-  double effect = 0.0;  ///< share of the rate of its equation that it was worth
+  double effect = 0.0;     ///< share of the rate of its equation that it was worth
+  double threshold = 0.0;  ///< that it was not worth
 };
 
 /// Takes negligible columns out of the model, the one that is worth least to the trajectories

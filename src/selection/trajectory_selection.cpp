@@ -362,7 +362,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
     result.negligible.push_back(
         {out.column.equation,
          task.library.terms[static_cast<std::size_t>(out.column.term)].name(), out.effect,
-         options().negligible.effect_size});
+         out.threshold});
   return result;
 }
 
