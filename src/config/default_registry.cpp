@@ -130,6 +130,7 @@ void add_diagnosis(Registry& registry) {
   registry.add<ColouredNoiseHypothesis>();
   registry.add<BrokenIdentity>();
   registry.add<SensorCalibration>();
+  registry.add<InputSkew>();
   registry.add<ResidualFunction>();
   registry.add<SharedProcess>();
 }

@@ -44,4 +44,25 @@ class SensorCalibration final
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
 
+inline constexpr StageInfo kInputSkew{
+    "input-skew", "An input is recorded later than the states, by up to four sampling steps",
+    ""};
+
+/// What acts is u(t + T), and u(t) is what was recorded: a column that is written one sample
+/// late, the mean over the step before, a slower converter. T is the likeliest for the nominal
+/// model with fitted coefficients; effects are sought again on the records with that input
+/// moved ahead. An input that acts late is none: that is a delay of the plant.
+///
+/// It is proposed where something is missing, and where the moved input, with nothing or with
+/// the first of the effects of the best account so far, does better than that account.
+class InputSkew final : public Configured<Hypothesis, HypothesisOptions<kInputSkew>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Assumptions; }
+  int do_order() const override { return -1; }  // before noise that follows what is late
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
 }  // namespace lacuna

@@ -21,7 +21,7 @@ TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
       names_of(standard_hypotheses()),
       (std::vector<std::string>{"named-effects", "other-choices", "sensor-fault",
                                 "sensor-calibration", "shared-process", "unmeasured-input",
-                                "coloured-noise", "broken-identity", "residual-function"}));
+                                "input-skew", "coloured-noise", "broken-identity", "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// An input that is recorded late.
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "lacuna/core/text.hpp"
+#include "lacuna/hypotheses/sensor_fault.hpp"
+#include "lacuna/numerics/significance.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Range of the search in sampling steps: what is later is no fault of recording.
+constexpr double kShortest = 0.1, kLongest = 4.0;
+
+/// An input and by how much it is late.
+struct Lead {
+  Index input = 0;
+  double time = 0.0;
+  double deviance = 0.0;  ///< with the input moved ahead
+};
+
+/// Values of an input at t + lead; after the end its last one.
+Dataset moved_ahead(Dataset data, Index input, double lead, Interpolation interpolation) {
+  for (Trajectory& record : data.trajectories) {
+    SampledSignal signal(record.time, record.inputs.col(input), interpolation);
+    for (Index i = 0; i < record.time.size(); ++i)
+      record.inputs(i, input) = signal(record.time[i] + lead);
+  }
+  return data;
+}
+
+bool moves(const Dataset& data, Index input) {
+  for (const Trajectory& record : data.trajectories) {
+    const auto values = record.inputs.col(input);
+    if ((values.array() != values[0]).any()) return true;
+  }
+  return false;
+}
+
+Interpolation interpolation_of_input(const Problem& problem, Index input) {
+  return interpolation_of(problem.nominal.inputs()[static_cast<std::size_t>(input)].hold);
+}
+
+/// Whether the best account says that something is missing, or other coefficients.
+bool is_anything_missing(const Problem& problem, const Account& best) {
+  const Baseline& base = *best.base;
+  const double gain = base.given.deviance - base.fitted.deviance;
+  return !best.named.empty() || leaves_structure(best, problem.options.decision) ||
+         sigma_of_gain(gain, static_cast<double>(base.fit_options.free.size()), 1.0) >=
+             problem.options.decision.significance;
+}
+
+/// The nominal model with effects on records with an input moved ahead.
+class MovedInput {
+ public:
+  MovedInput(const Problem& problem, const Baseline& base, Index input,
+             const std::vector<FittedEffect>& effects)
+      : problem_(problem),
+        base_(base),
+        input_(input),
+        effects_(effects),
+        interpolation_(interpolation_of_input(problem, input)) {}
+
+  /// With everything fitted in few passes: leads that differ differ by much.
+  double deviance(double lead) const {
+    const Dataset data = moved_ahead(base_.records->data, input_, lead, interpolation_);
+    const JointFitTask task{data, problem_.nominal, base_.fit_options, problem_.context};
+    return explain_roughly(task, base_.fitted, effects_).fit.deviance;
+  }
+
+  /// Held inputs change at samples only.
+  bool is_held() const { return interpolation_ == Interpolation::Held; }
+
+ private:
+  const Problem& problem_;
+  const Baseline& base_;
+  Index input_;
+  const std::vector<FittedEffect>& effects_;
+  Interpolation interpolation_;
+};
+
+/// The minimum between three points of which the middle one is the lowest, by golden sections.
+Lead refined(const MovedInput& moved, double low, Lead best, double high, double resolution) {
+  constexpr double kGolden = 0.3819660112501051;
+  while (high - low > resolution) {
+    const bool upper = high - best.time > best.time - low;
+    const double next = best.time + kGolden * (upper ? high - best.time : low - best.time);
+    const double deviance = moved.deviance(next);
+    if (deviance < best.deviance) {
+      (upper ? low : high) = best.time;
+      best.time = next;
+      best.deviance = deviance;
+    } else {
+      (upper ? high : low) = next;
+    }
+  }
+  return best;
+}
+
+/// The likeliest lead of an input; nothing where none is decidedly better than 0. Leads are
+/// doubled as long as that is better, and those of held inputs are whole steps.
+std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double step,
+                                   double undecided) {
+  constexpr double kResolution = 0.02;  // of a step
+  const double none = moved.deviance(0.0);
+  Lead best{input, 0.0, none};
+  double low = 0.0, high = kLongest * step;
+  for (double lead = (moved.is_held() ? 1.0 : kShortest) * step; lead <= kLongest * step;
+       lead *= 2.0) {
+    const double deviance = moved.deviance(lead);
+    if (!(deviance < best.deviance)) {
+      high = lead;
+      break;
+    }
+    low = best.time;
+    best = {input, lead, deviance};
+  }
+  if (best.time > 0.0 && !moved.is_held())
+    best = refined(moved, low, best, high, kResolution * step);
+  if (!(best.deviance < none - undecided)) return std::nullopt;
+  return best;
+}
+
+/// Of all inputs, beside effects.
+std::optional<Lead> likeliest_lead(const Problem& problem, const Baseline& base,
+                                   const std::vector<FittedEffect>& effects) {
+  const Dataset& data = base.records->data;
+  std::optional<Lead> best;
+  for (Index j = 0; j < data.input_count(); ++j) {
+    if (!moves(data, j)) continue;
+    const auto lead = likeliest_lead(MovedInput(problem, base, j, effects), j,
+                                     median_step(data), problem.options.decision.undecided);
+    if (lead && (!best || lead->deviance < best->deviance)) best = lead;
+  }
+  return best;
+}
+
+/// A lead with which the nominal model does better than the best account, with nothing or with
+/// the first of its effects: those that are real came first.
+std::optional<Lead> better_lead(const Problem& problem, const Account& best) {
+  const Baseline& base = *best.base;
+  const double least = criterion_of(problem, base, best.explanation);
+  std::vector<FittedEffect> first;
+  for (std::size_t count = 0;; ++count) {
+    if (const std::optional<Lead> lead = likeliest_lead(problem, base, first)) {
+      Explanation moved{first, base.fitted};
+      moved.fit.deviance = lead->deviance;
+      const double price = problem.options.criterion->penalty(
+          {0.0, 1.0, static_cast<double>(base.fitted.used), 0.0});
+      if (criterion_of(problem, base, moved) + price < least) return lead;
+    }
+    if (count == best.explanation.effects.size()) return std::nullopt;
+    first.push_back(best.explanation.effects[count]);
+  }
+}
+
+/// The baseline on records with an input moved ahead.
+Baseline moved_baseline(const Problem& problem, const Baseline& base, const Lead& lead) {
+  const Interpolation interpolation = interpolation_of_input(problem, lead.input);
+  BoundRecords records = *base.records;
+  records.data = moved_ahead(std::move(records.data), lead.input, lead.time, interpolation);
+  const Problem same{problem.nominal, records, problem.options, problem.context};
+  Assimilation given = assimilate_from(problem.nominal, records.data, base.given,
+                                       AssimilationOptions{}, problem.context);
+  Baseline next = fitted_baseline(same, std::move(given), base.fit_options.free);
+  next.parameters = base.parameters + 1.0;
+  next.notes.insert(next.notes.begin(), base.notes.begin(), base.notes.end());
+  next.correct = [before = base.correct, lead, interpolation](const Dataset& data) {
+    return moved_ahead(before ? before(data) : data, lead.input, lead.time, interpolation);
+  };
+  return next;
+}
+
+/// Where an input acts, and its coefficient there; 1 where it stands inside of terms.
+std::pair<Index, double> place_of(const OdeModel& model, const std::string& input) {
+  std::optional<Index> inside;
+  for (Index k = 0; k < model.dimension(); ++k)
+    for (const WeightedTerm& summand : model.equations()[static_cast<std::size_t>(k)]) {
+      if (summand.term.name() == input) return {k, summand.coefficient};
+      if (!inside && summand.term.expression().variables().contains(input)) inside = k;
+    }
+  return {inside.value_or(0), 1.0};
+}
+
+/// What an input lacks that is late by T: T du/dt, to first order.
+NamedEffect finding(const Problem& problem, const Baseline& before, const Baseline& after,
+                    const Lead& lead) {
+  const OdeModel& nominal = problem.nominal;
+  const std::string& input = nominal.inputs()[static_cast<std::size_t>(lead.input)].name;
+  const std::string& unit = nominal.time_unit();
+  const auto [equation, coefficient] = place_of(nominal, input);
+  NamedEffect found;
+  found.equation = equation;
+  found.name = "channel-skew";
+  found.description = input + " is recorded " + format_number(lead.time, 3) +
+                      (unit.empty() ? "" : " " + unit) + " later than the states";
+  found.cause =
+      "a column written one sample late, means over the step before, a slow converter";
+  found.term = "d" + input + "/dt";
+  found.coefficient = coefficient * lead.time;
+  found.parameters = {{"lead", unit, lead.time, {}}};
+  found.sigma = sigma_of_gain(before.fitted.deviance - after.fitted.deviance, 1.0,
+                              static_cast<double>(nominal.inputs().size()));
+  found.probability = 1.0;
+  const Vector rates = rate_rms(before.fitted);
+  const double had = total_disturbance(before.fitted, rates);
+  found.gap_closed =
+      had > 0.0 ? std::clamp(1.0 - total_disturbance(after.fitted, rates) / had, 0.0, 1.0)
+                : 0.0;
+  return found;
+}
+
+}  // namespace
+
+Proposals InputSkew::do_propose(const Problem& problem, const Account& best) const {
+  const Baseline& base = *best.base;
+  if (!base.fit_options.hidden.empty() || !is_anything_missing(problem, best)) return {};
+  problem.context.report("inputs that are recorded late", 0.0);
+  const std::optional<Lead> lead = better_lead(problem, best);
+  if (!lead) return {};
+  auto moved = std::make_shared<const Baseline>(moved_baseline(problem, base, *lead));
+  NamedEffect found = finding(problem, base, *moved, *lead);
+  Account account = bare_account(problem, std::string(info().name), std::move(moved));
+  account.findings = best.findings;
+  account.findings.push_back(std::move(found));
+  return {{{.account = std::move(account), .search_first = true}}, {}};
+}
+
+}  // namespace lacuna

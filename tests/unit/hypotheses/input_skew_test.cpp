@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Inputs that are recorded late: the time of their samples is told, and nothing in its place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/config/diagnosis_configuration.hpp"
+#include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/hypotheses/sensor_fault.hpp"
+#include "support/asked.hpp"
+#include "support/held_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The force of hidden_record() as it was so long ago.
+Dataset late_force(Dataset data, double late) {
+  for (Trajectory& record : data.trajectories)
+    for (Index i = 0; i < record.time.size(); ++i) {
+      const double t = record.time[i] - late;
+      record.inputs(i, 0) =
+          std::sin(1.7 * t) + 0.7 * std::sin(2.9 * t + 1.0) + 0.5 * std::sin(0.6 * t);
+    }
+  return data;
+}
+
+support::Asked asked_of(const Dataset& data) { return {.records = observed(data)}; }
+
+std::vector<Proposal> moved_ahead_in(const support::Asked& asked) {
+  return InputSkew{}.propose(asked.problem(), asked.bare()).accounts;
+}
+
+class LateForce : public ::testing::TestWithParam<double> {};
+
+TEST_P(LateForce, IsMovedAhead) {
+  const double late = GetParam();
+  const auto accounts = moved_ahead_in(
+      asked_of(late_force(support::hidden_record(support::nothing, 2e-3), late)));
+  ASSERT_EQ(accounts.size(), 1u);
+  EXPECT_TRUE(accounts[0].search_first);
+  const Account& account = accounts[0].account;
+  ASSERT_EQ(account.findings.size(), 1u);
+  const NamedEffect& found = account.findings[0];
+  EXPECT_EQ(found.name, "channel-skew");
+  EXPECT_EQ(found.equation, 1);
+  EXPECT_NEAR(found.parameters.at(0).value, late, 1e-3);
+  EXPECT_NEAR(found.coefficient, late, 1e-3) << "the force acts with coefficient 1";
+  EXPECT_GT(found.gap_closed, 0.99);
+  EXPECT_FALSE(leaves_structure(account, DecisionOptions{}));
+  // Other records are moved alike.
+  const Dataset other = account.base->correct(support::hidden_record(support::nothing, 0.0, 4));
+  const Dataset ahead =
+      late_force(support::hidden_record(support::nothing, 0.0, 4), -found.parameters[0].value);
+  const Index inner = other.trajectories[0].time.size() - 10;
+  EXPECT_LT((other.trajectories[0].inputs - ahead.trajectories[0].inputs)
+                .topRows(inner)
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Steps, LateForce, ::testing::Values(0.01, 0.02, 0.05),
+                         [](const auto& late) {
+                           return std::to_string(std::lround(1000 * late.param)) + "ms";
+                         });
+
+TEST(InputSkew, NothingIsProposedOfAForceThatIsInTimeOrEarly) {
+  const Dataset in_time = support::hidden_record(support::nothing, 2e-3);
+  EXPECT_TRUE(moved_ahead_in(asked_of(in_time)).empty());
+  EXPECT_TRUE(moved_ahead_in(asked_of(late_force(in_time, -0.05))).empty())
+      << "a delay of the plant";
+  EXPECT_TRUE(
+      moved_ahead_in(asked_of(support::hidden_record(support::dry_friction, 2e-3))).empty());
+}
+
+TEST(InputSkew, HeldInputsAreLateByWholeSteps) {
+  Dataset data = support::held_record(Hold::Zero, 1e-3);
+  Trajectory& record = data.trajectories.front();
+  const Index n = record.time.size();
+  const Vector before = record.inputs.col(0).head(n - 1);
+  record.inputs.col(0).tail(n - 1) = before;
+  support::Asked asked = asked_of(data);
+  asked.nominal = asked.nominal.with_holds({Hold::Zero});
+  const auto accounts = moved_ahead_in(asked);
+  ASSERT_EQ(accounts.size(), 1u);
+  EXPECT_NEAR(accounts[0].account.findings.at(0).parameters.at(0).value, 0.02, 1e-9);
+}
+
+TEST(InputSkew, IsToldBesideAnEffect) {
+  const Dataset data = late_force(support::hidden_record(support::dry_friction, 5e-3), 0.03);
+  const Dataset other =
+      late_force(support::hidden_record(support::dry_friction, 5e-3, 4, -0.7), 0.03);
+  Configuration configuration;
+  configuration.set(
+      "effects=[\"coulomb-friction\",\"delay\",\"linear-term\",\"quadratic-drag\"]");
+  const Diagnosis found =
+      diagnose(support::oscillator(), data, other,
+               diagnosis_options(configuration, default_registry()), RunContext{});
+  EXPECT_EQ(found.verdict, Verdict::Explained);
+  ASSERT_EQ(found.effects.size(), 2u);
+  EXPECT_EQ(found.effects[0].name, "coulomb-friction");
+  EXPECT_EQ(found.effects[1].name, "channel-skew");
+  EXPECT_NEAR(found.effects[1].coefficient, 0.03, 2e-3);
+  ASSERT_TRUE(found.gap.has_value());
+  EXPECT_LT(found.gap->after, 1.1 * found.gap->noise_floor);
+}
+
+}  // namespace
+}  // namespace lacuna
