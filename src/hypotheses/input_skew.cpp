@@ -18,7 +18,8 @@ constexpr double kShortest = 0.1, kLongest = 4.0;
 struct Lead {
   Index input = 0;
   double time = 0.0;
-  double deviance = 0.0;  ///< with the input moved ahead
+  double deviance = 0.0;   ///< with the input moved ahead
+  double deviation = 0.0;  ///< standard error of the time; 0 of whole steps
 };
 
 /// Values of an input at t + lead; after the end its last one.
@@ -99,6 +100,12 @@ Lead refined(const MovedInput& moved, double low, Lead best, double high, double
   return best;
 }
 
+/// From the parabola of the deviance about its minimum.
+double standard_error(const MovedInput& moved, const Lead& lead, double away) {
+  const double growth = moved.deviance(lead.time + away) - lead.deviance;
+  return growth > 0.0 ? away / std::sqrt(growth) : 0.0;
+}
+
 /// The likeliest lead of an input; nothing where none is decidedly better than 0. Leads are
 /// doubled as long as that is better, and those of held inputs are whole steps.
 std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double step,
@@ -120,6 +127,7 @@ std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double 
   if (best.time > 0.0 && !moved.is_held())
     best = refined(moved, low, best, high, kResolution * step);
   if (!(best.deviance < none - undecided)) return std::nullopt;
+  if (!moved.is_held()) best.deviation = standard_error(moved, best, kShortest * step);
   return best;
 }
 
@@ -200,7 +208,9 @@ NamedEffect finding(const Problem& problem, const Baseline& before, const Baseli
       "a column written one sample late, means over the step before, a slow converter";
   found.term = "d" + input + "/dt";
   found.coefficient = coefficient * lead.time;
-  found.parameters = {{"lead", unit, lead.time, {}}};
+  found.deviation = std::abs(coefficient) * lead.deviation;
+  found.parameters = {{"lead", unit, lead.time,
+                       lead.deviation > 0.0 ? std::optional(lead.deviation) : std::nullopt}};
   found.sigma = sigma_of_gain(before.fitted.deviance - after.fitted.deviance, 1.0,
                               static_cast<double>(nominal.inputs().size()));
   found.probability = 1.0;

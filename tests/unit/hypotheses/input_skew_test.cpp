@@ -45,6 +45,9 @@ TEST_P(LateForce, IsMovedAhead) {
   EXPECT_EQ(found.equation, 1);
   EXPECT_NEAR(found.parameters.at(0).value, late, 1e-3);
   EXPECT_NEAR(found.coefficient, late, 1e-3) << "the force acts with coefficient 1";
+  ASSERT_GT(found.deviation, 0.0);
+  EXPECT_LT(std::abs(found.coefficient - late), 4.0 * found.deviation + 1e-4);
+  EXPECT_LT(found.deviation, 1e-3);
   EXPECT_GT(found.gap_closed, 0.99);
   EXPECT_FALSE(leaves_structure(account, DecisionOptions{}));
   // Other records are moved alike.
