@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "channel_notes.hpp"
+#include "interpolated.hpp"
 #include "lacuna/data/marks.hpp"
 #include "outliers.hpp"
 #include "repeats.hpp"
@@ -63,7 +64,8 @@ BoundRecords observed(Dataset data, const ChannelOptions& options) {
   check_dataset(data);
   data = with_input_columns(std::move(data));
   const std::vector<Limits> limits = visible_limits(data, options.pile_up);
-  BoundRecords records{with_repeats_marked(with_limits(std::move(data), limits)), {}, {}};
+  data = with_interpolated_marked(with_repeats_marked(with_limits(std::move(data), limits)));
+  BoundRecords records{std::move(data), {}, {}};
   const std::vector<StateNoise> noise = analyse_noise(records.data);
   for (Index k = 0; k < records.data.state_count(); ++k)
     records.channels.push_back(channel_of(records.data, k, noise[static_cast<std::size_t>(k)]));

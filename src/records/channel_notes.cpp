@@ -30,7 +30,7 @@ std::string clipped_note(const Quantity& state, const Channel& channel) {
 
 std::string missing_note(const Quantity& state, const Channel& channel) {
   return "dropouts: " + per_cent(channel.missing) + " of the samples of " + state.name +
-         " are blank or repeat the last value; they are left out";
+         " are blank, repeat the last value or lie on lines between others; they are left out";
 }
 
 /// Span of the values of a state.
