@@ -131,6 +131,7 @@ void add_diagnosis(Registry& registry) {
   registry.add<BrokenIdentity>();
   registry.add<SensorCalibration>();
   registry.add<InputSkew>();
+  registry.add<InputInterpolation>();
   registry.add<ResidualFunction>();
   registry.add<SharedProcess>();
 }

@@ -7,6 +7,7 @@
 
 #include "lacuna/core/text.hpp"
 #include "lacuna/decision/effect_parts.hpp"
+#include "lacuna/records/interpolated.hpp"
 
 namespace lacuna {
 namespace {
@@ -95,6 +96,25 @@ void add_unconfirmed(const Problem& problem, const Account& account, Sentences& 
                    " to see them by: together they may stand for another one");
 }
 
+bool is_function_of(const Candidate& candidate, const std::string& name) {
+  return candidate.form.variables().contains(name) ||
+         std::any_of(candidate.memory.begin(), candidate.memory.end(),
+                     [&](const auto& state) { return state.rate.variables().contains(name); });
+}
+
+/// Between the samples that were recorded of an input only a curve is known.
+void add_seldom_recorded(const Problem& problem, const Account& account, Sentences& said) {
+  const Dataset& data = problem.records.data;
+  for (Index j = 0; j < data.input_count(); ++j) {
+    if (!is_interpolated(data, j)) continue;
+    const std::string& input = problem.nominal.inputs()[static_cast<std::size_t>(j)].name;
+    for (std::size_t e = 0; e < account.named.size(); ++e)
+      if (is_function_of(account.explanation.effects[e].candidate, input))
+        said.push_back("most samples of " + input + " lie on lines between others: " +
+                       account.named[e].name + " may stand for what it did in between");
+  }
+}
+
 }  // namespace
 
 bool stays_open(const Gap& gap, const DecisionOptions& decision) {
@@ -117,6 +137,7 @@ Sentences reservations(const Problem& problem, const Account& account,
   add_coefficients(problem, account, said);
   add_idle(problem, account, said);
   add_unconfirmed(problem, account, said);
+  add_seldom_recorded(problem, account, said);
   return said;
 }
 

@@ -16,7 +16,8 @@ namespace lacuna {
 /// above its noise floor (DecisionOptions::explained_gap) by more than chance, also where
 /// nothing is named, a shape on the
 /// bound of its range, parts that nearly cancel, nominal coefficients of another sign or size,
-/// effects that act in few samples only, and Account::doubts.
+/// effects that act in few samples only, effects of an input of which most samples were put on
+/// lines between others, and Account::doubts.
 std::vector<std::string> reservations(const Problem& problem, const Account& account,
                                       const std::optional<Gap>& gap);
 

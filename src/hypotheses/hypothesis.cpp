@@ -17,7 +17,7 @@ namespace lacuna {
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
   return in_order({NamedEffects{}, OtherChoices{}, SensorFault{}, UnmeasuredInput{},
                    ColouredNoiseHypothesis{}, BrokenIdentity{}, SensorCalibration{},
-                   InputSkew{}, ResidualFunction{}, SharedProcess{}});
+                   InputSkew{}, InputInterpolation{}, ResidualFunction{}, SharedProcess{}});
 }
 
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {

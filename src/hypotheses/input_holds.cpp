@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lacuna/core/parallel.hpp"
+#include "lacuna/records/interpolated.hpp"
 #include "lacuna/records/shown_holds.hpp"
 
 namespace lacuna {
@@ -33,6 +34,7 @@ bool looks_smooth(const Dataset& data, Index input) {
 }
 
 std::vector<Hold> possible_holds(const Dataset& data, Index input) {
+  if (is_interpolated(data, input)) return {Hold::Smooth};  // lines do not jump
   if (looks_smooth(data, input)) return {Hold::Zero, Hold::Smooth};
   return {Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
 }
@@ -182,8 +184,7 @@ bool needs_no_disturbance(const Problem& problem, const Account& best) {
   const JointFitTask task{problem.records.data, problem.nominal, best.base->fit_options,
                           problem.context};
   const Explanation free = explain_roughly(task, start, best.explanation.effects);
-  return free.fit.deviance <
-         best.explanation.fit.deviance + problem.options.decision.undecided;
+  return free.fit.deviance < best.explanation.fit.deviance + problem.options.decision.undecided;
 }
 
 /// Other holds of an input under which the effects that were found fit better by `lead`.

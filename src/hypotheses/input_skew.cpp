@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "corrected_inputs.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/numerics/significance.hpp"
@@ -44,15 +45,6 @@ Interpolation interpolation_of_input(const Problem& problem, Index input) {
   return interpolation_of(problem.nominal.inputs()[static_cast<std::size_t>(input)].hold);
 }
 
-/// Whether the best account says that something is missing, or other coefficients.
-bool is_anything_missing(const Problem& problem, const Account& best) {
-  const Baseline& base = *best.base;
-  const double gain = base.given.deviance - base.fitted.deviance;
-  return !best.named.empty() || leaves_structure(best, problem.options.decision) ||
-         sigma_of_gain(gain, static_cast<double>(base.fit_options.free.size()), 1.0) >=
-             problem.options.decision.significance;
-}
-
 /// The nominal model with effects on records with an input moved ahead.
 class MovedInput {
  public:
@@ -64,11 +56,11 @@ class MovedInput {
         effects_(effects),
         interpolation_(interpolation_of_input(problem, input)) {}
 
-  /// With everything fitted in few passes: leads that differ differ by much.
   double deviance(double lead) const {
-    const Dataset data = moved_ahead(base_.records->data, input_, lead, interpolation_);
-    const JointFitTask task{data, problem_.nominal, base_.fit_options, problem_.context};
-    return explain_roughly(task, base_.fitted, effects_).fit.deviance;
+    const auto correct = [&](const Dataset& data) {
+      return moved_ahead(data, input_, lead, interpolation_);
+    };
+    return corrected_deviance(problem_, base_, correct, effects_);
   }
 
   /// Held inputs change at samples only.
@@ -146,39 +138,13 @@ std::optional<Lead> likeliest_lead(const Problem& problem, const Baseline& base,
 }
 
 /// A lead with which the nominal model does better than the best account, with nothing or with
-/// the first of its effects: those that are real came first.
+/// the first of its effects.
 std::optional<Lead> better_lead(const Problem& problem, const Account& best) {
-  const Baseline& base = *best.base;
-  const double least = criterion_of(problem, base, best.explanation);
-  std::vector<FittedEffect> first;
-  for (std::size_t count = 0;; ++count) {
-    if (const std::optional<Lead> lead = likeliest_lead(problem, base, first)) {
-      Explanation moved{first, base.fitted};
-      moved.fit.deviance = lead->deviance;
-      const double price = problem.options.criterion->penalty(
-          {0.0, 1.0, static_cast<double>(base.fitted.used), 0.0});
-      if (criterion_of(problem, base, moved) + price < least) return lead;
-    }
-    if (count == best.explanation.effects.size()) return std::nullopt;
-    first.push_back(best.explanation.effects[count]);
+  for (const std::vector<FittedEffect>& effects : first_effects(best)) {
+    const std::optional<Lead> lead = likeliest_lead(problem, *best.base, effects);
+    if (lead && does_better(problem, best, effects, lead->deviance, 1.0)) return lead;
   }
-}
-
-/// The baseline on records with an input moved ahead.
-Baseline moved_baseline(const Problem& problem, const Baseline& base, const Lead& lead) {
-  const Interpolation interpolation = interpolation_of_input(problem, lead.input);
-  BoundRecords records = *base.records;
-  records.data = moved_ahead(std::move(records.data), lead.input, lead.time, interpolation);
-  const Problem same{problem.nominal, records, problem.options, problem.context};
-  Assimilation given = assimilate_from(problem.nominal, records.data, base.given,
-                                       AssimilationOptions{}, problem.context);
-  Baseline next = fitted_baseline(same, std::move(given), base.fit_options.free);
-  next.parameters = base.parameters + 1.0;
-  next.notes.insert(next.notes.begin(), base.notes.begin(), base.notes.end());
-  next.correct = [before = base.correct, lead, interpolation](const Dataset& data) {
-    return moved_ahead(before ? before(data) : data, lead.input, lead.time, interpolation);
-  };
-  return next;
+  return std::nullopt;
 }
 
 /// Where an input acts, and its coefficient there; 1 where it stands inside of terms.
@@ -230,7 +196,12 @@ Proposals InputSkew::do_propose(const Problem& problem, const Account& best) con
   problem.context.report("inputs that are recorded late", 0.0);
   const std::optional<Lead> lead = better_lead(problem, best);
   if (!lead) return {};
-  auto moved = std::make_shared<const Baseline>(moved_baseline(problem, base, *lead));
+  const auto correct =
+      [lead = *lead, by = interpolation_of_input(problem, lead->input)](const Dataset& data) {
+        return moved_ahead(data, lead.input, lead.time, by);
+      };
+  auto moved =
+      std::make_shared<const Baseline>(corrected_baseline(problem, base, correct, 1.0));
   NamedEffect found = finding(problem, base, *moved, *lead);
   Account account = bare_account(problem, std::string(info().name), std::move(moved));
   account.findings = best.findings;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "channel_notes.hpp"
-#include "interpolated.hpp"
+#include "lacuna/records/interpolated.hpp"
 #include "lacuna/data/marks.hpp"
 #include "outliers.hpp"
 #include "repeats.hpp"

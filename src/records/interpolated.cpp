@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "interpolated.hpp"
+#include "lacuna/records/interpolated.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,14 @@
 namespace lacuna {
 namespace {
 
-/// Whether a sample is on the line between its neighbours, up to the rounding of three numbers.
+/// Whether a sample is on the line between its neighbours, up to the rounding of three numbers;
+/// what is held from step to step is on none.
 bool is_on_line(const Vector& time, const Eigen::Ref<const Vector>& values, Index i,
                 double spacing) {
   const double share = (time[i] - time[i - 1]) / (time[i + 1] - time[i - 1]);
   const double line = values[i - 1] + share * (values[i + 1] - values[i - 1]);
-  return std::abs(values[i] - line) <= spacing;
+  return std::abs(values[i] - line) <= spacing &&
+         std::abs(values[i + 1] - values[i - 1]) > 2.0 * spacing;
 }
 
 /// Samples first ... first + count - 1 on one line.
@@ -63,6 +65,18 @@ std::vector<Index> interpolated_samples(const Vector& time,
   for (const Stretch& stretch : stretches)
     for (Index i = 0; i < stretch.count; ++i) samples.push_back(stretch.first + i);
   return samples;
+}
+
+std::vector<Index> interpolated_samples(const Trajectory& record, Index input) {
+  constexpr double kSevenDigits = 1e-6;
+  const auto values = record.inputs.col(input);
+  return interpolated_samples(record.time, values, kSevenDigits * values.cwiseAbs().maxCoeff());
+}
+
+bool is_interpolated(const Dataset& data, Index input) {
+  return std::any_of(
+      data.trajectories.begin(), data.trajectories.end(),
+      [&](const Trajectory& record) { return !interpolated_samples(record, input).empty(); });
 }
 
 Dataset with_interpolated_marked(Dataset data) {

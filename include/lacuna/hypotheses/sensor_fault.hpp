@@ -65,4 +65,23 @@ class InputSkew final : public Configured<Hypothesis, HypothesisOptions<kInputSk
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
 
+inline constexpr StageInfo kInputInterpolation{
+    "input-interpolation",
+    "An input that was recorded seldom, and put on straight lines between, is smooth", ""};
+
+/// Records of several sources are brought to one time, and lines take the place of what was not
+/// recorded. The error of the lines goes along with the input and its curvature; effects that
+/// are functions of these were named for it. In their place the cubics through the samples that
+/// were recorded (interpolated_samples()) are tried; it is proposed as an InputSkew is.
+class InputInterpolation final
+    : public Configured<Hypothesis, HypothesisOptions<kInputInterpolation>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Assumptions; }
+  int do_order() const override { return -2; }  // a curve can be moved ahead, lines hardly
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
 }  // namespace lacuna

@@ -17,11 +17,11 @@ std::vector<std::string> names_of(const std::vector<Stage<Hypothesis>>& hypothes
 }
 
 TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
-  EXPECT_EQ(
-      names_of(standard_hypotheses()),
-      (std::vector<std::string>{"named-effects", "other-choices", "sensor-fault",
-                                "sensor-calibration", "shared-process", "unmeasured-input",
-                                "input-skew", "coloured-noise", "broken-identity", "residual-function"}));
+  EXPECT_EQ(names_of(standard_hypotheses()),
+            (std::vector<std::string>{
+                "named-effects", "other-choices", "sensor-fault", "sensor-calibration",
+                "shared-process", "unmeasured-input", "input-interpolation", "input-skew",
+                "coloured-noise", "broken-identity", "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "records/interpolated.hpp"
+#include "lacuna/records/interpolated.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,10 +60,13 @@ TEST(InterpolatedSamples, AreNoneOfASignalThatWasSampled) {
   }
 }
 
-TEST(InterpolatedSamples, AreNoneOfRoundedValuesLinesAndRest) {
+TEST(InterpolatedSamples, AreNoneOfRoundedOrHeldValuesLinesAndRest) {
   const Vector rounded = (noisy_sine(0.0).array() / 0.02).round() * 0.02;
   EXPECT_TRUE(interpolated_samples(kTime, rounded, 0.0).empty());
   EXPECT_TRUE(interpolated_samples(kTime, kTime, 1e-9).empty());
+  Vector held = noisy_sine(0.01);
+  for (Index i = 0; i < held.size(); ++i) held[i] = held[i - i % 5];
+  EXPECT_TRUE(interpolated_samples(kTime, held, 1e-9).empty());
   Vector resting = noisy_sine(0.0);
   resting.segment(500, 200).setConstant(resting[500]);
   EXPECT_TRUE(interpolated_samples(kTime, resting, 1e-9).empty());

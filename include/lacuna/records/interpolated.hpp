@@ -16,6 +16,12 @@ namespace lacuna {
 std::vector<Index> interpolated_samples(const Vector& time,
                                         const Eigen::Ref<const Vector>& values, double spacing);
 
+/// Such samples of an input of a record, whose numbers have seven digits.
+std::vector<Index> interpolated_samples(const Trajectory& record, Index input);
+
+/// Whether some record has such samples of an input.
+bool is_interpolated(const Dataset& data, Index input);
+
 /// The records with such samples of measured states marked as missing.
 Dataset with_interpolated_marked(Dataset data);
 
