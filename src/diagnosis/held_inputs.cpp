@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lacuna/hypotheses/input_holds.hpp"
+#include "lacuna/records/shown_holds.hpp"
 
 namespace lacuna {
 namespace {
@@ -16,6 +17,14 @@ JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& 
   const Problem problem{*nominal, asked.records, asked.options, asked.context};
   Judged judged = first_account(problem, hypotheses, plain_baseline(problem));
   return {std::move(nominal), std::move(judged)};
+}
+
+/// Inputs with another hold than their samples show by themselves.
+Index departures(const OdeModel& model, const Dataset& data) {
+  Index count = 0;
+  for (Index j = 0; j < data.input_count(); ++j)
+    count += model.inputs()[static_cast<std::size_t>(j)].hold != shown_hold(data, j);
+  return count;
 }
 
 double criterion_of(const Problem& problem, const Account& account) {
@@ -40,10 +49,13 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
     const std::vector<std::string> notes = notes_on_holds(*other.model, chosen.open);
     const bool more =
         is_less_plain(other.judged.best, best.judged.best, problem.options.decision);
-    const bool taken = value < least && !more;
+    const Dataset& data = problem.records.data;
+    const bool departs = departures(*other.model, data) > departures(*best.model, data);
+    const double needed = departs ? problem.options.decision.undecided : 0.0;
+    const bool taken = value + needed < least && !more;
     trail.push_back(
         {"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value, taken,
-         std::string(problem.options.criterion->info().name), value, least,
+         std::string(problem.options.criterion->info().name), value + needed, least,
          value < least && more ? "more effects, and with fewer nothing is left" : ""});
     if (taken) best = std::move(other);
   }

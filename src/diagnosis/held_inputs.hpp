@@ -23,7 +23,8 @@ bool is_less_plain(const Account& one, const Account& other, const DecisionOptio
 
 /// Chooses how inputs go on between samples, then the account; where the effects that are found
 /// speak for other holds (rival_holds()), these are judged too, and the criterion decides among
-/// those that are not less plain.
+/// those that are not less plain; what samples show by themselves stays unless another hold is
+/// decidedly better.
 /// @param problem with the nominal model as it was given.
 JudgedModel judge_holds(const Problem& problem,
                         const std::vector<Stage<Hypothesis>>& hypotheses);

@@ -23,15 +23,15 @@ double corrected_deviance(const Problem& problem, const Baseline& base,
   return explain_roughly(task, base.fitted, effects).fit.deviance;
 }
 
-bool does_better(const Problem& problem, const Account& best,
+double lead_over(const Problem& problem, const Account& best,
                  const std::vector<FittedEffect>& effects, double deviance, double parameters) {
   const Baseline& base = *best.base;
   Explanation corrected{effects, base.fitted};
   corrected.fit.deviance = deviance;
   const double price = problem.options.criterion->penalty(
       {0.0, parameters, static_cast<double>(base.fitted.used), 0.0});
-  return criterion_of(problem, base, corrected) + price <
-         criterion_of(problem, base, best.explanation);
+  return criterion_of(problem, base, best.explanation) -
+         criterion_of(problem, base, corrected) - price;
 }
 
 Baseline corrected_baseline(const Problem& problem, const Baseline& base,

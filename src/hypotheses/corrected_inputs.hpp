@@ -22,9 +22,9 @@ double corrected_deviance(const Problem& problem, const Baseline& base,
                           const InputCorrection& correct,
                           const std::vector<FittedEffect>& effects);
 
-/// Whether a deviance on corrected records, with effects and so many parameters of the
-/// correction, does better than the best account.
-bool does_better(const Problem& problem, const Account& best,
+/// By how much a deviance on corrected records, with effects and so many parameters of the
+/// correction, does better than the best account, in units of the criterion.
+double lead_over(const Problem& problem, const Account& best,
                  const std::vector<FittedEffect>& effects, double deviance, double parameters);
 
 /// The baseline on corrected records.

@@ -60,7 +60,7 @@ Proposals InputInterpolation::do_propose(const Problem& problem, const Account& 
   problem.context.report("inputs that were recorded seldom", 0.0);
   for (const std::vector<FittedEffect>& effects : first_effects(best)) {
     const double deviance = corrected_deviance(problem, base, smoothed, effects);
-    if (!does_better(problem, best, effects, deviance, 0.0)) continue;
+    if (!(lead_over(problem, best, effects, deviance, 0.0) > 0.0)) continue;
     Baseline smooth = corrected_baseline(problem, base, smoothed, 0.0);
     smooth.notes.push_back(note_on(problem, inputs));
     Account account = bare_account(problem, std::string(info().name),

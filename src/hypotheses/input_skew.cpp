@@ -6,14 +6,16 @@
 
 #include "corrected_inputs.hpp"
 #include "lacuna/core/text.hpp"
+#include "lacuna/hypotheses/named_effects.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/numerics/significance.hpp"
 
 namespace lacuna {
 namespace {
 
-/// Range of the search in sampling steps: what is later is no fault of recording.
-constexpr double kShortest = 0.1, kLongest = 4.0;
+/// Range of the search in sampling steps, and what it resolves: what is later is no fault of
+/// recording.
+constexpr double kShortest = 0.1, kLongest = 4.0, kResolution = 0.02;
 
 /// An input and by how much it is late.
 struct Lead {
@@ -102,7 +104,6 @@ double standard_error(const MovedInput& moved, const Lead& lead, double away) {
 /// doubled as long as that is better, and those of held inputs are whole steps.
 std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double step,
                                    double undecided) {
-  constexpr double kResolution = 0.02;  // of a step
   const double none = moved.deviance(0.0);
   Lead best{input, 0.0, none};
   double low = 0.0, high = kLongest * step;
@@ -137,14 +138,46 @@ std::optional<Lead> likeliest_lead(const Problem& problem, const Baseline& base,
   return best;
 }
 
-/// A lead with which the nominal model does better than the best account, with nothing or with
-/// the first of its effects.
-std::optional<Lead> better_lead(const Problem& problem, const Account& best) {
-  for (const std::vector<FittedEffect>& effects : first_effects(best)) {
+/// The time with which the nominal model, with nothing or with the first of some effects, does
+/// better than the best account by most.
+std::optional<Lead> better_lead(const Problem& problem, const Account& best,
+                                const Account& effects_of) {
+  std::optional<Lead> found;
+  double most = 0.0;
+  for (const std::vector<FittedEffect>& effects : first_effects(effects_of)) {
     const std::optional<Lead> lead = likeliest_lead(problem, *best.base, effects);
-    if (lead && does_better(problem, best, effects, lead->deviance, 1.0)) return lead;
+    if (!lead) continue;
+    const double better = lead_over(problem, best, effects, lead->deviance, 1.0);
+    if (!(better > most)) continue;
+    most = better;
+    found = lead;
   }
-  return std::nullopt;
+  return found;
+}
+
+InputCorrection correction_of(const Problem& problem, const Lead& lead) {
+  return [lead, by = interpolation_of_input(problem, lead.input)](const Dataset& data) {
+    return moved_ahead(data, lead.input, lead.time, by);
+  };
+}
+
+/// The time beside the effects that are found with it: effects that were found without it may
+/// stand for a part of it. Both take turns until the time stays.
+std::optional<Lead> settled_lead(const Problem& problem, const Account& best) {
+  constexpr int kTurns = 3;
+  const double resolution = 2.0 * kResolution * median_step(best.base->records->data);
+  std::optional<Lead> lead = better_lead(problem, best, best);
+  for (int turn = 0; lead && turn < kTurns; ++turn) {
+    auto base = std::make_shared<const Baseline>(
+        corrected_baseline(problem, *best.base, correction_of(problem, *lead), 1.0));
+    const Account found = searched(problem, std::move(base), problem.options.effects).account;
+    const std::optional<Lead> next = better_lead(problem, best, found);
+    if (!next || next->input != lead->input) break;
+    const bool stays = std::abs(next->time - lead->time) <= resolution;
+    lead = next;
+    if (stays) break;
+  }
+  return lead;
 }
 
 /// Where an input acts, and its coefficient there; 1 where it stands inside of terms.
@@ -194,14 +227,10 @@ Proposals InputSkew::do_propose(const Problem& problem, const Account& best) con
   const Baseline& base = *best.base;
   if (!base.fit_options.hidden.empty() || !is_anything_missing(problem, best)) return {};
   problem.context.report("inputs that are recorded late", 0.0);
-  const std::optional<Lead> lead = better_lead(problem, best);
+  const std::optional<Lead> lead = settled_lead(problem, best);
   if (!lead) return {};
-  const auto correct =
-      [lead = *lead, by = interpolation_of_input(problem, lead->input)](const Dataset& data) {
-        return moved_ahead(data, lead.input, lead.time, by);
-      };
-  auto moved =
-      std::make_shared<const Baseline>(corrected_baseline(problem, base, correct, 1.0));
+  auto moved = std::make_shared<const Baseline>(
+      corrected_baseline(problem, base, correction_of(problem, *lead), 1.0));
   NamedEffect found = finding(problem, base, *moved, *lead);
   Account account = bare_account(problem, std::string(info().name), std::move(moved));
   account.findings = best.findings;
