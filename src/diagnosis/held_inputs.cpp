@@ -37,6 +37,11 @@ bool is_less_plain(const Account& one, const Account& other, const DecisionOptio
   return one.named.size() > other.named.size() && !leaves_structure(other, decision);
 }
 
+double needed_lead(const OdeModel& one, const OdeModel& other, const Dataset& data,
+                   const DecisionOptions& decision) {
+  return departures(one, data) > departures(other, data) ? decision.undecided : 0.0;
+}
+
 JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
   ChosenHolds chosen = choose_holds(problem);
   JudgedModel best = judged_with(problem, std::move(chosen.model), hypotheses);
@@ -49,9 +54,8 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
     const std::vector<std::string> notes = notes_on_holds(*other.model, chosen.open);
     const bool more =
         is_less_plain(other.judged.best, best.judged.best, problem.options.decision);
-    const Dataset& data = problem.records.data;
-    const bool departs = departures(*other.model, data) > departures(*best.model, data);
-    const double needed = departs ? problem.options.decision.undecided : 0.0;
+    const double needed =
+        needed_lead(*other.model, *best.model, problem.records.data, problem.options.decision);
     const bool taken = value + needed < least && !more;
     trail.push_back(
         {"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value, taken,

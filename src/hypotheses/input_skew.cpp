@@ -119,7 +119,9 @@ std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double 
   }
   if (best.time > 0.0 && !moved.is_held())
     best = refined(moved, low, best, high, kResolution * step);
-  if (!(best.deviance < none - undecided)) return std::nullopt;
+  if (!(best.deviance < none - undecided) || best.time < kShortest * step) return std::nullopt;
+  // Between samples noise of the input is averaged, whichever way it is moved.
+  if (!(moved.deviance(-best.time) > none)) return std::nullopt;
   if (!moved.is_held()) best.deviation = standard_error(moved, best, kShortest * step);
   return best;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lacuna/config/diagnosis_configuration.hpp"
+#include "lacuna/core/random.hpp"
 #include "lacuna/diagnosis/diagnose.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "support/asked.hpp"
@@ -74,6 +75,16 @@ TEST(InputSkew, NothingIsProposedOfAForceThatIsInTimeOrEarly) {
       << "a delay of the plant";
   EXPECT_TRUE(
       moved_ahead_in(asked_of(support::hidden_record(support::dry_friction, 2e-3))).empty());
+}
+
+TEST(InputSkew, NoiseOfTheForceIsNoTimeOfIt) {
+  Dataset noisy = support::hidden_record(support::nothing, 1e-3);
+  Random random(8);
+  for (double& force : noisy.trajectories[0].inputs.reshaped()) force += 0.2 * random.normal();
+  const support::Asked asked = asked_of(noisy);
+  ASSERT_TRUE(leaves_structure(asked.bare(), asked.options.decision) ||
+              asked.bare().explanation.fit.noise.disturbance[1] > 0.0);
+  EXPECT_TRUE(moved_ahead_in(asked).empty());
 }
 
 TEST(InputSkew, HeldInputsAreLateByWholeSteps) {
