@@ -35,13 +35,12 @@ Candidate delayed(const Scope& scope, const Expression& form, const Expression& 
 }
 
 // A short delay acts like a rate of change, which could make up for the whole of the equation:
-// what comes late is no more than twice what the nominal model has of it, of the same sign (the
-// other one acts ahead), and what a state does to itself no faster than the state is.
+// what comes late is no more than twice what the nominal model has of it, and what a state does
+// to itself no faster than the state is.
 void bound_to(const Scope& scope, Index equation, const Expression& term, double rate,
               Candidate& candidate) {
-  const double present = slope(scope.model, equation, term);
-  candidate.most = 2.0 * (std::max(0.0, present) + rate);
-  candidate.least = 2.0 * (std::min(0.0, present) - rate);
+  candidate.most = 2.0 * (std::abs(slope(scope.model, equation, term)) + rate);
+  candidate.least = -candidate.most;
 }
 
 // The fastest of the variables that stand in a term.

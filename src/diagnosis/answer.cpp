@@ -28,9 +28,10 @@ bool may_differ(const FittedEffect& effect) {
 
 std::string list_of_names(const Account& account, const OdeModel& nominal) {
   std::vector<std::string> names;
-  for (const NamedEffect& effect : account.named)
-    names.push_back(effect.name + " in " +
-                    nominal.states()[static_cast<std::size_t>(effect.equation)].name);
+  for (const auto* all : {&account.named, &account.findings})
+    for (const NamedEffect& effect : *all)
+      names.push_back(effect.name + " in " +
+                      nominal.states()[static_cast<std::size_t>(effect.equation)].name);
   return join(names, ", ");
 }
 
@@ -100,7 +101,9 @@ void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis&
 Hearing hear_other_records(const Problem& problem, const Account& account,
                            const std::optional<Gap>& gap) {
   const std::vector<FittedEffect>& effects = account.explanation.effects;
-  if (account.named.empty() || std::any_of(effects.begin(), effects.end(), may_differ))
+  const bool only_assumed = account.named.empty();
+  if ((only_assumed && account.findings.empty()) ||
+      std::any_of(effects.begin(), effects.end(), may_differ))
     return {};
   const std::string names = "with " + list_of_names(account, problem.nominal) +
                             " the model fits the records that were used better and the others ";
@@ -112,6 +115,7 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
   switch (
       holdout_verdict({gap->before, gap->after, gap->noise_floor}, problem.options.decision)) {
     case HoldoutVerdict::Refuted:
+      if (only_assumed) return {false, true, names + "worse"};
       return {true, false, names + "worse; what fails there gets no name"};
     case HoldoutVerdict::Little:
       if (mostly_repeats(*account.base->records))

@@ -53,6 +53,17 @@ TEST_F(Answer, OtherRecordsConfirmLowerOrRefuteNames) {
   EXPECT_EQ(refuted.note.substr(0, 13), "with dry in v");
 }
 
+TEST_F(Answer, OtherRecordsLowerOnlyAssumptions) {
+  Account late = nameless(0.0);
+  late.findings = {{.equation = 1, .name = "late"}};
+  EXPECT_FALSE(heard(late, gap(10.0, 1.5)).lower);
+  for (const double after : {9.0, 11.0}) {
+    const Hearing hearing = heard(late, gap(10.0, after));
+    EXPECT_TRUE(hearing.lower && !hearing.withdraw) << after;
+    EXPECT_EQ(hearing.note.empty(), false);
+  }
+}
+
 TEST_F(Answer, AFormInTwoEquationsHasToHoldOnOtherRecords) {
   Account shared = account("sign(v)");
   Gap open = gap(10.0, 1.8);
