@@ -25,8 +25,10 @@ struct Lead {
   double deviation = 0.0;  ///< standard error of the time; 0 of whole steps
 };
 
-/// Values of an input at t + lead; after the end its last one.
+/// Values of an input at t + lead; after the end its last one. A whole number of steps ahead of
+/// a sample is a sample, and not the one before it for the rounding of their times.
 Dataset moved_ahead(Dataset data, Index input, double lead, Interpolation interpolation) {
+  if (interpolation == Interpolation::Held) lead *= 1.0 + 1e-6;
   for (Trajectory& record : data.trajectories) {
     SampledSignal signal(record.time, record.inputs.col(input), interpolation);
     for (Index i = 0; i < record.time.size(); ++i)

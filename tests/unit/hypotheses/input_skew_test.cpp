@@ -97,7 +97,10 @@ TEST(InputSkew, HeldInputsAreLateByWholeSteps) {
   asked.nominal = asked.nominal.with_holds({Hold::Zero});
   const auto accounts = moved_ahead_in(asked);
   ASSERT_EQ(accounts.size(), 1u);
-  EXPECT_NEAR(accounts[0].account.findings.at(0).parameters.at(0).value, 0.02, 1e-9);
+  const Account& account = accounts[0].account;
+  EXPECT_NEAR(account.findings.at(0).parameters.at(0).value, 0.02, 1e-9);
+  const Vector moved = account.base->correct(data).trajectories[0].inputs.col(0);
+  EXPECT_EQ(moved.head(n - 1), record.inputs.col(0).tail(n - 1));
 }
 
 TEST(InputSkew, IsToldBesideAnEffect) {
