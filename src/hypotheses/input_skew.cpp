@@ -103,14 +103,14 @@ double standard_error(const MovedInput& moved, const Lead& lead, double away) {
 }
 
 /// The likeliest lead of an input; nothing where none is decidedly better than 0. Leads are
-/// doubled as long as that is better, and those of held inputs are whole steps.
+/// doubled as long as that is better; those of held inputs are whole steps, one after another.
 std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double step,
                                    double undecided) {
   const double none = moved.deviance(0.0);
   Lead best{input, 0.0, none};
   double low = 0.0, high = kLongest * step;
   for (double lead = (moved.is_held() ? 1.0 : kShortest) * step; lead <= kLongest * step;
-       lead *= 2.0) {
+       lead += moved.is_held() ? step : lead) {
     const double deviance = moved.deviance(lead);
     if (!(deviance < best.deviance)) {
       high = lead;

@@ -50,11 +50,12 @@ inline constexpr StageInfo kInputSkew{
 
 /// What acts is u(t + T), and u(t) is what was recorded: a column that is written one sample
 /// late, the mean over the step before, a slower converter. T is the likeliest for the nominal
-/// model with fitted coefficients; effects are sought again on the records with that input
-/// moved ahead. An input that acts late is none: that is a delay of the plant.
+/// model, coefficients fitted, with nothing or with the first of the effects of the best
+/// account, then of those that are found with the input moved ahead, until it stays. An input
+/// that acts late is no such fault: that is a delay of the plant.
 ///
-/// It is proposed where something is missing, and where the moved input, with nothing or with
-/// the first of the effects of the best account so far, does better than that account.
+/// It is proposed where something is missing and the moved input does better than the best
+/// account, and not when it is moved the other way: between samples its noise is averaged.
 class InputSkew final : public Configured<Hypothesis, HypothesisOptions<kInputSkew>> {
  public:
   using Configured::Configured;
