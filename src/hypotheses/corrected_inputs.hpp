@@ -36,4 +36,7 @@ Baseline corrected_baseline(const Problem& problem, const Baseline& base,
 /// came first, and what follows may be there for want of the correction.
 std::vector<std::vector<FittedEffect>> first_effects(const Account& account);
 
+/// Whether an InputSkew of one input would do better than the best account.
+bool is_recorded_late(const Problem& problem, const Account& best, Index input);
+
 }  // namespace lacuna

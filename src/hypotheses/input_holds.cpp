@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "corrected_inputs.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/records/interpolated.hpp"
 #include "lacuna/records/shown_holds.hpp"
@@ -225,6 +226,10 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
     // explains more, unless nothing is left to explain.
     if (better.empty() && lead < explained && !complete)
       better.push_back(with_hold(problem.nominal, input, second));
+    const auto hold = problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
+    if (!better.empty() && hold == shown_hold(problem.records.data, input) &&
+        is_recorded_late(problem, best, input))
+      continue;  // its samples are at other times, which half a step of a hold does not mend
     std::move(better.begin(), better.end(), std::back_inserter(rivals));
   }
   return rivals;

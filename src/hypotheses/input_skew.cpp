@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An input that is recorded late.
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -96,10 +97,20 @@ Lead refined(const MovedInput& moved, double low, Lead best, double high, double
   return best;
 }
 
-/// From the parabola of the deviance about its minimum.
-double standard_error(const MovedInput& moved, const Lead& lead, double away) {
-  const double growth = moved.deviance(lead.time + away) - lead.deviance;
-  return growth > 0.0 ? away / std::sqrt(growth) : 0.0;
+/// The minimum of the parabola of the deviance, and its standard error.
+Lead polished(const MovedInput& moved, Lead lead, double away) {
+  const double later = moved.deviance(lead.time + away);
+  const double earlier = moved.deviance(lead.time - away);
+  const double bend = later + earlier - 2.0 * lead.deviance;  // 2 (away / standard error)^2
+  if (!(bend > 0.0)) return lead;
+  lead.deviation = away * std::sqrt(2.0 / bend);
+  const double time = lead.time - 0.5 * away * (later - earlier) / bend;
+  const double deviance = moved.deviance(time);
+  if (deviance < lead.deviance) {
+    lead.time = time;
+    lead.deviance = deviance;
+  }
+  return lead;
 }
 
 /// The likeliest lead of an input; nothing where none is decidedly better than 0. Leads are
@@ -124,16 +135,16 @@ std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double 
   if (!(best.deviance < none - undecided) || best.time < kShortest * step) return std::nullopt;
   // Between samples noise of the input is averaged, whichever way it is moved.
   if (!(moved.deviance(-best.time) > none)) return std::nullopt;
-  if (!moved.is_held()) best.deviation = standard_error(moved, best, kShortest * step);
-  return best;
+  return moved.is_held() ? best : polished(moved, best, kShortest * step);
 }
 
-/// Of all inputs, beside effects.
+/// Of some inputs, beside effects.
 std::optional<Lead> likeliest_lead(const Problem& problem, const Baseline& base,
+                                   const std::vector<Index>& inputs,
                                    const std::vector<FittedEffect>& effects) {
   const Dataset& data = base.records->data;
   std::optional<Lead> best;
-  for (Index j = 0; j < data.input_count(); ++j) {
+  for (const Index j : inputs) {
     if (!moves(data, j)) continue;
     const auto lead = likeliest_lead(MovedInput(problem, base, j, effects), j,
                                      median_step(data), problem.options.decision.undecided);
@@ -145,11 +156,11 @@ std::optional<Lead> likeliest_lead(const Problem& problem, const Baseline& base,
 /// The time with which the nominal model, with nothing or with the first of some effects, does
 /// better than the best account by most.
 std::optional<Lead> better_lead(const Problem& problem, const Account& best,
-                                const Account& effects_of) {
+                                const std::vector<Index>& inputs, const Account& effects_of) {
   std::optional<Lead> found;
   double most = 0.0;
   for (const std::vector<FittedEffect>& effects : first_effects(effects_of)) {
-    const std::optional<Lead> lead = likeliest_lead(problem, *best.base, effects);
+    const std::optional<Lead> lead = likeliest_lead(problem, *best.base, inputs, effects);
     if (!lead) continue;
     const double better = lead_over(problem, best, effects, lead->deviance, 1.0);
     if (!(better > most)) continue;
@@ -170,13 +181,15 @@ InputCorrection correction_of(const Problem& problem, const Lead& lead) {
 std::optional<Lead> settled_lead(const Problem& problem, const Account& best) {
   constexpr int kTurns = 3;
   const double resolution = 2.0 * kResolution * median_step(best.base->records->data);
-  std::optional<Lead> lead = better_lead(problem, best, best);
+  std::vector<Index> inputs(problem.nominal.inputs().size());
+  std::iota(inputs.begin(), inputs.end(), Index{0});
+  std::optional<Lead> lead = better_lead(problem, best, inputs, best);
   for (int turn = 0; lead && turn < kTurns; ++turn) {
     auto base = std::make_shared<const Baseline>(
         corrected_baseline(problem, *best.base, correction_of(problem, *lead), 1.0));
     const Account found = searched(problem, std::move(base), problem.options.effects).account;
-    const std::optional<Lead> next = better_lead(problem, best, found);
-    if (!next || next->input != lead->input) break;
+    const std::optional<Lead> next = better_lead(problem, best, {lead->input}, found);
+    if (!next) break;
     const bool stays = std::abs(next->time - lead->time) <= resolution;
     lead = next;
     if (stays) break;
@@ -226,6 +239,11 @@ NamedEffect finding(const Problem& problem, const Baseline& before, const Baseli
 }
 
 }  // namespace
+
+bool is_recorded_late(const Problem& problem, const Account& best, Index input) {
+  return best.base->fit_options.hidden.empty() && is_anything_missing(problem, best) &&
+         better_lead(problem, best, {input}, best).has_value();
+}
 
 Proposals InputSkew::do_propose(const Problem& problem, const Account& best) const {
   const Baseline& base = *best.base;

@@ -41,6 +41,7 @@ ChosenHolds choose_holds(const Problem& problem);
 ///   that lacks so much is no judge of half a step. Not so where the model with the effects
 ///   follows the records from their first samples on and needs no disturbance: no other hold
 ///   has anything left to explain.
+/// None of an input with the hold that its samples show, where it is recorded late (InputSkew).
 /// @param problem its model has the chosen holds.
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
                                   const Account& best);
