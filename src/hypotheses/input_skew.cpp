@@ -135,7 +135,10 @@ std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double 
   if (!(best.deviance < none - undecided) || best.time < kShortest * step) return std::nullopt;
   // Between samples noise of the input is averaged, whichever way it is moved.
   if (!(moved.deviance(-best.time) > none)) return std::nullopt;
-  return moved.is_held() ? best : polished(moved, best, kShortest * step);
+  if (moved.is_held()) return best;
+  best = polished(moved, best, kShortest * step);
+  // Farther away disturbances take up what the time does not, and the bend is less.
+  return best.deviation < kShortest * step ? polished(moved, best, best.deviation) : best;
 }
 
 /// Of some inputs, beside effects.

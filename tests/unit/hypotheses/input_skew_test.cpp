@@ -77,6 +77,20 @@ TEST(InputSkew, NothingIsProposedOfAForceThatIsInTimeOrEarly) {
       moved_ahead_in(asked_of(support::hidden_record(support::dry_friction, 2e-3))).empty());
 }
 
+TEST(InputSkew, TheStandardErrorIsTheScatterOfTheTime) {
+  constexpr int kDraws = 24;
+  double scatter = 0.0, said = 0.0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const Dataset data = support::hidden_record(support::nothing, 1e-2, 100 + draw);
+    const auto accounts = moved_ahead_in(asked_of(late_force(data, 0.05)));
+    ASSERT_EQ(accounts.size(), 1u);
+    const NamedParameter& lead = accounts[0].account.findings.at(0).parameters.at(0);
+    scatter += std::pow(lead.value - 0.05, 2) / kDraws;
+    said += std::pow(lead.deviation.value(), 2) / kDraws;
+  }
+  EXPECT_NEAR(std::sqrt(scatter / said), 1.0, 0.25);
+}
+
 TEST(InputSkew, NoiseOfTheForceIsNoTimeOfIt) {
   Dataset noisy = support::hidden_record(support::nothing, 1e-3);
   Random random(8);

@@ -60,6 +60,11 @@ TEST(InterpolatedSamples, AreNoneOfASignalThatWasSampled) {
   }
 }
 
+TEST(InterpolatedSamples, AreNoneOfStretchesThatAreNearlyStraightWhereverTheyBegin) {
+  const Vector fast = (7.0 * kTime.array()).sin();
+  EXPECT_TRUE(interpolated_samples(kTime, fast, 2e-3).empty());
+}
+
 TEST(InterpolatedSamples, AreNoneOfRoundedOrHeldValuesLinesAndRest) {
   const Vector rounded = (noisy_sine(0.0).array() / 0.02).round() * 0.02;
   EXPECT_TRUE(interpolated_samples(kTime, rounded, 0.0).empty());
