@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "support/asked.hpp"
-#include "support/own_effects.hpp"
+#include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {

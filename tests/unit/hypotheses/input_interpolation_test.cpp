@@ -10,6 +10,7 @@
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "lacuna/records/interpolated.hpp"
 #include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {

@@ -9,6 +9,7 @@
 #include "lacuna/diagnosis/diagnose.hpp"
 #include "lacuna/hypotheses/sensor_fault.hpp"
 #include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"
 
 namespace lacuna {
