@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "lacuna/hypotheses/input_holds.hpp"
-#include "lacuna/records/shown_holds.hpp"
 
 namespace lacuna {
 namespace {
@@ -19,14 +18,6 @@ JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& 
   return {std::move(nominal), std::move(judged)};
 }
 
-/// Inputs with another hold than their samples show by themselves.
-Index departures(const OdeModel& model, const Dataset& data) {
-  Index count = 0;
-  for (Index j = 0; j < data.input_count(); ++j)
-    count += model.inputs()[static_cast<std::size_t>(j)].hold != shown_hold(data, j);
-  return count;
-}
-
 double criterion_of(const Problem& problem, const Account& account) {
   return problem.options.criterion->value(evidence_of(account));
 }
@@ -35,11 +26,6 @@ double criterion_of(const Problem& problem, const Account& account) {
 
 bool is_less_plain(const Account& one, const Account& other, const DecisionOptions& decision) {
   return one.named.size() > other.named.size() && !leaves_structure(other, decision);
-}
-
-double needed_lead(const OdeModel& one, const OdeModel& other, const Dataset& data,
-                   const DecisionOptions& decision) {
-  return departures(one, data) > departures(other, data) ? decision.undecided : 0.0;
 }
 
 JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
@@ -54,12 +40,10 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
     const std::vector<std::string> notes = notes_on_holds(*other.model, chosen.open);
     const bool more =
         is_less_plain(other.judged.best, best.judged.best, problem.options.decision);
-    const double needed =
-        needed_lead(*other.model, *best.model, problem.records.data, problem.options.decision);
-    const bool taken = value + needed < least && !more;
+    const bool taken = value < least && !more;
     trail.push_back(
         {"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value, taken,
-         std::string(problem.options.criterion->info().name), value + needed, least,
+         std::string(problem.options.criterion->info().name), value, least,
          value < least && more ? "more effects, and with fewer nothing is left" : ""});
     if (taken) best = std::move(other);
   }

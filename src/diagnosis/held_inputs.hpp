@@ -21,15 +21,9 @@ struct JudgedModel {
 /// better may be what a wrong assumption has to be patched with.
 bool is_less_plain(const Account& one, const Account& other, const DecisionOptions& decision);
 
-/// By how much an account under the holds of one model has to be better than under those of
-/// another: what samples show by themselves (shown_hold()) stays unless another hold is
-/// decidedly better (DecisionOptions::undecided).
-double needed_lead(const OdeModel& one, const OdeModel& other, const Dataset& data,
-                   const DecisionOptions& decision);
-
 /// Chooses how inputs go on between samples, then the account; where the effects that are found
 /// speak for other holds (rival_holds()), these are judged too, and the criterion decides among
-/// those that are not less plain, with needed_lead().
+/// those that are not less plain.
 /// @param problem with the nominal model as it was given.
 JudgedModel judge_holds(const Problem& problem,
                         const std::vector<Stage<Hypothesis>>& hypotheses);

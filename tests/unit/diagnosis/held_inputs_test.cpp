@@ -101,15 +101,5 @@ TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {
   EXPECT_FALSE(is_less_plain(three, two_and_a_rest, decision));
 }
 
-TEST(HeldInputs, WhatSamplesShowStaysUnlessAnotherIsDecidedlyBetter) {
-  const Dataset smooth = support::hidden_record(support::nothing, 0.01);
-  const OdeModel held = support::oscillator().with_holds({Hold::Zero});
-  const OdeModel shown = support::oscillator().with_holds({Hold::Smooth});
-  const DecisionOptions decision;
-  EXPECT_EQ(needed_lead(held, shown, smooth, decision), decision.undecided);
-  EXPECT_EQ(needed_lead(shown, held, smooth, decision), 0.0);
-  EXPECT_EQ(needed_lead(held, held, smooth, decision), 0.0);
-}
-
 }  // namespace
 }  // namespace lacuna
