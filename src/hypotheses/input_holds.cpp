@@ -217,14 +217,15 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
   for (const auto& [input, second, lead] : open) {
     const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;
-    const bool doubtful = complete || effects.size() > 1 || leaves_structure(best, decision) ||
-                          std::any_of(effects.begin(), effects.end(),
+    const bool of_input = std::any_of(effects.begin(), effects.end(),
                                       [&](const auto& effect) { return is_of(effect, name); });
+    const bool doubtful =
+        complete || effects.size() > 1 || leaves_structure(best, decision) || of_input;
     std::vector<OdeModel> better =
         better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
     // What the hold explains of a model that lacks an effect settles nothing where the effect
-    // explains more, unless nothing is left to explain.
-    if (better.empty() && lead < explained && !complete)
+    // explains more, unless nothing is left to explain and nothing stands for the hold.
+    if (better.empty() && lead < explained && (!complete || of_input))
       better.push_back(with_hold(problem.nominal, input, second));
     const auto hold = problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
     if (!better.empty() && hold == shown_hold(problem.records.data, input) &&

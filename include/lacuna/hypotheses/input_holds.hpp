@@ -39,7 +39,8 @@ ChosenHolds choose_holds(const Problem& problem);
 ///   is left, and where nothing disturbs the model with the effects;
 /// - the second one, where the lead of the first is less than what the effects explain: a model
 ///   that lacks so much is no judge of half a step. Not so where the model with the effects
-///   follows the records from their first samples on and needs no disturbance: no other hold
+///   follows the records from their first samples on and needs no disturbance, and none of them
+///   is of that input: no other hold
 ///   has anything left to explain.
 /// None of an input with the hold that its samples show, where it is recorded late (InputSkew).
 /// @param problem its model has the chosen holds.
