@@ -61,6 +61,13 @@ bool Candidate::is_driven() const {
                      [](const MemoryState& state) { return state.driven; });
 }
 
+bool Candidate::depends_on(const std::string& variable) const {
+  return form.variables().contains(variable) ||
+         std::any_of(memory.begin(), memory.end(), [&](const MemoryState& state) {
+           return state.rate.variables().contains(variable);
+         });
+}
+
 Index Candidate::intricacy() const {
   return static_cast<Index>(shapes.size() + 2 * memory.size());
 }

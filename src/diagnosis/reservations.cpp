@@ -96,12 +96,6 @@ void add_unconfirmed(const Problem& problem, const Account& account, Sentences& 
                    " to see them by: together they may stand for another one");
 }
 
-bool is_function_of(const Candidate& candidate, const std::string& name) {
-  return candidate.form.variables().contains(name) ||
-         std::any_of(candidate.memory.begin(), candidate.memory.end(),
-                     [&](const auto& state) { return state.rate.variables().contains(name); });
-}
-
 /// Between the samples that were recorded of an input only a curve is known.
 void add_seldom_recorded(const Problem& problem, const Account& account, Sentences& said) {
   const Dataset& data = problem.records.data;
@@ -109,7 +103,7 @@ void add_seldom_recorded(const Problem& problem, const Account& account, Sentenc
     if (!is_interpolated(data, j)) continue;
     const std::string& input = problem.nominal.inputs()[static_cast<std::size_t>(j)].name;
     for (std::size_t e = 0; e < account.named.size(); ++e)
-      if (is_function_of(account.explanation.effects[e].candidate, input))
+      if (account.explanation.effects[e].candidate.depends_on(input))
         said.push_back("most samples of " + input + " lie on lines between others: " +
                        account.named[e].name + " may stand for what it did in between");
   }

@@ -163,14 +163,6 @@ OdeModel with_hold(const OdeModel& model, Index input, Hold hold) {
   return model.with_holds(holds);
 }
 
-bool is_of(const FittedEffect& effect, const std::string& input) {
-  const auto& memory = effect.candidate.memory;
-  return effect.candidate.form.variables().contains(input) ||
-         std::any_of(memory.begin(), memory.end(), [&](const MemoryState& state) {
-           return state.rate.variables().contains(input);
-         });
-}
-
 /// Deviance of the effects that were found, fitted in few passes under another model.
 double deviance_under(const Problem& problem, const Account& best, const OdeModel& model) {
   const JointFitTask task{problem.records.data, model, best.base->fit_options, problem.context};
@@ -217,8 +209,9 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
   for (const auto& [input, second, lead] : open) {
     const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;
-    const bool of_input = std::any_of(effects.begin(), effects.end(),
-                                      [&](const auto& effect) { return is_of(effect, name); });
+    const bool of_input = std::any_of(
+        effects.begin(), effects.end(),
+        [&](const FittedEffect& effect) { return effect.candidate.depends_on(name); });
     const bool doubtful =
         complete || effects.size() > 1 || leaves_structure(best, decision) || of_input;
     std::vector<OdeModel> better =

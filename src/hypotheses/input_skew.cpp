@@ -14,9 +14,9 @@
 namespace lacuna {
 namespace {
 
-/// Range of the search in sampling steps, and what it resolves: what is later is no fault of
-/// recording.
-constexpr double kShortest = 0.1, kLongest = 4.0, kResolution = 0.02;
+/// Facts of the search, in sampling steps: its first point, its range (more would be a loss of
+/// samples at the end), and what it resolves before the parabola of the minimum.
+constexpr double kFirst = 0.1, kLongest = 4.0, kResolution = 0.02;
 
 /// An input and by how much it is late.
 struct Lead {
@@ -29,7 +29,7 @@ struct Lead {
 /// Values of an input at t + lead; after the end its last one. A whole number of steps ahead of
 /// a sample is a sample, and not the one before it for the rounding of their times.
 Dataset moved_ahead(Dataset data, Index input, double lead, Interpolation interpolation) {
-  if (interpolation == Interpolation::Held) lead *= 1.0 + 1e-6;
+  if (interpolation == Interpolation::Held) lead += 1e-6 * std::abs(lead);
   for (Trajectory& record : data.trajectories) {
     SampledSignal signal(record.time, record.inputs.col(input), interpolation);
     for (Index i = 0; i < record.time.size(); ++i)
@@ -81,7 +81,7 @@ class MovedInput {
 
 /// The minimum between three points of which the middle one is the lowest, by golden sections.
 Lead refined(const MovedInput& moved, double low, Lead best, double high, double resolution) {
-  constexpr double kGolden = 0.3819660112501051;
+  constexpr double kGolden = 0.3819660112501051;  // (3 - sqrt(5)) / 2
   while (high - low > resolution) {
     const bool upper = high - best.time > best.time - low;
     const double next = best.time + kGolden * (upper ? high - best.time : low - best.time);
@@ -120,7 +120,7 @@ std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double 
   const double none = moved.deviance(0.0);
   Lead best{input, 0.0, none};
   double low = 0.0, high = kLongest * step;
-  for (double lead = (moved.is_held() ? 1.0 : kShortest) * step; lead <= kLongest * step;
+  for (double lead = (moved.is_held() ? 1.0 : kFirst) * step; lead <= kLongest * step;
        lead += moved.is_held() ? step : lead) {
     const double deviance = moved.deviance(lead);
     if (!(deviance < best.deviance)) {
@@ -132,13 +132,13 @@ std::optional<Lead> likeliest_lead(const MovedInput& moved, Index input, double 
   }
   if (best.time > 0.0 && !moved.is_held())
     best = refined(moved, low, best, high, kResolution * step);
-  if (!(best.deviance < none - undecided) || best.time < kShortest * step) return std::nullopt;
+  if (!(best.deviance < none - undecided)) return std::nullopt;
   // Between samples noise of the input is averaged, whichever way it is moved.
   if (!(moved.deviance(-best.time) > none)) return std::nullopt;
   if (moved.is_held()) return best;
-  best = polished(moved, best, kShortest * step);
+  best = polished(moved, best, kFirst * step);
   // Farther away disturbances take up what the time does not, and the bend is less.
-  return best.deviation < kShortest * step ? polished(moved, best, best.deviation) : best;
+  return best.deviation < kFirst * step ? polished(moved, best, best.deviation) : best;
 }
 
 /// Of some inputs, beside effects.
@@ -182,7 +182,7 @@ InputCorrection correction_of(const Problem& problem, const Lead& lead) {
 /// The time beside the effects that are found with it: effects that were found without it may
 /// stand for a part of it. Both take turns until the time stays.
 std::optional<Lead> settled_lead(const Problem& problem, const Account& best) {
-  constexpr int kTurns = 3;
+  constexpr int kTurns = 3;  // a fact: bounds the work where the time goes to and fro
   const double resolution = 2.0 * kResolution * median_step(best.base->records->data);
   std::vector<Index> inputs(problem.nominal.inputs().size());
   std::iota(inputs.begin(), inputs.end(), Index{0});

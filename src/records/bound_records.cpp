@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "channel_notes.hpp"
-#include "lacuna/records/interpolated.hpp"
 #include "lacuna/data/marks.hpp"
+#include "lacuna/records/interpolated.hpp"
 #include "outliers.hpp"
 #include "repeats.hpp"
 

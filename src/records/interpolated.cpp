@@ -39,11 +39,14 @@ std::vector<Stretch> stretches_of(const Vector& time, const Eigen::Ref<const Vec
 }
 
 /// Whether stretches begin whole multiples of so many samples apart that one of them has room,
-/// and are as much of the record as with lines between every third sample of other times.
+/// and are as much of the record as lines leave.
 /// Two lines in a row may be one: where the signal is straight, or rests; the first may have
 /// begun before the record.
 bool are_regular(const std::vector<Stretch>& stretches, Index samples) {
+  // Facts: so many begin even numbers of samples apart by chance once in half a million; and of
+  // three samples between two measured at other times one is on the line, less at the ends.
   constexpr std::size_t kFewest = 20;
+  constexpr double kLeastShare = 0.3;
   if (stretches.size() < kFewest) return false;
   Index period = 0, shortest = stretches.front().count, all = stretches.front().count;
   for (std::size_t i = 1; i < stretches.size(); ++i) {
@@ -51,7 +54,8 @@ bool are_regular(const std::vector<Stretch>& stretches, Index samples) {
     shortest = std::min(shortest, stretches[i].count);
     all += stretches[i].count;
   }
-  return shortest < period && 10 * all >= 3 * samples;
+  return shortest < period &&
+         static_cast<double>(all) >= kLeastShare * static_cast<double>(samples);
 }
 
 }  // namespace
@@ -68,9 +72,8 @@ std::vector<Index> interpolated_samples(const Vector& time,
 }
 
 std::vector<Index> interpolated_samples(const Trajectory& record, Index input) {
-  constexpr double kSevenDigits = 1e-6;
   const auto values = record.inputs.col(input);
-  return interpolated_samples(record.time, values, kSevenDigits * values.cwiseAbs().maxCoeff());
+  return interpolated_samples(record.time, values, spacing_of_digits(values));
 }
 
 bool is_interpolated(const Dataset& data, Index input) {

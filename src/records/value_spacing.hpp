@@ -6,8 +6,11 @@
 
 namespace lacuna {
 
-/// Spacing of the values of each state: of their lattice, no finer than numbers of seven digits
-/// have at its largest value. m entries.
+/// Spacing of numbers of seven digits at the largest of some values.
+double spacing_of_digits(const Eigen::Ref<const Vector>& values);
+
+/// Spacing of the values of each state: of their lattice, no finer than spacing_of_digits().
+/// m entries.
 Vector value_spacings(const Dataset& data);
 
 }  // namespace lacuna

@@ -67,6 +67,9 @@ struct Candidate {
 
   bool is_driven() const;  ///< whether it has a memory state that is
 
+  /// Whether the form or the rate of a memory state is a function of a variable.
+  bool depends_on(const std::string& variable) const;
+
   /// What makes it less plain: its shape parameters, and its memory states twice.
   Index intricacy() const;
 };
