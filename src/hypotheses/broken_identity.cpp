@@ -110,7 +110,9 @@ Proposals BrokenIdentity::do_propose(const Problem& problem, const Account& best
   const std::vector<bool> broken = broken_among(problem, base, doubted);
   if (!any(broken)) return {{}, {{name, says, {}, false, "equations disturbed", 0.0, 1.0}}};
   auto loose = std::make_shared<const Baseline>(loosened_baseline(problem, base, broken));
-  return {{{bare_account(problem, name, std::move(loose)), true}}, {}};
+  Account account = bare_account(problem, name, std::move(loose));
+  account.findings = best.findings;
+  return {{{std::move(account), true}}, {}};
 }
 
 }  // namespace lacuna

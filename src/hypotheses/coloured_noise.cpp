@@ -121,7 +121,9 @@ Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
               std::string(problem.options.criterion->info().name), value, least}}};
   auto base = std::make_shared<const Baseline>(
       coloured_baseline(problem, *best.base, std::move(coloured)));
-  return {{{bare_account(problem, std::string(info().name), std::move(base))}}, {}};
+  Account account = bare_account(problem, std::string(info().name), std::move(base));
+  account.findings = best.findings;
+  return {{{std::move(account)}}, {}};
 }
 
 std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model, double least) {

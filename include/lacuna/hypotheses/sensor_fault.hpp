@@ -62,7 +62,7 @@ class InputSkew final : public Configured<Hypothesis, HypothesisOptions<kInputSk
 
  private:
   Phase do_phase() const override { return Phase::Assumptions; }
-  int do_order() const override { return -1; }  // before noise that follows what is late
+  int do_order() const override { return 2; }  // noise with a memory needs no fault of the record
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
 
@@ -81,7 +81,7 @@ class InputInterpolation final
 
  private:
   Phase do_phase() const override { return Phase::Assumptions; }
-  int do_order() const override { return -2; }  // a curve can be moved ahead, lines hardly
+  int do_order() const override { return 1; }  // a curve can be moved ahead, lines hardly
   Proposals do_propose(const Problem& problem, const Account& best) const override;
 };
 

@@ -18,8 +18,12 @@ support::Asked with_sensor(double offset, double gain) {
 
 TEST(BrokenIdentity, AGainIsTheIdentitysCoefficient) {
   const support::Asked asked = with_sensor(0.0, 1.25);
-  const Proposals made = BrokenIdentity().propose(asked.problem(), asked.bare());
+  Account best = asked.bare();
+  best.findings = {{.name = "an assumption"}};
+  const Proposals made = BrokenIdentity().propose(asked.problem(), best);
   ASSERT_EQ(made.accounts.size(), 1u);
+  EXPECT_EQ(made.accounts[0].account.findings.size(), 1u)
+      << "what the baseline assumes already";
   EXPECT_TRUE(made.accounts[0].search_first);
   const Baseline& base = *made.accounts[0].account.base;
   EXPECT_EQ(base.fit_options.free.size(), 4u) << "q, v, F and the identity's v";

@@ -30,10 +30,12 @@ TEST(ColouredNoise, FindsDeviationAndTimeOfTheNoise) {
   const support::Asked asked = with_memory();
   Account best = asked.bare();
   best.named = {{.equation = 1, .name = "a guess"}};  // what has a name may be noise
+  best.findings = {{.name = "an assumption"}};
   const Proposals made = ColouredNoiseHypothesis().propose(asked.problem(), best);
   ASSERT_EQ(made.accounts.size(), 1u);
   const Account& account = made.accounts.front().account;
   EXPECT_EQ(account.hypothesis, "coloured-noise");
+  EXPECT_EQ(account.findings.size(), 1u) << "what its baseline assumes already";
   const auto& found = account.base->fitted.noise.coloured[0];
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->deviation, 0.1, 0.035);

@@ -20,8 +20,8 @@ TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
   EXPECT_EQ(names_of(standard_hypotheses()),
             (std::vector<std::string>{
                 "named-effects", "other-choices", "sensor-fault", "sensor-calibration",
-                "shared-process", "unmeasured-input", "input-interpolation", "input-skew",
-                "coloured-noise", "broken-identity", "residual-function"}));
+                "shared-process", "unmeasured-input", "coloured-noise", "broken-identity",
+                "input-interpolation", "input-skew", "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {
