@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/run_context.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/model/ode_model.hpp"
 #include "lacuna/records/embedding.hpp"

@@ -115,7 +115,6 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
   switch (
       holdout_verdict({gap->before, gap->after, gap->noise_floor}, problem.options.decision)) {
     case HoldoutVerdict::Refuted:
-      if (only_assumed) return {false, true, names + "worse"};
       return {true, false, names + "worse; what fails there gets no name"};
     case HoldoutVerdict::Little:
       if (mostly_repeats(*account.base->records))

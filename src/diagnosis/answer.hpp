@@ -12,7 +12,7 @@ namespace lacuna {
 
 /// What other records have to say of the names of an account.
 struct Hearing {
-  bool withdraw = false;  ///< the names are refuted
+  bool withdraw = false;  ///< the names are refuted, or what stands without names
   bool lower = false;     ///< the names hold for the records that were used at best
   std::string note = {};  ///< empty: nothing
 };

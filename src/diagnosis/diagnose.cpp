@@ -65,6 +65,27 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
   return gap;
 }
 
+/// An account that other records were heard on.
+struct HeardAccount {
+  Judged judged;
+  std::optional<Gap> gap;
+  Hearing hearing = {};                     ///< the last one, which withdraws nothing more
+  std::vector<std::string> withdrawn = {};  ///< what was, and why
+};
+
+HeardAccount heard_on(const Dataset& check, const Problem& problem,
+                      const std::vector<Stage<Hypothesis>>& hypotheses, Judged judged) {
+  HeardAccount heard{settle_account(problem, hypotheses, std::move(judged)), {}};
+  for (;;) {
+    heard.gap = gap_of(problem, heard.judged.best, check);
+    heard.hearing = hear_other_records(problem, heard.judged.best, heard.gap);
+    if (!heard.hearing.withdraw) return heard;
+    heard.withdrawn.push_back(heard.hearing.note);
+    heard.judged.best = without_claims(problem, heard.judged.best);
+    heard.judged = settle_account(problem, hypotheses, std::move(heard.judged));
+  }
+}
+
 /// The answer where records and model do not fit together: nothing but why.
 Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
   return {.verdict = Verdict::UnnamedStructure,
@@ -129,15 +150,10 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
 
   JudgedModel inputs = judge_holds({known, records.find, options, context}, hypotheses);
   const Problem problem{*inputs.model, records.find, options, context};
-  Judged judged = settle_account(problem, hypotheses, std::move(inputs.judged));
-  std::optional<Gap> gap = gap_of(problem, judged.best, records.check);
-  const Hearing hearing = hear_other_records(problem, judged.best, gap);
-  if (hearing.withdraw) {
-    judged.best = without_names(problem, judged.best);
-    judged = settle_account(problem, hypotheses, std::move(judged));
-    gap = gap_of(problem, judged.best, records.check);
-  }
-  Diagnosis diagnosis = make_answer(problem, std::move(judged), std::move(gap), hearing);
+  HeardAccount heard = heard_on(records.check, problem, hypotheses, std::move(inputs.judged));
+  Diagnosis diagnosis =
+      make_answer(problem, std::move(heard.judged), std::move(heard.gap), heard.hearing);
+  diagnosis.notes.insert(diagnosis.notes.end(), heard.withdrawn.begin(), heard.withdrawn.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
   diagnosis.hints.insert(diagnosis.hints.begin(), std::make_move_iterator(hints.begin()),

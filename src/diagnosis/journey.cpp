@@ -156,4 +156,10 @@ Account without_names(const Problem& problem, const Account& account) {
   return bare;
 }
 
+Account without_claims(const Problem& problem, const Account& account) {
+  if (!account.named.empty()) return without_names(problem, account);
+  return bare_account(problem, "coefficients-only",
+                      std::make_shared<const Baseline>(plain_baseline(problem)));
+}
+
 }  // namespace lacuna

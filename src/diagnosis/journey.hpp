@@ -37,4 +37,8 @@ Judged settle_account(const Problem& problem, const std::vector<Stage<Hypothesis
 /// The account of the same baseline without any name.
 Account without_names(const Problem& problem, const Account& account);
 
+/// An account of which other records refuted what it names: without its effects, or where only
+/// assumptions have names the one of the plain baseline.
+Account without_claims(const Problem& problem, const Account& account);
+
 }  // namespace lacuna

@@ -80,6 +80,15 @@ void add_idle(const Problem& problem, const Account& account, Sentences& said) {
   }
 }
 
+/// Names explain a disagreement when it is less with them.
+void add_hardly_closing(const Problem& problem, const Account& account, Sentences& said) {
+  if (account.named.empty()) return;
+  const double share = share_closed(account.base->fitted, account.explanation.fit);
+  if (share >= problem.options.decision.minor || shows_the_motion(account, problem)) return;
+  said.push_back("of what disturbs the model only " + format_number(100.0 * share, 2) +
+                 " % goes with what is named");
+}
+
 /// Of what acts on hidden states only what reaches a channel is seen: one channel cannot
 /// confirm several effects, each of which may stand for a part of another one.
 void add_unconfirmed(const Problem& problem, const Account& account, Sentences& said) {
@@ -130,6 +139,7 @@ Sentences reservations(const Problem& problem, const Account& account,
   add_cancelling(problem, account, said);
   add_coefficients(problem, account, said);
   add_idle(problem, account, said);
+  add_hardly_closing(problem, account, said);
   add_unconfirmed(problem, account, said);
   add_seldom_recorded(problem, account, said);
   return said;

@@ -233,11 +233,7 @@ NamedEffect finding(const Problem& problem, const Baseline& before, const Baseli
   found.sigma = sigma_of_gain(before.fitted.deviance - after.fitted.deviance, 1.0,
                               static_cast<double>(nominal.inputs().size()));
   found.probability = 1.0;
-  const Vector rates = rate_rms(before.fitted);
-  const double had = total_disturbance(before.fitted, rates);
-  found.gap_closed =
-      had > 0.0 ? std::clamp(1.0 - total_disturbance(after.fitted, rates) / had, 0.0, 1.0)
-                : 0.0;
+  found.gap_closed = share_closed(before.fitted, after.fitted);
   return found;
 }
 

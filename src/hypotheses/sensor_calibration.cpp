@@ -168,14 +168,6 @@ std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& give
   return fitted;
 }
 
-/// Share of what disturbs the equations that goes; all of nothing.
-double share_closed(const Baseline& given, const Fitted& own) {
-  const Vector rates = rate_rms(given.fitted);
-  const double before = total_disturbance(given.fitted, rates);
-  const double after = total_disturbance(own.explanation.fit, rates);
-  return before > 0.0 ? std::clamp(1.0 - after / before, 0.0, 1.0) : 1.0;
-}
-
 /// The best that leaves nothing over.
 std::optional<std::size_t> sound_one(const Problem& problem, std::vector<Fitted>& fitted) {
   for (std::size_t i = 0; i < fitted.size(); ++i) {
@@ -252,7 +244,7 @@ NamedEffect named(const Problem& problem, const Baseline& given,
     return std::exp(-0.5 * (one.criterion - fitted.front().criterion)) / sum;
   };
   result.probability = probability(own);
-  result.gap_closed = share_closed(given, own);
+  result.gap_closed = share_closed(given.fitted, own.explanation.fit);
   for (std::size_t i = 0; i < fitted.size() && result.alternatives.size() < kAlternatives;
        ++i) {
     if (i == chosen) continue;

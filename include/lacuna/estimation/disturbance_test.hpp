@@ -31,6 +31,10 @@ Vector rate_rms(const Assimilation& fit);
 /// @param rates rms of the rate of change of each, as of rate_rms(); a state at rest counts 0.
 double total_disturbance(const Assimilation& fit, const Vector& rates);
 
+/// Share, 0..1, of what disturbs a fit that another one of the same states does without; all of
+/// nothing.
+double share_closed(const Assimilation& before, const Assimilation& after);
+
 /// Smoothed disturbances along one record, (n-1) x m, state unit per time unit.
 Matrix disturbance_along(const Assimilation& fit, std::size_t record);
 

@@ -124,5 +124,22 @@ TEST_F(Journey, NamesThatDoNotExplainMostAreWithdrawn) {
   EXPECT_FALSE(settled.trail[0].taken);
 }
 
+TEST_F(Journey, WhatOtherRecordsRefuteGoesNamesFirst) {
+  const Problem problem{nominal_, records_, options_, context_};
+  Baseline assumed = *base(problem);
+  assumed.parameters = 1.0;
+  Account account =
+      bare_account(problem, "second", std::make_shared<const Baseline>(assumed));
+  account.named = {{.equation = 1, .name = "dry"}};
+  account.findings = {{.equation = 1, .name = "late"}};
+  const Account nameless = without_claims(problem, account);
+  EXPECT_TRUE(nameless.named.empty());
+  EXPECT_EQ(nameless.findings.size(), 1u);
+  EXPECT_EQ(nameless.base->parameters, 1.0) << "on the same assumption";
+  const Account plain = without_claims(problem, nameless);
+  EXPECT_TRUE(plain.findings.empty());
+  EXPECT_EQ(plain.base->parameters, 0.0);
+}
+
 }  // namespace
 }  // namespace lacuna

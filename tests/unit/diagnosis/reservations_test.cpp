@@ -26,6 +26,7 @@ class Reservations : public testing::Test {
     Account made = asked_.bare();
     made.explanation.effects = {effect};
     made.named = {{.equation = 1, .name = "stop"}};
+    made.explanation.fit.noise.disturbance.setZero();  // it explains all there is
     return made;
   }
   FittedEffect stop(double edge) const {
@@ -54,6 +55,16 @@ TEST_F(Reservations, TheGapStaysOpenByMoreThanChance) {
   EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 2.0)).empty());
   asked_.options.decision.explained_gap = 2.0;
   EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 4.0)).empty());
+}
+
+TEST_F(Reservations, NamesWithWhichTheModelIsDisturbedAsBeforeAreSaid) {
+  asked_ = support::asked(support::ripple);  // the stop stands for nothing of it
+  Account judged = account(stop(-0.1));
+  EXPECT_TRUE(said(judged).empty());
+  judged.explanation.fit.noise.disturbance = 0.98 * judged.base->fitted.noise.disturbance;
+  EXPECT_TRUE(speaks_of(said(judged), "only 4 %"));
+  asked_.options.decision.minor = 0.03;
+  EXPECT_TRUE(said(judged).empty());
 }
 
 TEST_F(Reservations, AShapeOnItsBoundIsSaid) {
