@@ -15,6 +15,7 @@
 #include "lacuna/records/model_view.hpp"
 #include "lacuna/records/read_records.hpp"
 #include "output_channels.hpp"
+#include "smoothed_records.hpp"
 
 namespace lacuna {
 namespace {
@@ -125,6 +126,16 @@ OdeModel held(const OdeModel& model) {
   return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
 }
 
+/// Records that were smoothed, as their noise shows, as they were before.
+void sharpen(const OdeModel& nominal, const DiagnosisOptions& options,
+             const RunContext& context, Records& records) {
+  const auto smoothing = smoothing_of({nominal, records.find, options, context});
+  if (!smoothing) return;
+  records.find = sharpened(*smoothing, std::move(records.find));
+  records.check = sharpened(*smoothing, std::move(records.check));
+  records.notes.push_back(note_on(*smoothing));
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -147,6 +158,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
       observed_alike(std::move(records.check), records.find, channel_options(options.decision));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
+  sharpen(known, options, context, records);
 
   JudgedModel inputs = judge_holds({known, records.find, options, context}, hypotheses);
   const Problem problem{*inputs.model, records.find, options, context};
