@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Records that somebody smoothed: no effect is named for what a filter bent, and one that is
+// there is named as in the samples that were measured.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hidden/support/cases.hpp"
+#include "hidden/support/records.hpp"
+#include "lacuna/config/registry.hpp"
+#include "lacuna/diagnosis/diagnose.hpp"
+
+namespace lacuna::hidden {
+namespace {
+
+/// Rows that are weighted sums of rows from `before` ahead of each on; fewer by so many
+/// weights.
+Matrix weighted(const Matrix& rows, const std::vector<double>& weights) {
+  const auto count = static_cast<Index>(weights.size());
+  Matrix sums = Matrix::Zero(rows.rows() - count + 1, rows.cols());
+  for (Index j = 0; j < count; ++j)
+    sums += weights[static_cast<std::size_t>(j)] * rows.middleRows(j, sums.rows());
+  return sums;
+}
+
+/// A record with its states smoothed, and its other rows from `first` on.
+Trajectory smoothed_states(Trajectory record, const std::vector<double>& weights, Index first) {
+  record.states = weighted(record.states, weights);
+  const Index n = record.states.rows();
+  record.time = Vector(record.time.segment(first, n));
+  record.inputs = Matrix(record.inputs.middleRows(first, n));
+  return record;
+}
+
+Diagnosis of_smoothed(const std::string& name, const std::vector<double>& weights,
+                      Index first) {
+  const HiddenCase hidden = case_named(name);
+  auto [find, check] = make_records(hidden, 0.01, 3);
+  for (Dataset* data : {&find, &check})
+    for (Trajectory& record : data->trajectories)
+      record = smoothed_states(std::move(record), weights, first);
+  DiagnosisOptions options;
+  options.effects = default_registry().make_all<Effect>();
+  return diagnose(hidden.nominal, find, check, options, RunContext{});
+}
+
+bool says(const Diagnosis& diagnosis, const std::string& what) {
+  for (const std::string& note : diagnosis.notes)
+    if (note.find(what) != std::string::npos) return true;
+  return false;
+}
+
+/// Weights of the least-squares parabola through seven samples (Savitzky and Golay 1964).
+const std::vector<double> kParabola{-2.0 / 21.0, 3.0 / 21.0, 6.0 / 21.0, 7.0 / 21.0,
+                                    6.0 / 21.0,  3.0 / 21.0, -2.0 / 21.0};
+
+TEST(Smoothed, NothingIsMissingForWhatAMeanHasBent) {
+  for (const std::string name : {"lorenz-null", "prey-null", "motor-null"}) {
+    const Diagnosis mean = of_smoothed(name, std::vector<double>(9, 1.0 / 9.0), 4);
+    EXPECT_EQ(mean.verdict, Verdict::NoDiscrepancy) << name;
+    EXPECT_TRUE(says(mean, "means over 9 samples")) << name;
+  }
+}
+
+TEST(Smoothed, MeansOfWhatWasAreNoDelay) {
+  const Diagnosis past = of_smoothed("motor-null", std::vector<double>(10, 0.1), 9);
+  EXPECT_EQ(past.verdict, Verdict::NoDiscrepancy);
+  EXPECT_TRUE(says(past, "means over the last 10 samples"));
+}
+
+TEST(Smoothed, AnEffectIsNamedAsBefore) {
+  const Diagnosis friction = of_smoothed("pendulum-dry-friction", kParabola, 3);
+  ASSERT_EQ(friction.effects.size(), 1u);
+  EXPECT_EQ(friction.effects[0].name, "coulomb-friction");
+  EXPECT_TRUE(says(friction, "parabolas through 7 samples"));
+}
+
+}  // namespace
+}  // namespace lacuna::hidden
