@@ -68,7 +68,7 @@ std::optional<Smoothing> smoothing_of(const Problem& problem) {
   double most = decision.major;
   for (const Smoothing& other : others) {
     const Assimilation fit = fit_before(other, problem);
-    if (!(fit.deviance < plain.deviance)) continue;
+    if (!(fit.deviance < plain.deviance - decision.undecided)) continue;
     const double share = share_closed(plain, fit);
     if (share <= most) continue;
     most = share;
