@@ -55,6 +55,14 @@ TEST(NelderMead, LeavesAFaceThatItHasCollapsedOnto) {
   EXPECT_LT(std::abs(found[1] - 0.8), 0.021);
 }
 
+TEST(NelderMead, StepsGrowOnALongWayDown) {
+  // 0.85 away by steps of 0.01 that double: 7 of them, of two evaluations each.
+  const auto far = [](const Vector& x) { return std::abs(x[0] - 0.9); };
+  const Vector found = nelder_mead(far, Vector::Constant(1, 0.05),
+                                   {.reach = 0.01, .unnoticed = 0.0, .evaluations = 24});
+  EXPECT_NEAR(found[0], 0.9, 0.1);
+}
+
 TEST(NelderMead, EndsAfterAboutSoManyEvaluationsOrWhenNothingChanges) {
   int count = 0;
   const auto counted = [&](const Vector& x) {

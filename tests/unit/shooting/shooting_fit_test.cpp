@@ -81,6 +81,22 @@ TEST(ShootingFit, FindsTheLeastSquaresOfAnExponential) {
   EXPECT_NEAR(fit.point.cost, least, 1e-8);
 }
 
+TEST(ShootingFit, NoStepRaisesTheCost) {
+  for (const double start : {-4.0, -2.0, 0.1, 6.0, 20.0}) {
+    ShootingProblem problem = decay_problem(start, 0.1);
+    ShootingFit fit;
+    fit.plan = equal_windows(problem.record().begins, 20);
+    fit.point.parameters = problem.model().values();
+    fit.point.starts = Matrix::Constant(1, 1, 1.0);
+    problem.evaluate(fit.plan, fit.point);
+    for (int step = 1; step <= 20; ++step) {
+      const double before = fit.point.cost;
+      minimise(problem, fit, 1e-12, 1, {});
+      EXPECT_LE(fit.point.cost, before) << "step " << step << " from " << start;
+    }
+  }
+}
+
 TEST(ShootingFit, DegreesOfFreedomAreResidualsLessUnknowns) {
   const ShootingCase c;
   EXPECT_EQ(degrees_of_freedom(c.problem, c.plan), 2 * 41 - 3 - 5 * 2);

@@ -79,6 +79,23 @@ TEST(WindowSearch, NoOtherLengthKnowsTheParametersMuchBetter) {
   }
 }
 
+TEST(WindowSearch, TwiceAsLongWindowsKnowTheParametersLessWell) {
+  InexactCase c;
+  const double margin =
+      1.0 / std::sqrt(2.0 * 30.0 * static_cast<double>(c.problem.model().size()));
+  for (Index length = 26; length <= 46; length += 2) {
+    const ShootingFit start = c.fit_of(equal_windows(c.problem.record().begins, length));
+    const ShootingFit found = search_windows(c.problem, start, c.search(), {});
+    Index limit = longest_of(start.plan);  // twofold steps from there are what was tried
+    while (limit / 2 >= longest_of(found.plan)) limit /= 2;
+    while (limit < longest_of(found.plan)) limit *= 2;
+    const WindowPlan twice = plan_windows(c.problem.record().begins, c.growth,
+                                          {c.search().largest_growth, 1e300, 4, 2 * limit});
+    EXPECT_GT(score_of(c.fit_of(twice)), score_of(found) + margin - 0.005)
+        << 2 * limit << " samples for " << longest_of(found.plan) << ", from " << length;
+  }
+}
+
 TEST(WindowSearch, ParametersAreTheLeastSquaresOfTheChosenWindows) {
   InexactCase c;
   const ShootingFit found = search_windows(c.problem, c.fit, c.search(), {});
