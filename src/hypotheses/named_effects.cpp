@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "lacuna/estimation/window_gap.hpp"
 #include "search.hpp"
 #include "window_refit.hpp"
 
@@ -75,6 +76,7 @@ Proposals OtherChoices::do_propose(const Problem& problem, const Account& best) 
   std::optional<FoundEffects> most;
   double least = criterion_of(problem, *best.base, best.explanation);
   double lead = 0.0;
+  const double gap = window_gap(best.explanation.fit);
   for (Candidate& doubted : special_forms(best.explanation.effects)) {
     EffectSearch other = search;
     other.without.push_back(std::move(doubted));
@@ -85,6 +87,7 @@ Proposals OtherChoices::do_propose(const Problem& problem, const Account& best) 
     const double needed = is_plainer ? -decision.undecided : decision.undecided;
     const double value = criterion_of(problem, *best.base, next.explanation) + needed;
     if (next.named.empty() || !(value < least)) continue;
+    if (window_gap(next.explanation.fit) > (1.0 + decision.minor) * gap) continue;
     least = value;
     lead = needed;
     most = std::move(next);

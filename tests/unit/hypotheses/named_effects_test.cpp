@@ -88,6 +88,21 @@ TEST(OtherChoices, TakeThePlaceOfAFirstChoiceThatLeavesSomething) {
   EXPECT_FALSE(made.trail.empty());
 }
 
+TEST(OtherChoices, DoNotTakeThePlaceOfWhatLeavesLessInWindows) {
+  support::Asked asked = asked_of(support::dry_friction);
+  Account first = wrong_choice(asked);
+  std::vector<FittedEffect> both = first.explanation.effects;
+  both.push_back({support::plain_candidate("sign(v)"), Vector(0), -0.3, 0.0});
+  first.explanation =
+      explain_on(asked.problem(), *first.base, first.base->fitted, std::move(both));
+  first.explanation.fit.deviance += 2e4;  // as if it were worse from sample to sample
+  EXPECT_EQ(OtherChoices().propose(asked.problem(), first).accounts.size(), 1u)
+      << "dry friction, which leaves as little";
+  asked.options.effects = {support::FormEffect<support::kCubic>("q^3")};
+  EXPECT_TRUE(OtherChoices().propose(asked.problem(), first).accounts.empty())
+      << "a cubic spring, which leaves more";
+}
+
 TEST(OtherChoices, AreNotSoughtWhereNothingIsLeftOrNoFormIsSpecial) {
   const support::Asked asked = asked_of(support::dry_friction);
   Account first = wrong_choice(asked);
