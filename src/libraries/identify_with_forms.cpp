@@ -108,13 +108,12 @@ std::vector<EquationForms> kept_in(const IdentificationResult& found,
 
 /// Names of a library's terms and of the forms beside them, each once.
 std::vector<std::string> with_forms(const TermLibrary& library,
-                                    const std::vector<EquationForms>& equations) {
+                                    const std::vector<MissingForm>& forms) {
   std::vector<std::string> names = library.names();
-  for (const EquationForms& equation : equations)
-    for (const MissingForm& form : equation.forms) {
-      const std::string name = Term(form.expression(), library.variables).name();
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
+  for (const MissingForm& form : forms) {
+    const std::string name = Term(form.expression(), library.variables).name();
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
   return names;
 }
 
@@ -291,7 +290,8 @@ class ExtendedRun {
 
   IdentificationResult identified(const std::vector<EquationForms>& equations) const {
     Pipeline extended = pipeline_;
-    extended.basis = Expressions{{.terms = with_forms(library_, equations)}};
+    extended.basis =
+        Expressions{{.terms = with_forms(library_, search_.shared_forms(equations))}};
     return identify(records_, extended, context_);
   }
 

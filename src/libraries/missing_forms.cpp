@@ -181,6 +181,22 @@ EquationForms FormSearch::plainly_written(EquationForms equation, const Vector& 
   return equation;
 }
 
+std::vector<MissingForm> FormSearch::shared_forms(
+    const std::vector<EquationForms>& equations) const {
+  std::vector<MissingForm> result;
+  const auto is_one = [&](const MissingForm& form, const MissingForm& other) {
+    Candidate there = form.candidate;
+    there.equation = other.candidate.equation;
+    return are_one_form(there, other.candidate) && problem_->alike(form, other, Plainness::Any);
+  };
+  for (const EquationForms& equation : equations)
+    for (const MissingForm& form : equation.forms)
+      if (std::none_of(result.begin(), result.end(),
+                       [&](const MissingForm& other) { return is_one(form, other); }))
+        result.push_back(form);
+  return result;
+}
+
 EquationForms FormSearch::refitted(EquationForms equation) const {
   constexpr int kRounds = 3;
   const bool alone = equation.forms.size() == 1;

@@ -44,6 +44,10 @@ bool descend(ShootingProblem& problem, ShootingFit& fit, double& damping,
 /// |error / sigma| over all samples: by no more of its standard error a parameter is shifted.
 constexpr double kSmallError = 0.1;
 
+/// Where errors of so many schemes in a row do not fall, rates jump, and none is better than
+/// the first of these; one alone may be far from where its order shows.
+constexpr int kStalls = 2;
+
 const std::array<StepScheme, 7>& ladder() {
   static const std::array<StepScheme, 7> schemes = {{{&runge_kutta_4(), 1},
                                                      {&dormand_prince_54(), 1},
@@ -141,14 +145,21 @@ StepScheme accurate_scheme(ShootingProblem& problem, const WindowPlan& plan,
   const StepScheme before = problem.scheme();
   ShootingPoint coarse = point, fine = point;
   double last = std::numeric_limits<double>::infinity();
-  auto rung = ladder().begin();
+  auto rung = ladder().begin(), steady = rung;
+  int stalls = 0;
   problem.set_scheme(*rung);
   problem.evaluate(plan, coarse);
   for (; rung + 1 != ladder().end(); ++rung) {
     problem.set_scheme(*(rung + 1));
     problem.evaluate(plan, fine);
     const double error = distance(problem, coarse, fine, sigma);
-    if (error <= kSmallError || (error > 0.5 * last && std::isfinite(last))) break;
+    if (error <= kSmallError) break;
+    stalls = error > 0.5 * last && std::isfinite(last) ? stalls + 1 : 0;
+    if (stalls == 0) steady = rung + 1;
+    if (stalls == kStalls) {
+      rung = steady;
+      break;
+    }
     last = error;
     std::swap(coarse, fine);
   }

@@ -38,7 +38,7 @@ Matrix starts_of(const WindowPlan& plan, const Matrix& states);
 
 /// The first scheme on a ladder of methods and substeps whose error,
 /// found by comparison with the next one, does not matter beside the noise: |error / sigma| <=
-/// 0.1 over all samples together, or which is not surpassed by the next.
+/// 0.1 over all samples together, or which is not surpassed by the next two.
 /// @param sigma noise to hold the error against.
 StepScheme accurate_scheme(ShootingProblem& problem, const WindowPlan& plan,
                            const ShootingPoint& point, const Vector& sigma);

@@ -97,6 +97,11 @@ class FormSearch {
   EquationForms plainly_written(EquationForms equation, const Vector& coefficients,
                                 const std::vector<Candidate>& candidates) const;
 
+  /// The forms of all equations, each once: what one equation takes from a state another one
+  /// gives to the next. Of those that differ by nothing but shapes, and hardly at the samples,
+  /// the first stands for all: two would say together what none of them says.
+  std::vector<MissingForm> shared_forms(const std::vector<EquationForms>& equations) const;
+
   /// The equation with its shapes fitted.
   EquationForms refitted(EquationForms equation) const;
 

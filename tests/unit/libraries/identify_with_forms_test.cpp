@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "lacuna/config/registry.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/pipeline/presets.hpp"
@@ -65,6 +68,30 @@ TEST(IdentifyWithForms, FindsARateThatSaturates) {
     rate.evaluate(0.0, &x, nullptr, nullptr, &dxdt);
     EXPECT_NEAR(dxdt, 0.6 - 1.5 * x / (0.3 + x), 1e-6);
   }
+}
+
+TEST(IdentifyWithForms, WhatOneStateGivesToTheNextIsOneFormInEach) {
+  Dataset data;
+  using Start = Eigen::Vector2d;
+  for (const Start& start :
+       {Start(0.2, 0.6), Start(1.5, 0.3), Start(0.8, 1.2), Start(0.1, 2.0)}) {
+    Dataset record = record_of_equations(
+        {{{2.5, "1"}, {-100.0, "x*y/(1+y^4/0.0731)"}},
+         {{10.0, "1"}, {-100.0, "x*y/(1+y^4/0.0731)"}, {-3.0, "y"}, {-2.0, "x"}}},
+        start, 0.01, 401, 0.0);
+    data.states = record.states;
+    data.trajectories.push_back(std::move(record.trajectories.front()));
+  }
+  const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
+  EXPECT_EQ(terms_of(found.model, 0).size(), 2u);
+  EXPECT_EQ(terms_of(found.model, 1).size(), 4u);
+  CompiledModel rates = found.model.compile();
+  const std::array<double, 2> x{0.5, 0.9};
+  std::array<double, 2> found_rates{};
+  rates.evaluate(0.0, x.data(), nullptr, nullptr, found_rates.data());
+  const double flux = 100.0 * 0.5 * 0.9 / (1.0 + std::pow(0.9, 4) / 0.0731);
+  EXPECT_NEAR(found_rates[0], 2.5 - flux, 1e-4);
+  EXPECT_NEAR(found_rates[1], 10.0 - flux - 2.7 - 1.0, 1e-4);
 }
 
 /// Prey and predator of Rosenzweig and MacArthur: a second number in a denominator has nothing

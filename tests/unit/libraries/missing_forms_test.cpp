@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lacuna/bases/monomials.hpp"
@@ -86,6 +87,28 @@ TEST(FormSearch, AJumpTakesThePlaceOfASlopeThatHardlyASampleSees) {
       search.plainer({1, {}, {form("sin(x/a)", 1.01)}}, candidates, Plainness::Any);
   ASSERT_TRUE(plain);
   EXPECT_EQ(plain->forms[0].expression().to_string(), "sin(x)");
+}
+
+TEST(FormSearch, WhatEquationsShareIsOneForm) {
+  const Oscillator c("x/(1+x^2/0.49)");
+  const FormSearch search(c.data, c.sigma);
+  const std::vector<Candidate> candidates = c.candidates();
+  const auto form = [&](const std::string& name, double shape) {
+    const auto found =
+        std::find_if(candidates.begin(), candidates.end(),
+                     [&](const Candidate& one) { return one.form.to_string() == name; });
+    return MissingForm{*found, Vector::Constant(1, shape)};
+  };
+  const std::string saturating = "x/(1+x^2/a^2)", sine = "sin(x/a)";
+  MissingForm elsewhere = form(saturating, 0.7001);
+  elsewhere.candidate.equation = 0;
+  const std::vector<MissingForm> shared = search.shared_forms(
+      {{0, {}, {elsewhere}},
+       {1, {}, {form(saturating, 0.7), form(saturating, 3.0), form(sine, 1.0)}}});
+  ASSERT_EQ(shared.size(), 3u);
+  EXPECT_EQ(shared[0].shapes[0], 0.7001) << "the first stands for both";
+  EXPECT_EQ(shared[1].shapes[0], 3.0) << "another function of x";
+  EXPECT_EQ(shared[2].candidate.form.to_string(), sine);
 }
 
 TEST(FormSearch, CountsCoefficientsAndShapes) {

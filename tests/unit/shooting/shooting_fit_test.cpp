@@ -149,5 +149,40 @@ TEST(ShootingFit, StepsAreAsFineAsTheNoiseAsks) {
             (StepScheme{&runge_kutta_4(), 1}));
 }
 
+TEST(ShootingFit, AMethodThatIsNoBetterThanTheLastOneIsNotTheEndOfTheLadder) {
+  // At steps of some time constants the fifth order may be no better than the fourth.
+  for (double a = 2.0; a < 60.0; a += 1.0) {
+    ShootingProblem problem = decay_problem(a, 0.0);
+    const WindowPlan plan = equal_windows(problem.record().begins, 20);
+    ShootingPoint point{problem.model().values(), Matrix::Constant(1, 1, 2.0)};
+    const double sigma = 1e-4;
+    problem.set_scheme(accurate_scheme(problem, plan, point, Vector::Constant(1, sigma)));
+    problem.evaluate(plan, point);
+    const Vector exact = 2.0 * (-a * problem.record().time.array()).exp();
+    EXPECT_LT((point.orbits.samples.col(0) - exact).norm(), 0.15 * sigma) << a;
+  }
+}
+
+TEST(ShootingFit, WhereRatesJumpNoFinerSchemeIsTaken) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel model(
+      {{"x", ""}}, {},
+      {{{Term::parse("sign(x)", variables), -1.0}, {Term::parse("1", variables), 0.3}}});
+  ShootingProblem smooth = decay_problem(1.3, 0.0);
+  Dataset data;
+  data.states = {{"x", ""}};
+  data.trajectories.push_back({.source = "jump.csv",
+                               .time = smooth.record().time,
+                               .states = smooth.record().values,
+                               .inputs = Matrix(20, 0),
+                               .derivatives = {}});
+  ShootingProblem problem(with_free_coefficients(model), data, std::nullopt);
+  const WindowPlan plan = equal_windows(problem.record().begins, 20);
+  const ShootingPoint point{problem.model().values(), Matrix::Constant(1, 1, 2.0)};
+  const StepScheme scheme = accurate_scheme(problem, plan, point, Vector::Constant(1, 1e-9));
+  EXPECT_LE(scheme.tableau->order, 5);
+  EXPECT_EQ(scheme.substeps, 1);
+}
+
 }  // namespace
 }  // namespace lacuna
