@@ -131,6 +131,7 @@ int run_study(const StudyArguments& arguments) {
     for (const double noise : {0.0, 0.01}) {
       if (!only.empty() && system.name.find(only) == std::string::npos) continue;
       std::vector<Outcome> outcomes(noise > 0.0 ? draws : 1);
+      if (outcomes.empty()) continue;
       for_all(outcomes.size(),
               [&](std::size_t i) { outcomes[i] = run(system, noise, i + 1, search); });
       add(system, noise, outcomes, tables);
