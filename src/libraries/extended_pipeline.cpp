@@ -139,9 +139,11 @@ Extension ExtendedPipeline::reshaped(Extension found) const {
   std::vector<EquationForms> equations =
       refined_shapes(found.result.model, found.equations, records_.excerpt(), context_);
   IdentificationResult result = identified_as(equations);
-  if (!(models_.excess(result, found.result) < 0.0)) return found;
   equations = kept_in(result, equations);
-  return {std::move(result), std::move(equations)};
+  const bool leaves_less = models_.excess(result, found.result) < 0.0;
+  Extension other{std::move(result), std::move(equations)};
+  return leaves_less && other.numbers() <= found.numbers() ? std::move(other)
+                                                           : std::move(found);
 }
 
 }  // namespace lacuna

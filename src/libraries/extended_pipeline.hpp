@@ -55,7 +55,7 @@ class ExtendedPipeline {
   bool is_worse(const IdentificationResult& model) const;
 
   /// With shapes that trajectories ask for beside the terms that are there now, where that
-  /// leaves less: they were fitted beside others.
+  /// leaves less by no more numbers: they were fitted beside others.
   Extension reshaped(Extension found) const;
 
   const RecordStream& records_;
