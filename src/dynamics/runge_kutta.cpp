@@ -133,14 +133,44 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) override {
     start(x);
     if (step_ <= 0.0) step_ = first_step(rhs, t0, t1, x);
+    least_ = 0.0;
     for (int count = 0; t0 < t1; ++count) {
-      if (count == control_.max_steps || too_small(t0)) return stopped();
+      const bool ends = count == control_.max_steps || too_small(t0);
+      if (ends || (count + 1) % kPatience == 0) {
+        const IntegrationStatus status = stopped();
+        const bool held = least_ == 0.0 && begin_along_jump(rhs, t0, t1, x);
+        if (ends && !held) return status;
+        if (held) count = 0;
+      }
       take_step(rhs, t0, t1, x);
     }
     return IntegrationStatus::Completed;
   }
 
  private:
+  /// Step, as a share of what is left of an interval, of a solution that is held where rates
+  /// jump, as by dry friction at rest: it goes to and fro by the jump times such a step. No
+  /// step is small enough for the error that smooth rates are held to.
+  static constexpr double kAlongJumps = 1e-3;
+
+  static constexpr int kPatience = 1000;  ///< steps after which it is asked whether rates jump
+
+  /// Where the error of a step falls hardly faster than its length, no shorter steps are tried.
+  bool begin_along_jump(RightHandSide rhs, double t, double t1, const double* x) {
+    const double h = limited(kAlongJumps * (t1 - t));
+    const double whole = try_step(rhs, t, h, x);
+    if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > 0.25 * whole)) return false;
+    step_ = least_ = h;
+    return true;
+  }
+
+  /// The step's error, in units of what is let pass; not a number where the state runs away.
+  double try_step(RightHandSide rhs, double t, double h, const double* x) {
+    stages_.evaluate(rhs, t, h, x);
+    stages_.solution(h, x, next_.data());
+    return next_is_bounded() ? error_norm(h, x) : kNone;
+  }
+
   // Where even tiny steps leave the bound the orbit has run away; else the problem is stiff.
   IntegrationStatus stopped() const {
     return next_is_bounded() ? IntegrationStatus::StepTooSmall : IntegrationStatus::Diverged;
@@ -154,10 +184,9 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   void take_step(RightHandSide rhs, double& t, double t1, double* x) {
     const bool last = t + 1.01 * step_ >= t1;
     const double h = last ? t1 - t : step_;
-    stages_.evaluate(rhs, t, h, x);
-    stages_.solution(h, x, next_.data());
-    const double error = next_is_bounded() ? error_norm(h, x) : kNone;
-    if (!(error <= 1.0)) return shrink(h, error);
+    const double error = try_step(rhs, t, h, x);
+    const bool along_a_jump = step_ <= least_ && std::isfinite(error);
+    if (!(error <= 1.0) && !along_a_jump) return shrink(h, error);
     grow(h, error, last);
     accept(x);
     t = last ? t1 : t + h;
@@ -165,7 +194,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
 
   void shrink(double h, double error) {
     const double factor = std::isfinite(error) ? 0.9 * std::pow(error, -exponent_) : 0.1;
-    step_ = h * std::clamp(factor, 0.1, 0.9);
+    step_ = std::max(h * std::clamp(factor, 0.1, 0.9), least_);
     rejected_ = true;
   }
 
@@ -177,7 +206,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
     previous_ = std::max(now, 1e-4);
     rejected_ = false;
     // A step cut short by the end of the interval says nothing against a longer one.
-    step_ = limited(last ? std::max(step_, h * factor) : h * factor);
+    step_ = std::max(limited(last ? std::max(step_, h * factor) : h * factor), least_);
   }
 
   double error_norm(double h, const double* x) const {
@@ -216,6 +245,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   StepControl control_;
   double exponent_;
   double step_ = 0.0;
+  double least_ = 0.0;  ///< no step is shorter but the last one of an interval
   double previous_ = 1e-4;
   bool rejected_ = false;
 };

@@ -121,6 +121,47 @@ TEST(RungeKutta, StiffProblemEndsByTheNumberOfSteps) {
   EXPECT_TRUE(std::isfinite(x));
 }
 
+/// Whatever the step, the state goes to and fro by about the jump times 1e-3 of an interval.
+TEST(RungeKutta, AdaptiveStepsGoAlongAJumpThatHoldsTheState) {
+  const auto falling = [](double, const double* x, double* dxdt) {
+    dxdt[0] = 0.3 - (x[0] > 0.0 ? 1.0 : -1.0);
+  };
+  for (const ButcherTableau* tableau : {&dormand_prince_54(), &prince_dormand_87()}) {
+    const auto stepper = adaptive_stepper(*tableau, 1, {});
+    double t = 0.0, x = 0.35;
+    for (int i = 1; i <= 40; ++i) {
+      ASSERT_EQ(stepper->advance(falling, t, 0.05 * i, &x), IntegrationStatus::Completed) << t;
+      EXPECT_NEAR(x, std::max(0.35 - 0.7 * t, 0.0), 1e-4) << t;
+    }
+  }
+}
+
+TEST(RungeKutta, AMassThatDryFrictionHoldsRestsUntilTheForceIsLargeEnough) {
+  // Held while |0.8 sin(t)| < 0.5 after it has come to rest; 2e-6 is 1e-3 of an interval's
+  // motion.
+  const auto mass = [](double t, const double* x, double* dxdt) {
+    const double sign = x[1] > 0.0 ? 1.0 : x[1] < 0.0 ? -1.0 : 0.0;
+    dxdt[0] = x[1];
+    dxdt[1] = 0.8 * std::sin(t) - 0.5 * sign;
+  };
+  const auto stepper = Dopri5().make_stepper(2);
+  Vector x{{0.0, 0.02}};
+  double t = 0.0, rest = 0.0;
+  const double slips = std::asin(0.5 / 0.8);
+  for (int i = 1; i <= 100; ++i) {
+    ASSERT_EQ(stepper->advance(mass, t, 0.02 * i, x.data()), IntegrationStatus::Completed) << t;
+    if (t < 0.1) continue;
+    if (rest == 0.0) rest = x[0];
+    if (t > slips) continue;
+    EXPECT_NEAR(x[0], rest, 1e-5) << t;
+  }
+  EXPECT_GT(x[0], rest + 0.05);
+  const auto speed = [&](double end) {
+    return 0.8 * (std::cos(slips) - std::cos(end)) - 0.5 * (end - slips);
+  };
+  EXPECT_NEAR(x[1], speed(2.0), 1e-3);
+}
+
 TEST(RungeKutta, AdaptiveNeedsAnEmbeddedSolution) {
   EXPECT_THROW(adaptive_stepper(runge_kutta_4(), 1, {}), ArgumentError);
 }
