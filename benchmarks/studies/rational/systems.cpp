@@ -82,6 +82,7 @@ RationalSystem yeast() {
              "dS7/dt = 1.3*(S4-S7) - 1.8*S7",
              starts, 0.01, 400);
   result.degree = 2;
+  result.slow = true;
   return result;
 }
 

@@ -19,6 +19,7 @@ struct RationalSystem {
   double step = 0.0;
   Index samples = 0;  ///< of each record
   int degree = 3;     ///< of the monomials in the library
+  bool slow = false;  ///< minutes a record, many more where it is noisy
 };
 
 /// All systems.
