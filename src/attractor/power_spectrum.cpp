@@ -2,35 +2,12 @@
 #include "lacuna/attractor/power_spectrum.hpp"
 
 #include <cmath>
-#include <complex>
-#include <numbers>
-#include <unsupported/Eigen/FFT>
 
 #include "lacuna/core/error.hpp"
+#include "numerics/periodogram.hpp"
 
 namespace lacuna {
 namespace {
-
-Vector hann_window(Index length) {
-  const double full = 2.0 * std::numbers::pi / static_cast<double>(length);
-  Vector window(length);
-  for (Index i = 0; i < length; ++i)
-    window[i] = 0.5 - 0.5 * std::cos(full * (static_cast<double>(i) + 0.5));
-  return window;
-}
-
-/// |FFT|^2 of a segment for the frequencies 0 .. length/2, one-sided.
-Vector periodogram(const Vector& segment, const Vector& window) {
-  Eigen::FFT<double> fft;
-  const Vector weighted = (segment.array() - segment.mean()) * window.array();
-  Eigen::VectorXcd transform;
-  fft.fwd(transform, weighted);
-  const Index half = segment.size() / 2;
-  Vector power = transform.head(half + 1).cwiseAbs2();
-  const Index paired = segment.size() % 2 == 0 ? half - 1 : half;
-  power.segment(1, paired) *= 2.0;
-  return power;
-}
 
 double step_of(const Trajectory& record) {
   const std::optional<double> step = uniform_step(record);

@@ -78,6 +78,39 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
 
 }  // namespace
 
+void SmoothingOptions::describe(OptionVisitor& v) {
+  v.field(
+      {"smoothing_widest", "samples",
+       "Widest filter that records are asked for: a wider one leaves of the noise above half "
+       "of the highest frequency too little to tell it from others.",
+       2.0, 1000.0},
+      widest);
+  v.field(
+      {"smoothing_below", "",
+       "A filter that is seen above half of the highest frequency is that of the records "
+       "unless there is this many times of what it would pass in the octave below: a signal "
+       "adds less there, and filters that only end like it pass thousands of times more.",
+       1.0},
+      below);
+  v.field(
+      {"smoothing_turns", "",
+       "Turns in which a filter is undone: after 30 there is still missing a ten thousandth "
+       "where it passes half.",
+       0.0, 10000.0},
+      turns);
+  v.field({"smoothing_in_common", "",
+           "Correlation of the noise of two samples up to which both are used; of samples that "
+           "are closer to each other one is.",
+           0.0, 1.0},
+          in_common);
+  v.field(
+      {"smoothing_least_left", "samples",
+       "Where undoing the filter leaves fewer samples with noise of their own, records stay "
+       "as they are.",
+       1.0},
+      least_left);
+}
+
 void DecisionOptions::describe(OptionVisitor& v) {
   v.field({"significance", "standard deviations",
            "What is less significant, after allowing for all that was tried, is chance.", 0.0},
@@ -112,6 +145,7 @@ void DecisionOptions::describe(OptionVisitor& v) {
   describe_search(*this, v);
   describe_judgement(*this, v);
   gaps.describe(v);
+  smoothing.describe(v);
   naming.describe(v);
   hints.describe(v);
 }

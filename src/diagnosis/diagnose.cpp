@@ -131,8 +131,9 @@ void sharpen(const OdeModel& nominal, const DiagnosisOptions& options,
              const RunContext& context, Records& records) {
   const auto smoothing = smoothing_of({nominal, records.find, options, context});
   if (!smoothing) return;
-  records.find = sharpened(*smoothing, std::move(records.find));
-  records.check = sharpened(*smoothing, std::move(records.check));
+  const SmoothingOptions& undoing = options.decision.smoothing;
+  records.find = sharpened(*smoothing, std::move(records.find), undoing);
+  records.check = sharpened(*smoothing, std::move(records.check), undoing);
   records.notes.push_back(note_on(*smoothing));
 }
 

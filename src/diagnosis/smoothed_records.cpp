@@ -28,15 +28,19 @@ bool are_whole(const BoundRecords& records) {
 }
 
 /// Samples that are left of records that were smoothed.
-Index samples_left(const SmoothingFilter& filter, const Dataset& data) {
+Index samples_left(const SmoothingFilter& filter, const Dataset& data,
+                   const SmoothingOptions& options) {
   const auto records = static_cast<Index>(data.trajectories.size());
-  return (data.samples() - 2 * filter.reach() * records) / memory_of(filter);
+  return (data.samples() - 2 * filter.reach() * records) / memory_of(filter, options);
 }
 
 /// The model, its coefficients fitted in few passes, on what was before.
 Assimilation fit_before(const Smoothing& smoothing, const Problem& problem) {
-  constexpr int kPasses = 3;  // a fact: half a window's delay is seen at once
-  const BoundRecords sharp = sharpened(smoothing, problem.records);
+  // A fact: filters are half a window apart, or as far as a column is from its mean; what later
+  // passes change of the coefficients is less by far.
+  constexpr int kPasses = 3;
+  const BoundRecords sharp =
+      sharpened(smoothing, problem.records, problem.options.decision.smoothing);
   AssimilationOptions options;
   options.passes = kPasses;
   options.free = free_coefficients(problem.nominal);
@@ -58,9 +62,10 @@ std::vector<Smoothing> alike(const SmoothingFilter& seen, bool has_inputs) {
 std::optional<Smoothing> smoothing_of(const Problem& problem) {
   const DecisionOptions& decision = problem.options.decision;
   if (!are_whole(problem.records)) return std::nullopt;
-  const auto seen = seen_filter(problem.records.data, decision.undecided);
-  constexpr Index kFewest = 50;  // a fact: less tells a model nothing, and smooth samples do
-  if (!seen || samples_left(*seen, problem.records.data) < kFewest) return std::nullopt;
+  const SmoothingOptions& options = decision.smoothing;
+  const Dataset& data = problem.records.data;
+  const auto seen = seen_filter(data, decision.undecided, options);
+  if (!seen || samples_left(*seen, data, options) < options.least_left) return std::nullopt;
   Smoothing best{*seen};
   const std::vector<Smoothing> others = alike(*seen, !problem.nominal.inputs().empty());
   if (others.empty()) return best;
@@ -77,13 +82,14 @@ std::optional<Smoothing> smoothing_of(const Problem& problem) {
   return best;
 }
 
-Dataset sharpened(const Smoothing& smoothing, Dataset data) {
+Dataset sharpened(const Smoothing& smoothing, Dataset data, const SmoothingOptions& options) {
   const SmoothingFilter& filter = smoothing.filter;
-  const Index reach = filter.reach(), memory = memory_of(filter);
+  const Index reach = filter.reach(), memory = memory_of(filter, options);
   for (Trajectory& record : data.trajectories) {
     if (!uniform_step(record)) continue;
-    record.states = undone(filter, filled(std::move(record.states), record.marks));
-    if (smoothing.of_inputs) record.inputs = undone(filter, record.inputs);
+    const Matrix states = filled(std::move(record.states), record.marks);
+    record.states = undone(filter, states, options.turns);
+    if (smoothing.of_inputs) record.inputs = undone(filter, record.inputs, options.turns);
     for (Index i = 0; i < record.samples(); ++i)
       if (i < reach || i >= record.samples() - reach || (i - reach) % memory != 0)
         for (Index k = 0; k < record.states.cols(); ++k) set_mark(record, i, k, Mark::Missing);
@@ -91,8 +97,9 @@ Dataset sharpened(const Smoothing& smoothing, Dataset data) {
   return data;
 }
 
-BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records) {
-  records.data = sharpened(smoothing, std::move(records.data));
+BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records,
+                       const SmoothingOptions& options) {
+  records.data = sharpened(smoothing, std::move(records.data), options);
   for (std::size_t r = 0; r < records.outliers.size(); ++r) {
     const Matrix& marks = records.data.trajectories[r].marks;
     Matrix& outliers = records.outliers[r];

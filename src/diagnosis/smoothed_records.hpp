@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "lacuna/decision/smoothing_options.hpp"
 #include "lacuna/hypotheses/problem.hpp"
 #include "smoothing_filter.hpp"
 
@@ -20,17 +21,19 @@ struct Smoothing {
 /// show whether means are over the samples before or over those about each one, and whether
 /// inputs went the same way: means about each one, of states, unless with another one most of
 /// what disturbs the model goes, its coefficients fitted. Nothing where samples are missing, at
-/// an end of their channel or not evenly spaced, where a state was not measured, or where fewer
-/// than 50 samples would be left.
+/// an end of their channel or not evenly spaced, where a state was not measured, or where too
+/// few samples would be left (SmoothingOptions::least_left).
 std::optional<Smoothing> smoothing_of(const Problem& problem);
 
 /// Records as they were before they were smoothed, which bends what is fast. Samples that share
 /// noise with others, and the ends, where the filter had no samples, are marked as missing.
 /// Records that are not evenly sampled stay as they are.
-Dataset sharpened(const Smoothing& smoothing, Dataset data);
+Dataset sharpened(const Smoothing& smoothing, Dataset data,
+                  const SmoothingOptions& options = {});
 
 /// The same of bound records.
-BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records);
+BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records,
+                       const SmoothingOptions& options = {});
 
 /// "the states were smoothed by means over 9 samples, ...": for people.
 std::string note_on(const Smoothing& smoothing);

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "smoothing_filter.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include "lacuna/numerics/least_squares.hpp"
+#include "numerics/periodogram.hpp"
+
 namespace lacuna {
 namespace {
 
 using Kind = SmoothingFilter::Kind;
 
-constexpr int kTurns = 30;  // where h is a half a ten thousandth is missing
-
 bool is_even(const SmoothingFilter& filter) { return filter.window % 2 == 0; }
 
 /// Weights of the samples 0 ... reach away of a filter that is centred; of an even number with
-/// the mean of two neighbours.
+/// the mean of two neighbours. Of a parabola they are those of Savitzky and Golay, Anal. Chem.
+/// 36 (1964), written out.
 Vector half_weights(const SmoothingFilter& filter) {
   const Index reach = filter.reach();
   Vector weights = Vector::Constant(reach + 1, 1.0 / static_cast<double>(filter.window));
@@ -67,9 +68,10 @@ Matrix moved(const Matrix& samples, Index by) {
   return result;
 }
 
-/// Facts of the spectrum: samples of a window; the frequencies that are looked at, from half of
-/// the highest on, where differences of fourth order leave nothing of a well sampled signal;
-/// and those an octave below them, where a signal may show, but by little.
+/// Facts of the spectrum: samples of a window, six times the widest filter, so that the zeros
+/// of its |h|^2 are told apart; the frequencies that are looked at, from half of the highest
+/// on, where differences of fourth order leave nothing of a well sampled signal; and those an
+/// octave below them, where a signal may show, but by little.
 constexpr Index kWindow = 256, kCount = kWindow / 4, kBelow = kWindow / 8;
 
 double frequency(Index f) {
@@ -89,22 +91,6 @@ bool says_anything(const Spectrum& spectrum) {
   return spectrum.windows > 0 && spectrum.power.minCoeff() > 0.0;
 }
 
-/// Power behind Hann's window at some frequencies.
-Vector window_power(const Eigen::Ref<const Vector>& samples, Index first, Index count) {
-  Vector power(count);
-  for (Index f = 0; f < count; ++f) {
-    double re = 0.0, im = 0.0;
-    for (Index i = 0; i < kWindow; ++i) {
-      const auto place = static_cast<double>(i);
-      const double hann = 1.0 - std::cos(frequency(1 - kWindow / 4) * place);
-      re += hann * samples[i] * std::cos(frequency(first + f) * place);
-      im += hann * samples[i] * std::sin(frequency(first + f) * place);
-    }
-    power[f] = re * re + im * im;
-  }
-  return power;
-}
-
 /// -2 log of Whittle's likelihood of a spectrum by its shape, the scale fitted. Neighbours in
 /// frequency share a window's noise: two thirds are their own.
 double whittle(const Spectrum& spectrum, const Vector& shape) {
@@ -115,7 +101,7 @@ double whittle(const Spectrum& spectrum, const Vector& shape) {
 
 /// What Hann's window makes of a filter's |h|^2 and of differences of fourth order.
 Vector shape_of(const SmoothingFilter& filter, Index first, Index count) {
-  constexpr double kRounding = 1e-8;  // of the power: zeros are not deeper
+  constexpr double kRounding = 1e-8;  // a fact: rounding of a record's digits fills zeros
   const Vector weights = half_weights(filter);
   const auto at = [&](Index f) {
     const double omega = frequency(f);
@@ -141,41 +127,49 @@ Vector shape_of_white() {
 /// whittle() of the likeliest shape times exp(a + b cos w + c cos 2 w), by Newton's method (a
 /// generalised linear model of gamma-distributed powers).
 double whittle_beside(const Spectrum& spectrum, const Vector& shape) {
-  constexpr int kSteps = 30;
+  constexpr int kSteps = 30;  // a fact: the last ones change nothing but by rounding
   Matrix columns(kCount, 3);
   for (Index f = 0; f < kCount; ++f)
     columns.row(f) << 1.0, std::cos(frequency(f)), std::cos(2.0 * frequency(f));
-  const Eigen::HouseholderQR<Matrix> qr(columns);
   const Vector ratio = spectrum.power.cwiseQuotient(shape);
-  Vector c = qr.solve(Vector(ratio.array().log()));
+  Vector c = least_squares(columns, ratio.array().log().matrix());
   const auto smooth = [&] { return Vector((columns * c).array().exp()); };
   for (int step = 0; step < kSteps; ++step)
-    c += qr.solve(Vector((ratio.cwiseQuotient(smooth()).array() - 1.0).cwiseMin(1.0)));
+    c += least_squares(columns,
+                       (ratio.cwiseQuotient(smooth()).array() - 1.0).cwiseMin(1.0).matrix());
   return whittle(spectrum, shape.cwiseProduct(smooth()));
 }
 
-/// Whether there is about as much below the frequencies as the filter passes: what falls
-/// off more steeply, as Gaussian weights do that are cut, only ends like it.
-bool goes_on(const SmoothingFilter& filter, const Spectrum& spectrum, double scale) {
-  constexpr double kAbout = 10.0;  // a fact: a signal adds less, another filter thousands
+/// Whether there is no more below the frequencies than the filter passes, up to a factor: what
+/// falls off more steeply, as Gaussian weights do that are cut, only ends like it.
+bool goes_on(const SmoothingFilter& filter, const Spectrum& spectrum, double scale,
+             double factor) {
   const Vector below = shape_of(filter, -kBelow, kBelow);
   const Vector ratio = spectrum.below.cwiseQuotient(scale * below);
-  return ratio.mean() < kAbout;
+  return ratio.mean() < factor;
 }
+
+/// By what a filter is told.
+struct FilterTest {
+  double undecided = 0.0;
+  SmoothingOptions options;
+};
 
 /// How much less likely noise with a short memory is than white noise behind a filter; nothing
 /// where that would have to have a memory itself.
-double lead_of(const SmoothingFilter& filter, const Spectrum& spectrum, double undecided) {
+double lead_of(const SmoothingFilter& filter, const Spectrum& spectrum,
+               const FilterTest& test) {
   const Vector shape = shape_of(filter, 0, kCount);
   const double own = whittle(spectrum, shape);
   const double scale = spectrum.power.cwiseQuotient(shape).mean();
-  const bool is_whole =
-      own < whittle_beside(spectrum, shape) + undecided && goes_on(filter, spectrum, scale);
+  const bool is_whole = own < whittle_beside(spectrum, shape) + test.undecided &&
+                        goes_on(filter, spectrum, scale, test.options.below);
   return is_whole ? spectrum.plain - own : 0.0;
 }
 
 Spectrum spectrum_of(const Dataset& data, Index state) {
-  constexpr Index kWindows = 200;  // a fact: more tell nothing new
+  constexpr Index kWindows = 200;  // a fact: its mean is known to 7 % then, and each costs time
+  const Vector hann = hann_window(kWindow);
   Spectrum spectrum;
   for (const Trajectory& record : data.trajectories) {
     const Vector& x = record.states.col(state);
@@ -185,8 +179,9 @@ Spectrum spectrum_of(const Dataset& data, Index state) {
                           4.0 * x.segment(3, n) + x.tail(n);
     for (Index first = 0; first + kWindow <= n && spectrum.windows < kWindows;
          first += kWindow, ++spectrum.windows) {
-      spectrum.power += window_power(fourth.segment(first, kWindow), 0, kCount);
-      spectrum.below += window_power(fourth.segment(first, kWindow), -kBelow, kBelow);
+      const Vector power = periodogram(fourth.segment(first, kWindow), hann);
+      spectrum.power += power.segment(kWindow / 4, kCount);
+      spectrum.below += power.segment(kWindow / 4 - kBelow, kBelow);
     }
   }
   spectrum.power /= static_cast<double>(std::max<Index>(1, spectrum.windows));
@@ -195,10 +190,9 @@ Spectrum spectrum_of(const Dataset& data, Index state) {
   return spectrum;
 }
 
-std::vector<SmoothingFilter> possible_filters() {
-  constexpr Index kWidest = 41;  // a fact: what is wider leaves too little to be seen
+std::vector<SmoothingFilter> possible_filters(Index widest) {
   std::vector<SmoothingFilter> filters;
-  for (Index window = 2; window <= kWidest; ++window) {
+  for (Index window = 2; window <= widest; ++window) {
     filters.push_back({Kind::CentredMean, window});
     if (window > 3 && window % 2 == 1) filters.push_back({Kind::Quadratic, window});
   }
@@ -208,7 +202,7 @@ std::vector<SmoothingFilter> possible_filters() {
 /// Mean of a function of the frequency over all of them.
 template <class Function>
 double mean_over_frequencies(Function function) {
-  constexpr int kFrequencies = 512;
+  constexpr int kFrequencies = 512;  // a fact of the quadrature: 12 between two zeros of |h|
   double sum = 0.0;
   for (int f = 0; f < kFrequencies; ++f)
     sum += function(std::numbers::pi * (f + 0.5) / kFrequencies);
@@ -217,7 +211,9 @@ double mean_over_frequencies(Function function) {
 
 }  // namespace
 
-std::optional<SmoothingFilter> seen_filter(const Dataset& data, double undecided) {
+std::optional<SmoothingFilter> seen_filter(const Dataset& data, double undecided,
+                                           const SmoothingOptions& options) {
+  const FilterTest test{undecided, options};
   std::vector<Spectrum> spectra;
   for (Index k = 0; k < data.state_count(); ++k) {
     spectra.push_back(spectrum_of(data, k));
@@ -225,10 +221,10 @@ std::optional<SmoothingFilter> seen_filter(const Dataset& data, double undecided
   }
   std::optional<SmoothingFilter> seen;
   double most = 0.0;
-  for (const SmoothingFilter& filter : possible_filters()) {
+  for (const SmoothingFilter& filter : possible_filters(options.widest)) {
     double sum = 0.0, least = std::numeric_limits<double>::infinity();
     for (const Spectrum& spectrum : spectra) {
-      const double lead = lead_of(filter, spectrum, undecided);
+      const double lead = lead_of(filter, spectrum, test);
       least = std::min(least, lead);
       sum += lead;
     }
@@ -248,31 +244,29 @@ Matrix smoothed(const SmoothingFilter& filter, const Matrix& samples) {
   return filter.kind == Kind::PastMean ? sum : moved(sum, (filter.window - 1) / 2);
 }
 
-Matrix undone(const SmoothingFilter& filter, const Matrix& samples) {
+Matrix undone(const SmoothingFilter& filter, const Matrix& samples, int turns) {
   const Vector weights = half_weights(filter);
   Matrix centred = samples;
   if (is_even(filter))
     centred = 0.5 * (samples + moved(samples, filter.kind == Kind::PastMean ? -1 : 1));
   Matrix result = centred;
-  for (int turn = 0; turn < kTurns; ++turn)
+  for (int turn = 0; turn < turns; ++turn)
     result += smoothed_evenly(weights, centred - smoothed_evenly(weights, result));
   return filter.kind == Kind::PastMean ? moved(result, filter.reach()) : result;
 }
 
-Index memory_of(const SmoothingFilter& filter) {
-  // Facts: a hundredth of the variance, and multiples of the
-  // distance at which there is no more.
-  constexpr double kInCommon = 0.1;
-  constexpr Index kMultiples = 4;
+Index memory_of(const SmoothingFilter& filter, const SmoothingOptions& options) {
+  constexpr Index kMultiples =
+      4;  // a fact: ripples further away are smaller than the first ones
   const Vector weights = half_weights(filter);
   const auto covariance = [&](Index apart) {
     return mean_over_frequencies([&](double omega) {
       const double h = response(weights, omega);
-      const double passed = 1.0 - (1.0 - h) * std::pow(1.0 - h * h, kTurns);
+      const double passed = 1.0 - (1.0 - h) * std::pow(1.0 - h * h, options.turns);
       return passed * passed * std::cos(omega * static_cast<double>(apart));
     });
   };
-  const double most = kInCommon * covariance(0);
+  const double most = options.in_common * covariance(0);
   for (Index apart = 1; apart < filter.window; ++apart) {
     bool shares = false;
     for (Index times = 1; times <= kMultiples; ++times)

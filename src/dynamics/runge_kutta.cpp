@@ -148,18 +148,16 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   }
 
  private:
-  /// Step, as a share of what is left of an interval, of a solution that is held where rates
-  /// jump, as by dry friction at rest: it goes to and fro by the jump times such a step. No
-  /// step is small enough for the error that smooth rates are held to.
-  static constexpr double kAlongJumps = 1e-3;
+  /// Steps after which it is asked whether rates jump: a fact of cost, for it takes two.
+  static constexpr int kPatience = 1000;
 
-  static constexpr int kPatience = 1000;  ///< steps after which it is asked whether rates jump
-
-  /// Where the error of a step falls hardly faster than its length, no shorter steps are tried.
+  /// Whether it is in vain to try shorter steps: where rates jump, half a step makes half the
+  /// error; where they are smooth a sixteenth or less, by the order of the method.
   bool begin_along_jump(RightHandSide rhs, double t, double t1, const double* x) {
-    const double h = limited(kAlongJumps * (t1 - t));
+    constexpr double kJumps = 0.25;  // a fact: between the two
+    const double h = limited(control_.along_jump * (t1 - t));
     const double whole = try_step(rhs, t, h, x);
-    if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > 0.25 * whole)) return false;
+    if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > kJumps * whole)) return false;
     step_ = least_ = h;
     return true;
   }
@@ -265,6 +263,13 @@ void StepControl::describe(OptionVisitor& visitor) {
                 absolute_tolerance);
   visitor.field({"max_step", "time unit", "Longest step.", 1e-300}, max_step);
   visitor.field({"max_steps", "", "Most steps in one sampling interval.", 1.0}, max_steps);
+  visitor.field(
+      {"along_jump", "",
+       "Step on a solution that is held where rates jump, as by dry friction at rest, "
+       "as a share of the sampling interval: it goes to and fro by the jump times such "
+       "a step, which no tolerance applies to.",
+       1e-9, 1.0},
+      along_jump);
 }
 
 std::unique_ptr<Stepper> fixed_stepper(const ButcherTableau& tableau, Index dimension,

@@ -45,7 +45,8 @@ bool descend(ShootingProblem& problem, ShootingFit& fit, double& damping,
 constexpr double kSmallError = 0.1;
 
 /// Where errors of so many schemes in a row do not fall, rates jump, and none is better than
-/// the first of these; one alone may be far from where its order shows.
+/// the first of these. A fact of stiff models: a first coarse scheme may be off by less than the
+/// next, because both are far from where their order shows; of two in a row that is not so.
 constexpr int kStalls = 2;
 
 const std::array<StepScheme, 7>& ladder() {

@@ -64,6 +64,17 @@ TEST(DisturbanceKind, DriftingLastsOverTheRecord) {
   EXPECT_GT(autocorrelation(error_of(NoiseKind::Drifting, 0.02), 500), 0.3);
 }
 
+TEST(DisturbanceKind, SmoothedNoiseIsSharedWithinTheWindow) {
+  const double sigma = 0.02 * deviation(clean_record().trajectories[0].states.col(0));
+  const Vector mean = error_of(NoiseKind::Averaged, 0.02);
+  EXPECT_NEAR(deviation(mean), sigma / 3.0, 0.01 * sigma);
+  EXPECT_NEAR(autocorrelation(mean, 3), 6.0 / 9.0, 0.04);
+  EXPECT_NEAR(autocorrelation(mean, 9), 0.0, 0.04);
+  // The weight of the sample itself: 167 of 1105 (Savitzky and Golay, table I).
+  EXPECT_NEAR(deviation(error_of(NoiseKind::Parabolas, 0.02)),
+              std::sqrt(167.0 / 1105.0) * sigma, 0.01 * sigma);
+}
+
 TEST(DisturbanceKind, OutliersStandOut) {
   const Vector e = error_of(NoiseKind::Outliers, 0.02);
   const double sigma = 0.02 * deviation(clean_record().trajectories[0].states.col(0));

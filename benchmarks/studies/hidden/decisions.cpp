@@ -93,13 +93,19 @@ std::vector<std::vector<Change>> in_groups(const std::vector<Change>& changes) {
   return groups;
 }
 
-std::vector<Trial> trials_at_one_percent(const std::string& part) {
+/// Trials on which thresholds are tried: the hidden cases at 1 % noise and, for thresholds of
+/// smoothed records, such records.
+std::vector<Trial> trials_of(bool of_smoothing, const std::string& part) {
   std::vector<Trial> trials = case_trials();
+  if (of_smoothing)
+    for (Trial& trial : smoothed_trials()) trials.push_back(std::move(trial));
   std::erase_if(trials, [&](const Trial& trial) {
     return trial.level != 0.01 || trial.hidden.name.find(part) == std::string::npos;
   });
   return trials;
 }
+
+bool is_of_smoothing(const Change& change) { return change.name.starts_with("smoothing_"); }
 
 /// What counts as the same answer.
 std::string answer_of(const Outcome& outcome) {
@@ -152,7 +158,8 @@ std::vector<std::vector<std::string>> read_rows(const std::filesystem::path& pat
   return rows;
 }
 
-void write_markdown(const std::filesystem::path& folder, std::size_t cases) {
+void write_markdown(const std::filesystem::path& folder, std::size_t cases,
+                    std::size_t smoothed) {
   auto rows = read_rows(folder / "decisions.csv");
   if (rows.empty()) return;
   std::sort(rows.begin() + 1, rows.end());
@@ -161,7 +168,10 @@ void write_markdown(const std::filesystem::path& folder, std::size_t cases) {
                         "# Decisions at half and at double\n\n`study_hidden decisions`, " +
                             today() + ", " + machine_description() + ". Of " +
                             std::to_string(cases) +
-                            " hidden cases at 1 % noise those whose answer (verdict, equation, "
+                            " hidden cases at 1 % noise (for thresholds of smoothing, these "
+                            "and smoothed ones, " +
+                            std::to_string(smoothed) +
+                            " in all) those whose answer (verdict, equation, "
                             "name, names too many) is another one than with the default. "
                             "Thresholds are moved in groups, "
                             "and one by one where a group changes an answer.\n\n" +
@@ -177,16 +187,20 @@ int run_decisions(const std::filesystem::path& folder, const std::string& part) 
   for (const auto& row : read_rows(csv))
     if (row.size() > 1) done.insert(row[0] + row[1]);
   if (done.empty()) std::ofstream(csv) << "decision,factor,value,changed,cases\n";
-  const std::vector<Trial> trials = trials_at_one_percent(part);
-  const std::vector<Outcome> before =
-      run_trials(trials, diagnosis_options({}, default_registry()));
-  std::vector<Change> changes = all_changes();
-  std::erase_if(changes, [&](const Change& change) {
-    return done.contains(change.name + format_number(change.factor));
-  });
-  for (const std::vector<Change>& group : in_groups(changes))
-    std::ofstream(csv, std::ios::app) << rows_of(group, trials, before);
-  write_markdown(folder, trials.size());
+  for (const bool of_smoothing : {false, true}) {
+    std::vector<Change> changes = all_changes();
+    std::erase_if(changes, [&](const Change& change) {
+      return is_of_smoothing(change) != of_smoothing ||
+             done.contains(change.name + format_number(change.factor));
+    });
+    if (changes.empty()) continue;
+    const std::vector<Trial> trials = trials_of(of_smoothing, part);
+    const std::vector<Outcome> before =
+        run_trials(trials, diagnosis_options({}, default_registry()));
+    for (const std::vector<Change>& group : in_groups(changes))
+      std::ofstream(csv, std::ios::app) << rows_of(group, trials, before);
+  }
+  write_markdown(folder, trials_of(false, part).size(), trials_of(true, part).size());
   std::cout << "table in " << folder << '\n';
   return 0;
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
-//   study_hidden cases|power|alarm|reality|ordinary|practice|decisions|export [FOLDER]
+//   study_hidden cases|power|alarm|reality|ordinary|smoothed|practice|decisions|export [FOLDER]
 //   [PART_OF_A_NAME] [NOISE_LEVEL]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing; reality: effects and complete
 // systems in records as benches make them; ordinary: 500 of these in which nothing is missing;
-// practice: the cases in the folder
-// `practice` of LACUNA_DATA; decisions: the cases at 1 % noise with each threshold at half and
-// at double its value (it goes on where its table in FOLDER ends).
+// smoothed: effects and complete systems in records that somebody smoothed; practice: the cases
+// in the folder `practice` of LACUNA_DATA; decisions: the cases at 1 % noise (for thresholds of
+// smoothing, the smoothed ones too) with each threshold at half and at double its value (it
+// goes on where its table in FOLDER ends).
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -32,6 +33,7 @@ std::vector<Trial> chosen_trials(const std::string& name) {
   if (name == "alarm") return alarm_trials(500);
   if (name == "reality") return reality_trials();
   if (name == "ordinary") return ordinary_trials(500);
+  if (name == "smoothed") return smoothed_trials();
   return {};
 }
 
@@ -81,9 +83,8 @@ int run(const Arguments& given) {
   const auto start = std::chrono::steady_clock::now();
   const auto [trials, outcomes] = results_of(given);
   if (trials.empty()) {
-    std::cerr << "there are no such trials; give cases, power, alarm, reality, ordinary or "
-                 "(with LACUNA_DATA set) "
-                 "practice\n";
+    std::cerr << "there are no such trials; give cases, power, alarm, reality, ordinary, "
+                 "smoothed or (with LACUNA_DATA set) practice\n";
     return 2;
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

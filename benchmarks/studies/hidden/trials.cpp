@@ -82,6 +82,19 @@ std::vector<Trial> reality_trials() {
   return trials;
 }
 
+std::vector<Trial> smoothed_trials() {
+  std::vector<hidden::HiddenCase> cases = effect_cases();
+  for (hidden::HiddenCase& hidden : hidden::null_cases()) cases.push_back(std::move(hidden));
+  std::vector<Trial> trials;
+  for (hidden::HiddenCase& hidden : cases) {
+    hidden.noise =
+        trials.size() % 2 == 0 ? hidden::NoiseKind::Averaged : hidden::NoiseKind::Parabolas;
+    hidden.name += " " + hidden::to_string(hidden.noise);
+    trials.push_back({std::move(hidden), 1.0, 0.01, 41 + trials.size()});
+  }
+  return trials;
+}
+
 std::vector<Trial> ordinary_trials(int count) {
   const std::vector<hidden::HiddenCase> systems = hidden::null_cases();
   const std::vector<double> levels{0.002, 0.005, 0.01};

@@ -26,4 +26,7 @@ std::vector<Trial> reality_trials();
 /// kind of hidden::Ordinary at 0.2, 0.5 and 1 %.
 std::vector<Trial> ordinary_trials(int count);
 
+/// Effects of every family and all complete systems, in records that were smoothed, at 1 %.
+std::vector<Trial> smoothed_trials();
+
 }  // namespace lacuna::benchmarks

@@ -4,6 +4,7 @@
 #include "lacuna/candidates/reading.hpp"
 #include "lacuna/core/options.hpp"
 #include "lacuna/data/noise.hpp"
+#include "lacuna/decision/smoothing_options.hpp"
 #include "lacuna/records/gaps.hpp"
 #include "lacuna/records/hints.hpp"
 
@@ -40,7 +41,8 @@ struct DecisionOptions {
   double acting = 0.01;
   double filter_gain = 0.3;
 
-  GapOptions gaps = {};  ///< these three are listed with the others
+  GapOptions gaps = {};  ///< these four are listed with the others
+  SmoothingOptions smoothing = {};
   NamingOptions naming = {};
   HintOptions hints = {};
 

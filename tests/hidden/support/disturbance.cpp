@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hidden/support/disturbance.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -75,6 +76,20 @@ void make_slow(Trajectory& record, Index state) {
   }
 }
 
+/// The middle of the polynomial of least squares through the samples about each one.
+Vector fitted(const Vector& x, Index reach, Index degree) {
+  Vector middle(x.size());
+  for (Index i = 0; i < x.size(); ++i) {
+    const Index r = std::min({reach, i, x.size() - 1 - i});
+    Matrix powers(2 * r + 1, std::min(degree, 2 * r) + 1);
+    for (Index j = -r; j <= r; ++j)
+      for (Index p = 0; p < powers.cols(); ++p)
+        powers(j + r, p) = std::pow(static_cast<double>(j), static_cast<double>(p));
+    middle[i] = powers.householderQr().solve(x.segment(i - r, 2 * r + 1))[0];
+  }
+  return middle;
+}
+
 Vector rounded(const Vector& x, double grid) { return (x.array() / grid).round() * grid; }
 
 Vector measured(const Vector& x, NoiseKind kind, double sigma, Random& random) {
@@ -92,6 +107,10 @@ Vector measured(const Vector& x, NoiseKind kind, double sigma, Random& random) {
       return x + sigma * with_outliers(x.size(), random);
     case NoiseKind::Drifting:
       return x + sigma * drifting(x.size(), random);
+    case NoiseKind::Averaged:
+      return fitted(x + sigma * white(x.size(), random), 4, 0);
+    case NoiseKind::Parabolas:
+      return fitted(x + sigma * white(x.size(), random), 7, 2);
     case NoiseKind::Quantised:
       break;
   }
@@ -116,6 +135,10 @@ std::string to_string(NoiseKind kind) {
       return "dropouts";
     case NoiseKind::Slow:
       return "slow";
+    case NoiseKind::Averaged:
+      return "averaged";
+    case NoiseKind::Parabolas:
+      return "parabolas";
     case NoiseKind::Drifting:
       break;
   }

@@ -18,6 +18,8 @@ enum class NoiseKind {
   Clipped,    ///< white, and an end of the range at a tenth of the samples on either side
   Dropouts,   ///< white, and in bursts of 3 to 8 samples, 5 % in all, the last value again
   Slow,       ///< white, and the last state has a value at every fifth sample only
+  Averaged,   ///< white, then means over 9 samples, over fewer at the ends
+  Parabolas,  ///< white, then least-squares parabolas through 15 samples, fewer at the ends
   Drifting,  ///< a slow sensor offset (half a period over the record) and white, equally strong
 };
 
