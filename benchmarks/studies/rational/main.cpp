@@ -9,13 +9,11 @@
 #include <filesystem>
 #include <iostream>
 
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/config/registry.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
-#include "lacuna/pipeline/presets.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
@@ -46,10 +44,8 @@ Outcome run(const RationalSystem& system, double noise, std::uint64_t seed,
   const Dataset data = records_of(system, noise, seed);
   const double begin = thread_seconds();
   try {
-    Pipeline pipeline = algorithm1();
-    if (system.degree != 3) pipeline.basis = Monomials{{.max_degree = system.degree}};
     const IdentificationResult found =
-        identify_with_forms(data, pipeline, search.effects, search.forms);
+        identify_with_forms(data, pipeline_for(system), search.effects, search.forms);
     outcome.seconds = thread_seconds() - begin;
     outcome.exact = has_structure(found.model, system.model);
     outcome.claims =
@@ -113,7 +109,8 @@ void write(const std::filesystem::path& folder, const std::string& arguments,
       folder / "rational.md",
       "# Rational and logistic right-hand sides\n\n`study_rational FOLDER " + arguments +
           "`, " + today() + ", " + machine_description() +
-          ". Identified by the default, without a word about the functions. Noise: share of "
+          ". Identified by the default, without a word about the functions unless the "
+          "name says so. Noise: share of "
           "each state's standard deviation. *Exact*: every right-hand side, written as one "
           "fraction, has exactly the true monomials and no more numbers. Error of the rates: "
           "rms over the clean samples, of the worst equation, median. Solutions: from the true "

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
 #include "lacuna/model/ode_text.hpp"
+#include "lacuna/pipeline/presets.hpp"
 #include "lacuna/systems/measurement.hpp"
 #include "structure.hpp"
 
@@ -86,6 +88,14 @@ RationalSystem yeast() {
   return result;
 }
 
+RationalSystem yeast_with_its_rate_law() {
+  RationalSystem result = yeast();
+  result.name += ", rate law in the library";
+  result.known = {"S1*S6/(1+(S6/0.52)^4)"};
+  result.slow = false;
+  return result;
+}
+
 double squared_deviation(const Matrix& states) {
   return (states.rowwise() - states.colwise().mean()).squaredNorm();
 }
@@ -97,6 +107,7 @@ const std::vector<RationalSystem>& rational_systems() {
     std::vector<RationalSystem> list = reactions();
     for (RationalSystem& one : oscillators()) list.push_back(std::move(one));
     list.push_back(yeast());
+    list.push_back(yeast_with_its_rate_law());
     return list;
   }();
   return all;
@@ -106,6 +117,12 @@ const RationalSystem& rational_system(const std::string& name) {
   for (const RationalSystem& one : rational_systems())
     if (one.name == name) return one;
   throw ArgumentError("rational_system", "there is no system '" + name + "'", "see the list");
+}
+
+Pipeline pipeline_for(const RationalSystem& system) {
+  Pipeline pipeline = algorithm1();
+  pipeline.basis = Monomials{{.max_degree = system.degree, .include = system.known}};
+  return pipeline;
 }
 
 Dataset records_of(const RationalSystem& system, double noise, std::uint64_t seed) {

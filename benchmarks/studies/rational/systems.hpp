@@ -7,6 +7,7 @@
 
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/model/ode_model.hpp"
+#include "lacuna/pipeline/pipeline.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -17,16 +18,20 @@ struct RationalSystem {
   OdeModel model;
   std::vector<Vector> starts;  ///< of its records
   double step = 0.0;
-  Index samples = 0;  ///< of each record
-  int degree = 3;     ///< of the monomials in the library
-  bool slow = false;  ///< minutes a record, many more where it is noisy
+  Index samples = 0;                    ///< of each record
+  int degree = 3;                       ///< of the monomials in the library
+  std::vector<std::string> known = {};  ///< rate laws that stand in the library beside them
+  bool slow = false;                    ///< minutes a record, many more where it is noisy
 };
 
-/// All systems.
+/// All systems; that of yeast a second time with its published rate law in the library.
 const std::vector<RationalSystem>& rational_systems();
 
 /// @throws ArgumentError when there is no such system.
 const RationalSystem& rational_system(const std::string& name);
+
+/// The default with the monomials and the rate laws of the system's library.
+Pipeline pipeline_for(const RationalSystem& system);
 
 /// Its records with white noise of a share of each state's standard deviation.
 Dataset records_of(const RationalSystem& system, double noise, std::uint64_t seed);
