@@ -83,7 +83,7 @@ void SmoothingOptions::describe(OptionVisitor& v) {
       {"smoothing_widest", "samples",
        "Widest filter that records are asked for: a wider one leaves of the noise above half "
        "of the highest frequency too little to tell it from others.",
-       2.0, 1000.0},
+       2.0, 128.0},
       widest);
   v.field(
       {"smoothing_below", "",

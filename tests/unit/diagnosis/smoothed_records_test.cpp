@@ -55,6 +55,13 @@ TEST(SmoothedRecords, SamplesThatShareNoiseAndTheEndsAreMissing) {
   EXPECT_LT(error(record.inputs), 0.1 * error(asked.records.data.trajectories[0].inputs));
 }
 
+TEST(SmoothedRecords, OfWhichTooLittleWouldBeLeftStayAsTheyAre) {
+  support::Asked asked = smoothed_by({{Kind::CentredMean, 9}});
+  const Index samples = asked.records.data.samples();
+  asked.options.decision.smoothing.least_left = static_cast<int>(samples);
+  EXPECT_FALSE(smoothing_of(asked.problem()).has_value());
+}
+
 TEST(SmoothedRecords, ThatAreNotWholeSayNothing) {
   const Smoothing smoothing{{Kind::CentredMean, 9}};
   support::Asked gaps = smoothed_by(smoothing);

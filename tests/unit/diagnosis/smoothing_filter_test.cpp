@@ -16,13 +16,12 @@ using Kind = SmoothingFilter::Kind;
 
 constexpr Index kSamples = 3000;
 constexpr int kTurns = SmoothingOptions{}.turns;
-constexpr double kPeriod = 150.0;  // samples
 
 /// Two slow waves, one in each column.
-Matrix waves() {
+Matrix waves(double period = 150.0) {
   Matrix made(kSamples, 2);
   for (Index i = 0; i < kSamples; ++i) {
-    const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / kPeriod;
+    const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / period;
     made.row(i) << std::sin(phase), std::cos(1.3 * phase);
   }
   return made;
@@ -42,7 +41,8 @@ Matrix coloured(double deviation, double memory, std::uint64_t seed) {
   return noise;
 }
 
-std::optional<SmoothingFilter> seen(const Matrix& states) {
+std::optional<SmoothingFilter> seen(const Matrix& states,
+                                    const SmoothingOptions& options = {}) {
   Dataset data;
   data.states = {{"a", ""}, {"b", ""}};
   Trajectory record;
@@ -50,7 +50,7 @@ std::optional<SmoothingFilter> seen(const Matrix& states) {
   record.states = states;
   record.inputs = Matrix(states.rows(), 0);
   data.trajectories = {record};
-  return seen_filter(data, 10.0);
+  return seen_filter(data, 10.0, options);
 }
 
 TEST(SmoothingFilter, MeansAreThoseOfTheSamplesThatTheySay) {
@@ -127,6 +127,18 @@ TEST(SmoothingFilter, NoiseShowsTheFilterThatItWentThrough) {
   const auto past = seen(smoothed({Kind::PastMean, 8}, waves() + white(0.01, 5)));
   ASSERT_TRUE(past.has_value());
   EXPECT_EQ(past->window, 8);
+}
+
+TEST(SmoothingFilter, OptionsBoundTheSearchAndTheUndoing) {
+  const SmoothingFilter wide{Kind::CentredMean, 25};
+  EXPECT_FALSE(seen(smoothed(wide, waves() + white(0.01, 5)), {.widest = 24}).has_value());
+  // What is undone further has more of the fast motion, and less of a memory.
+  EXPECT_LT(memory_of(wide, {.in_common = 0.3}), memory_of(wide, {.in_common = 0.05}));
+  const Matrix fast = waves(50.0), seen_fast = smoothed(wide, fast);
+  const auto error = [&](int turns) {
+    return (undone(wide, seen_fast, turns) - fast).middleRows(100, kSamples - 200).norm();
+  };
+  EXPECT_LT(error(60), 0.5 * error(10));
 }
 
 TEST(SmoothingFilter, OtherNoiseShowsNone) {

@@ -136,6 +136,24 @@ TEST(RungeKutta, AdaptiveStepsGoAlongAJumpThatHoldsTheState) {
   }
 }
 
+TEST(RungeKutta, StepsAlongAJumpAreAsLongAsAsked) {
+  const auto held = [](double, const double* x, double* dxdt) {
+    dxdt[0] = x[0] > 0.0 ? -0.7 : 1.0;
+  };
+  const auto farthest = [&](double along_jump) {
+    const auto stepper = adaptive_stepper(dormand_prince_54(), 1, {.along_jump = along_jump});
+    double t = 0.0, x = 0.0, most = 0.0;
+    for (int i = 1; i <= 20; ++i) {
+      EXPECT_EQ(stepper->advance(held, t, i, &x), IntegrationStatus::Completed);
+      most = std::max(most, std::abs(x));
+    }
+    return most;
+  };
+  EXPECT_LT(farthest(1e-3), 1e-3);
+  EXPECT_LT(farthest(3e-2), 3e-2);
+  EXPECT_GT(farthest(3e-2), 1e-3);
+}
+
 TEST(RungeKutta, AMassThatDryFrictionHoldsRestsUntilTheForceIsLargeEnough) {
   // Held while |0.8 sin(t)| < 0.5 after it has come to rest; 2e-6 is 1e-3 of an interval's
   // motion.

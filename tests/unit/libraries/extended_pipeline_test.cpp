@@ -48,7 +48,7 @@ class ExtendedPipelines : public testing::Test {
       record_of(truth(), Dopri87{}, Eigen::Vector2d(1.5, 0.3), 0.02, 600), 0.0, 1);
   const RecordStream records_{data_};
   const Pipeline plain_ = algorithm1();
-  const FormOptions options_;
+  const FormOptions options_{};
   const RunContext context_;
   const IdentificationResult alone_ = identify(records_, plain_, context_);
   const ExtendedPipeline pipeline_{records_, plain_, options_, alone_, context_};
