@@ -34,9 +34,10 @@ Baseline as_given(const Baseline& base) {
   return given;
 }
 
+/// Of channels that show a state; those that show a formula have no state of the scope.
 std::vector<Candidate> candidates_of(const Problem& problem, const Baseline& base) {
   std::vector<Candidate> all;
-  for (Index k = 0; k < problem.nominal.dimension(); ++k) {
+  for (Index k = 0; k < base.scope.model.dimension(); ++k) {
     if (!base.given.noise.measurement[static_cast<std::size_t>(k)]) continue;
     for (Candidate& candidate : channel_forms(base.scope, k))
       all.push_back(std::move(candidate));

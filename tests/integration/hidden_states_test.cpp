@@ -124,6 +124,15 @@ TEST_F(HiddenStates, NothingIsNamedWhereOnlyCoefficientsAreOff) {
   EXPECT_NEAR(estimated(answer, "v", "q"), -9.0, 0.05);
 }
 
+TEST_F(HiddenStates, StructureThatHasNoNameIsSeenThroughAFormula) {
+  const Json answer = diagnosis({kOscillator + " - 1.5*sin(6*q)", "q", 0.02, 3.0, 0.002},
+                                "input u hold linear\nq = 2*p\ndp/dt = v\n"
+                                "dv/dt = -8*p - 0.25*v + 0.5*u");
+  EXPECT_NE(answer.at("verdict"), "explained") << answer.dump(1);
+  EXPECT_NE(answer.at("verdict"), "no-discrepancy");
+  for (const Json& effect : answer.at("effects")) EXPECT_EQ(effect.at("equation"), "v");
+}
+
 TEST_F(HiddenStates, OnlyTheProductOfTwoCoefficientsIsToldAndItIsRight) {
   const Json answer = diagnosis({kMotor, "i", 0.01, 3.0, 0.005}, kRoughMotor);
   EXPECT_EQ(answer.at("verdict"), "coefficients-only");

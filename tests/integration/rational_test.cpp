@@ -37,7 +37,7 @@ TEST(Rational, IsFoundExactlyInCleanRecordsAndCanBeSimulated) {
   }
 }
 
-class NoisyRational : public testing::TestWithParam<const char*> {};
+class NoisyRational : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NoisyRational, IsFoundAtOnePerCentNoise) {
   const RationalSystem& system = rational_system(GetParam());
@@ -47,9 +47,9 @@ TEST_P(NoisyRational, IsFoundAtOnePerCentNoise) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, NoisyRational,
-                         testing::Values("Michaelis-Menten", "gene switch, Hill",
-                                         "prey and predator, Beddington-DeAngelis",
-                                         "yeast glycolysis, rate law in the library"));
+                         ::testing::Values("Michaelis-Menten", "gene switch, Hill",
+                                           "prey and predator, Beddington-DeAngelis",
+                                           "yeast glycolysis, rate law in the library"));
 
 }  // namespace
 }  // namespace lacuna::benchmarks

@@ -49,7 +49,7 @@ class ExtendedPipelines : public testing::Test {
   const RecordStream records_{data_};
   const Pipeline plain_ = algorithm1();
   const FormOptions options_{};
-  const RunContext context_;
+  const RunContext context_{};
   const IdentificationResult alone_ = identify(records_, plain_, context_);
   const ExtendedPipeline pipeline_{records_, plain_, options_, alone_, context_};
   const Scope scope_ = make_scope(alone_.model, data_, alone_.noise);
