@@ -119,12 +119,15 @@ void verify(const Plan& plan, IdentificationReport& report, const Dataset& data,
   if (report.result.model.is_map()) return;
   std::vector<std::string>& warnings = report.result.warnings;
   try {
-    SyncResult sync = synchronise(report.result.model, data, integrator, {}, context);
+    const Dataset driving = long_enough(data, integrator);
+    if (driving.notes.size() > data.notes.size())
+      warnings.push_back("synchronisation: " + driving.notes.back());
+    SyncResult sync = synchronise(report.result.model, driving, integrator, {}, context);
     if (sync.status != IntegrationStatus::Completed)
       warnings.push_back("synchronisation with the record failed: " + sync.message);
     else if (!sync.settled)
       warnings.push_back("synchronisation with the record did not settle");
-    SyncVerdict verdict = judge(report.result.model, data, sync, plan.rules.sync);
+    SyncVerdict verdict = judge(report.result.model, driving, sync, plan.rules.sync);
     report.sync = SyncReport{std::move(sync),
                              data.states,
                              data.time_unit,

@@ -42,6 +42,12 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
   return coupling;
 }
 
+std::string notes_of(const Dataset& data) {
+  std::string lines;
+  for (const std::string& note : data.notes) lines += "Note: " + note + "\n";
+  return lines;
+}
+
 int sync_command(const Session& session, const SyncArguments& options) {
   check_outputs(files_read(options.data, {options.model}),
                 with_report({{"--json", options.json}}, options.report));
@@ -51,9 +57,9 @@ int sync_command(const Session& session, const SyncArguments& options) {
   const std::optional<Matrix> coupling = parse_coupling(model, options.coupling);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
-  const Dataset data =
-      read_records(model, options.data.paths, common_roles(options.data), *differentiator);
-
+  const Dataset data = long_enough(
+      read_records(model, options.data.paths, common_roles(options.data), *differentiator),
+      *integrator);
   check_outputs_are_states(model, data);
   const OdeModel driven = with_shown_holds(model, data);
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
@@ -63,7 +69,8 @@ int sync_command(const Session& session, const SyncArguments& options) {
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return sync_page(report, data); });
   if (options.json != "-" && options.report.page != "-")
-    show(session, data_line(data, data.input_count()) + "\n\n" + format_text(report));
+    show(session, data_line(data, data.input_count()) + "\n" + notes_of(data) + "\n" +
+                      format_text(report));
   if (report.result.status == IntegrationStatus::Completed) return 0;
   session.streams.err << "lacuna: error: " << report.result.message
                       << "; try a stronger --coupling\n";

@@ -111,7 +111,10 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
   if (account.hypothesis == kSharedProcess.name &&
       (!gap || stays_open(*gap, problem.options.decision)))
     return {true, false, names + "not to their noise; a form in two equations gets no name so"};
-  if (!gap) return {};
+  if (!gap)
+    return {false, true,
+            "how far the model is from the records that were not used could not be measured: "
+            "nothing confirms the names"};
   switch (
       holdout_verdict({gap->before, gap->after, gap->noise_floor}, problem.options.decision)) {
     case HoldoutVerdict::Refuted:

@@ -32,6 +32,18 @@ ChannelOptions channel_options(const DecisionOptions& decision) {
   return {decision.outlying, decision.pile_up};
 }
 
+/// @throws DataError where no channel ever changes.
+void check_that_something_changes(const BoundRecords& records) {
+  for (std::size_t k = 0; k < records.channels.size(); ++k)
+    for (const Trajectory& record : records.data.trajectories) {
+      const auto& x = record.states.col(static_cast<Index>(k));
+      if (records.channels[k].measured && (x.array() != x[0]).any()) return;
+    }
+  throw DataError(records.data.trajectories.front().source,
+                  "nothing moves: no measured state or output ever changes",
+                  "use a record with motion");
+}
+
 Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
                  const DecisionOptions& decision) {
   UsableRecords all = usable_records(data, decision.gaps);
@@ -49,6 +61,7 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
     return with_hidden_paths(nominal, part, hidden_states(nominal, part), given_begin(nominal));
   };
   BoundRecords find = observed(with_start(std::move(parts.find)), channel_options(decision));
+  check_that_something_changes(find);
   all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
   return {std::move(find), std::move(unused), with_start(std::move(parts.check)),
           std::move(all.notes)};
@@ -137,6 +150,15 @@ void sharpen(const OdeModel& nominal, const DiagnosisOptions& options,
   records.notes.push_back(note_on(*smoothing));
 }
 
+/// What the records themselves say. Where states are hidden there are no rates to compare.
+std::vector<Hint> hints_on(const OdeModel& nominal, const Records& records,
+                           const HintOptions& options) {
+  if (hidden_states(nominal, records.find.data).empty())
+    return look_at(nominal, records.find, records.unused, options);
+  if (auto still = stillness(records.find, options)) return {std::move(*still)};
+  return {};
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -151,9 +173,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
   check_flow(model, "diagnose");
   const OdeModel nominal = with_output_channels(model, data);
   Records records = prepared(nominal, data, held_out, options.decision);
-  std::vector<Hint> hints;
-  if (hidden_states(nominal, records.find.data).empty())
-    hints = look_at(nominal, records.find, records.unused, options.decision.hints);
+  std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
   records.check =
       observed_alike(std::move(records.check), records.find, channel_options(options.decision));

@@ -362,6 +362,20 @@ std::string divergence_message(const Trajectory& trajectory, const Run& run,
 
 }  // namespace
 
+Dataset long_enough(Dataset record, const Integrator& integrator) {
+  const Index needed = LagrangeWindow::driving(integrator.order()).points;
+  std::vector<Trajectory>& all = record.trajectories;
+  const auto too_short = std::stable_partition(
+      all.begin(), all.end(),
+      [&](const Trajectory& trajectory) { return trajectory.samples() >= needed; });
+  const auto count = all.end() - too_short;
+  if (count == 0 || too_short == all.begin()) return record;
+  all.erase(too_short, all.end());
+  record.notes.push_back(std::to_string(count) + " pieces of less than " +
+                         std::to_string(needed) + " samples were left out");
+  return record;
+}
+
 SyncResult synchronise(const OdeModel& model, const Dataset& record,
                        const Integrator& integrator, const SyncOptions& options,
                        const RunContext& context) {

@@ -74,27 +74,29 @@ void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptio
 }
 
 /// Significance of the first autocorrelations of a state together: n r_k^2, summed over lags,
-/// is chi squared for white noise (Box and Pierce, J. Am. Stat. Assoc. 65:1509, 1970). Infinite
-/// where there is a state that never changes.
+/// is chi squared for white noise (Box and Pierce, J. Am. Stat. Assoc. 65:1509, 1970). Records
+/// in which the state never changes say nothing.
 double significance_of_motion(const Dataset& data, Index state) {
   // A fact of the statistic: its distribution knows how many are summed, HintOptions::told
   // decides.
   constexpr Index kLags = 20;
+  constexpr double kRounding = 1e-14;  // a fact: of a mean
   double sum = 0.0, freedom = 0.0;
   for (const Trajectory& record : data.trajectories) {
     const Index n = record.samples();
     const Vector x = record.states.col(state).array() - record.states.col(state).mean();
+    if (!(x.norm() > kRounding * record.states.col(state).norm())) continue;
     for (Index lag = 1; lag <= std::min(kLags, n / 4); ++lag) {
       const double r = x.head(n - lag).dot(x.tail(n - lag)) / x.squaredNorm();
       sum += static_cast<double>(n) * r * r;
       ++freedom;
     }
   }
-  return std::isfinite(sum) ? sigma_of_gain(sum, freedom, 1.0)
-                            : std::numeric_limits<double>::infinity();
+  return freedom > 0.0 ? sigma_of_gain(sum, freedom, 1.0) : 0.0;
 }
 
-/// Whether all that was measured is white noise: no model is told from another one by it.
+/// Whether all that was measured is white noise, or never changes: no model is told from
+/// another one by it.
 bool is_still(const BoundRecords& records, double told) {
   bool any = false;
   for (std::size_t k = 0; k < records.channels.size(); ++k) {
@@ -185,13 +187,17 @@ double steps_in_period(const Dataset& data, Index state, double sigma) {
   return std::numbers::pi / std::asin(std::min(1.0, 0.5 * std::sqrt(change / power)));
 }
 
+std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options) {
+  if (!is_still(records, options.told)) return std::nullopt;
+  return Hint{HintKind::Excitation,
+              "nothing moves: what was measured is white noise, and neither effects nor "
+              "coefficients can be told by it",
+              "use a record with motion", Withheld::Claims};
+}
+
 std::vector<Hint> motion_hints(const OdeModel& model, const BoundRecords& records,
                                const RateWindows& windows, const HintOptions& options) {
-  if (is_still(records, options.told))
-    return {{HintKind::Excitation,
-             "nothing moves: what was measured is white noise, and neither effects nor "
-             "coefficients can be told by it",
-             "use a record with motion", Withheld::Claims}};
+  if (auto still = stillness(records, options)) return {std::move(*still)};
   std::vector<Hint> hints;
   add_input_hints(model, records.data, options, hints);
   add_state_hints(model, records, options, hints);

@@ -73,6 +73,10 @@ struct SyncResult {
 /// 1 over the length of the record when no state changes.
 Matrix default_coupling(const Dataset& record);
 
+/// The record without trajectories that are too short for synchronise() by an integrator, as
+/// missing samples leave them, which its notes say; as it is where none is long enough.
+Dataset long_enough(Dataset record, const Integrator& integrator);
+
 /// Synchronises the model with every trajectory of the record. The slave makes one step per
 /// sample; in the step t_n .. t_{n+1} the record (and the inputs) are the Lagrange polynomial
 /// through p points for a method of order p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for

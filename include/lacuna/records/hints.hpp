@@ -67,6 +67,10 @@ struct HintOptions {
   void describe(OptionVisitor& visitor);
 };
 
+/// The hint that nothing moves, where each measured channel is white noise (HintOptions::told)
+/// or never changes; it needs no model.
+std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options);
+
 /// A look at records before a model is diagnosed on them.
 ///
 /// Rates in short windows of the records are compared with those of the model as it is given.

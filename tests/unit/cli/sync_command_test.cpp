@@ -41,6 +41,19 @@ TEST(SyncCommand, ReconstructsAStateThatIsADerivative) {
   EXPECT_LT(json["relative"].get<double>(), 1e-3);
 }
 
+TEST(SyncCommand, LeavesOutPiecesBetweenMissingValuesThatAreTooShort) {
+  const Records records;
+  std::string text = "t,x\n";
+  for (int i = 0; i <= 400; ++i)
+    text += std::to_string(0.05 * i) + "," +
+            (i == 3 || i == 200 ? "" : std::to_string(std::sin(0.05 * i))) + "\n";
+  const std::string record = records.folder().write("x.csv", text);
+  const std::string model = records.folder().write("m.ode", "dx/dt = cos(t)\n");
+  const auto outcome = run_command({"sync", model, record});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Note: 1 pieces of less than 4 samples were left out\n"));
+}
+
 TEST(SyncCommand, AStateThatNobodyMeasuredGoesAlone) {
   const Records records;
   std::string text = "t,x\n";

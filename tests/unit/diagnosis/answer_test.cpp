@@ -54,6 +54,14 @@ TEST_F(Answer, OtherRecordsConfirmLowerOrRefuteNames) {
   EXPECT_EQ(refuted.note.substr(0, 13), "with dry in v");
 }
 
+TEST_F(Answer, WithoutAGapOnOtherRecordsNothingConfirmsNames) {
+  const Hearing silent = heard(account("sign(v)"), std::nullopt);
+  EXPECT_TRUE(silent.lower && !silent.withdraw);
+  EXPECT_FALSE(silent.note.empty());
+  EXPECT_EQ(answer(account("sign(v)"), silent).verdict, Verdict::PartlyExplained);
+  EXPECT_FALSE(heard(nameless(0.0), std::nullopt).lower);
+}
+
 TEST_F(Answer, OtherRecordsHearAssumptionsLikeNames) {
   Account late = nameless(0.0);
   late.findings = {{.equation = 1, .name = "late"}};
@@ -105,7 +113,6 @@ TEST_F(Answer, WhatNeedNotComeAgainIsNotAskedForIt) {
       {"u", parse_expression("-u"), parse_expression("0"), true}};
   EXPECT_FALSE(heard(driven, gap(10.0, 11.0)).withdraw);
   EXPECT_FALSE(heard(nameless(0.0), gap(10.0, 11.0)).withdraw) << "there is no name";
-  EXPECT_FALSE(heard(account("sign(v)"), std::nullopt).withdraw);
 }
 
 TEST_F(Answer, TheVerdictIsNamesAndWhatIsLeft) {

@@ -363,5 +363,17 @@ TEST(Diagnose, AFunctionOfAStateIsNoInput) {
   EXPECT_LT(diagnosis.gap->ratio(), 0.3) << "the spline stands in the model";
 }
 
+TEST(Diagnose, RecordsInWhichNothingEverChangesAreAnError) {
+  Dataset still = support::hidden_record(support::nothing, 0.0);
+  still.trajectories[0].states.col(0).setConstant(0.5);
+  still.trajectories[0].states.col(1).setZero();
+  try {
+    diagnose(support::oscillator(), still, {}, {}, RunContext{});
+    FAIL() << "nothing moves";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("nothing moves"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace lacuna

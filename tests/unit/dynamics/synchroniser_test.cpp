@@ -49,6 +49,26 @@ TEST(Synchroniser, TrueRosslerEquationsStayNearTheirOrbit) {
   EXPECT_TRUE(result.settled);
 }
 
+TEST(Synchroniser, PiecesThatAreTooShortAreLeftOut) {
+  Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), 0.1, 400);
+  const Dataset whole = record;
+  Trajectory piece = record.trajectories[0];
+  piece.time = Vector(piece.time.head(3));
+  piece.states = Matrix(piece.states.topRows(3));
+  piece.inputs = Matrix(piece.inputs.topRows(3));
+  piece.derivatives.resize(0, 0);
+  record.trajectories.insert(record.trajectories.begin(), piece);
+  const Dataset left = long_enough(record, Rk4{});
+  ASSERT_EQ(left.trajectories.size(), 1u);
+  ASSERT_FALSE(left.notes.empty());
+  EXPECT_EQ(left.notes.back(), "1 pieces of less than 4 samples were left out");
+  EXPECT_EQ(as_in_the_article("rossler", left).median,
+            as_in_the_article("rossler", whole).median);
+  // Where nothing would be left, synchronise() says what is wrong.
+  record.trajectories.pop_back();
+  EXPECT_THROW(as_in_the_article("rossler", long_enough(record, Rk4{})), DataError);
+}
+
 TEST(Synchroniser, TwoRungeKuttaModelsDifferByTheInterpolationOnly) {
   const Dataset coarse = record_on_attractor("rossler", Rk4{}, 0.1, 10000);
   const SyncResult at_tenth = as_in_the_article("rossler", coarse);

@@ -64,6 +64,9 @@ TEST(MotionHints, WhiteNoiseTellsNothing) {
   const std::vector<Hint> hints = hints_of(still);
   EXPECT_EQ(withheld_by(hints), Withheld::Claims);
   EXPECT_THAT(hints.back().message, HasSubstr("nothing moves"));
+  // A channel that never changes says no more.
+  still.trajectories[0].states.col(1).setConstant(3.0);
+  EXPECT_EQ(withheld_by(hints_of(still)), Withheld::Claims);
   // A motion of half the noise in one state is something.
   for (Index i = 0; i < record.samples(); ++i)
     record.states(i, 0) += 0.007 * std::sin(2.0 * record.time[i]);
