@@ -172,6 +172,8 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
                    const DiagnosisOptions& options, const RunContext& context) {
   check_flow(model, "diagnose");
   const OdeModel nominal = with_output_channels(model, data);
+  check_is_view(nominal, data);
+  if (!held_out.trajectories.empty()) check_is_view(nominal, held_out);
   Records records = prepared(nominal, data, held_out, options.decision);
   std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));

@@ -9,6 +9,7 @@
 #include "lacuna/data/marks.hpp"
 #include "lacuna/estimation/assimilation.hpp"
 #include "lacuna/estimation/disturbance_test.hpp"
+#include "lacuna/estimation/hidden_states.hpp"
 
 namespace lacuna {
 namespace {
@@ -20,11 +21,18 @@ bool are_whole(const BoundRecords& records) {
     return uniform_step(record).has_value();
   };
   const auto is_whole = [](const Channel& channel) {
-    return channel.measured && channel.missing + channel.at_top + channel.at_bottom == 0.0;
+    return !channel.measured || channel.missing + channel.at_top + channel.at_bottom == 0.0;
   };
   const std::vector<Trajectory>& all = records.data.trajectories;
   return std::all_of(all.begin(), all.end(), is_even) &&
          std::all_of(records.channels.begin(), records.channels.end(), is_whole);
+}
+
+std::vector<Index> measured_states(const BoundRecords& records) {
+  std::vector<Index> states;
+  for (std::size_t k = 0; k < records.channels.size(); ++k)
+    if (records.channels[k].measured) states.push_back(static_cast<Index>(k));
+  return states;
 }
 
 /// Samples that are left of records that were smoothed.
@@ -42,6 +50,7 @@ Assimilation fit_before(const Smoothing& smoothing, const Problem& problem) {
   const BoundRecords sharp =
       sharpened(smoothing, problem.records, problem.options.decision.smoothing);
   AssimilationOptions options;
+  options.hidden = hidden_states(problem.nominal, sharp.data);
   options.passes = kPasses;
   options.free = free_coefficients(problem.nominal);
   options.priors = problem.options.tolerances;
@@ -64,7 +73,8 @@ std::optional<Smoothing> smoothing_of(const Problem& problem) {
   if (!are_whole(problem.records)) return std::nullopt;
   const SmoothingOptions& options = decision.smoothing;
   const Dataset& data = problem.records.data;
-  const auto seen = seen_filter(data, decision.undecided, options);
+  const auto seen =
+      seen_filter(data, measured_states(problem.records), decision.undecided, options);
   if (!seen || samples_left(*seen, data, options) < options.least_left) return std::nullopt;
   Smoothing best{*seen};
   const std::vector<Smoothing> others = alike(*seen, !problem.nominal.inputs().empty());

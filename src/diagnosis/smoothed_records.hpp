@@ -21,8 +21,8 @@ struct Smoothing {
 /// show whether means are over the samples before or over those about each one, and whether
 /// inputs went the same way: means about each one, of states, unless with another one most of
 /// what disturbs the model goes, its coefficients fitted. Nothing where samples are missing, at
-/// an end of their channel or not evenly spaced, where a state was not measured, or where too
-/// few samples would be left (SmoothingOptions::least_left).
+/// an end of their channel or not evenly spaced, or where too few samples would be left
+/// (SmoothingOptions::least_left).
 std::optional<Smoothing> smoothing_of(const Problem& problem);
 
 /// Records as they were before they were smoothed, which bends what is fast. Samples that share

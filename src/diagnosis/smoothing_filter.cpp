@@ -211,11 +211,12 @@ double mean_over_frequencies(Function function) {
 
 }  // namespace
 
-std::optional<SmoothingFilter> seen_filter(const Dataset& data, double undecided,
+std::optional<SmoothingFilter> seen_filter(const Dataset& data,
+                                           const std::vector<Index>& states, double undecided,
                                            const SmoothingOptions& options) {
   const FilterTest test{undecided, options};
   std::vector<Spectrum> spectra;
-  for (Index k = 0; k < data.state_count(); ++k) {
+  for (const Index k : states) {
     spectra.push_back(spectrum_of(data, k));
     if (!says_anything(spectra.back())) return std::nullopt;
   }

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lacuna/data/dataset.hpp"
 #include "lacuna/decision/smoothing_options.hpp"
@@ -23,14 +24,15 @@ struct SmoothingFilter {
   Index reach() const { return window / 2; }
 };
 
-/// The filter that white noise of all states has gone through: their spectra above half of the
+/// The filter that white noise of some states has gone through: their spectra above half of the
 /// highest frequency (of differences of fourth order, mean over Hann windows of 256 samples)
 /// have the shape of its |h|^2 more likely, by Whittle's likelihood, than that of noise with
 /// any short memory, exp(a + b cos w + c cos 2 w), and not less likely than both together. Both
 /// by `undecided` in each state; nothing where none of up to SmoothingOptions::widest samples
 /// does so, where there is more in the octave below than it passes (SmoothingOptions::below),
 /// or records are shorter. Past means look like centred ones.
-std::optional<SmoothingFilter> seen_filter(const Dataset& data, double undecided,
+std::optional<SmoothingFilter> seen_filter(const Dataset& data,
+                                           const std::vector<Index>& states, double undecided,
                                            const SmoothingOptions& options = {});
 
 /// Samples that are smoothed, by columns. Beyond its ends a column is mirrored at their values.

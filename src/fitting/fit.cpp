@@ -12,6 +12,7 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/numerics/interval.hpp"
+#include "lacuna/records/model_view.hpp"
 
 namespace lacuna {
 namespace {
@@ -188,6 +189,7 @@ std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
 Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
         const FitOptions& options, const RunContext& context) {
   check_flow(system.symbolic(), "fit");
+  check_is_view(system.model(), data);
   const ParametrisedModel model = system.parametrised();
   FitEngine engine = fit_engine(model, fit_records(model, data));
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));

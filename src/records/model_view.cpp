@@ -158,6 +158,20 @@ Dataset model_view(const OdeModel& model, const Dataset& record,
   return picked(all, columns_of(model, all), {channels, model.inputs()});
 }
 
+void check_is_view(const OdeModel& model, const Dataset& data) {
+  const auto check = [&](const std::vector<Quantity>& wanted,
+                         const std::vector<Quantity>& there, const std::string& what) {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (i >= there.size() || there[i].name != wanted[i].name)
+        throw DataError(source_of(data),
+                        what + " " + std::to_string(i + 1) + " is not '" + wanted[i].name +
+                            "', as in the model",
+                        "bring them into the order of the model with model_view()");
+  };
+  check(model.states(), data.states, "state");
+  check(model.inputs(), data.inputs, "input");
+}
+
 bool is_hidden(const Dataset& data, Index state) {
   return std::all_of(data.trajectories.begin(), data.trajectories.end(),
                      [&](const Trajectory& record) {

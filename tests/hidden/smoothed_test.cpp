@@ -3,14 +3,17 @@
 // there is named as in the samples that were measured.
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
 #include "lacuna/config/registry.hpp"
 #include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
+#include "lacuna/records/model_view.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -34,13 +37,23 @@ Trajectory smoothed_states(Trajectory record, const std::vector<double>& weights
   return record;
 }
 
-Diagnosis of_smoothed(const std::string& name, const std::vector<double>& weights,
-                      Index first) {
+/// The record as if only its first states had been measured.
+Dataset first_states(const OdeModel& model, Dataset data, Index count) {
+  data.states.resize(static_cast<std::size_t>(count));
+  for (Trajectory& record : data.trajectories)
+    record.states = Matrix(record.states.leftCols(count));
+  return model_view(model, data, FiniteDifferences{});
+}
+
+Diagnosis of_smoothed(const std::string& name, const std::vector<double>& weights, Index first,
+                      std::optional<Index> measured = {}) {
   const HiddenCase hidden = case_named(name);
   auto [find, check] = make_records(hidden, 0.01, 3);
-  for (Dataset* data : {&find, &check})
+  for (Dataset* data : {&find, &check}) {
     for (Trajectory& record : data->trajectories)
       record = smoothed_states(std::move(record), weights, first);
+    if (measured) *data = first_states(hidden.nominal, std::move(*data), *measured);
+  }
   DiagnosisOptions options;
   options.effects = default_registry().make_all<Effect>();
   return diagnose(hidden.nominal, find, check, options, RunContext{});
@@ -75,6 +88,15 @@ TEST(Smoothed, AnEffectIsNamedAsBefore) {
   ASSERT_EQ(friction.effects.size(), 1u);
   EXPECT_EQ(friction.effects[0].name, "coulomb-friction");
   EXPECT_TRUE(says(friction, "parabolas through 7 samples"));
+}
+
+TEST(Smoothed, StatesThatNobodyMeasuredDoNotMatter) {
+  const std::vector<double> mean(9, 1.0 / 9.0);
+  const Diagnosis drag = of_smoothed("pendulum-drag", mean, 4, 1);
+  ASSERT_EQ(drag.effects.size(), 1u);
+  EXPECT_EQ(drag.effects[0].name, "quadratic-drag");
+  EXPECT_TRUE(says(drag, "means over 9 samples"));
+  EXPECT_EQ(of_smoothed("pendulum-null", mean, 4, 1).verdict, Verdict::NoDiscrepancy);
 }
 
 }  // namespace

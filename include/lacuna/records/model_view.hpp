@@ -35,6 +35,10 @@ Dataset model_view(const OdeModel& model, const Dataset& record);
 Dataset model_view(const OdeModel& model, const Dataset& record,
                    const Differentiator& differentiator);
 
+/// Refuses records whose first states and inputs are not those of a model in its order.
+/// @throws DataError naming the first one that is not there; model_view() puts them so.
+void check_is_view(const OdeModel& model, const Dataset& data);
+
 /// Whether no sample of any record says anything of a state.
 bool is_hidden(const Dataset& data, Index state);
 

@@ -363,6 +363,22 @@ TEST(Diagnose, AFunctionOfAStateIsNoInput) {
   EXPECT_LT(diagnosis.gap->ratio(), 0.3) << "the spline stands in the model";
 }
 
+TEST(Diagnose, RecordsThatLackAColumnOfTheModelAreAnError) {
+  const Dataset whole = support::hidden_record(support::nothing, 0.01);
+  Dataset lacking = whole;
+  lacking.states.pop_back();
+  lacking.trajectories[0].states.conservativeResize(Eigen::NoChange, 1);
+  const auto diagnosed = [](const Dataset& data, const Dataset& held_out) {
+    return diagnose(support::oscillator(), data, held_out, {}, RunContext{});
+  };
+  EXPECT_THROW(diagnosed(lacking, {}), DataError);
+  EXPECT_THROW(diagnosed(whole, lacking), DataError);
+  Dataset deaf = whole;
+  deaf.inputs.clear();
+  deaf.trajectories[0].inputs.resize(whole.samples(), 0);
+  EXPECT_THROW(diagnosed(deaf, {}), DataError);
+}
+
 TEST(Diagnose, RecordsInWhichNothingEverChangesAreAnError) {
   Dataset still = support::hidden_record(support::nothing, 0.0);
   still.trajectories[0].states.col(0).setConstant(0.5);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "lacuna/core/random.hpp"
 
@@ -41,8 +42,8 @@ Matrix coloured(double deviation, double memory, std::uint64_t seed) {
   return noise;
 }
 
-std::optional<SmoothingFilter> seen(const Matrix& states,
-                                    const SmoothingOptions& options = {}) {
+std::optional<SmoothingFilter> seen(const Matrix& states, const SmoothingOptions& options = {},
+                                    const std::vector<Index>& measured = {0, 1}) {
   Dataset data;
   data.states = {{"a", ""}, {"b", ""}};
   Trajectory record;
@@ -50,7 +51,7 @@ std::optional<SmoothingFilter> seen(const Matrix& states,
   record.states = states;
   record.inputs = Matrix(states.rows(), 0);
   data.trajectories = {record};
-  return seen_filter(data, 10.0, options);
+  return seen_filter(data, measured, 10.0, options);
 }
 
 TEST(SmoothingFilter, MeansAreThoseOfTheSamplesThatTheySay) {
@@ -169,6 +170,9 @@ TEST(SmoothingFilter, AllStatesHaveToShowIt) {
   Matrix one = waves() + white(0.01, 11);
   one.col(0) = smoothed({Kind::CentredMean, 9}, one).col(0).eval();
   EXPECT_FALSE(seen(one).has_value());
+  EXPECT_TRUE(seen(one, {}, {0}).has_value()) << "the other one was not measured";
+  EXPECT_FALSE(seen(one, {}, {1}).has_value());
+  EXPECT_FALSE(seen(one, {}, {}).has_value());
   EXPECT_FALSE(seen(smoothed({Kind::CentredMean, 9}, one).topRows(200)).has_value())
       << "shorter than a window of the spectrum";
 }

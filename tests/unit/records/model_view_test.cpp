@@ -222,5 +222,17 @@ TEST(ModelView, NothingMeasuredIsAnError) {
                           "waves", "the state 'x', nor for any other", "outputs");
 }
 
+TEST(ModelView, RecordsInAnotherOrderAreNoView) {
+  const OdeModel model = model_of("u");
+  EXPECT_NO_THROW(check_is_view(model, model_view(model, record())));
+  Dataset view = model_view(model, record());
+  view.states[0].name = "other";
+  EXPECT_THROW(check_is_view(model, view), DataError);
+  EXPECT_THROW(check_is_view(model, record()), DataError);
+  view = model_view(model, record());
+  view.inputs.clear();
+  EXPECT_THROW(check_is_view(model, view), DataError);
+}
+
 }  // namespace
 }  // namespace lacuna
