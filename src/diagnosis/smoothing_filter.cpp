@@ -257,8 +257,8 @@ Matrix undone(const SmoothingFilter& filter, const Matrix& samples, int turns) {
 }
 
 Index memory_of(const SmoothingFilter& filter, const SmoothingOptions& options) {
-  constexpr Index kMultiples =
-      4;  // a fact: ripples further away are smaller than the first ones
+  // A fact: ripples of the covariance further away are smaller than the first ones.
+  constexpr Index kMultiples = 4;
   const Vector weights = half_weights(filter);
   const auto covariance = [&](Index apart) {
     return mean_over_frequencies([&](double omega) {

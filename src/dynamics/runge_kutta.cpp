@@ -154,7 +154,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   /// Whether it is in vain to try shorter steps: where rates jump, half a step makes half the
   /// error; where they are smooth a sixteenth or less, by the order of the method.
   bool begin_along_jump(RightHandSide rhs, double t, double t1, const double* x) {
-    constexpr double kJumps = 0.25;  // a fact: between the two
+    constexpr double kJumps = 0.25;  // a fact: between a half and a sixteenth
     const double h = limited(control_.along_jump * (t1 - t));
     const double whole = try_step(rhs, t, h, x);
     if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > kJumps * whole)) return false;

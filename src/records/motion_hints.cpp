@@ -80,7 +80,7 @@ double significance_of_motion(const Dataset& data, Index state) {
   // A fact of the statistic: its distribution knows how many are summed, HintOptions::told
   // decides.
   constexpr Index kLags = 20;
-  constexpr double kRounding = 1e-14;  // a fact: of a mean
+  constexpr double kRounding = 1e-14;  // a fact: what subtracting a mean leaves of a constant
   double sum = 0.0, freedom = 0.0;
   for (const Trajectory& record : data.trajectories) {
     const Index n = record.samples();
