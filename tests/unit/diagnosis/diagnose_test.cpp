@@ -8,7 +8,10 @@
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/data/marks.hpp"
+#include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/effects/families.hpp"
+#include "lacuna/model/ode_text.hpp"
+#include "lacuna/records/model_view.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
 
@@ -377,6 +380,23 @@ TEST(Diagnose, RecordsThatLackAColumnOfTheModelAreAnError) {
   deaf.inputs.clear();
   deaf.trajectories[0].inputs.resize(whole.samples(), 0);
   EXPECT_THROW(diagnosed(deaf, {}), DataError);
+}
+
+TEST(Diagnose, WhereStatesAreHiddenWhiteNoiseTellsNothingEither) {
+  const OdeModel model = parse_ode("dx/dt = -x + z\ndz/dt = -2*z - x", "m");
+  Dataset noise;
+  noise.states = {{"x", ""}};
+  Random random(8);
+  const Vector time = Vector::LinSpaced(600, 0.0, 30.0);
+  const Matrix x = Matrix::NullaryExpr(600, 1, [&] { return 0.01 * random.normal(); });
+  noise.trajectories = {{"noise.csv", time, x, Matrix(600, 0), {}}};
+  const Dataset view = model_view(model, noise, FiniteDifferences{});
+  const Diagnosis diagnosis = diagnose(model, view, {}, {}, RunContext{});
+  ASSERT_FALSE(diagnosis.hints.empty());
+  EXPECT_EQ(diagnosis.hints[0].kind, HintKind::Excitation);
+  EXPECT_EQ(diagnosis.hints[0].withheld, Withheld::Claims);
+  EXPECT_TRUE(diagnosis.effects.empty());
+  EXPECT_TRUE(diagnosis.coefficient_changes.empty());
 }
 
 TEST(Diagnose, RecordsInWhichNothingEverChangesAreAnError) {
