@@ -74,6 +74,12 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            "A filter in front of a sensor passes on the whole of the state, up to this share.",
            0.0, 1.0},
           o.filter_gain);
+  v.field({"dense_input", "",
+           "An input is recorded densely where its slope changes from step to step by a smaller "
+           "share of itself (rms): straight lines and curves through its samples are then the "
+           "same, and no jump hides between two of them.",
+           0.0},
+          o.dense_input);
 }
 
 }  // namespace

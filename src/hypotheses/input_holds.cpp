@@ -19,10 +19,8 @@ constexpr int kPasses = 3;
 
 using Holds = std::vector<std::optional<Hold>>;
 
-/// Whether samples are dense against what the input does: the slope changes by less than half
-/// from one step to the next. Lines and curves through them are the same then, and no jump
-/// hides between two of them.
-bool looks_smooth(const Dataset& data, Index input) {
+/// How much the slope of an input changes from step to step, as a share of itself (rms).
+double bend_of(const Dataset& data, Index input) {
   double slopes = 0.0, bends = 0.0;
   for (const Trajectory& record : data.trajectories) {
     const auto values = record.inputs.col(input);
@@ -31,12 +29,14 @@ bool looks_smooth(const Dataset& data, Index input) {
     slopes += slope.squaredNorm();
     bends += (slope.tail(n - 1) - slope.head(n - 1)).squaredNorm();
   }
-  return bends < 0.25 * slopes;
+  return std::sqrt(bends / slopes);
 }
 
-std::vector<Hold> possible_holds(const Dataset& data, Index input) {
+std::vector<Hold> possible_holds(const Problem& problem, Index input) {
+  const Dataset& data = problem.records.data;
   if (is_interpolated(data, input)) return {Hold::Smooth};  // lines do not jump
-  if (looks_smooth(data, input)) return {Hold::Zero, Hold::Smooth};
+  if (bend_of(data, input) < problem.options.decision.dense_input)
+    return {Hold::Zero, Hold::Smooth};
   return {Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
 }
 
@@ -68,7 +68,7 @@ std::vector<TriedHold> tried_holds(const Problem& problem, const Holds& holds, I
   options.free = free_coefficients(problem.nominal);
   options.priors = problem.options.tolerances;
   std::vector<TriedHold> tried;
-  for (const Hold hold : possible_holds(problem.records.data, input))
+  for (const Hold hold : possible_holds(problem, input))
     tried.push_back({hold, INFINITY});
   parallel_for(tried.size(), problem.context.threads, [&](std::size_t h) {
     Holds assumed = holds;
@@ -183,7 +183,7 @@ bool needs_no_disturbance(const Problem& problem, const Account& best) {
 /// Other holds of an input under which the effects that were found fit better by `lead`.
 std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, Index input,
                                    double lead) {
-  const std::vector<Hold> possible = possible_holds(problem.records.data, input);
+  const std::vector<Hold> possible = possible_holds(problem, input);
   const Hold own = *problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
   std::vector<double> deviance(possible.size());
   parallel_for(possible.size(), problem.context.threads, [&](std::size_t h) {

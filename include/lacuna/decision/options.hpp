@@ -40,6 +40,7 @@ struct DecisionOptions {
   double out_of_scale = 10.0;
   double acting = 0.01;
   double filter_gain = 0.3;
+  double dense_input = 0.5;
 
   GapOptions gaps = {};  ///< these four are listed with the others
   SmoothingOptions smoothing = {};

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"
@@ -36,6 +38,25 @@ TEST(InputHolds, ASmoothInputStaysSmooth) {
   const ChosenHolds found = chosen(support::hidden_record(support::nothing, 0.01));
   EXPECT_EQ(hold_of(found), Hold::Smooth);
   EXPECT_TRUE(notes_on_holds(found.model, found.open).empty());
+}
+
+TEST(InputHolds, OfADenseInputLinesAndSwitchesAreNotAsked) {
+  support::Asked asked{.records = observed(support::hidden_record(support::nothing, 0.01))};
+  EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(2));
+  asked.options.decision.dense_input = 0.0;
+  EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(4)) << "none is dense";
+}
+
+/// On a sine of 20 samples a period the slope changes by 2 sin(pi/20) = 0.31 of itself.
+TEST(InputHolds, DensityIsTheChangeOfTheSlope) {
+  support::Asked asked{.records = observed(support::held_record(Hold::Zero, 1e-3))};
+  auto input = asked.records.data.trajectories.front().inputs.col(0);
+  for (Index i = 0; i < input.size(); ++i)
+    input[i] = std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 20.0);
+  for (const auto& [limit, asked_holds] : {std::pair{0.30, 4u}, {0.33, 2u}}) {
+    asked.options.decision.dense_input = limit;
+    EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(asked_holds)) << limit;
+  }
 }
 
 TEST(InputHolds, WhatIsMissingDoesNotChangeThem) {
