@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kMostTerms = 100000;
+constexpr int kMostTerms = 100000;
 
 using Exponents = std::vector<int>;
 
@@ -38,13 +38,7 @@ class ExponentLister {
 
   void keep() {
     const int degree = std::accumulate(current_.begin(), current_.end(), 0);
-    if (min_degree_ > 0 && degree < min_degree_) return;
-    found_.push_back(current_);
-    if (found_.size() > kMostTerms)
-      throw ConfigError("monomials.max_degree",
-                        "there are more than " + std::to_string(kMostTerms) + " monomials in " +
-                            std::to_string(current_.size()) + " variables",
-                        "lower max_degree or leave variables out");
+    if (min_degree_ <= 0 || degree >= min_degree_) found_.push_back(current_);
   }
 
   Exponents current_;
@@ -52,6 +46,32 @@ class ExponentLister {
   int max_degree_;
   std::vector<Exponents> found_;
 };
+
+/// Numbers of monomials in one variable more.
+/// @param counts by the sum of the positive exponents (rows, from 0) and of the negative ones
+/// (columns, from 0 down).
+Matrix with_one_more(const Matrix& counts) {
+  Matrix more = counts;
+  for (Index e = 1; e < counts.rows(); ++e)
+    more.bottomRows(counts.rows() - e) += counts.topRows(counts.rows() - e);
+  for (Index e = 1; e < counts.cols(); ++e)
+    more.rightCols(counts.cols() - e) += counts.leftCols(counts.cols() - e);
+  return more;
+}
+
+void expect_moderate_count(std::size_t variables, const MonomialsOptions& options) {
+  Matrix counts = Matrix::Zero(options.max_degree + 1, std::max(-options.min_degree, 0) + 1);
+  counts(0, 0) = 1.0;
+  const Index too_low = std::clamp<Index>(options.min_degree, 0, counts.rows());
+  for (std::size_t v = 0; v < variables; ++v) {
+    counts = with_one_more(counts);
+    if (counts.bottomRows(counts.rows() - too_low).sum() > kMostTerms)
+      throw ConfigError("monomials.max_degree",
+                        "there are more than " + std::to_string(kMostTerms) +
+                            " monomials in " + std::to_string(variables) + " variables",
+                        "lower max_degree or leave variables out");
+  }
+}
 
 /// Numbers by which monomials are ordered, the smaller the earlier: degree, size, and for each
 /// variable in turn the largest power first, x before 1/x.
@@ -78,6 +98,7 @@ std::vector<std::size_t> used_slots(const Variables& variables,
 
 std::vector<Term> monomial_terms(const Variables& variables, const MonomialsOptions& options) {
   const std::vector<std::size_t> slots = used_slots(variables, options);
+  expect_moderate_count(slots.size(), options);
   ExponentLister lister(slots.size(), options.min_degree, options.max_degree);
   std::vector<std::pair<std::vector<int>, Exponents>> list;
   std::vector<Exponents> found = lister.list();

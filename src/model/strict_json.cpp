@@ -16,27 +16,29 @@ namespace {
 
 using nlohmann::json;
 
-/// Follows the parser and knows the path it is at; remembers the first repeated key.
-class KeyWatcher {
+/// Follows the events of a parser and knows the path it is at; remembers the first repeated
+/// key. (A callback of json::parse would see them too, but makes it quadratic in the length of
+/// arrays.)
+class KeyWatcher : public nlohmann::json_sax<json> {
  public:
-  void see(json::parse_event_t event, const json& parsed) {
-    switch (event) {
-      case json::parse_event_t::object_start:
-      case json::parse_event_t::array_start:
-        next_element();
-        levels_.push_back({event == json::parse_event_t::array_start, 0, {}, {}});
-        break;
-      case json::parse_event_t::object_end:
-      case json::parse_event_t::array_end:
-        levels_.pop_back();
-        break;
-      case json::parse_event_t::value:
-        next_element();
-        break;
-      case json::parse_event_t::key:
-        see_key(parsed.get<std::string>());
-        break;
-    }
+  bool null() override { return next_element(); }
+  bool boolean(bool) override { return next_element(); }
+  bool number_integer(number_integer_t) override { return next_element(); }
+  bool number_unsigned(number_unsigned_t) override { return next_element(); }
+  bool number_float(number_float_t, const string_t&) override { return next_element(); }
+  bool string(string_t&) override { return next_element(); }
+  bool binary(binary_t&) override { return next_element(); }
+  bool start_object(std::size_t) override { return start_level(false); }
+  bool end_object() override { return end_level(); }
+  bool start_array(std::size_t) override { return start_level(true); }
+  bool end_array() override { return end_level(); }
+  bool key(string_t& key) override {
+    levels_.back().key = key;
+    if (!levels_.back().keys.insert(key).second && !repeated_) repeated_ = path();
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+    return false;
   }
 
   /// Path of the first key that stands twice in its object.
@@ -50,13 +52,20 @@ class KeyWatcher {
     std::set<std::string> keys;
   };
 
-  void next_element() {
+  bool next_element() {
     if (!levels_.empty() && levels_.back().is_array) ++levels_.back().count;
+    return true;
   }
 
-  void see_key(std::string key) {
-    levels_.back().key = key;
-    if (!levels_.back().keys.insert(std::move(key)).second && !repeated_) repeated_ = path();
+  bool start_level(bool is_array) {
+    next_element();
+    levels_.push_back({is_array, 0, {}, {}});
+    return true;
+  }
+
+  bool end_level() {
+    levels_.pop_back();
+    return true;
   }
 
   std::string path() const {
@@ -92,13 +101,9 @@ std::string type_text(const json& value) {
 }  // namespace
 
 json parse_strict_json(std::string_view text, const std::string& source) {
-  KeyWatcher watcher;
   json parsed;
   try {
-    parsed = json::parse(text, [&](int, json::parse_event_t event, json& value) {
-      watcher.see(event, value);
-      return true;
-    });
+    parsed = json::parse(text);
   } catch (const json::parse_error& error) {
     throw ModelError(position_text(text, error.byte, source), syntax_problem(text, error.byte),
                      "check quotes, commas and brackets there");
@@ -106,6 +111,8 @@ json parse_strict_json(std::string_view text, const std::string& source) {
     throw ModelError(position_text(text, overflowing_number(text).value_or(1), source),
                      "a number is out of the range of a double", "use a smaller exponent");
   }
+  KeyWatcher watcher;
+  json::sax_parse(text, &watcher);
   if (watcher.repeated())
     throw ModelError(source + ": " + *watcher.repeated(), "the key stands twice in its object",
                      "remove one of them");

@@ -102,8 +102,20 @@ TEST(Monomials, NoTermLeftIsRefused) {
 }
 
 TEST(Monomials, TooManyTermsAreRefusedBeforeTheyAreMade) {
-  const Variables many{{"a", "b", "c", "d", "e", "f", "g", "h"}, {}};
-  EXPECT_THROW(names({.max_degree = 20}, many), ConfigError);
+  const auto variables = [](int count) {
+    Variables many;
+    for (int i = 0; i < count; ++i) many.states.push_back("x" + std::to_string(i));
+    return many;
+  };
+  EXPECT_THROW(names({.max_degree = 20}, variables(8)), ConfigError);
+  EXPECT_THROW(names({.max_degree = 20}, variables(1000000)), ConfigError);
+  EXPECT_THROW(names({.min_degree = 20, .max_degree = 20}, variables(1000000)), ConfigError);
+  // 446 variables have 99 681 squares and products, 447 have 100 128.
+  EXPECT_EQ(names({.min_degree = 2, .max_degree = 2}, variables(446)).size(), 99681u);
+  EXPECT_THROW(names({.min_degree = 2, .max_degree = 2}, variables(447)), ConfigError);
+  // Powers of both signs up to the second: 24 variables have 90 901 of them, 25 have 106 601.
+  EXPECT_EQ(names({.min_degree = -2, .max_degree = 2}, variables(24)).size(), 90901u);
+  EXPECT_THROW(names({.min_degree = -2, .max_degree = 2}, variables(25)), ConfigError);
 }
 
 }  // namespace
