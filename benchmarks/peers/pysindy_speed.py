@@ -6,7 +6,7 @@
     build/peers/bin/python benchmarks/peers/pysindy_speed.py build/check/benchmarks/study_scaling FOLDER
 
 A million rows of Lorenz' system with derivatives given, sequentially thresholded least squares,
-one thread each. Writes FOLDER/speed.md.
+both on one thread, then both on two. Writes FOLDER/speed.md.
 """
 
 import csv
@@ -25,7 +25,7 @@ REPEATS = 5
 def lacuna_times(study, folder):
     subprocess.run([study, "speed", folder], check=True)
     with open(pathlib.Path(folder) / "speed.csv") as file:
-        return {int(row["degree"]): row for row in csv.DictReader(file)}
+        return list(csv.DictReader(file))
 
 
 def pysindy_time(folder, degree):
@@ -55,24 +55,25 @@ def main(study, folder):
         "# Speed beside PySINDy 2.1",
         "",
         "A fit of 10^6 x 3 samples of Lorenz' system with derivatives given, preset `sindy` and "
-        "STLSQ, one thread, medians of 5 in one run; MB beside the data.",
+        "STLSQ, medians of 5 in one run; threads: of lacuna, and of the BLAS behind PySINDy; MB beside the data.",
         "",
         f"Made by `benchmarks/peers/pysindy_speed.py study_scaling FOLDER` on {datetime.date.today()}.",
         "",
-        "| degree | lacuna / s | PySINDy / s | ratio | lacuna / MB | PySINDy / MB |",
-        "|---|---|---|---|---|---|",
+        "| degree | threads | lacuna / s | PySINDy / s | ratio | lacuna / MB | PySINDy / MB |",
+        "|---|---|---|---|---|---|---|",
     ]
-    for degree, row in ours.items():
+    for row in ours:
         # A process of its own, so that memory is that of one degree.
         answer = subprocess.run(
-            [sys.executable, __file__, "--fit", folder, str(degree)],
+            [sys.executable, __file__, "--fit", folder, row["degree"]],
             check=True, capture_output=True, text=True,
-            env={**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
+            env={**os.environ, "OMP_NUM_THREADS": row["threads"],
+                 "OPENBLAS_NUM_THREADS": row["threads"]},
         ).stdout.split()
         seconds, megabytes = float(answer[0]), float(answer[1])
         lines.append(
-            f"| {degree} | {row['seconds']} | {seconds:.2f} | {seconds / float(row['seconds']):.0f} | "
-            f"{row['MB']} | {megabytes:.0f} |"
+            f"| {row['degree']} | {row['threads']} | {row['seconds']} | {seconds:.2f} | "
+            f"{seconds / float(row['seconds']):.0f} | {row['MB']} | {megabytes:.0f} |"
         )
     text = "\n".join(lines) + "\n"
     (pathlib.Path(folder) / "speed.md").write_text(text)

@@ -18,11 +18,18 @@ Index first_with_delay(const Vector& time, double delay) {
   return std::lower_bound(time.data(), time.data() + time.size(), from) - time.data();
 }
 
-/// Values of the variables, one column per slot, without delays.
-Matrix variable_slots(const Trajectory& record) {
-  Matrix slots(record.samples(), record.states.cols() + record.inputs.cols() + 1);
-  slots << record.states, record.inputs, record.time;
-  return slots;
+/// Values of the variables at some samples, in the first columns: states, inputs, time.
+/// @return how many columns these are.
+Index fill_variables(const Trajectory& record, Index first, Matrix& slots) {
+  Index column = 0;
+  const auto put = [&](const auto& values) {
+    for (Index j = 0; j < values.cols(); ++j)
+      slots.col(column++) = values.col(j).segment(first, slots.rows());
+  };
+  put(record.states);
+  put(record.inputs);
+  put(record.time);
+  return column;
 }
 
 Vector delayed_values(const Vector& time, const Vector& values, Index first, double delay) {
@@ -94,15 +101,16 @@ LibraryRows::Block LibraryRows::make_block(const Trajectory& record, std::size_t
   const Index ends = 4 * margin <= record.samples() ? margin : 0;
   const Index first = std::max(first_with_delay(record.time, longest_delay_), ends);
   const Index count = std::max<Index>(record.samples() - ends - first, 0);
-  const Matrix variables = variable_slots(record);
   Block block{record.source,
               number,
               first,
               0,
               Matrix(count, program_.slots()),
               record.derivatives.middleRows(first, count)};
-  block.slots.leftCols(variables.cols()) = variables.middleRows(first, count);
-  Index slot = variables.cols();
+  Index slot = fill_variables(record, first, block.slots);
+  if (program_.delays().empty()) return block;
+  Matrix variables(record.samples(), slot);
+  fill_variables(record, 0, variables);
   for (const DelayedVariable& delayed : program_.delays())
     block.slots.col(slot++) =
         delayed_values(record.time, variables.col(delayed.slot), first, delayed.delay)

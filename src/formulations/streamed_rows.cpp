@@ -63,6 +63,7 @@ StreamedRows::StreamedRows(const TermLibrary& library,
     : library_(library),
       records_(std::move(records)),
       rates_(std::move(rates)),
+      has_derivatives_(has_derivatives),
       margin_(has_derivatives ? 0 : rates_.method->margin()) {
   check_no_delay(library);
   const Index fewest = has_derivatives ? 1 : rates_.method->fewest_samples();
@@ -83,7 +84,14 @@ std::unique_ptr<RowReader> StreamedRows::open() const {
 }
 
 LibraryRows StreamedRows::rows_of_piece(const Piece& piece) const {
+  std::vector<Trajectory> samples;
+  samples.push_back(samples_of_piece(piece));
+  return {library_, samples};
+}
+
+Trajectory StreamedRows::samples_of_piece(const Piece& piece) const {
   const SampleSource& record = *records_[piece.record];
+  if (has_derivatives_) return record.read(piece.first_sample, piece.count);
   const Index fewest = rates_.method->fewest_samples();
   // What the differentiator sees of a sample lies within its margin.
   const Index around = std::max(margin_, fewest);
@@ -91,7 +99,7 @@ LibraryRows StreamedRows::rows_of_piece(const Piece& piece) const {
   const Index end = std::min(piece.first_sample + piece.count + around, record.samples());
   const Trajectory samples =
       with_derivatives(record.read(first, end - first), *rates_.method, rates_.smooth_states);
-  return {library_, {rows_of(samples, piece.first_sample - first, piece.count)}};
+  return rows_of(samples, piece.first_sample - first, piece.count);
 }
 
 std::optional<NonFiniteEntry> StreamedRows::find_non_finite() const {

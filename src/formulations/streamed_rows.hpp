@@ -51,9 +51,13 @@ class StreamedRows final : public RowSource {
 
   LibraryRows rows_of_piece(const Piece& piece) const;
 
+  /// With derivatives.
+  Trajectory samples_of_piece(const Piece& piece) const;
+
   TermLibrary library_;
   std::vector<std::shared_ptr<const SampleSource>> records_;
   SampleRates rates_;
+  bool has_derivatives_;
   Index margin_;
   std::vector<Piece> pieces_;
   Index rows_ = 0;

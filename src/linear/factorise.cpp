@@ -18,6 +18,9 @@ namespace {
 
 constexpr double kGramCondition = 1e7;
 constexpr double kGramResidual = 1e-6;
+// What is left of a target, as a share of it, of which a Gram resolves all that rounding leaves:
+// it sees 3e-8 of that.
+constexpr double kDeflated = 1e-9;
 
 struct Shape {
   Index rows;
@@ -47,11 +50,13 @@ Matrix without_zero_columns(const Factor& factor) {
   return factor.triangle(kept, kept);
 }
 
-bool residuals_resolved(const Factor& factor) {
-  for (Index k = 0; k < factor.target_norms.size(); ++k) {
+// @param seen norms of what the Gram has seen of each target.
+bool residuals_resolved(const Factor& factor, const Vector& seen) {
+  for (Index k = 0; k < seen.size(); ++k) {
     const auto column = factor.triangle.col(factor.terms() + k);
     const double residual = column.tail(column.size() - factor.terms()).norm();
-    if (residual < kGramResidual * factor.target_norms[k]) return false;
+    if (residual < kGramResidual * seen[k] && seen[k] > kDeflated * factor.target_norms[k])
+      return false;
   }
   return true;
 }
@@ -71,7 +76,7 @@ std::optional<Factor> factor_of_gram(const Shape& shape, const Matrix& gram, Fol
   const Vector norms = gram.diagonal().cwiseSqrt();
   Factor factor = gram_factor(shape, norms, std::move(cholesky));
   if (folding == Folding::Gram) return factor;
-  const bool resolved = !broke_down && residuals_resolved(factor) &&
+  const bool resolved = !broke_down && residuals_resolved(factor, factor.target_norms) &&
                         condition_estimate(without_zero_columns(factor)) <= kGramCondition;
   return resolved ? std::optional<Factor>(std::move(factor)) : std::nullopt;
 }
@@ -97,16 +102,58 @@ class FirstRows final : public RowSource {
   Index count_;
 };
 
+// The first of very many rows. A fact of cost: an eighth of the fewest, little beside a pass.
+FirstRows first_of(const RowSource& rows) {
+  constexpr Index kFirst = kManyRows / 8;
+  return {rows, std::min(rows.rows(), kFirst)};
+}
+
 // Whether the first of many rows tell that a pass for their Gram would be in vain.
 bool begins_unresolved(const RowSource& rows, const RunContext& context) {
-  // A fact of cost: an eighth of the fewest rows, little beside a pass.
-  constexpr Index kFirst = Index{1} << 15;
   if (rows.rows() < kManyRows) return false;
-  const FirstRows first(rows, kFirst);
+  const FirstRows first = first_of(rows);
   const Matrix gram = fold_gram(first, context);
   return squares_in_range(gram.diagonal()) &&
-         !factor_of_gram({kFirst, rows.terms(), rows.targets()}, gram, Folding::Automatic,
+         !factor_of_gram({first.rows(), rows.terms(), rows.targets()}, gram, Folding::Automatic,
                          context);
+}
+
+// Coefficients that explain the first rows, L x m; nothing where those do not determine them.
+std::optional<Matrix> fit_to_first(const RowSource& rows, const RunContext& context) {
+  const FirstRows first = first_of(rows);
+  const Matrix folded = fold_orthogonal(first, context);
+  if (!squares_in_range(folded.colwise().squaredNorm().transpose())) return std::nullopt;
+  const Factor factor =
+      orthogonal_factor({first.rows(), rows.terms(), rows.targets()}, folded);
+  const Matrix terms = factor.triangle.topLeftCorner(rows.terms(), rows.terms());
+  if (condition_estimate(terms) > kGramCondition) return std::nullopt;
+  const Matrix scaled = terms.triangularView<Eigen::Upper>().solve(
+      factor.triangle.topRightCorner(rows.terms(), rows.targets()));
+  return Matrix(factor.column_norms.cwiseInverse().asDiagonal() * scaled);
+}
+
+// The factor by the Gram of the terms and of what coefficients H leave of the targets, which is
+// so little that it is resolved: [Theta D^-1, Y - Theta H] = Q [R_tt S; 0 R_yy] makes
+// R_ty = S + R_tt D H.
+std::optional<Factor> deflated_factor(const RowSource& rows, const Shape& shape,
+                                      const RunContext& context) {
+  const auto h = fit_to_first(rows, context);
+  if (!h) return std::nullopt;
+  const Matrix gram = fold_deflated_gram(rows, *h, context);
+  if (!gram.allFinite() || !squares_in_range(gram.diagonal().head(shape.terms)))
+    return std::nullopt;
+  GramFactor cholesky = factor_gram(gram, shape.terms, context);
+  if (cholesky.broke_down) return std::nullopt;
+  const Vector norms = gram.diagonal().cwiseSqrt();
+  Factor factor = gram_factor(shape, norms, std::move(cholesky));
+  const Matrix terms = factor.triangle.topLeftCorner(shape.terms, shape.terms);
+  factor.triangle.topRightCorner(shape.terms, shape.targets) +=
+      terms.triangularView<Eigen::Upper>() * (factor.column_norms.asDiagonal() * *h);
+  factor.target_norms = factor.triangle.rightCols(shape.targets).colwise().norm();
+  factor.folding = Folding::Deflated;
+  const bool resolved = condition_estimate(terms) <= kGramCondition &&
+                        residuals_resolved(factor, norms.tail(shape.targets));
+  return resolved ? std::optional<Factor>(std::move(factor)) : std::nullopt;
 }
 
 void unscale(Factor& factor, const std::vector<int>& exponents) {
@@ -128,8 +175,11 @@ void unscale(Factor& factor, const std::vector<int>& exponents) {
 Factor factorise(const RowSource& rows, Folding folding, ColumnName name,
                  const RunContext& context) {
   const Shape shape{rows.rows(), rows.terms(), rows.targets()};
-  const bool orthogonal = folding == Folding::Orthogonal ||
-                          (folding == Folding::Automatic && begins_unresolved(rows, context));
+  const bool deflated = folding == Folding::Deflated ||
+                        (folding == Folding::Automatic && begins_unresolved(rows, context));
+  if (deflated)
+    if (auto factor = deflated_factor(rows, shape, context)) return *std::move(factor);
+  const bool orthogonal = deflated || folding == Folding::Orthogonal;
   const Matrix folded = orthogonal ? fold_orthogonal(rows, context) : fold_gram(rows, context);
   const Vector squares =
       orthogonal ? Vector(folded.colwise().squaredNorm().transpose()) : folded.diagonal();

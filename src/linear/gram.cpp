@@ -20,19 +20,32 @@ Matrix unit_diagonal(const Matrix& gram) {
   return scale.asDiagonal() * gram * scale.asDiagonal();
 }
 
-}  // namespace
-
-Matrix fold_gram(const RowSource& rows, const RunContext& context) {
+/// The Gram matrix of rows that `prepare` may change tile by tile.
+Matrix fold_prepared(const RowSource& rows, const RunContext& context,
+                     FunctionRef<void(Tile& tile)> prepare) {
   const Index columns = rows.terms() + rows.targets();
   const Index padded = Scratch(1, columns).padded_columns();
   std::vector<Matrix> slots(row_slots(rows.rows()).size(), Matrix::Zero(padded, padded));
   for_each_tile(rows, context, "reading rows", [&](Index slot, Tile& tile) {
+    prepare(tile);
     add_gram(tile.scratch(), tile.rows(), slots[static_cast<std::size_t>(slot)]);
   });
   share_parts(slots.size(), context, [&](std::size_t slot) { return numbers_of(slots[slot]); });
   Matrix total = Matrix::Zero(padded, padded);
   for (const Matrix& slot : slots) total += slot;
   return symmetric(total.topLeftCorner(columns, columns));
+}
+
+}  // namespace
+
+Matrix fold_gram(const RowSource& rows, const RunContext& context) {
+  return fold_prepared(rows, context, [](Tile&) {});
+}
+
+Matrix fold_deflated_gram(const RowSource& rows, const Matrix& h, const RunContext& context) {
+  return fold_prepared(rows, context, [&](Tile& tile) {
+    deflate_targets(tile.scratch(), tile.rows(), h);
+  });
 }
 
 GramFactor factor_gram(const Matrix& gram, Index terms, const RunContext& context) {

@@ -27,10 +27,14 @@ LACUNA_INLINE void gram_block(const TileView& tile, const double* left, const do
   using V = typename Lanes<W>::Type;
   V products[kBlock][kBlock] = {};
   for (Index row = 0; row < tile.rows; row += W) {
-    const V a[kBlock] = {at<W>(left + row).values, at<W>(left + tile.stride + row).values,
-                         at<W>(left + 2 * tile.stride + row).values};
+    V a[kBlock];
+    for (int i = 0; i < kBlock; ++i) {
+      a[i] = at<W>(left + i * tile.stride + row).values;
+      keep_in_register(a[i]);
+    }
     for (int j = 0; j < kBlock; ++j) {
-      const V b = at<W>(right + j * tile.stride + row).values;
+      V b = at<W>(right + j * tile.stride + row).values;
+      keep_in_register(b);
       for (int i = 0; i < kBlock; ++i) products[j][i] += a[i] * b;
     }
   }
@@ -126,16 +130,39 @@ LACUNA_INLINE void triangle_kernel(const TileView& tile, double* triangle) {
   }
 }
 
-using GramKernel = void (*)(const TileView&, double*);
-using TriangleKernel = void (*)(const TileView&, double*);
+// target -= N terms times their coefficients.
+template <int W, int N>
+LACUNA_INLINE void deflate(const TileView& tile, const double* terms, const double* h,
+                           double* target) {
+  for (Index row = 0; row < tile.rows; row += W) {
+    typename Lanes<W>::Type left = at<W>(target + row).values;
+    for (int j = 0; j < N; ++j) left -= at<W>(terms + j * tile.stride + row).values * h[j];
+    at<W>(target + row).values = left;
+  }
+}
+
+template <int W>
+LACUNA_INLINE void deflation_kernel(const TileView& tile, const double* h, Index terms) {
+  for (Index k = terms; k < tile.columns; ++k, h += terms) {
+    double* target = tile.data + k * tile.stride;
+    Index j = 0;
+    for (; j + 4 <= terms; j += 4)
+      deflate<W, 4>(tile, tile.data + j * tile.stride, h + j, target);
+    for (; j < terms; ++j) deflate<W, 1>(tile, tile.data + j * tile.stride, h + j, target);
+  }
+}
 
 struct Kernels {
-  GramKernel gram;
-  TriangleKernel triangle;
+  void (*gram)(const TileView&, double* gram);
+  void (*triangle)(const TileView&, double* triangle);
+  void (*deflation)(const TileView&, const double* h, Index terms);
 };
 
 void gram_generic(const TileView& tile, double* gram) { gram_kernel<2>(tile, gram); }
 void triangle_generic(const TileView& tile, double* r) { triangle_kernel<2>(tile, r); }
+void deflation_generic(const TileView& tile, const double* h, Index terms) {
+  deflation_kernel<2>(tile, h, terms);
+}
 
 #ifdef LACUNA_KERNEL_DISPATCH
 [[gnu::target("avx2,fma")]] void gram_avx2(const TileView& tile, double* gram) {
@@ -144,21 +171,29 @@ void triangle_generic(const TileView& tile, double* r) { triangle_kernel<2>(tile
 [[gnu::target("avx2,fma")]] void triangle_avx2(const TileView& tile, double* r) {
   triangle_kernel<4>(tile, r);
 }
+[[gnu::target("avx2,fma")]] void deflation_avx2(const TileView& tile, const double* h,
+                                                Index terms) {
+  deflation_kernel<4>(tile, h, terms);
+}
 [[gnu::target("avx512f")]] void gram_avx512(const TileView& tile, double* gram) {
   gram_kernel<8>(tile, gram);
 }
 [[gnu::target("avx512f")]] void triangle_avx512(const TileView& tile, double* r) {
   triangle_kernel<8>(tile, r);
 }
+[[gnu::target("avx512f")]] void deflation_avx512(const TileView& tile, const double* h,
+                                                 Index terms) {
+  deflation_kernel<8>(tile, h, terms);
+}
 #endif
 
 Kernels kernels(InstructionSet set) {
 #ifdef LACUNA_KERNEL_DISPATCH
-  if (set == InstructionSet::Avx512) return {gram_avx512, triangle_avx512};
-  if (set == InstructionSet::Avx2) return {gram_avx2, triangle_avx2};
+  if (set == InstructionSet::Avx512) return {gram_avx512, triangle_avx512, deflation_avx512};
+  if (set == InstructionSet::Avx2) return {gram_avx2, triangle_avx2, deflation_avx2};
 #endif
   static_cast<void>(set);
-  return {gram_generic, triangle_generic};
+  return {gram_generic, triangle_generic, deflation_generic};
 }
 
 InstructionSet detect_instruction_set() {
@@ -192,6 +227,12 @@ void fold_triangle(Scratch& tile, Index rows, Matrix& triangle, InstructionSet s
   kernels(set).triangle(
       {tile.data(), tile.stride(), Scratch::padded_rows(rows), tile.columns()},
       triangle.data());
+}
+
+void deflate_targets(Scratch& tile, Index rows, const Matrix& h, InstructionSet set) {
+  kernels(set).deflation(
+      {tile.data(), tile.stride(), Scratch::padded_rows(rows), tile.columns()}, h.data(),
+      h.rows());
 }
 
 }  // namespace lacuna

@@ -10,6 +10,11 @@ namespace lacuna {
 /// [Theta Y]' [Theta Y], (L + m) x (L + m), both triangles filled. One pass over the rows.
 Matrix fold_gram(const RowSource& rows, const RunContext& context = {});
 
+/// The same of [Theta, Y - Theta H]: what coefficients H leave of the targets.
+/// @param h L x m.
+Matrix fold_deflated_gram(const RowSource& rows, const Matrix& h,
+                          const RunContext& context = {});
+
 /// A Cholesky factor and whether it can be trusted.
 struct GramFactor {
   Matrix triangle;          ///< R, upper triangular with non-negative diagonal

@@ -22,8 +22,8 @@ class Subproblem;
 /// Rows are read in tiles and folded in a fixed order, so the result does not depend on the
 /// number of threads. Folding is by the Gram matrix (scaled, Cholesky); where its scaled
 /// condition exceeds about 1e7, where Cholesky breaks down, or where the residual lies below
-/// what a Gram can resolve, it is repeated by tall-skinny QR. A value: copies share rows and
-/// statistics.
+/// what a Gram can resolve, it is repeated by tall-skinny QR (see factorise()). A value: copies
+/// share rows and statistics.
 class LeastSquaresSystem {
  public:
   /// Reads all rows once (or twice, see above).
@@ -65,7 +65,7 @@ class LeastSquaresSystem {
                         const WeightFunction& weights, const RunContext& context = {}) const;
 
   /// Coefficients after one pass of iterative refinement: r = y - Theta h, R'R dh = Theta' r.
-  /// Of very many rows that were folded orthogonally: as they are.
+  /// Of very many rows that were folded orthogonally or deflated: as they are.
   /// @param problem not a weighted one.
   /// @throws ArgumentError when h does not fit.
   Vector refined(const Subproblem& problem, const Vector& h,

@@ -29,6 +29,13 @@ std::string_view name_of(InstructionSet set);
 void add_gram(const Scratch& tile, Index rows, Matrix& gram,
               InstructionSet set = best_instruction_set());
 
+/// Takes terms times coefficients off the targets that stand behind them:
+/// Y -= Theta H for the first `rows` rows of the scratch memory (rounded up as above).
+/// @param h terms x targets, which together are the columns of the scratch memory.
+/// @param set one that the machine has.
+void deflate_targets(Scratch& tile, Index rows, const Matrix& h,
+                     InstructionSet set = best_instruction_set());
+
 /// Makes [R; T] upper triangular by Householder reflections and leaves the result in R; T is
 /// overwritten. Zero columns of T leave R as it is.
 /// @param triangle columns x columns, upper triangular.

@@ -19,6 +19,10 @@ class SampleSource {
   /// Samples [first, first + count), which must be there.
   /// @throws FileError when the file cannot be read any more.
   virtual Trajectory read(Index first, Index count) const = 0;
+
+  /// Samples first, first + step, ..., `count` of them, which must be there.
+  /// @throws FileError as read().
+  virtual Trajectory read_every(Index first, Index step, Index count) const;
 };
 
 /// A record in memory as a source. Refers to the record.

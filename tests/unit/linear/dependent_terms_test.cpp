@@ -115,7 +115,7 @@ TEST_P(DependentTerms, FewerRowsThanTermsFitExactly) {
 
 INSTANTIATE_TEST_SUITE_P(Foldings, DependentTerms,
                          ::testing::Values(Folding::Automatic, Folding::Gram,
-                                           Folding::Orthogonal));
+                                           Folding::Orthogonal, Folding::Deflated));
 
 }  // namespace
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "lacuna/core/error.hpp"
@@ -77,6 +78,79 @@ TEST(Factorise, ZeroColumnsStayZeroAndAreNoReasonToSwitch) {
   EXPECT_TRUE(factor.triangle.col(1).isZero(0.0));
 }
 
+// Powers of a variable, condition about 1e3; exact targets beside one with noise and one of
+// which nothing is left.
+struct ExactProblem {
+  Matrix theta = Matrix(4000, 6);
+  Matrix truth = Matrix::Random(6, 3);
+  Matrix targets;
+
+  ExactProblem() {
+    const Vector x = 1.2 + Vector::Random(4000).array();
+    for (Index j = 0; j < 6; ++j) theta.col(j) = x.array().pow(double(j));
+    truth.col(2) = Vector::Unit(6, 1);
+    targets = theta * truth;
+    targets.col(2) = theta.col(1);
+  }
+};
+
+TEST(Factorise, DeflatedIsAsAccurateAsOrthogonal) {
+  ExactProblem problem;
+  problem.targets.col(1) += 1e-2 * Vector::Random(4000);
+  const Factor deflated = factor_of(problem.theta, problem.targets, Folding::Deflated);
+  const Factor orthogonal = factor_of(problem.theta, problem.targets, Folding::Orthogonal);
+  ASSERT_EQ(deflated.folding, Folding::Deflated);
+  EXPECT_LT((deflated.triangle - orthogonal.triangle).topRows(6).cwiseAbs().maxCoeff(), 1e-7);
+  const auto residual = [](const Factor& factor) {
+    return factor.triangle.col(7).tail(3).norm();
+  };
+  EXPECT_NEAR(residual(deflated), residual(orthogonal), 1e-10);
+  EXPECT_LT((deflated.target_norms - orthogonal.target_norms).norm(), 1e-10);
+  const auto left = [](const Factor& factor) { return factor.triangle(6, 6); };
+  EXPECT_LT(left(deflated), 1e-14 * deflated.target_norms[0]);
+  const Vector h = deflated.triangle.topLeftCorner(6, 6)
+                       .triangularView<Eigen::Upper>()
+                       .solve(deflated.triangle.col(6).head(6))
+                       .cwiseQuotient(deflated.column_norms);
+  EXPECT_LT((h - problem.truth.col(0)).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(Factorise, DeflatedSeesWhatLaterRowsLeave) {
+  ExactProblem problem;
+  Matrix theta(40'000, 6), targets(40'000, 3);
+  theta << problem.theta.replicate(10, 1);
+  targets << problem.targets.replicate(10, 1);
+  targets.bottomRows(4000) += 1e-9 * Matrix::Random(4000, 3);
+  const Factor deflated = factor_of(theta, targets, Folding::Deflated);
+  const Factor orthogonal = factor_of(theta, targets, Folding::Orthogonal);
+  ASSERT_EQ(deflated.folding, Folding::Deflated);
+  const Factor gram = factor_of(theta, targets, Folding::Gram);
+  for (Index k = 0; k < 3; ++k) {
+    const auto left = [&](const Factor& factor) {
+      return factor.triangle.col(6 + k).tail(3).norm();
+    };
+    EXPECT_NEAR(left(deflated), left(orthogonal), 1e-3 * left(orthogonal));
+    EXPECT_GT(std::abs(left(gram) - left(orthogonal)), 0.5 * left(orthogonal));  // too little
+  }
+}
+
+TEST(Factorise, DeflatedGivesWayWhereTheFirstRowsDoNotDetermineTheTerms) {
+  ExactProblem problem;
+  Matrix theta(70'000, 6);
+  theta << problem.theta.replicate(18, 1).topRows(70'000);
+  theta.col(5).head(kManyRows / 8).setZero();
+  const Factor factor = factor_of(theta, theta * problem.truth, Folding::Deflated);
+  EXPECT_EQ(factor.folding, Folding::Orthogonal);
+}
+
+TEST(Factorise, AutomaticDeflatesVeryManyRowsOfExactTargets) {
+  const Matrix theta = Matrix::Random(kManyRows, 3);
+  const Matrix exact = theta * Matrix::Random(3, 2);
+  EXPECT_EQ(factor_of(theta, exact).folding, Folding::Deflated);
+  EXPECT_EQ(factor_of(theta, exact + 1e-3 * Matrix::Random(kManyRows, 2)).folding,
+            Folding::Gram);
+}
+
 class FactoriseExtremes : public ::testing::TestWithParam<Folding> {};
 
 TEST_P(FactoriseExtremes, ScaleDropsOutOfTheTriangle) {
@@ -113,7 +187,7 @@ TEST_P(FactoriseExtremes, TakesNoRows) {
 
 INSTANTIATE_TEST_SUITE_P(Foldings, FactoriseExtremes,
                          ::testing::Values(Folding::Automatic, Folding::Gram,
-                                           Folding::Orthogonal));
+                                           Folding::Orthogonal, Folding::Deflated));
 
 }  // namespace
 }  // namespace lacuna

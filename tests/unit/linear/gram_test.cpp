@@ -17,6 +17,17 @@ TEST(FoldGram, IsTheProductOverAllSlots) {
   EXPECT_EQ(gram, gram.transpose());
 }
 
+TEST(FoldDeflatedGram, IsTheProductOfWhatCoefficientsLeave) {
+  const Matrix theta = Matrix::Random(40'001, 5);
+  const Matrix targets = Matrix::Random(40'001, 2);
+  const Matrix h = Matrix::Random(5, 2);
+  Matrix all(40'001, 7);
+  all << theta, targets - theta * h;
+  const Matrix expected = all.transpose() * all;
+  const Matrix gram = fold_deflated_gram(*make_row_source(theta, targets), h);
+  EXPECT_LT((gram - expected).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 TEST(FoldGram, OfNoRowsIsZero) {
   EXPECT_TRUE(fold_gram(*make_row_source(Matrix(0, 2), Matrix(0, 1))).isZero(0.0));
 }

@@ -116,7 +116,7 @@ TEST_F(System, CoefficientsFollowTheScaleOfColumns) {
 TEST_F(System, FactorIsTheSameToTheBitForAnyNumberOfThreads) {
   const Matrix theta = Matrix::Random(100'000, 4);
   const Matrix targets = Matrix::Random(100'000, 2);
-  for (const Folding folding : {Folding::Gram, Folding::Orthogonal}) {
+  for (const Folding folding : {Folding::Gram, Folding::Orthogonal, Folding::Deflated}) {
     const auto one = make(theta, targets, {}, folding);
     for (const int threads : {2, 3, 8}) {
       RunContext context;
@@ -127,12 +127,12 @@ TEST_F(System, FactorIsTheSameToTheBitForAnyNumberOfThreads) {
   }
 }
 
-TEST(ManyRows, FoldedOrthogonallyNeedNoRefinement) {
+TEST(ManyRows, DeflatedNeedNoRefinement) {
   const Matrix theta = Matrix::Random(kManyRows, 3);
   const Vector truth = Vector::LinSpaced(3, 1.0, 2.0);
   const LeastSquaresSystem system(make_row_source(theta, theta * truth), {"a", "b", "c"},
                                   {"y"});
-  ASSERT_EQ(system.factor().folding, Folding::Orthogonal);
+  ASSERT_EQ(system.factor().folding, Folding::Deflated);
   const Subproblem problem = system.subproblem(0, system.all_terms());
   const Vector h = problem.solve();
   EXPECT_LT((h - truth).cwiseAbs().maxCoeff(), 1e-13);

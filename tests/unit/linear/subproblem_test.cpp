@@ -88,7 +88,7 @@ TEST_P(SubproblemFoldings, InverseGramDiagonal) {
 
 INSTANTIATE_TEST_SUITE_P(Foldings, SubproblemFoldings,
                          ::testing::Values(Folding::Automatic, Folding::Gram,
-                                           Folding::Orthogonal));
+                                           Folding::Orthogonal, Folding::Deflated));
 
 TEST(Subproblem, WithoutTermsLeavesTheTarget) {
   const Matrix targets = Matrix::Random(50, 2);

@@ -27,7 +27,8 @@ struct TeamRows {
 
 TEST(TeamOfProcesses, FactorsRefinementsAndResidualsAreThoseOfOne) {
   const TeamRows rows;
-  for (const Folding folding : {Folding::Gram, Folding::Orthogonal, Folding::Automatic}) {
+  for (const Folding folding :
+       {Folding::Gram, Folding::Orthogonal, Folding::Deflated, Folding::Automatic}) {
     const LeastSquaresSystem alone = rows.system({}, folding);
     const Subproblem problem = alone.subproblem(1, {0, 2, 3});
     const Vector h = problem.solve();

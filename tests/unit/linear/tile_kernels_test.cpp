@@ -65,6 +65,20 @@ TEST_P(TileKernels, TriangleIsThatOfTheStackedRows) {
             1e-12);
 }
 
+TEST_P(TileKernels, DeflationTakesTermsTimesCoefficientsOffTheTargets) {
+  for (const Index rows : {1, 15, 16, 100}) {
+    for (const Index terms : {columns_ - 1, columns_ / 2}) {
+      const Matrix values = Matrix::Random(rows, columns_);
+      const Matrix h = Matrix::Random(terms, columns_ - terms);
+      Scratch scratch = scratch_of(values);
+      deflate_targets(scratch, rows, h, set_);
+      Matrix expected = values;
+      expected.rightCols(columns_ - terms) -= values.leftCols(terms) * h;
+      EXPECT_LT((scratch.block(rows, 0, columns_) - expected).cwiseAbs().maxCoeff(), 1e-13);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Columns, TileKernels,
                          ::testing::Combine(::testing::Values(1, 2, 3, 4, 5, 7, 11, 23, 60),
                                             ::testing::ValuesIn(instruction_sets())));

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <vector>
+
 #include "unit/streams/long_records.hpp"
 
 namespace lacuna {
@@ -30,9 +33,28 @@ TEST(SampleSource, OfARecordInMemoryGivesItsRows) {
   EXPECT_EQ(part.source, "swing");
 }
 
+/// A record of which only pieces can be read, like one in a file.
+class InPieces final : public SampleSource {
+ public:
+  explicit InPieces(const Trajectory& record) : record_(source_of(record)) {}
+  Index samples() const override { return record_->samples(); }
+  Trajectory read(Index first, Index count) const override {
+    return record_->read(first, count);
+  }
+
+ private:
+  std::shared_ptr<const SampleSource> record_;
+};
+
+std::vector<std::shared_ptr<const SampleSource>> both_kinds(const Dataset& data) {
+  const Trajectory& record = data.trajectories[0];
+  return {source_of(record), std::make_shared<const InPieces>(record)};
+}
+
 /// The thinned samples, one by one.
-void expect_every(Index step, const Dataset& data, Index first, Index count) {
-  const auto source = thinned(source_of(data.trajectories[0]), step);
+void expect_every(Index step, const Dataset& data, Index first, Index count,
+                  const std::shared_ptr<const SampleSource>& record) {
+  const auto source = thinned(record, step);
   const Trajectory part = source->read(first, count);
   ASSERT_EQ(part.samples(), count);
   for (Index i = 0; i < count; ++i) {
@@ -47,18 +69,22 @@ void expect_every(Index step, const Dataset& data, Index first, Index count) {
 
 TEST(SampleSource, ThinnedGivesEverySoManyth) {
   const Dataset data = full_record();
-  expect_every(7, data, 3, 140);
-  expect_every(8, data, 0, 125);
-  expect_every(300, data, 1, 3);
+  for (const auto& record : both_kinds(data)) {
+    expect_every(7, data, 3, 140, record);
+    expect_every(8, data, 0, 125, record);
+    expect_every(300, data, 1, 3, record);
+  }
 }
 
 TEST(SampleSource, ThinnedReadsPieceByPieceWhatIsLong) {
   const Dataset data = testing::long_oscillation(200000, 50.0);
-  const auto source = thinned(source_of(data.trajectories[0]), 3);
-  ASSERT_EQ(source->samples(), 66667);
-  const Trajectory all = source->read(0, 66667);
-  for (const Index i : {0, 21845, 21846, 43690, 66666})
-    EXPECT_EQ(all.states.row(i), data.trajectories[0].states.row(3 * i)) << i;
+  for (const auto& record : both_kinds(data)) {
+    const auto source = thinned(record, 3);
+    ASSERT_EQ(source->samples(), 66667);
+    const Trajectory all = source->read(0, 66667);
+    for (const Index i : {0, 21845, 21846, 43690, 66666})
+      EXPECT_EQ(all.states.row(i), data.trajectories[0].states.row(3 * i)) << i;
+  }
 }
 
 TEST(SampleSource, ThinnedByOneIsTheRecordItself) {
