@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what lacuna needs from the packages of Debian 12 or Ubuntu 24.04. Does nothing when all
 # of it is there. Run as root, or as a user who may use sudo.
-# Usage: scripts/setup.sh [clang|docs]   (clang: and what builds with sanitizers and fuzzing need;
-# docs: and what makes the documentation)
+# Usage: scripts/setup.sh [clang|docs|coverage]   (clang: and what builds with sanitizers and fuzzing
+# need; docs: and what makes the documentation; coverage: and what counts lines that tests run)
 set -euo pipefail
 
 packages=(
@@ -54,5 +54,8 @@ if [ "${1:-}" = clang ]; then
 fi
 if [ "${1:-}" = docs ]; then
   install doxygen
+fi
+if [ "${1:-}" = coverage ]; then
+  install gcovr
 fi
 $installed || echo "setup: nothing to install"

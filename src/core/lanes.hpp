@@ -41,10 +41,10 @@ LACUNA_INLINE InMemory<W>& at(double* address) {
 }
 
 /// Keeps a vector in a register: GCC 12 loads it again for each of its uses, which takes half of
-/// the speed of a kernel of products.
+/// the speed of a kernel of products. (clang does not, and refuses the wide ones here.)
 template <class V>
 LACUNA_INLINE void keep_in_register([[maybe_unused]] V& value) {
-#ifdef LACUNA_KERNEL_DISPATCH
+#if defined(LACUNA_KERNEL_DISPATCH) && !defined(__clang__)
   asm("" : "+v"(value));
 #endif
 }

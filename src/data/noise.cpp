@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/data/marks.hpp"
 
 namespace lacuna {
@@ -304,20 +305,24 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
   return outliers;
 }
 
-std::vector<StateNoise> analyse_noise(const Dataset& data) {
-  std::vector<StateNoise> noise;
-  for (Index state = 0; state < data.state_count(); ++state)
-    noise.push_back(has_marks(data) ? analyse_state(values_only(data, state), 0)
-                                    : analyse_state(data, state));
+std::vector<StateNoise> analyse_noise(const Dataset& data, int threads) {
+  std::vector<StateNoise> noise(static_cast<std::size_t>(data.state_count()));
+  parallel_for(noise.size(), threads, [&](std::size_t k) {
+    const auto state = static_cast<Index>(k);
+    noise[k] = has_marks(data) ? analyse_state(values_only(data, state), 0)
+                               : analyse_state(data, state);
+  });
   return noise;
 }
 
-Vector estimate_noise(const Dataset& data) {
+Vector estimate_noise(const Dataset& data, int threads) {
   Vector noise(data.state_count());
-  for (Index state = 0; state < data.state_count(); ++state)
+  parallel_for(static_cast<std::size_t>(noise.size()), threads, [&](std::size_t k) {
+    const auto state = static_cast<Index>(k);
     noise[state] = plateau(has_marks(data) ? noise_by_order(values_only(data, state), 0)
                                            : noise_by_order(data, state))
                        .value_or(0.0);
+  });
   return noise;
 }
 

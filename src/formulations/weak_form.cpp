@@ -122,9 +122,10 @@ int order_for(double radius_in_steps, double level) {
 
 }  // namespace
 
-TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options) {
+TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options,
+                                  int threads) {
   constexpr double kFewestSteps = 6.0;
-  const Vector noise = estimate_noise(data);
+  const Vector noise = estimate_noise(data, threads);
   const double step = median_step(data);
   const double level = std::clamp(0.01 * relative_noise(data, noise), kFloor, 1e-3);
   const double corner = corner_frequency(data, noise, step);

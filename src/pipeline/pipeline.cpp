@@ -333,7 +333,7 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
     throw ConfigError("constraint energy-preserving",
                       "it is one of rates, which a map has none of",
                       "leave it out, or identify a flow");
-  const Vector noise = is_map ? Vector() : estimate_noise(data);
+  const Vector noise = is_map ? Vector() : estimate_noise(data, context.threads);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
   const LeastSquaresSystem system = fitted.formulation->assemble(records, library, context);
   context.report("filtering terms", 0.0);

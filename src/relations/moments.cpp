@@ -64,8 +64,8 @@ struct ErrorVariances {
 };
 
 ErrorVariances error_variances(const Dataset& data, const std::vector<Index>& states,
-                               const Matrix& samples, double resolution) {
-  const std::vector<StateNoise> noise = analyse_noise(data);
+                               const Matrix& samples, double resolution, int threads) {
+  const std::vector<StateNoise> noise = analyse_noise(data, threads);
   const Index m = samples.cols();
   ErrorVariances errors{Vector::Zero(m), Vector::Zero(m)};
   for (Index k = 0; k < m; ++k) {
@@ -83,7 +83,8 @@ ErrorVariances error_variances(const Dataset& data, const std::vector<Index>& st
 
 }  // namespace
 
-MonomialMoments monomial_moments(const Dataset& data, int degree, double resolution) {
+MonomialMoments monomial_moments(const Dataset& data, int degree, double resolution,
+                                 int threads) {
   std::vector<Index> states;
   Variables variables;
   for (Index k = 0; k < data.state_count(); ++k)
@@ -100,7 +101,7 @@ MonomialMoments monomial_moments(const Dataset& data, int degree, double resolut
   }
 
   const Matrix samples = samples_of(data, states);
-  const ErrorVariances errors = error_variances(data, states, samples, resolution);
+  const ErrorVariances errors = error_variances(data, states, samples, resolution, threads);
   const Index n = samples.rows(), count = static_cast<Index>(moments.terms.size());
   Matrix values(n, count);
   moments.white = Matrix::Zero(count, count);

@@ -24,6 +24,7 @@ struct MonomialMoments {
 
 /// Moments of all monomials of degree 1 to `degree` in the measured states.
 /// @param resolution errors that every state has, as a share of what it varies by.
-MonomialMoments monomial_moments(const Dataset& data, int degree, double resolution);
+MonomialMoments monomial_moments(const Dataset& data, int degree, double resolution,
+                                 int threads = 1);
 
 }  // namespace lacuna

@@ -182,7 +182,8 @@ std::vector<Relation> find_relations(const Dataset& data, const RelationOptions&
     if (data.is_measured(k)) ++measured;
   if (measured == 0 || data.samples() < options.fewest_samples) return {};
   const int degree = measured > options.most_states ? 1 : 2;
-  const MonomialMoments moments = monomial_moments(data, degree, options.resolution);
+  const MonomialMoments moments =
+      monomial_moments(data, degree, options.resolution, context.threads);
   return RelationSearch(moments, options, context).run(degree);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "lacuna/core/parallel.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -173,17 +175,18 @@ std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& ord
 }
 
 SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
-                             const std::vector<StateNoise>& noise, const GrowingNoise& rule) {
-  SampleNoise result{{}, sigma, {}};
+                             const std::vector<StateNoise>& noise, const GrowingNoise& rule,
+                             int threads) {
+  SampleNoise result{{}, sigma, {noise.size(), std::nullopt}};
   for (const Trajectory& record : data.trajectories)
     result.deviations.push_back(sigma.transpose().replicate(record.samples(), 1));
-  for (Index k = 0; k < sigma.size(); ++k) {
-    const StateNoise& seen = noise[static_cast<std::size_t>(k)];
-    std::optional<NoiseGrowth> growth;
+  parallel_for(noise.size(), threads, [&](std::size_t state) {
+    const auto k = static_cast<Index>(state);
+    const StateNoise& seen = noise[state];
+    std::optional<NoiseGrowth>& growth = result.growth[state];
     if (data.is_measured(k) && seen.kind == NoiseKind::White)
       growth = growth_of(data, k, seen.order, rule);
-    result.growth.push_back(growth);
-    if (!growth) continue;
+    if (!growth) return;
     double squares = 0.0;
     for (std::size_t r = 0; r < result.deviations.size(); ++r) {
       auto deviations = result.deviations[r].col(k);
@@ -192,7 +195,7 @@ SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
       squares += deviations.squaredNorm();
     }
     result.rms[k] = std::sqrt(squares / static_cast<double>(data.samples()));
-  }
+  });
   return result;
 }
 

@@ -49,6 +49,7 @@ struct SampleNoise {
 /// sample has the same.
 /// @param sigma of each state.
 SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
-                             const std::vector<StateNoise>& noise, const GrowingNoise& rule);
+                             const std::vector<StateNoise>& noise, const GrowingNoise& rule,
+                             int threads = 1);
 
 }  // namespace lacuna

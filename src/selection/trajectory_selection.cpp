@@ -287,14 +287,14 @@ Searches search_windows(const SearchTask& task, const Matrix& start,
 constexpr GapOptions kGaps{.longest_gap = 5.0};
 
 /// The records without gaps that can be bridged; of long ones stretches that stand for them.
-Dataset stretches_of(const Dataset& data) {
+Dataset stretches_of(const Dataset& data, int threads) {
   Dataset joined = join_across_gaps(data, kGaps);
   if (joined.samples() <= 2 * kMostSamples) return joined;
   const Trajectory& longest = longest_record(joined);
   Dataset begin{joined.time_unit, joined.states,       joined.inputs, {},
                 joined.rate_of,   joined.reconstructed};
   begin.trajectories.push_back(rows_of(longest, 0, std::min(kMostSamples, longest.samples())));
-  return record_stretches(joined, kMostSamples, first_window(begin));
+  return record_stretches(joined, kMostSamples, first_window(begin, threads));
 }
 
 void note_length(const Dataset& whole, const Dataset& part, std::vector<std::string>& notes) {
@@ -312,9 +312,9 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
     throw ConfigError("refiner trajectory", "it fits flows, and the model is a map",
                       "take the refiner none, as --discrete does");
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
-  Dataset data = stretches_of(task.data);
+  Dataset data = stretches_of(task.data, context.threads);
   const bool is_long = data.samples() < task.data.samples() / 2;
-  const std::vector<StateNoise> noise = analyse_noise(data);
+  const std::vector<StateNoise> noise = analyse_noise(data, context.threads);
   RefinedModel same{.model = task.start, .usable = false};
   same.message = reason_to_leave(task, noise, from_model);
   if (!same.message.empty()) {
@@ -324,7 +324,8 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
   const SearchTask search = search_task(
-      std::move(data), {task.library, task.allowed, task.constraints}, noise, options());
+      std::move(data), {task.library, task.allowed, task.constraints}, noise, options(),
+      context.threads);
   auto [found, other] = search_windows(search, start, options(), context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;

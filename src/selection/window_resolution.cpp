@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lacuna/core/parallel.hpp"
 #include "window_iterations.hpp"
 
 namespace lacuna {
@@ -41,9 +42,11 @@ void raise_floor(const SearchTask& task, WindowSearch& search, double factor) {
   search.floor = search.floor.cwiseMax(search.sigma);
 }
 
-void set_substeps(const SearchTask& task, WindowSearch& search, Index substeps) {
-  for (PathRecord& record : search.path.records)
-    set_substeps(record, substeps, task.equations.program);
+void set_substeps(const SearchTask& task, WindowSearch& search, Index substeps, int threads) {
+  std::vector<PathRecord>& records = search.path.records;
+  parallel_for(records.size(), threads, [&](std::size_t r) {
+    set_substeps(records[r], substeps, task.equations.program);
+  });
 }
 
 }  // namespace
@@ -71,12 +74,12 @@ bool refine_steps(const SearchTask& task, WindowSearch& search, const RunContext
   double last = std::numeric_limits<double>::infinity();
   while (search.path.substeps() < kMostSubsteps) {
     const Index coarse = search.path.substeps();
-    set_substeps(task, search, 2 * coarse);
+    set_substeps(task, search, 2 * coarse, context.threads);
     const double moved = settle(search, {.move = 0.0, .iterations = 1}, context);
     const bool gains = moved < kGain * last;
     last = moved;
     if (moved > kTruncation && gains) continue;
-    set_substeps(task, search, gains ? coarse : before);
+    set_substeps(task, search, gains ? coarse : before, context.threads);
     settle(search, {.iterations = 1}, context);
     break;
   }

@@ -125,8 +125,8 @@ Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
 
 }  // namespace
 
-Index first_window(const Dataset& data) {
-  const TestFunction function = choose_test_function(measured_part(data));
+Index first_window(const Dataset& data, int threads) {
+  const TestFunction function = choose_test_function(measured_part(data), {}, threads);
   const Trajectory& record = data.trajectories.front();
   constexpr Index kFewest = 8;
   return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
@@ -134,10 +134,10 @@ Index first_window(const Dataset& data) {
 
 SearchTask search_task(Dataset data, const StructureTask& structure,
                        std::vector<StateNoise> noise,
-                       const TrajectorySelectionOptions& options) {
+                       const TrajectorySelectionOptions& options, int threads) {
   const auto& [library, allowed, constraints] = structure;
-  SampleNoise sample_noise =
-      noise_of_samples(data, noise_or_floor(data, noise), noise, options.growing_noise);
+  SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise,
+                                              options.growing_noise, threads);
   for (std::size_t k = 0; k < noise.size(); ++k)
     if (sample_noise.growth[k]) noise[k].sigma = sample_noise.rms[static_cast<Index>(k)];
   SearchTask task{std::move(data),  {library, library.compile(), {}}, {},
@@ -163,15 +163,15 @@ WindowSearch prepared_search(const SearchTask& task, const RunContext& context) 
           .sigma = task.sample_noise.rms,
           .floor = rounding_floor(task.data),
           .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
-          .shortest = std::min(first_window(task.data), longest_record(task.data).samples()),
+          .shortest = std::min(first_window(task.data, context.threads),
+                               longest_record(task.data).samples()),
           .constraints = task.constraints};
 }
 
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
                    const RunContext& context) {
-  const Index longest = longest_record(task.data).samples();
-  prepared.shortest = std::min(first_window(task.data), longest);
-  if (longest >= 4) fit_windows(task, prepared, coefficients, prepared.shortest, context);
+  if (longest_record(task.data).samples() >= 4)
+    fit_windows(task, prepared, coefficients, prepared.shortest, context);
   return prepared;
 }
 

@@ -27,7 +27,7 @@ struct SearchTask {
 /// Samples of the first windows: half the support of a test function, which is the time in
 /// which a signal does what can be told from its noise; at least so many that initial states
 /// leave half of the samples.
-Index first_window(const Dataset& data);
+Index first_window(const Dataset& data, int threads);
 
 /// What equations may have and have to satisfy.
 struct StructureTask {
@@ -38,7 +38,7 @@ struct StructureTask {
 
 SearchTask search_task(Dataset data, const StructureTask& structure,
                        std::vector<StateNoise> noise,
-                       const TrajectorySelectionOptions& options);
+                       const TrajectorySelectionOptions& options, int threads = 1);
 
 /// A structure with its coefficients at one length of windows.
 struct WindowFit {

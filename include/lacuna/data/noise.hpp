@@ -53,7 +53,8 @@ constexpr double kOutlyingDeviations = 6.0;
 /// - The same estimate from every second and every fourth sample is larger when neighbours have
 ///   noise in common.
 /// - Outliers are counted as outlying_samples() finds them.
-std::vector<StateNoise> analyse_noise(const Dataset& data);
+/// @param threads that states are divided among.
+std::vector<StateNoise> analyse_noise(const Dataset& data, int threads = 1);
 
 /// Samples of one state that noise of deviation sigma does not explain: e_i = x_i minus the
 /// straight line between its neighbours deviates from the median of the e around it by more
@@ -67,6 +68,6 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
 
 /// Standard deviation of white measurement noise per state as by analyse_noise().
 /// @return m entries in the units of the states; 0 where no noise can be told from the signal.
-Vector estimate_noise(const Dataset& data);
+Vector estimate_noise(const Dataset& data, int threads = 1);
 
 }  // namespace lacuna
