@@ -143,6 +143,22 @@ TEST(AnalyseNoise, CountsOutliers) {
   EXPECT_EQ(outliers.size(), 39U);
 }
 
+TEST(AnalyseNoise, DoesNotDependOnThreads) {
+  const Dataset data = dataset({record(0.01, 0.3, 11), record(0.02, 0.0, 12)});
+  const std::vector<StateNoise> one = analyse_noise(data);
+  for (const int threads : {2, 3, 8}) {
+    EXPECT_EQ(estimate_noise(data, threads), estimate_noise(data));
+    const std::vector<StateNoise> more = analyse_noise(data, threads);
+    ASSERT_EQ(more.size(), one.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      EXPECT_EQ(more[k].sigma, one[k].sigma);
+      EXPECT_EQ(more[k].kind, one[k].kind);
+      EXPECT_EQ(more[k].order, one[k].order);
+      EXPECT_EQ(more[k].outliers, one[k].outliers);
+    }
+  }
+}
+
 TEST(DifferenceSizes, AreThoseOfWhiteNoiseOnAnyGrid) {
   Random random(4);
   for (const bool uniform : {true, false}) {
