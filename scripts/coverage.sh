@@ -18,9 +18,7 @@ awk -F, 'NR > 1 {
     folder = $1
     sub("/[^/]*$", "", folder)
     sub("^include/lacuna/", "src/", folder)
-    sub("^src/bases$", "bases", folder)
-    sub("^src/solvers$", "solvers", folder)
-    sub("^src/effects$", "effects", folder)
+    if (folder ~ "^src/(bases|solvers|effects)(/|$)") sub("^src/", "", folder)
     all[folder] += $2; ran[folder] += $3; lines += $2; good += $3
   }
   END {

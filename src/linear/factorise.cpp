@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kGramCondition = 1e7;
 constexpr double kGramResidual = 1e-6;
-// What is left of a target, as a share of it, of which a Gram resolves all that rounding leaves:
-// it sees 3e-8 of that.
+// A fact of rounding: of what is left of a target, 1e-9 of it, a Gram sees 3e-8, which is less
+// than the last digit of the target.
 constexpr double kDeflated = 1e-9;
 
 struct Shape {

@@ -118,8 +118,8 @@ Vector LeastSquaresSystem::refined(const Subproblem& problem, const Vector& h,
                                    const RunContext& context) const {
   const FittedEquation equation{problem.target(), problem.active(), h};
   check_equation(equation, terms(), targets());
-  // These leave nothing to refine but the last digits, which are not worth a pass over very
-  // many rows.
+  // The others leave nothing to refine but the last digits of exact targets and what is far
+  // below the noise of others, which are not worth a pass over very many rows.
   if (factor_->folding != Folding::Gram && rows() >= kManyRows) return h;
   std::vector<Vector> slots(row_slots(rows()).size(), Vector::Zero(h.size()));
   for_each_tile(*source_, context, "refining coefficients", [&](Index slot, Tile& tile) {

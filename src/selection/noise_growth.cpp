@@ -177,7 +177,8 @@ std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& ord
 SampleNoise noise_of_samples(const Dataset& data, const Vector& sigma,
                              const std::vector<StateNoise>& noise, const GrowingNoise& rule,
                              int threads) {
-  SampleNoise result{{}, sigma, {noise.size(), std::nullopt}};
+  SampleNoise result{
+      {}, sigma, std::vector<std::optional<NoiseGrowth>>(noise.size(), std::nullopt)};
   for (const Trajectory& record : data.trajectories)
     result.deviations.push_back(sigma.transpose().replicate(record.samples(), 1));
   parallel_for(noise.size(), threads, [&](std::size_t state) {

@@ -143,6 +143,23 @@ TEST(Factorise, DeflatedGivesWayWhereTheFirstRowsDoNotDetermineTheTerms) {
   EXPECT_EQ(factor.folding, Folding::Orthogonal);
 }
 
+// The first rows hardly tell two terms from each other, so that what their fit leaves of later
+// rows is little, and all of it explained.
+TEST(Factorise, DeflatedTakesAFitThatIsNotExact) {
+  Matrix theta = Matrix::Random(60'000, 4);
+  const Index first = kManyRows / 8;
+  theta.col(3).head(first) = theta.col(2).head(first) + 1e-6 * theta.col(3).head(first);
+  const Vector truth = Vector::LinSpaced(4, 1.0, 2.0);
+  const Factor factor = factor_of(theta, theta * truth, Folding::Deflated);
+  ASSERT_EQ(factor.folding, Folding::Deflated);
+  EXPECT_LT(factor.triangle(4, 4), 1e-14 * factor.target_norms[0]);
+  const Vector h = factor.triangle.topLeftCorner(4, 4)
+                       .triangularView<Eigen::Upper>()
+                       .solve(factor.triangle.col(4).head(4))
+                       .cwiseQuotient(factor.column_norms);
+  EXPECT_LT((h - truth).cwiseAbs().maxCoeff(), 1e-14);
+}
+
 TEST(Factorise, AutomaticDeflatesVeryManyRowsOfExactTargets) {
   const Matrix theta = Matrix::Random(kManyRows, 3);
   const Matrix exact = theta * Matrix::Random(3, 2);
