@@ -67,8 +67,8 @@ void expect_moderate_count(std::size_t variables, const MonomialsOptions& option
     counts = with_one_more(counts);
     if (counts.bottomRows(counts.rows() - too_low).sum() > kMostTerms)
       throw ConfigError("monomials.max_degree",
-                        "there are more than " + std::to_string(kMostTerms) +
-                            " monomials in " + std::to_string(variables) + " variables",
+                        "there are more than " + std::to_string(kMostTerms) + " monomials in " +
+                            std::to_string(variables) + " variables",
                         "lower max_degree or leave variables out");
   }
 }

@@ -40,8 +40,8 @@ LACUNA_INLINE InMemory<W>& at(double* address) {
   return *reinterpret_cast<InMemory<W>*>(address);
 }
 
-/// Keeps a vector in a register: GCC 12 loads it again for each of its uses, which takes half of
-/// the speed of a kernel of products. (clang does not, and refuses the wide ones here.)
+/// Keeps a vector in a register: GCC 12 loads it again for each of its uses, which takes half
+/// of the speed of a kernel of products. (clang does not, and refuses the wide ones here.)
 template <class V>
 LACUNA_INLINE void keep_in_register([[maybe_unused]] V& value) {
 #if defined(LACUNA_KERNEL_DISPATCH) && !defined(__clang__)

@@ -123,8 +123,7 @@ std::optional<Matrix> fit_to_first(const RowSource& rows, const RunContext& cont
   const FirstRows first = first_of(rows);
   const Matrix folded = fold_orthogonal(first, context);
   if (!squares_in_range(folded.colwise().squaredNorm().transpose())) return std::nullopt;
-  const Factor factor =
-      orthogonal_factor({first.rows(), rows.terms(), rows.targets()}, folded);
+  const Factor factor = orthogonal_factor({first.rows(), rows.terms(), rows.targets()}, folded);
   const Matrix terms = factor.triangle.topLeftCorner(rows.terms(), rows.terms());
   if (condition_estimate(terms) > kGramCondition) return std::nullopt;
   const Matrix scaled = terms.triangularView<Eigen::Upper>().solve(

@@ -43,9 +43,8 @@ Matrix fold_gram(const RowSource& rows, const RunContext& context) {
 }
 
 Matrix fold_deflated_gram(const RowSource& rows, const Matrix& h, const RunContext& context) {
-  return fold_prepared(rows, context, [&](Tile& tile) {
-    deflate_targets(tile.scratch(), tile.rows(), h);
-  });
+  return fold_prepared(rows, context,
+                       [&](Tile& tile) { deflate_targets(tile.scratch(), tile.rows(), h); });
 }
 
 GramFactor factor_gram(const Matrix& gram, Index terms, const RunContext& context) {

@@ -323,9 +323,9 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   }
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
-  const SearchTask search = search_task(
-      std::move(data), {task.library, task.allowed, task.constraints}, noise, options(),
-      context.threads);
+  const SearchTask search =
+      search_task(std::move(data), {task.library, task.allowed, task.constraints}, noise,
+                  options(), context.threads);
   auto [found, other] = search_windows(search, start, options(), context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;

@@ -133,8 +133,8 @@ Index first_window(const Dataset& data, int threads) {
 }
 
 SearchTask search_task(Dataset data, const StructureTask& structure,
-                       std::vector<StateNoise> noise,
-                       const TrajectorySelectionOptions& options, int threads) {
+                       std::vector<StateNoise> noise, const TrajectorySelectionOptions& options,
+                       int threads) {
   const auto& [library, allowed, constraints] = structure;
   SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise,
                                               options.growing_noise, threads);

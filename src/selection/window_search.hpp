@@ -37,8 +37,8 @@ struct StructureTask {
 };
 
 SearchTask search_task(Dataset data, const StructureTask& structure,
-                       std::vector<StateNoise> noise,
-                       const TrajectorySelectionOptions& options, int threads = 1);
+                       std::vector<StateNoise> noise, const TrajectorySelectionOptions& options,
+                       int threads = 1);
 
 /// A structure with its coefficients at one length of windows.
 struct WindowFit {

@@ -15,9 +15,12 @@ Matrix every(const Matrix& values, Index first, Index step, Index count) {
 /// `count` samples of a record in memory, `step` apart.
 Trajectory thinned_rows(const Trajectory& record, Index first, Index step, Index count) {
   const auto part = [&](const Matrix& values) { return every(values, first, step, count); };
-  return {record.source,       Vector(record.time(Eigen::seqN(first, count, step))),
-          part(record.states), part(record.inputs),
-          part(record.derivatives), part(record.marks)};
+  return {record.source,
+          Vector(record.time(Eigen::seqN(first, count, step))),
+          part(record.states),
+          part(record.inputs),
+          part(record.derivatives),
+          part(record.marks)};
 }
 
 /// Puts samples in place from `at` on.

@@ -13,8 +13,8 @@ namespace {
 using testing::run_program;
 using testing::TemporaryFolder;
 
-// Open MPI itself leaves memory when it ends; what lacuna leaves is seen without it. Processes of
-// one machine share memory: Open MPI's sockets take their locks in two orders.
+// Open MPI itself leaves memory when it ends; what lacuna leaves is seen without it. Processes
+// of one machine share memory: Open MPI's sockets take their locks in two orders.
 const std::string kJob =
     "ASAN_OPTIONS=detect_leaks=0 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "timeout 100 mpirun --oversubscribe --bind-to none --mca btl self,vader -n ";
