@@ -39,9 +39,9 @@ Variances::Variances(const LinearisedRecord& record, const NoiseModel& noise,
   // Before the first sample a state may be anywhere in the span of the record; one that nobody
   // measured anywhere in that of the whole record, as nothing brings it back.
   for (Index k = 0; k < m; ++k) {
-    double span = record.path.col(k).maxCoeff() - record.path.col(k).minCoeff();
-    if (record.range.size() > 0 && !noise.measurement[static_cast<std::size_t>(k)])
-      span = std::max(span, record.range[k]);
+    const double span = noise.measurement[static_cast<std::size_t>(k)]
+                            ? record.path.col(k).maxCoeff() - record.path.col(k).minCoeff()
+                            : record.range[k];
     start[k] = span > 0.0 ? span * span : 1.0;
   }
   start.tail(map.size - m) = colour;

@@ -141,7 +141,7 @@ LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index coun
       record.defect.middleCols(first, count - 1),
       {},
       record.grid,
-      record.range.size() > 0 ? record.range : range_of(record.path)};
+      record.range};
   if (record.bridge.size() > 0) part.bridge = record.bridge.middleCols(first, count - 1);
   return part;
 }
@@ -155,7 +155,7 @@ LinearisedRecord grid_of(const std::vector<Quantity>& inputs, const Trajectory& 
   Matrix values(record.samples(), path.cols() + record.inputs.cols());
   values << path, record.inputs;
   Matrix slots = step_slots(record.time, values, grid);
-  return {record.time, path, std::move(slots), {}, {}, {}, {}, std::move(grid)};
+  return {record.time, path, std::move(slots), {}, {}, {}, {}, std::move(grid), range_of(path)};
 }
 
 Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVariable>& delays) {

@@ -41,15 +41,17 @@ double EffectSize::least_gap(const Explanation& explanation) const {
   return refitted ? std::min(own, gap(refitted->fit)) : own;
 }
 
-bool EffectSize::counts(const Explanation& before, const Explanation& after) const {
+bool EffectSize::counts(Extended& before, const Explanation& after) const {
   const DecisionOptions& decision = problem_.options.decision;
   const Candidate& newest = after.effects.back().candidate;
-  const double had = disturbance(before.fit, newest), has = disturbance(after.fit, newest);
+  const double had = disturbance(before.explanation.fit, newest);
+  const double has = disturbance(after.fit, newest);
   if (has > (1.0 - decision.minor) * had) return false;
   if (has < (1.0 - decision.major) * had) return true;
   if (had - has < decision.negligible) return false;
-  const double lasting = least_gap(before);
-  return lasting >= decision.negligible && lasting - least_gap(after) >= decision.negligible;
+  if (!before.least_gap) before.least_gap = least_gap(before.explanation);
+  return *before.least_gap >= decision.negligible &&
+         *before.least_gap - least_gap(after) >= decision.negligible;
 }
 
 bool EffectSize::is_near(const Assimilation& fit, const Assimilation& best,

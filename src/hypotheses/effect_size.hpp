@@ -2,9 +2,17 @@
 // How much of a disagreement an effect takes away, where significance says too little.
 #pragma once
 
+#include <optional>
+
 #include "lacuna/hypotheses/problem.hpp"
 
 namespace lacuna {
+
+/// An explanation that candidates are added to, and its least_gap() as soon as one needed it.
+struct Extended {
+  const Explanation& explanation;
+  std::optional<double> least_gap = {};
+};
 
 /// What explanations leave of the disagreement of the nominal model.
 ///
@@ -31,7 +39,7 @@ class EffectSize {
   /// Whether a later effect, the last of `after`, counts: it takes away more than a minor part
   /// of the disturbance that is left, and either most of it, or more than a negligible part of
   /// the nominal model's disturbance and gap.
-  bool counts(const Explanation& before, const Explanation& after) const;
+  bool counts(Extended& before, const Explanation& after) const;
 
   /// Whether one fit leaves no more than a negligible part (of what the nominal model leaves)
   /// beyond what another one leaves.

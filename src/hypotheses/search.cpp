@@ -63,7 +63,7 @@ std::optional<Shortfall> absurdity(const EffectSearch& search, const Explanation
 /// The gain has to be the effect's own: with a coefficient that is not told from 0 it is that
 /// of effects before it, whose shapes have moved.
 std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
-                                   const FoundEffects& found, const RankedEffect& ranked) {
+                                   Extended& before, const RankedEffect& ranked) {
   const DecisionOptions& decision = decision_of(search);
   if (ranked.sigma < decision.significance)
     return Shortfall{"significance", ranked.sigma, decision.significance};
@@ -71,9 +71,9 @@ std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize&
     return Shortfall{"effect size", ranked.contribution, decision.effect_size};
   if (const double told = told_from_zero(ranked.effect()); told < decision.significance)
     return Shortfall{"coefficient over its error", told, decision.significance};
-  if (found.named.empty()) return std::nullopt;
-  if (const auto absurd = absurdity(search, found.explanation, ranked)) return absurd;
-  if (!size.counts(found.explanation, ranked.explanation))
+  if (before.explanation.effects.empty()) return std::nullopt;
+  if (const auto absurd = absurdity(search, before.explanation, ranked)) return absurd;
+  if (!size.counts(before, ranked.explanation))
     return Shortfall{"share of what is left that goes",
                      1.0 - size.disturbance(ranked.explanation.fit, ranked.effect().candidate),
                      decision.minor};
@@ -221,16 +221,10 @@ std::string says(const EffectSearch& search, const RankedEffect& ranked) {
          "/dt: " + term_of(ranked.effect());
 }
 
-/// One candidate of a round: whether it comes in, and what decided.
-Rival try_candidate(const EffectSearch& search, const EffectSize& size,
-                    const RankedEffect& ranked, const Ranking& ranking, FoundEffects& found) {
+/// One candidate of a round that falls short of nothing: whether it comes in.
+Rival try_candidate(const EffectSearch& search, const RankedEffect& ranked,
+                    const Ranking& ranking, FoundEffects& found) {
   Rival rival{std::string(kNamedEffects.name), says(search, ranked), ranked.criterion};
-  if (const auto why = shortfall(search, size, found, ranked)) {
-    rival.quantity = why->quantity;
-    rival.value = why->value;
-    rival.threshold = why->threshold;
-    return rival;
-  }
   rival.quantity = "significance";
   rival.value = ranked.sigma;
   rival.threshold = decision_of(search).significance;
@@ -248,6 +242,7 @@ Rival try_candidate(const EffectSearch& search, const EffectSize& size,
 /// @return whether one did.
 bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
   const Ranking ranking = rank(search, found.explanation);
+  Extended before{found.explanation};
   Round round{ranking.tried, "", 0.0, false};
   double best = 0.0;
   for (const RankedEffect& ranked : ranking.effects) {
@@ -266,7 +261,17 @@ bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& f
       found.rivals.push_back(std::move(rival));
       continue;
     }
-    Rival rival = try_candidate(search, size, ranked, ranking, found);
+    if (const auto why = shortfall(search, size, before, ranked)) {
+      found.rivals.push_back({std::string(kNamedEffects.name),
+                              says(search, ranked),
+                              ranked.criterion,
+                              false,
+                              why->quantity,
+                              why->value,
+                              why->threshold});
+      continue;
+    }
+    Rival rival = try_candidate(search, ranked, ranking, found);
     if (rival.taken) {
       round = {ranking.tried, label, ranked.sigma, true};
       best = ranked.criterion;

@@ -132,7 +132,7 @@ Refinement refine(const ParametrisedModel& model, const Dataset& record,
     return refine(model, with_input_columns(record), options, context);
   check_dataset(record);
   check_options(model, record, options);
-  ShootingProblem problem(model, record, options.huber);
+  ShootingProblem problem(model, record, options.huber, context.threads);
   const RefinementStart start = refinement_start(problem, record, options);
   const RefinementRun run = run_refinement(problem, start, options, context);
   return run.simulated ? full_result(problem, run, start.noise, options)

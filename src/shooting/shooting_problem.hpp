@@ -36,8 +36,9 @@ struct ShootingStep {
 class ShootingProblem {
  public:
   /// @param huber residuals beyond so many sigma count linearly; nothing: least squares.
+  /// @param threads that work on groups of windows; results do not depend on it.
   ShootingProblem(const ParametrisedModel& model, const Dataset& data,
-                  std::optional<double> huber);
+                  std::optional<double> huber, int threads = 1);
 
   const ShootingRecord& record() const noexcept { return record_; }
   Rates& rates() noexcept { return rates_; }
@@ -71,6 +72,20 @@ class ShootingProblem {
                      double damping) const;
 
  private:
+  /// What simulates and linearises one group of windows.
+  struct Worker {
+    Worker(const Rates& own, const StageSignals& signals);
+
+    Rates rates;
+    WindowSimulator simulator;
+    WindowRows rows;
+  };
+
+  /// Calls `work(worker, windows)` for groups of windows, each with a worker of its own whose
+  /// rates have these parameters.
+  void in_groups(const WindowPlan& plan, const Vector& parameters,
+                 FunctionRef<void(Worker&, const WindowRange&)> work);
+  Worker& worker(std::size_t group);
   std::shared_ptr<const StageSignals> signals_of(const StepScheme& scheme);
   double loss(double residual) const;
   void add_priors(const Vector& parameters, RowFold& fold) const;
@@ -83,8 +98,8 @@ class ShootingProblem {
   Vector sigma_;
   std::vector<std::shared_ptr<const StageSignals>> known_signals_;  // of schemes used before
   std::shared_ptr<const StageSignals> signals_;
-  std::unique_ptr<WindowSimulator> simulator_;
-  std::unique_ptr<WindowRows> rows_;
+  std::vector<std::unique_ptr<Worker>> workers_;  // as many as the present scheme needed so far
+  int threads_;
 };
 
 /// Solution of an upper triangular system in which directions with a pivot below rounding get

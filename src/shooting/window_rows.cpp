@@ -32,8 +32,8 @@ WindowRows::WindowRows(Rates& rates, const StepScheme& scheme)
       column_(dimension_),
       fold_(dimension_ + columns_ + 1) {}
 
-void WindowRows::run(const WindowRowsInput& input,
-                     FunctionRef<void(Index, const Matrix&)> visit, Matrix* transitions) {
+void WindowRows::run(const WindowRowsInput& input, const WindowRange& range,
+                     FunctionRef<void(Index, const Matrix&)> visit, Matrix& transitions) {
   const ShootingRecord& record = input.record;
   const auto add_rows = [&](Index, Index sample, const Matrix& s) {
     for (std::size_t q = 0; q < record.measured.size(); ++q) {
@@ -44,17 +44,16 @@ void WindowRows::run(const WindowRowsInput& input,
       *row = weight * (record.values(sample, column) - input.orbits.samples(sample, k));
     }
   };
-  for (std::size_t w = 0; w < input.plan.size(); ++w) {
-    follow(input, static_cast<Index>(w), add_rows, transitions);
-    visit(static_cast<Index>(w), *fold_.finish());
+  for (Index w = range.first; w < range.first + range.count; ++w) {
+    follow(input, w, add_rows, &transitions);
+    visit(w, *fold_.finish());
   }
 }
 
 void WindowRows::sensitivities(const WindowRowsInput& input,
-                               FunctionRef<void(Index, Index, const Matrix&)> visit,
-                               Matrix* transitions) {
+                               FunctionRef<void(Index, Index, const Matrix&)> visit) {
   for (std::size_t w = 0; w < input.plan.size(); ++w)
-    follow(input, static_cast<Index>(w), visit, transitions);
+    follow(input, static_cast<Index>(w), visit, nullptr);
 }
 
 void WindowRows::follow(const WindowRowsInput& input, Index number,

@@ -29,15 +29,14 @@ class WindowRows {
   /// Columns of a window's triangle: m initial states, the columns of df/dp, the residual.
   Index columns() const noexcept { return dimension_ + columns_ + 1; }
 
-  /// Calls `visit(window, triangle)` with R of the rows of each window, in order.
-  /// @param transitions when given, receives Phi of every sampling interval: N x m^2.
-  void run(const WindowRowsInput& input, FunctionRef<void(Index, const Matrix&)> visit,
-           Matrix* transitions = nullptr);
+  /// Calls `visit(window, triangle)` with R of the rows of each window of a range, in order.
+  /// @param transitions receives Phi of every sampling interval of theirs: N x m^2.
+  void run(const WindowRowsInput& input, const WindowRange& range,
+           FunctionRef<void(Index, const Matrix&)> visit, Matrix& transitions);
 
   /// Calls `visit(sample, S)` with the m x (m + columns) sensitivities of each sample.
   void sensitivities(const WindowRowsInput& input,
-                     FunctionRef<void(Index window, Index sample, const Matrix&)> visit,
-                     Matrix* transitions = nullptr);
+                     FunctionRef<void(Index window, Index sample, const Matrix&)> visit);
 
  private:
   void follow(const WindowRowsInput& input, Index window,

@@ -12,14 +12,25 @@ constexpr Index kFewLanes = 4;
 
 }  // namespace
 
-WindowSimulator::WindowSimulator(const StageSignals& signals, Index dimension, Index samples)
-    : signals_(signals), dimension_(dimension), samples_(samples) {}
+void make_room(const StageSignals& signals, Index dimension, Index samples, Orbits& orbits) {
+  orbits.samples.resize(samples, dimension);
+  orbits.stages.resize(signals.stages.size());
+  for (Matrix& stage : orbits.stages) stage.resize(signals.lengths.size(), dimension);
+}
 
-void WindowSimulator::prepare(const Rates& rates, Index windows, Orbits& orbits) {
+std::vector<Index> diverged_windows(const WindowPlan& plan, const Orbits& orbits) {
+  std::vector<Index> diverged;
+  for (std::size_t w = 0; w < plan.size(); ++w)
+    if (!orbits.samples.middleRows(plan[w].first, plan[w].samples).allFinite())
+      diverged.push_back(static_cast<Index>(w));
+  return diverged;
+}
+
+WindowSimulator::WindowSimulator(const StageSignals& signals, Index dimension)
+    : signals_(signals), dimension_(dimension) {}
+
+void WindowSimulator::prepare(const Rates& rates, Index windows) {
   const std::size_t stages = signals_.stages.size();
-  orbits.samples.resize(samples_, dimension_);
-  orbits.stages.resize(stages);
-  for (Matrix& stage : orbits.stages) stage.resize(signals_.lengths.size(), dimension_);
   slopes_.assign(stages, Matrix(windows, dimension_));
   point_.resize(windows, rates.slots());
   gathered_.resize(windows, rates.signals());
@@ -29,19 +40,18 @@ void WindowSimulator::prepare(const Rates& rates, Index windows, Orbits& orbits)
   slope_.resize(stages * static_cast<std::size_t>(dimension_));
 }
 
-void WindowSimulator::run(Rates& rates, const WindowPlan& plan, const Matrix& starts,
-                          Orbits& orbits) {
-  const auto windows = static_cast<Index>(plan.size());
-  prepare(rates, windows, orbits);
-  order_.resize(plan.size());
-  std::iota(order_.begin(), order_.end(), Index{0});
+void WindowSimulator::run(Rates& rates, const WindowPlan& plan, const WindowRange& range,
+                          const Matrix& starts, Orbits& orbits) {
+  prepare(rates, range.count);
+  order_.resize(static_cast<std::size_t>(range.count));
+  std::iota(order_.begin(), order_.end(), range.first);
   plan_ = &plan;
   std::stable_sort(order_.begin(), order_.end(), [&](Index a, Index b) {
     return plan[static_cast<std::size_t>(a)].intervals >
            plan[static_cast<std::size_t>(b)].intervals;
   });
   states_ = starts(order_, Eigen::all);
-  Index active = windows, step = 0;
+  Index active = range.count, step = 0;
   for (; active > 0; ++step) {
     for (Index lane = 0; lane < active; ++lane)
       note_sample(lane_window(lane), lane, step, orbits);
@@ -51,10 +61,6 @@ void WindowSimulator::run(Rates& rates, const WindowPlan& plan, const Matrix& st
   }
   for (Index lane = 0; lane < active; ++lane)
     finish(rates, lane_window(lane), lane, step, orbits);
-  orbits.diverged.clear();
-  for (std::size_t w = 0; w < plan.size(); ++w)
-    if (!orbits.samples.middleRows(plan[w].first, plan[w].samples).allFinite())
-      orbits.diverged.push_back(static_cast<Index>(w));
 }
 
 void WindowSimulator::note_sample(const Window& window, Index lane, Index step,

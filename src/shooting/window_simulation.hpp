@@ -15,17 +15,33 @@ struct Orbits {
   std::vector<Index> diverged;  ///< windows whose states are not finite
 };
 
+/// Windows [first, first + count) of a plan.
+struct WindowRange {
+  Index first = 0, count = 0;
+};
+
+/// Room for the states of all windows.
+/// @param samples of the record.
+void make_room(const StageSignals& signals, Index dimension, Index samples, Orbits& orbits);
+
+/// Numbers of the windows of a plan whose states are not finite.
+std::vector<Index> diverged_windows(const WindowPlan& plan, const Orbits& orbits);
+
 /// Simulates windows side by side: a step is made in all of them at once, so that the model is
 /// evaluated for blocks of windows; the last few are finished one by one.
 class WindowSimulator {
  public:
-  WindowSimulator(const StageSignals& signals, Index dimension, Index samples);
+  WindowSimulator(const StageSignals& signals, Index dimension);
 
-  /// @param starts initial states, windows x m.
-  void run(Rates& rates, const WindowPlan& plan, const Matrix& starts, Orbits& orbits);
+  /// Simulates some windows of a plan.
+  /// @param starts initial states, windows of the plan x m.
+  /// @param orbits with room for them (make_room()); only what belongs to these windows is
+  ///   written.
+  void run(Rates& rates, const WindowPlan& plan, const WindowRange& range,
+           const Matrix& starts, Orbits& orbits);
 
  private:
-  void prepare(const Rates& rates, Index windows, Orbits& orbits);
+  void prepare(const Rates& rates, Index windows);
   void step_block(Rates& rates, Index active, Index step, Orbits& orbits);
   void finish(Rates& rates, const Window& window, Index lane, Index step, Orbits& orbits);
   void note_sample(const Window& window, Index lane, Index step, Orbits& orbits) const;
@@ -39,7 +55,7 @@ class WindowSimulator {
   Index substeps() const noexcept { return signals_.scheme.substeps; }
 
   const StageSignals& signals_;
-  Index dimension_, samples_;
+  Index dimension_;
   const WindowPlan* plan_ = nullptr;  // of the present run
   std::vector<Index> order_;          // windows by falling length
   Matrix states_;                     // lanes x m

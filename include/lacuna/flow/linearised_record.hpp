@@ -33,8 +33,7 @@ struct LinearisedRecord {
   /// step tells nothing of the noise model.
   Matrix bridge = {};
   StepGrid grid = {};  ///< where these are: R = grid.rows(n), 2n-1 unless an input jumps
-  /// m, or empty: range of the whole path that this is a part of.
-  Vector range = {};
+  Vector range = {};   ///< m: of the path, or of the whole path that this is a part of
 
   Index samples() const noexcept { return time.size(); }
   Index states() const noexcept { return path.cols(); }

@@ -11,6 +11,11 @@
 namespace lacuna {
 namespace {
 
+bool counts(const EffectSize& size, const Explanation& explanation, const Explanation& after) {
+  Extended before{explanation};
+  return size.counts(before, after);
+}
+
 class EffectSizes : public testing::Test {
  protected:
   /// The baseline with another share of the variance of its disturbance.
@@ -53,21 +58,21 @@ TEST_F(EffectSizes, TheGapOfWhatTheRecordsAreMadeOfIsTheNoise) {
 
 TEST_F(EffectSizes, CountsByTheSharesThatAreAsked) {
   const EffectSize size(problem_, *base_);
-  EXPECT_TRUE(size.counts(leaving(1.0), leaving(0.4))) << "most goes";
-  EXPECT_FALSE(size.counts(leaving(1.0), leaving(0.95))) << "a minor part";
-  EXPECT_FALSE(size.counts(leaving(1.0), leaving(0.7))) << "nothing of what lasts goes";
-  EXPECT_FALSE(size.counts(leaving(0.04), leaving(0.032))) << "of hardly anything";
+  EXPECT_TRUE(counts(size, leaving(1.0), leaving(0.4))) << "most goes";
+  EXPECT_FALSE(counts(size, leaving(1.0), leaving(0.95))) << "a minor part";
+  EXPECT_FALSE(counts(size, leaving(1.0), leaving(0.7))) << "nothing of what lasts goes";
+  EXPECT_FALSE(counts(size, leaving(0.04), leaving(0.032))) << "of hardly anything";
   Explanation lasting = leaving(0.26);
   lasting.fit = complete();
   const Vector noise = base_->fitted.noise.disturbance;
   lasting.fit.noise.disturbance = std::sqrt(0.26) * noise;
-  EXPECT_FALSE(size.counts(leaving(0.3), lasting)) << "0.04 of the disturbance are negligible";
+  EXPECT_FALSE(counts(size, leaving(0.3), lasting)) << "0.04 of the disturbance are negligible";
   lasting.fit.noise.disturbance = std::sqrt(0.24) * noise;
-  EXPECT_TRUE(size.counts(leaving(0.3), lasting)) << "most of what lasts goes";
+  EXPECT_TRUE(counts(size, leaving(0.3), lasting)) << "most of what lasts goes";
   asked_.options.decision.major = 0.25;
-  EXPECT_TRUE(size.counts(leaving(1.0), leaving(0.7))) << "most, if a quarter is most";
+  EXPECT_TRUE(counts(size, leaving(1.0), leaving(0.7))) << "most, if a quarter is most";
   asked_.options.decision = {.minor = 0.7};
-  EXPECT_FALSE(size.counts(leaving(1.0), leaving(0.4))) << "0.6 are a minor part then";
+  EXPECT_FALSE(counts(size, leaving(1.0), leaving(0.4))) << "0.6 are a minor part then";
 }
 
 TEST_F(EffectSizes, IsNearWhereNeitherDisturbanceNorGapIsNoticeablyMore) {
