@@ -102,16 +102,15 @@ class Turns {
   Assimilation verified(Assimilation found) {
     constexpr int kPasses = 3;
     state_ = std::move(found);
+    relinearise();
     std::optional<Assimilation> best;
     for (int pass = 0; pass < kPasses; ++pass) {
-      relinearise();
       const InnovationSystem system(state_);
       state_.deviance = system.deviance();
       state_.used = system.used();
-      if (!best || !std::isfinite(best->deviance) || state_.deviance < best->deviance)
-        best = state_;
-      else
-        break;
+      if (best && std::isfinite(best->deviance) && !(state_.deviance < best->deviance)) break;
+      best = state_;
+      if (pass + 1 == kPasses) break;
       const std::vector<Matrix> before = paths();
       improve_noise_and_path();
       relinearise_in_reach(before);

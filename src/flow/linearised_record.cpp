@@ -39,9 +39,9 @@ Vector range_of(const Matrix& path) {
 
 /// What is accurate enough for transitions and responses, which multiply small deviations only:
 /// a thousandth of the range of each state.
-Vector accuracy_of_variations(const Matrix& path, const Vector& accuracy) {
+Vector accuracy_of_variations(const Vector& range, const Vector& accuracy) {
   constexpr double kThousandth = 1e-3;
-  return accuracy.cwiseMax(kThousandth * range_of(path));
+  return accuracy.cwiseMax(kThousandth * range);
 }
 
 /// Channels that are formulas of the states: what is measured there follows the states without
@@ -113,17 +113,17 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   LinearisedRecord result = grid_of(model.inputs(), record, path);
   Rates rates(model);
   const StepSlots slots(with_delays(result, rates.delays()), m, rates.delays(), result.grid);
-  const int parts = parts_for(rates, slots, accuracy);
+  const std::vector<int> parts =
+      parts_for(rates, slots, {accuracy, accuracy_of_variations(result.range, accuracy)});
   std::vector<Index> steps(static_cast<std::size_t>(record.samples() - 1));
   std::iota(steps.begin(), steps.end(), Index{0});
-  result.defect = (ends_of_steps(rates, slots, steps, parts) - path.bottomRows(path.rows() - 1))
+  result.defect = (ends_of_steps(rates, slots, steps, parts[0]) - path.bottomRows(path.rows() - 1))
                       .transpose();
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
-  const int fewer = parts_for(rates, slots, accuracy_of_variations(path, accuracy));
   const Matrix slopes =
-      secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, fewer), accuracy);
-  StepResponses responses = step_responses(slopes, result.grid, length, {m, fewer});
+      secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, parts[1]), accuracy);
+  StepResponses responses = step_responses(slopes, result.grid, length, {m, parts[1]});
   result.transition = std::move(responses.transition);
   result.response = std::move(responses.response);
   result.bridge = switching_density(model.inputs(), slots, rates);

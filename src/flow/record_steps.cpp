@@ -114,22 +114,27 @@ Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Ind
   return ends;
 }
 
-int parts_for(Rates& rates, const StepSlots& slots, const Vector& accuracy) {
+std::vector<int> parts_for(Rates& rates, const StepSlots& slots,
+                           const std::vector<Vector>& accuracies) {
   constexpr int kMost = 32;
   constexpr Index kTried = 400;
   const Index count = slots.steps();
   std::vector<Index> steps;
   for (Index i = 0; i < count; i += std::max<Index>(1, count / kTried)) steps.push_back(i);
-  int parts = 1;
+  std::vector<int> found(accuracies.size(), kMost);
+  std::size_t open = found.size();
   Matrix coarse = ends_of_steps(rates, slots, steps, 1);
-  while (parts < kMost) {
+  for (int parts = 1; parts < kMost && open > 0; parts *= 2) {
     Matrix fine = ends_of_steps(rates, slots, steps, 2 * parts);
     const Vector error = (coarse - fine).cwiseAbs().colwise().maxCoeff();
-    if ((error.array() <= 0.1 * accuracy.array()).all()) break;
+    for (std::size_t a = 0; a < found.size(); ++a) {
+      if (found[a] < kMost || !(error.array() <= 0.1 * accuracies[a].array()).all()) continue;
+      found[a] = parts;
+      --open;
+    }
     coarse = std::move(fine);
-    parts *= 2;
   }
-  return parts;
+  return found;
 }
 
 }  // namespace lacuna

@@ -33,9 +33,10 @@ struct StepSlots {
 Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps,
                      int parts);
 
-/// Parts of a step that leave an error of less than a tenth of the accuracy, a power of two up
-/// to 32; a sample of the steps tells.
-int parts_for(Rates& rates, const StepSlots& slots, const Vector& accuracy);
+/// Parts of a step that leave an error of less than a tenth of each of several accuracies (an
+/// entry for each state), powers of two up to 32; a sample of the steps tells.
+std::vector<int> parts_for(Rates& rates, const StepSlots& slots,
+                           const std::vector<Vector>& accuracies);
 
 /// Number of states, and of parts in which a step is done.
 struct StepSize {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "lacuna/flow/node_grid.hpp"
 
@@ -58,10 +59,13 @@ TEST(EndsOfSteps, InputsAreCubicsBetweenNodes) {
 
 TEST(PartsFor, AreAsManyAsTheAccuracyNeeds) {
   Rates rates = leaking();
-  EXPECT_EQ(parts_for(rates, slots(), Vector::Constant(1, 1.0)), 1);
-  const int parts = parts_for(rates, slots(), Vector::Constant(1, 1e-7));
-  EXPECT_GT(parts, 1);
-  EXPECT_LT(worst(parts), 1e-7);
+  const std::vector<int> parts =
+      parts_for(rates, slots(), {Vector::Constant(1, 1e-7), Vector::Constant(1, 1.0)});
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_GT(parts[0], 1);
+  EXPECT_LT(worst(parts[0]), 1e-7);
+  EXPECT_EQ(parts[1], 1);
+  EXPECT_EQ(parts_for(rates, slots(), {Vector::Zero(1)}).front(), 32) << "no more than that";
 }
 
 }  // namespace
