@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <set>
 
+#include "core/finite.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/names.hpp"
 #include "lacuna/core/text.hpp"
@@ -66,8 +67,8 @@ void check_shape(const std::string& where, const std::string& what, const Matrix
 }
 
 void check_values(const std::string& where, const std::string& what, const Matrix& values,
-                  const std::vector<Quantity>& names) {
-  if (values.allFinite()) return;
+                  const std::vector<Quantity>& names, int threads) {
+  if (all_finite(values, threads)) return;
   for (Index column = 0; column < values.cols(); ++column) {
     for (Index row = 0; row < values.rows(); ++row) {
       if (std::isfinite(values(row, column))) continue;
@@ -92,21 +93,22 @@ void check_time(const std::string& where, const Vector& time) {
   }
 }
 
-void check_trajectory(const Dataset& data, const Trajectory& trajectory, std::size_t number) {
+void check_trajectory(const Dataset& data, const Trajectory& trajectory, std::size_t number,
+                      int threads) {
   const std::string where =
       trajectory.source.empty() ? "record " + std::to_string(number + 1) : trajectory.source;
   check_time(where, trajectory.time);
   const Index rows = trajectory.samples();
   check_shape(where, "the states", trajectory.states, rows, data.state_count());
-  check_values(where, "state", trajectory.states, data.states);
+  check_values(where, "state", trajectory.states, data.states, threads);
   if (data.input_count() > 0 || trajectory.inputs.size() > 0)
     check_shape(where, "the inputs", trajectory.inputs, rows, data.input_count());
-  check_values(where, "input", trajectory.inputs, data.inputs);
+  check_values(where, "input", trajectory.inputs, data.inputs, threads);
   if (trajectory.marks.size() > 0)
     check_shape(where, "the marks", trajectory.marks, rows, data.state_count());
   if (!trajectory.has_derivatives()) return;
   check_shape(where, "the derivatives", trajectory.derivatives, rows, data.state_count());
-  check_values(where, "derivative of", trajectory.derivatives, data.states);
+  check_values(where, "derivative of", trajectory.derivatives, data.states, threads);
 }
 
 }  // namespace
@@ -165,13 +167,13 @@ Dataset with_input_columns(Dataset data) {
   return data;
 }
 
-void check_dataset(const Dataset& data) {
+void check_dataset(const Dataset& data, int threads) {
   check_names(data);
   check_rates(data);
   if (data.trajectories.empty())
     fail("dataset", "there is no record", "give at least one trajectory");
   for (std::size_t i = 0; i < data.trajectories.size(); ++i)
-    check_trajectory(data, data.trajectories[i], i);
+    check_trajectory(data, data.trajectories[i], i, threads);
 }
 
 }  // namespace lacuna

@@ -2,8 +2,10 @@
 #include "lacuna/data/noise.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -28,32 +30,51 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
+/// The same of many sizes, none of which is below 0: the order of such numbers is that of their
+/// bits, so that the leading ones say among which few the median is. 4 times as fast as to
+/// partition all of them.
+double median_size(std::vector<double>& sizes) {
+  constexpr std::size_t kMany = 4096;  // a fact of cost: fewer are sooner partitioned than counted
+  if (sizes.size() < kMany) return median(sizes);
+  constexpr int kSign = 1, kLeading = 15;  // the exponent and four bits of the fraction
+  const auto leading = [](double size) {
+    return std::bit_cast<std::uint64_t>(size) << kSign >> (64 - kLeading);
+  };
+  std::vector<std::uint32_t> counts(std::size_t{1} << kLeading);
+  for (const double size : sizes) ++counts[leading(size)];
+  std::size_t rank = sizes.size() / 2, group = 0;
+  for (; rank >= counts[group]; ++group) rank -= counts[group];
+  std::erase_if(sizes, [&](double size) { return leading(size) != group; });
+  const auto found = sizes.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(sizes.begin(), found, sizes.end());
+  return *found;
+}
+
 /// One state in one record: its differences of rising order, each of unit noise gain.
 class Differences {
  public:
   Differences(const Trajectory& trajectory, Index state)
       : time_(trajectory.time),
         values_(trajectory.states.col(state)),
-        uniform_(uniform_step(trajectory).has_value()) {
+        uniform_(uniform_step(trajectory).has_value()),
+        count_(values_.size()) {
     const double scale = values_.size() > 0 ? values_.cwiseAbs().maxCoeff() : 0.0;
     if (scale > 0.0) values_ /= scale;
     scale_ = scale;
-    differences_ = values_;
+    if (uniform_) differences_ = values_;
   }
 
   /// Goes on to the next order k and adds every `stride`-th |w' x| / |w| to the list.
   void advance(Index order, Index stride, std::vector<double>& sizes) {
-    if (differences_.size() < 2) return differences_.resize(0);
-    const Index count = differences_.size() - 1;
+    count_ = std::max<Index>(count_ - 1, 0);
     if (uniform_) {
       // C(2k, k) = C(2k - 2, k - 1) (4 - 2 / k)
       gain_ *= std::sqrt(4.0 - 2.0 / static_cast<double>(order));
-      differences_ = (differences_.tail(count) - differences_.head(count)).eval();
-    } else {
-      differences_.conservativeResize(count);
+      double* difference = differences_.data();
+      for (Index i = 0; i < count_; ++i) difference[i] = difference[i + 1] - difference[i];
     }
     const auto old = static_cast<Index>(sizes.size());
-    const Index more = (count + stride - 1) / stride;
+    const Index more = (count_ + stride - 1) / stride;
     sizes.resize(static_cast<std::size_t>(old + more));
     Eigen::Map<Vector> added(sizes.data() + old, more);
     if (uniform_)
@@ -82,7 +103,8 @@ class Differences {
   bool uniform_;
   double scale_ = 0.0;
   double gain_ = 1.0;
-  Vector differences_;
+  Vector differences_;  ///< of the present order, the first count_ of them
+  Index count_;
 };
 
 /// Orders after the one at which the estimates level off that count: what is left of the signal
@@ -109,7 +131,7 @@ std::vector<double> noise_by_order(const Dataset& data, Index state) {
     sizes.clear();
     for (Differences& record : records) record.advance(order, stride, sizes);
     if (sizes.size() < kFewest) break;
-    sigmas.push_back(median(sizes) / kNormalMedian);
+    sigmas.push_back(median_size(sizes) / kNormalMedian);
     if (first_level(sigmas) + 1 + kSettling < sigmas.size()) break;
   }
   return sigmas;
@@ -297,7 +319,8 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
   const Vector deviation =
       without_local_median(bends(record, state)).cwiseAbs().cwiseQuotient(sigma);
   std::vector<double> sizes(deviation.begin(), deviation.end());
-  const double limit = deviations * std::max(std::sqrt(1.5), median(sizes) / kNormalMedian);
+  const double limit =
+      deviations * std::max(std::sqrt(1.5), median_size(sizes) / kNormalMedian);
   for (Index i = 1; i + 1 < deviation.size(); ++i)
     if (deviation[i] > limit && deviation[i] >= deviation[i - 1] &&
         deviation[i] >= deviation[i + 1])

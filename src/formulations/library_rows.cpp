@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/finite.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/numerics/sampled_signal.hpp"
+#include "variable_slots.hpp"
 
 namespace lacuna {
 namespace {
@@ -16,20 +18,6 @@ Index first_with_delay(const Vector& time, double delay) {
   // A delay of whole steps must not lose a sample to rounding.
   const double from = time[0] + delay * (1.0 - 1e-12);
   return std::lower_bound(time.data(), time.data() + time.size(), from) - time.data();
-}
-
-/// Values of the variables at some samples, in the first columns: states, inputs, time.
-/// @return how many columns these are.
-Index fill_variables(const Trajectory& record, Index first, Matrix& slots) {
-  Index column = 0;
-  const auto put = [&](const auto& values) {
-    for (Index j = 0; j < values.cols(); ++j)
-      slots.col(column++) = values.col(j).segment(first, slots.rows());
-  };
-  put(record.states);
-  put(record.inputs);
-  put(record.time);
-  return column;
 }
 
 Vector delayed_values(const Vector& time, const Vector& values, Index first, double delay) {
@@ -45,7 +33,7 @@ double longest(const std::vector<DelayedVariable>& delays) {
 
 /// Row and column of the first entry that is not finite, column by column.
 std::optional<std::pair<Index, Index>> non_finite(const Matrix& values) {
-  if (values.allFinite()) return std::nullopt;
+  if (all_finite(values)) return std::nullopt;
   for (Index column = 0; column < values.cols(); ++column)
     for (Index row = 0; row < values.rows(); ++row)
       if (!std::isfinite(values(row, column))) return std::pair{row, column};

@@ -6,6 +6,7 @@
 
 #include "lacuna/core/error.hpp"
 #include "lacuna/records/derived_record.hpp"
+#include "variable_slots.hpp"
 
 namespace lacuna {
 namespace {
@@ -21,17 +22,21 @@ void check_no_delay(const TermLibrary& library) {
 
 }  // namespace
 
+/// Rows are made of the samples of one piece after the other.
 class StreamedRows::Reader final : public RowReader {
  public:
-  explicit Reader(const StreamedRows& source) : source_(source) {}
+  explicit Reader(const StreamedRows& source)
+      : source_(source), program_(source.library_.compile()) {}
 
   void read(Index first, Eigen::Ref<Matrix> theta, Eigen::Ref<Matrix> targets) override {
     for (Index done = 0; done < theta.rows();) {
       load(first + done);
-      const Piece& piece = source_.pieces_[piece_];
-      const Index skip = first + done - piece.first_row;
-      const Index count = std::min(theta.rows() - done, piece.count - skip);
-      reader_->read(skip, theta.middleRows(done, count), targets.middleRows(done, count));
+      const Index skip = first + done - piece_->first_row;
+      const Index count = std::min(theta.rows() - done, piece_->count - skip);
+      slots_.resize(count, program_.slots());
+      fill_variables(*samples_, begin_ + skip, slots_);
+      program_.evaluate(slots_, theta.middleRows(done, count), workspace_);
+      targets.middleRows(done, count) = samples_->derivatives.middleRows(begin_ + skip, count);
       done += count;
     }
   }
@@ -43,18 +48,28 @@ class StreamedRows::Reader final : public RowReader {
     const auto behind =
         std::upper_bound(pieces.begin(), pieces.end(), row,
                          [](Index r, const Piece& piece) { return r < piece.first_row; });
-    const auto number = static_cast<std::size_t>(behind - pieces.begin()) - 1;
-    if (reader_ && number == piece_) return;
-    reader_.reset();
-    rows_.emplace(source_.rows_of_piece(pieces[number]));
-    reader_ = rows_->open();
-    piece_ = number;
+    const Piece* piece = &*(behind - 1);
+    if (piece == piece_) return;
+    piece_ = piece;
+    const Trajectory* whole = source_.records_[piece->record]->in_memory();
+    if (whole && source_.has_derivatives_) {
+      samples_ = whole;
+      begin_ = piece->first_sample;
+    } else {
+      own_ = source_.samples_of_piece(*piece);
+      samples_ = &own_;
+      begin_ = 0;
+    }
   }
 
   const StreamedRows& source_;
-  std::optional<LibraryRows> rows_;
-  std::unique_ptr<RowReader> reader_;
-  std::size_t piece_ = 0;
+  Program program_;
+  Program::Workspace workspace_;
+  Matrix slots_;
+  const Piece* piece_ = nullptr;
+  Trajectory own_;
+  const Trajectory* samples_ = nullptr;  ///< of the piece, from begin_ on
+  Index begin_ = 0;
 };
 
 StreamedRows::StreamedRows(const TermLibrary& library,
@@ -83,12 +98,6 @@ std::unique_ptr<RowReader> StreamedRows::open() const {
   return std::make_unique<Reader>(*this);
 }
 
-LibraryRows StreamedRows::rows_of_piece(const Piece& piece) const {
-  std::vector<Trajectory> samples;
-  samples.push_back(samples_of_piece(piece));
-  return {library_, samples};
-}
-
 Trajectory StreamedRows::samples_of_piece(const Piece& piece) const {
   const SampleSource& record = *records_[piece.record];
   if (has_derivatives_) return record.read(piece.first_sample, piece.count);
@@ -103,11 +112,12 @@ Trajectory StreamedRows::samples_of_piece(const Piece& piece) const {
 }
 
 std::optional<NonFiniteEntry> StreamedRows::find_non_finite() const {
-  for (const Piece& piece : pieces_)
-    if (auto entry = rows_of_piece(piece).find_non_finite()) {
-      entry->sample += piece.first_sample;
-      return entry;
-    }
+  for (const Piece& piece : pieces_) {
+    auto entry = LibraryRows(library_, {samples_of_piece(piece)}).find_non_finite();
+    if (!entry) continue;
+    entry->sample += piece.first_sample;
+    return entry;
+  }
   return std::nullopt;
 }
 

@@ -18,7 +18,8 @@ struct SampleRates {
 };
 
 /// Rows of Theta and dx/dt at the samples of long records, as LibraryRows has them without
-/// delays, made piece by piece of 2^13 rows: no thread keeps more than one.
+/// delays, made piece by piece of 2^13 rows: no thread keeps more than one, and none where a
+/// record in memory has all that is needed.
 class StreamedRows final : public RowSource {
  public:
   /// @param records in the variables of the library. One from which no derivative can be taken
@@ -48,8 +49,6 @@ class StreamedRows final : public RowSource {
     Index first_row = 0;
     Index count = 0;
   };
-
-  LibraryRows rows_of_piece(const Piece& piece) const;
 
   /// With derivatives.
   Trajectory samples_of_piece(const Piece& piece) const;

@@ -82,8 +82,9 @@ LeastSquaresSystem StrongForm::do_assemble_long(const RecordStream& records,
   if (has_delay(library) && records.in_memory())
     return do_assemble(*records.in_memory(), library, context);
   const Dataset& data = records.excerpt();
-  const Stage<Differentiator> method = fitted_to(options().differentiator, data);
   const bool given = data.has_derivatives();
+  const Stage<Differentiator> method =
+      given ? options().differentiator : fitted_to(options().differentiator, data);
   return system_of(
       std::make_shared<const StreamedRows>(library, records.records(),
                                            SampleRates{method, options().smooth_states}, given),

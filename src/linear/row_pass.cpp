@@ -22,9 +22,10 @@ double* aligned(double* memory) {
   return excess == 0 ? memory : memory + (kCacheLine - excess) / sizeof(double);
 }
 
-// 256 rows where they fit into 32 KiB, fewer for wide problems; divides a chunk.
+// 256 rows where they fit into 128 KiB of the second cache, fewer for wide problems: sums over
+// the lanes of a vector cost as much for few rows as for many. Divides a chunk.
 Index tile_rows(Index columns) {
-  constexpr Index kCacheDoubles = 4096;
+  constexpr Index kCacheDoubles = 16384;
   Index rows = 256;
   while (rows > 64 && rows * columns > kCacheDoubles) rows /= 2;
   return rows;

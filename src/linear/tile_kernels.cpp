@@ -130,26 +130,40 @@ LACUNA_INLINE void triangle_kernel(const TileView& tile, double* triangle) {
   }
 }
 
-// target -= N terms times their coefficients.
-template <int W, int N>
+// N terms times their coefficients are taken off M targets.
+template <int W, int N, int M>
 LACUNA_INLINE void deflate(const TileView& tile, const double* terms, const double* h,
-                           double* target) {
+                           Index height, double* targets) {
+  using V = typename Lanes<W>::Type;
   for (Index row = 0; row < tile.rows; row += W) {
-    typename Lanes<W>::Type left = at<W>(target + row).values;
-    for (int j = 0; j < N; ++j) left -= at<W>(terms + j * tile.stride + row).values * h[j];
-    at<W>(target + row).values = left;
+    V left[M];
+    for (int k = 0; k < M; ++k) left[k] = at<W>(targets + k * tile.stride + row).values;
+    for (int j = 0; j < N; ++j) {
+      V term = at<W>(terms + j * tile.stride + row).values;
+      keep_in_register(term);
+      for (int k = 0; k < M; ++k) left[k] -= term * h[k * height + j];
+    }
+    for (int k = 0; k < M; ++k) at<W>(targets + k * tile.stride + row).values = left[k];
   }
+}
+
+template <int W, int M>
+LACUNA_INLINE void deflate_all(const TileView& tile, const double* h, Index terms,
+                               double* targets) {
+  Index j = 0;
+  for (; j + 4 <= terms; j += 4)
+    deflate<W, 4, M>(tile, tile.data + j * tile.stride, h + j, terms, targets);
+  for (; j < terms; ++j)
+    deflate<W, 1, M>(tile, tile.data + j * tile.stride, h + j, terms, targets);
 }
 
 template <int W>
 LACUNA_INLINE void deflation_kernel(const TileView& tile, const double* h, Index terms) {
-  for (Index k = terms; k < tile.columns; ++k, h += terms) {
-    double* target = tile.data + k * tile.stride;
-    Index j = 0;
-    for (; j + 4 <= terms; j += 4)
-      deflate<W, 4>(tile, tile.data + j * tile.stride, h + j, target);
-    for (; j < terms; ++j) deflate<W, 1>(tile, tile.data + j * tile.stride, h + j, target);
-  }
+  Index k = terms;
+  for (; k + kBlock <= tile.columns; k += kBlock, h += kBlock * terms)
+    deflate_all<W, kBlock>(tile, h, terms, tile.data + k * tile.stride);
+  for (; k < tile.columns; ++k, h += terms)
+    deflate_all<W, 1>(tile, h, terms, tile.data + k * tile.stride);
 }
 
 struct Kernels {

@@ -323,7 +323,7 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
       is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
   if (lacks_input_columns(data))
     return identify(with_input_columns(*records.in_memory()), pipeline, context);
-  check_dataset(data);
+  check_dataset(data, context.threads);
   const EquationLibraries libraries =
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
   const TermLibrary& library = libraries.library;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/core/text.hpp"
 
 namespace lacuna {
@@ -90,12 +91,12 @@ LeastSquaresSystem Formulation::assemble(const RecordStream& records,
   const bool is_map = evolution() == Evolution::Map;
   if (is_map) check_in_memory(records, "a map");
   const Dataset& data = records.in_memory() ? *records.in_memory() : records.excerpt();
-  check_dataset(data);
+  check_dataset(data, context.threads);
   check_variables(data, library.variables);
-  for (Index state = 0; state < data.state_count(); ++state) {
-    check_state_varies(data, state);
-    check_state_moves(data, state);
-  }
+  parallel_for(data.states.size(), context.threads, [&](std::size_t k) {
+    check_state_varies(data, static_cast<Index>(k));
+    check_state_moves(data, static_cast<Index>(k));
+  });
   check_count(data, data.samples(), "samples",
               library.size());  // before L x L numbers are made
   const bool in_pieces = records.is_long() && !is_map;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/finite.hpp"
 #include "core/parts.hpp"
 #include "lacuna/core/error.hpp"
 
@@ -20,7 +21,7 @@ constexpr Index kOverlap = 2;             // a fact of steps: none lies between 
 bool is_plain(const Matrix& values, const ColumnIndices& columns) {
   if (columns.trajectory || values.rows() < 2) return false;
   for (const Index column : columns.used())
-    if (!values.col(column).allFinite()) return false;
+    if (!all_finite(values.col(column))) return false;
   if (!columns.time) return true;
   const auto time = values.col(*columns.time);
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;

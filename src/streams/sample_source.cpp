@@ -55,6 +55,7 @@ class RecordInMemory final : public SampleSource {
   Trajectory read_every(Index first, Index step, Index count) const override {
     return thinned_rows(record_, first, step, count);
   }
+  const Trajectory* in_memory() const override { return &record_; }
 
  private:
   const Trajectory& record_;

@@ -77,6 +77,6 @@ Dataset with_input_columns(Dataset data);
 /// Checks that a dataset can be worked with: at least one trajectory, at least two samples
 /// each, shapes that fit the names, names that are distinct, finite values, increasing time.
 /// @throws DataError naming trajectory, column, row and remedy.
-void check_dataset(const Dataset& data);
+void check_dataset(const Dataset& data, int threads = 1);
 
 }  // namespace lacuna

@@ -23,6 +23,9 @@ class SampleSource {
   /// Samples first, first + step, ..., `count` of them, which must be there.
   /// @throws FileError as read().
   virtual Trajectory read_every(Index first, Index step, Index count) const;
+
+  /// All samples, where they are in memory anyway; else nullptr.
+  virtual const Trajectory* in_memory() const { return nullptr; }
 };
 
 /// A record in memory as a source. Refers to the record.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -53,6 +54,30 @@ void expect_noise(const Dataset& data, double expected) {
 TEST(EstimateNoise, FindsWhiteNoise) {
   for (const double sigma : {1e-4, 1e-3, 1e-2, 0.1})
     expect_noise(dataset({record(sigma, 0.0, 1)}), sigma);
+}
+
+/// Median over 0.6745 of the differences of some order, fully sorted.
+double sigma_of_order(const Trajectory& trajectory, Index order) {
+  Vector sizes = difference_sizes(trajectory, 0, order);
+  std::sort(sizes.begin(), sizes.end());
+  return sizes[sizes.size() / 2] / 0.674489750196082;
+}
+
+TEST(EstimateNoise, IsTheLeastOfTheMediansFromTheLevelOn) {
+  // White noise is level from the first order on, and four more count.
+  for (const Index samples : {100, 5000, 30000}) {
+    Random random(7);
+    Dataset data;
+    data.states = {{"x", ""}};
+    Trajectory& noise = data.trajectories.emplace_back();
+    noise.time = Vector::LinSpaced(samples, 0.0, static_cast<double>(samples - 1));
+    noise.states = Matrix::NullaryExpr(samples, 1, [&] { return 1e-3 * random.normal(); });
+    noise.states.middleRows(samples / 2, samples / 4).setZero();  // many differences are 0
+    double least = sigma_of_order(noise, 1);
+    for (Index order = 2; order <= 5; ++order)
+      least = std::min(least, sigma_of_order(noise, order));
+    EXPECT_DOUBLE_EQ(estimate_noise(data)[0], least) << samples;
+  }
 }
 
 TEST(EstimateNoise, FindsItOnTimesThatAreNotUniform) {

@@ -72,6 +72,12 @@ TEST(StreamedRows, GivenDerivativesAreTakenAsTheyAre) {
   const ReadRows rows = all_rows_of(streamed(data, method), 100);
   EXPECT_EQ(rows.targets, data.trajectories[0].derivatives);
   EXPECT_EQ(rows.theta.col(1), data.trajectories[0].states.col(0));
+  const StreamedRows read(swing_terms(), {thinned(source_of(data.trajectories[0]), 2)},
+                          {method, true}, true);
+  const auto even = Eigen::seq(0, Eigen::last, 2);
+  const ReadRows in_pieces = all_rows_of(read, 100);
+  EXPECT_EQ(in_pieces.targets, rows.targets(even, Eigen::all)) << "copied piece by piece";
+  EXPECT_EQ(in_pieces.theta, rows.theta(even, Eigen::all));
 }
 
 TEST(StreamedRows, ReadersStartAnywhere) {

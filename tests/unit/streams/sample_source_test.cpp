@@ -31,6 +31,8 @@ TEST(SampleSource, OfARecordInMemoryGivesItsRows) {
   EXPECT_EQ(part.states, expected.states);
   EXPECT_EQ(part.marks, expected.marks);
   EXPECT_EQ(part.source, "swing");
+  EXPECT_EQ(source->in_memory(), &data.trajectories[0]);
+  EXPECT_EQ(thinned(source, 2)->in_memory(), nullptr) << "its samples are others";
 }
 
 /// A record of which only pieces can be read, like one in a file.
