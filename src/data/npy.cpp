@@ -64,8 +64,7 @@ double load_value(const char* bytes, const NpyField& field) {
 /// Reads one column whose values lie `stride` bytes apart.
 void load_column(const char* bytes, std::size_t stride, const NpyField& field,
                  Eigen::Ref<Vector> column) {
-  const bool plain = field.kind == 'f' && field.size == 8 && !field.big_endian &&
-                     std::endian::native == std::endian::little;
+  const bool plain = field.is_native_double();
   for (Index row = 0; row < column.size(); ++row, bytes += stride) {
     if (plain)
       std::memcpy(&column[row], bytes, sizeof(double));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -15,6 +16,12 @@ struct NpyField {
   std::size_t size = 8;    ///< bytes
   std::size_t offset = 0;  ///< of its first byte in the item
   bool big_endian = false;
+
+  /// Whether its bytes are those of a double on this machine.
+  bool is_native_double() const noexcept {
+    return kind == 'f' && size == sizeof(double) && !big_endian &&
+           std::endian::native == std::endian::little;
+  }
 };
 
 /// What stands in front of the numbers of a .npy file; its sizes fit the file.

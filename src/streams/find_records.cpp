@@ -14,14 +14,23 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kPiece = Index{1} << 17;  // a fact of the machines: what a thread has in memory
+constexpr Index kPiece = Index{1} << 14;  // a fact of the machines: a piece stays in cache
 constexpr Index kOverlap = 2;             // a fact of steps: none lies between pieces
 
+/// Whether all that is used is finite; what is not used hardly ever makes a difference.
+template <class Values>
+bool used_is_finite(const Values& values, const ColumnIndices& columns) {
+  if (all_finite(Eigen::Map<const Vector>(values.data(), values.size()))) return true;
+  const std::vector<Index> used = columns.used();
+  return std::all_of(used.begin(), used.end(),
+                     [&](Index column) { return values.col(column).allFinite(); });
+}
+
 /// Whether rows are one record as far as anybody can see: all is finite, time goes on evenly.
-bool is_plain(const Matrix& values, const ColumnIndices& columns) {
+template <class Values>
+bool is_plain(const Values& values, const ColumnIndices& columns) {
   if (columns.trajectory || values.rows() < 2) return false;
-  for (const Index column : columns.used())
-    if (!all_finite(values.col(column))) return false;
+  if (!used_is_finite(values, columns)) return false;
   if (!columns.time) return true;
   const auto time = values.col(*columns.time);
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
@@ -49,6 +58,8 @@ bool has_record(const Matrix& values, const ColumnIndices& columns) {
 /// Its ranges count from the first row of the piece; none where all of it is missing.
 Records records_of_piece(const NpyFile& file, const ColumnIndices& columns, Index first,
                          Index count) {
+  if (const auto rows = file.plain_rows(first, count); rows && is_plain(*rows, columns))
+    return {{{0, count, 0}}, {}};
   Table piece = file.columns();
   piece.values = file.values(first, count);
   if (is_plain(piece.values, columns)) return {{{0, count, 0}}, {}};

@@ -42,6 +42,16 @@ Matrix NpyFile::values(Index first, Index count) const {
   return npy_values(part, {bytes.get(), blocks * length});
 }
 
+std::optional<RowMajorMatrix> NpyFile::plain_rows(Index first, Index count) const {
+  if (header_.structured || header_.fortran_order || !header_.fields[0].is_native_double())
+    return std::nullopt;
+  RowMajorMatrix rows(count, static_cast<Index>(header_.columns));
+  const std::size_t row = header_.item_size * header_.columns;
+  file_.read(header_.data_begin + static_cast<std::size_t>(first) * row,
+             {reinterpret_cast<char*>(rows.data()), static_cast<std::size_t>(count) * row});
+  return rows;
+}
+
 Table NpyFile::read(Index first, Index count) const {
   Table table = columns_;
   table.values = values(first, count);

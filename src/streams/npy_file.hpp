@@ -2,12 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/positioned_file.hpp"
 #include "data/npy_header.hpp"
 #include "lacuna/data/table.hpp"
 
 namespace lacuna {
+
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A NumPy array in a file, read by rows.
 class NpyFile {
@@ -26,6 +29,10 @@ class NpyFile {
 
   /// The numbers of these rows.
   Matrix values(Index first, Index count) const;
+
+  /// The same row by row, as they stand in the file; nothing where they are not doubles of this
+  /// machine in this order.
+  std::optional<RowMajorMatrix> plain_rows(Index first, Index count) const;
 
  private:
   PositionedFile file_;
