@@ -41,17 +41,26 @@ double EffectSize::least_gap(const Explanation& explanation) const {
   return refitted ? std::min(own, gap(refitted->fit)) : own;
 }
 
-bool EffectSize::counts(Extended& before, const Explanation& after) const {
+std::optional<Shortfall> EffectSize::shortfall(Extended& before,
+                                               const Explanation& after) const {
   const DecisionOptions& decision = problem_.options.decision;
   const Candidate& newest = after.effects.back().candidate;
   const double had = disturbance(before.explanation.fit, newest);
   const double has = disturbance(after.fit, newest);
-  if (has > (1.0 - decision.minor) * had) return false;
-  if (has < (1.0 - decision.major) * had) return true;
-  if (had - has < decision.negligible) return false;
+  if (has > (1.0 - decision.minor) * had)
+    return Shortfall{"share of what is left that goes", 1.0 - has / had, decision.minor};
+  if (has < (1.0 - decision.major) * had) return std::nullopt;
+  if (had - has < decision.negligible)
+    return Shortfall{"share of the nominal model's disturbance that goes", had - has,
+                     decision.negligible};
   if (!before.least_gap) before.least_gap = least_gap(before.explanation);
-  return *before.least_gap >= decision.negligible &&
-         *before.least_gap - least_gap(after) >= decision.negligible;
+  if (*before.least_gap < decision.negligible)
+    return Shortfall{"share of the nominal model's squared gap that is left",
+                     *before.least_gap, decision.negligible};
+  const double goes = *before.least_gap - least_gap(after);
+  if (goes >= decision.negligible) return std::nullopt;
+  return Shortfall{"share of the nominal model's squared gap that goes", goes,
+                   decision.negligible};
 }
 
 bool EffectSize::is_near(const Assimilation& fit, const Assimilation& best,

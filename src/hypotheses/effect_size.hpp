@@ -3,10 +3,18 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "lacuna/hypotheses/problem.hpp"
 
 namespace lacuna {
+
+/// Why an effect is not acceptable: what was looked at, what it was and what it had to be.
+struct Shortfall {
+  std::string quantity;
+  double value = 0.0;
+  double threshold = 0.0;
+};
 
 /// An explanation that candidates are added to, and its least_gap() as soon as one needed it.
 struct Extended {
@@ -36,10 +44,10 @@ class EffectSize {
   /// hold over windows (refit_over_windows()).
   double least_gap(const Explanation& explanation) const;
 
-  /// Whether a later effect, the last of `after`, counts: it takes away more than a minor part
-  /// of the disturbance that is left, and either most of it, or more than a negligible part of
-  /// the nominal model's disturbance and gap.
-  bool counts(Extended& before, const Explanation& after) const;
+  /// Why a later effect, the last of `after`, does not count; nothing where it does: it takes
+  /// away more than a minor part of the disturbance that is left, and either most of it, or more
+  /// than a negligible part of the nominal model's disturbance and gap.
+  std::optional<Shortfall> shortfall(Extended& before, const Explanation& after) const;
 
   /// Whether one fit leaves no more than a negligible part (of what the nominal model leaves)
   /// beyond what another one leaves.

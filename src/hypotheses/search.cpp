@@ -32,13 +32,6 @@ double told_from_zero(const FittedEffect& effect) {
   return effect.deviation > 0.0 ? std::abs(effect.coefficient) / effect.deviation : INFINITY;
 }
 
-/// Why an effect is not acceptable; nothing when it is.
-struct Shortfall {
-  std::string quantity;
-  double value = 0.0;
-  double threshold = 0.0;
-};
-
 /// Why the numbers of an explanation with one more effect make no sense: what it adds nearly
 /// cancels what the others do, or a nominal coefficient that was as it was given is not any
 /// more. Where structure is left such forms, which follow it for a step or two, gain most.
@@ -73,11 +66,7 @@ std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize&
     return Shortfall{"coefficient over its error", told, decision.significance};
   if (before.explanation.effects.empty()) return std::nullopt;
   if (const auto absurd = absurdity(search, before.explanation, ranked)) return absurd;
-  if (!size.counts(before, ranked.explanation))
-    return Shortfall{"share of what is left that goes",
-                     1.0 - size.disturbance(ranked.explanation.fit, ranked.effect().candidate),
-                     decision.minor};
-  return std::nullopt;
+  return size.shortfall(before, ranked.explanation);
 }
 
 /// Drop of the disturbance variance of an equation, as a share of the baseline's.

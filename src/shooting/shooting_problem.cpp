@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "shooting_problem.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "lacuna/core/parallel.hpp"
 #include "lacuna/numerics/qr.hpp"
 
 namespace lacuna {
@@ -14,25 +12,6 @@ namespace {
 
 /// Pivots below this share of the norm of their column are rounding.
 constexpr double kRounding = 1e-12;
-
-/// Groups of windows depend on the plan alone, so that results do not depend on threads. A group
-/// has no fewer windows than a block of the rates has lanes, and no fewer steps than make up for
-/// a thread that starts. Facts of cost.
-constexpr Index kGroups = 16, kFewestWindows = 16, kFewestSamples = 2048;
-
-std::vector<WindowRange> groups_of(const WindowPlan& plan) {
-  const auto windows = static_cast<Index>(plan.size());
-  Index samples = 0;
-  for (const Window& window : plan) samples += window.intervals;
-  const Index groups = std::clamp<Index>(
-      std::min(windows / kFewestWindows, samples / kFewestSamples), 1, kGroups);
-  std::vector<WindowRange> ranges;
-  for (Index g = 0; g < groups; ++g) {
-    const Index first = g * windows / groups;
-    ranges.push_back({first, (g + 1) * windows / groups - first});
-  }
-  return ranges;
-}
 
 /// R of a window with rows damping * D on the initial states.
 Matrix damped_window(const Matrix& triangle, const Eigen::Ref<const Vector>& damping) {
@@ -108,28 +87,7 @@ std::shared_ptr<const StageSignals> ShootingProblem::signals_of(const StepScheme
 }
 
 void ShootingProblem::set_scheme(const StepScheme& scheme) {
-  signals_ = signals_of(scheme);
-  workers_.clear();
-}
-
-ShootingProblem::Worker::Worker(const Rates& own, const StageSignals& signals)
-    : rates(own), simulator(signals, own.dimension()), rows(rates, signals.scheme) {}
-
-ShootingProblem::Worker& ShootingProblem::worker(std::size_t group) {
-  while (workers_.size() <= group)
-    workers_.push_back(std::make_unique<Worker>(rates_, *signals_));
-  return *workers_[group];
-}
-
-void ShootingProblem::in_groups(const WindowPlan& plan, const Vector& parameters,
-                                FunctionRef<void(Worker&, const WindowRange&)> work) {
-  const std::vector<WindowRange> groups = groups_of(plan);
-  worker(groups.size() - 1);
-  parallel_for(groups.size(), threads_, [&](std::size_t g) {
-    Worker& own = *workers_[g];
-    own.rates.set(parameters);
-    work(own, groups[g]);
-  });
+  windows_ = std::make_unique<WindowGroups>(rates_, signals_of(scheme), threads_);
 }
 
 double ShootingProblem::loss(double residual) const {
@@ -139,11 +97,8 @@ double ShootingProblem::loss(double residual) const {
 }
 
 void ShootingProblem::evaluate(const WindowPlan& plan, ShootingPoint& point) {
-  make_room(*signals_, rates_.dimension(), record_.samples(), point.orbits);
-  in_groups(plan, point.parameters, [&](Worker& worker, const WindowRange& windows) {
-    worker.simulator.run(worker.rates, plan, windows, point.starts, point.orbits);
-  });
-  point.orbits.diverged = diverged_windows(plan, point.orbits);
+  make_room(signals(), rates_.dimension(), record_.samples(), point.orbits);
+  windows_->simulate(plan, point.parameters, point.starts, point.orbits);
   point.finite = point.orbits.diverged.empty();
   const Matrix r = residuals(plan, point);
   double cost = 0.0;
@@ -190,17 +145,9 @@ ShootingLinearisation ShootingProblem::linearise(const WindowPlan& plan,
                                                  const ShootingPoint& point) {
   const Matrix weights = row_weights(point);
   const Index m = rates_.dimension(), rest = rates_.columns() + 1;
-  ShootingLinearisation linear{std::vector<Matrix>(plan.size()), {},
-                               Matrix::Zero(record_.samples(), m * m)};
-  const WindowRowsInput input{record_, *signals_, plan, point.orbits, weights};
-  in_groups(plan, point.parameters, [&](Worker& worker, const WindowRange& windows) {
-    worker.rows.run(
-        input, windows,
-        [&](Index w, const Matrix& triangle) {
-          linear.windows[static_cast<std::size_t>(w)] = triangle;
-        },
-        linear.transitions);
-  });
+  ShootingLinearisation linear{{}, {}, Matrix::Zero(record_.samples(), m * m)};
+  linear.windows = windows_->triangles({record_, signals(), plan, point.orbits, weights},
+                                       point.parameters, linear.transitions);
   RowFold fold(rest);
   for (const Matrix& triangle : linear.windows)
     fold.add_triangle(triangle.bottomRightCorner(rest, rest));
@@ -211,10 +158,9 @@ ShootingLinearisation ShootingProblem::linearise(const WindowPlan& plan,
 
 void ShootingProblem::sensitivities(const WindowPlan& plan, const ShootingPoint& point,
                                     FunctionRef<void(Index, Index, const Matrix&)> visit) {
-  Worker& one = worker(0);
-  one.rates.set(point.parameters);
   const Matrix weights = row_weights(point);
-  one.rows.sensitivities({record_, *signals_, plan, point.orbits, weights}, visit);
+  windows_->sensitivities({record_, signals(), plan, point.orbits, weights}, point.parameters,
+                          visit);
 }
 
 void ShootingProblem::add_priors(const Vector& parameters, RowFold& fold) const {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "window_rows.hpp"
+#include "window_groups.hpp"
 
 namespace lacuna {
 
@@ -43,10 +43,10 @@ class ShootingProblem {
   const ShootingRecord& record() const noexcept { return record_; }
   Rates& rates() noexcept { return rates_; }
   const ParametrisedModel& model() const noexcept { return model_; }
-  const StageSignals& signals() const noexcept { return *signals_; }
+  const StageSignals& signals() const noexcept { return windows_->signals(); }
 
   void set_scheme(const StepScheme& scheme);
-  const StepScheme& scheme() const noexcept { return signals_->scheme; }
+  const StepScheme& scheme() const noexcept { return signals().scheme; }
 
   void set_sigma(Vector sigma) { sigma_ = std::move(sigma); }
   const Vector& sigma() const noexcept { return sigma_; }  ///< of each measured state
@@ -72,20 +72,6 @@ class ShootingProblem {
                      double damping) const;
 
  private:
-  /// What simulates and linearises one group of windows.
-  struct Worker {
-    Worker(const Rates& own, const StageSignals& signals);
-
-    Rates rates;
-    WindowSimulator simulator;
-    WindowRows rows;
-  };
-
-  /// Calls `work(worker, windows)` for groups of windows, each with a worker of its own whose
-  /// rates have these parameters.
-  void in_groups(const WindowPlan& plan, const Vector& parameters,
-                 FunctionRef<void(Worker&, const WindowRange&)> work);
-  Worker& worker(std::size_t group);
   std::shared_ptr<const StageSignals> signals_of(const StepScheme& scheme);
   double loss(double residual) const;
   void add_priors(const Vector& parameters, RowFold& fold) const;
@@ -97,8 +83,7 @@ class ShootingProblem {
   std::vector<std::optional<Prior>> priors_;
   Vector sigma_;
   std::vector<std::shared_ptr<const StageSignals>> known_signals_;  // of schemes used before
-  std::shared_ptr<const StageSignals> signals_;
-  std::vector<std::unique_ptr<Worker>> workers_;  // as many as the present scheme needed so far
+  std::unique_ptr<WindowGroups> windows_;  // of the present scheme
   int threads_;
 };
 

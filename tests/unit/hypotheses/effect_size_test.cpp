@@ -13,7 +13,14 @@ namespace {
 
 bool counts(const EffectSize& size, const Explanation& explanation, const Explanation& after) {
   Extended before{explanation};
-  return size.counts(before, after);
+  return !size.shortfall(before, after);
+}
+
+std::string quantity(const EffectSize& size, const Explanation& explanation,
+                     const Explanation& after) {
+  Extended before{explanation};
+  const auto shortfall = size.shortfall(before, after);
+  return shortfall && shortfall->value < shortfall->threshold ? shortfall->quantity : "none";
 }
 
 class EffectSizes : public testing::Test {
@@ -59,9 +66,11 @@ TEST_F(EffectSizes, TheGapOfWhatTheRecordsAreMadeOfIsTheNoise) {
 TEST_F(EffectSizes, CountsByTheSharesThatAreAsked) {
   const EffectSize size(problem_, *base_);
   EXPECT_TRUE(counts(size, leaving(1.0), leaving(0.4))) << "most goes";
-  EXPECT_FALSE(counts(size, leaving(1.0), leaving(0.95))) << "a minor part";
-  EXPECT_FALSE(counts(size, leaving(1.0), leaving(0.7))) << "nothing of what lasts goes";
-  EXPECT_FALSE(counts(size, leaving(0.04), leaving(0.032))) << "of hardly anything";
+  EXPECT_EQ(quantity(size, leaving(1.0), leaving(0.95)), "share of what is left that goes");
+  EXPECT_EQ(quantity(size, leaving(1.0), leaving(0.7)),
+            "share of the nominal model's squared gap that goes");
+  EXPECT_EQ(quantity(size, leaving(0.04), leaving(0.032)),
+            "share of the nominal model's disturbance that goes");
   Explanation lasting = leaving(0.26);
   lasting.fit = complete();
   const Vector noise = base_->fitted.noise.disturbance;
