@@ -23,6 +23,11 @@ void describe_search(DecisionOptions& o, OptionVisitor& v) {
           o.rough_fits);
   v.field({"exact_fits", "", "Of these the best, which are fitted exactly.", 1.0},
           o.exact_fits);
+  v.field({"start_fits", "",
+           "Where states are hidden, candidates of each further path that are fitted whatever "
+           "they gain along it.",
+           0.0},
+          o.start_fits);
   v.field({"noise_inflation", "",
            "Identities are doubted where the noise of a channel comes out larger than its "
            "samples show against their neighbours, by this factor.",

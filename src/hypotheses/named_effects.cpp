@@ -55,6 +55,22 @@ std::vector<Candidate> special_forms(const std::vector<FittedEffect>& effects) {
   return result;
 }
 
+/// Searches that may come to other effects than the best account: where something is left,
+/// without each of its special forms; where states are hidden, along its path, which is nearer
+/// to the truth than the one from which its forms were chosen.
+std::vector<EffectSearch> other_searches(const EffectSearch& search, const Account& best) {
+  std::vector<EffectSearch> others;
+  if (is_anything_left(best.left, search.problem.options.decision))
+    for (Candidate& doubted : special_forms(best.explanation.effects)) {
+      others.push_back(search);
+      others.back().without.push_back(std::move(doubted));
+    }
+  if (search.base.fit_options.hidden.empty()) return others;
+  others.push_back(search);
+  others.back().along = &best.explanation;
+  return others;
+}
+
 }  // namespace
 
 SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
@@ -70,16 +86,14 @@ Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) 
 
 Proposals OtherChoices::do_propose(const Problem& problem, const Account& best) const {
   const DecisionOptions& decision = problem.options.decision;
-  if (best.named.empty() || !is_anything_left(best.left, decision)) return {};
+  if (best.named.empty()) return {};
   const EffectSearch search{problem, *best.base, problem.options.effects};
   std::vector<Rival> trail;
   std::optional<FoundEffects> most;
   double least = criterion_of(problem, *best.base, best.explanation);
   double lead = 0.0;
   const double gap = window_gap(best.explanation.fit);
-  for (Candidate& doubted : special_forms(best.explanation.effects)) {
-    EffectSearch other = search;
-    other.without.push_back(std::move(doubted));
+  for (const EffectSearch& other : other_searches(search, best)) {
     FoundEffects next = search_effects(other);
     std::move(next.rivals.begin(), next.rivals.end(), std::back_inserter(trail));
     next.rivals.clear();

@@ -96,8 +96,11 @@ class Shares {
 
 /// The best of each family and equation in the order of the screening: those that may be
 /// significant and that are not far behind the best, whose lead only grows by an exact fit.
+/// @param at_least so many whatever they gain: where a disturbance takes the place of what is
+///   missing along a hidden path, only the order says something.
 std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& screened,
-                                          const DecisionOptions& decision) {
+                                          const DecisionOptions& decision,
+                                          int at_least) {
   std::vector<ScreenedCandidate> result;
   const auto tried = static_cast<double>(screened.size());
   const double best = screened.empty() ? 0.0 : screened.front().gain;
@@ -105,9 +108,10 @@ std::vector<ScreenedCandidate> short_list(const std::vector<ScreenedCandidate>& 
   for (const ScreenedCandidate& candidate : screened) {
     if (static_cast<int>(result.size()) == decision.rough_fits) break;
     const double freedom = 1.0 + static_cast<double>(candidate.shapes.size());
-    if (candidate.gain < decision.worth_fitting * best ||
-        sigma_of_gain(candidate.gain, freedom, tried) < decision.possible)
-      continue;
+    const bool is_possible =
+        candidate.gain >= decision.worth_fitting * best &&
+        sigma_of_gain(candidate.gain, freedom, tried) >= decision.possible;
+    if (!is_possible && static_cast<int>(result.size()) >= at_least) continue;
     if (shares.take(candidate.candidate)) result.push_back(candidate);
   }
   return result;
@@ -330,7 +334,8 @@ struct ShortList {
 
 void append(const std::vector<ScreenedCandidate>& screened, const DecisionOptions& decision,
             const Assimilation* start, ShortList& list) {
-  for (ScreenedCandidate& candidate : short_list(screened, decision))
+  const int at_least = start ? decision.start_fits : 0;
+  for (ScreenedCandidate& candidate : short_list(screened, decision, at_least))
     list.candidates.push_back({std::move(candidate), start});
   list.screened += static_cast<Index>(screened.size());
   for (const ScreenedCandidate& candidate : screened) list.tried += candidate.tried;
@@ -406,8 +411,9 @@ Ranking rank(const EffectSearch& search, const Explanation& current) {
   const ScreeningOptions screening_options{shape_price, decision.worth_shaping};
   const std::vector<Candidate> candidates = all_candidates(search, current);
   ShortList list;
-  append(screen(candidates, screening, screening_options, search.problem.context), decision,
-         nullptr, list);
+  if (!search.along || !current.effects.empty())
+    append(screen(candidates, screening, screening_options, search.problem.context), decision,
+           nullptr, list);
   const std::vector<SearchStart> starts = search_starts(search, current);
   for (const SearchStart& start : starts) {
     std::vector<Candidate> own = candidates;

@@ -29,6 +29,7 @@ struct DecisionOptions {
   double possible = 2.0;
   int rough_fits = 10;
   int exact_fits = 4;
+  int start_fits = 6;
 
   double noise_inflation = 1.3;
   int long_window = 10;

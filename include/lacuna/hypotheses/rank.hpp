@@ -17,6 +17,9 @@ struct EffectSearch {
   const std::vector<Stage<Effect>>& effects;  ///< that are tried
   /// Forms that are not, nor what the same effects propose in their places that is no plainer.
   std::vector<Candidate> without = {};
+  /// Where states are hidden: the first effect is sought along its path, where other forms may
+  /// show.
+  const Explanation* along = nullptr;
 
   /// What fitted forms are called.
   NameTable names() const { return {effects, base.scope, problem.options.decision.naming}; }
