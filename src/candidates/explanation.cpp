@@ -39,19 +39,6 @@ Assimilation widened(const Assimilation& base, const AugmentedProblem& problem) 
   return start;
 }
 
-/// The start of an assimilation of the first m states.
-Assimilation nominal_start(const Assimilation& from, Index m) {
-  Assimilation start = from;
-  start.noise.disturbance.conservativeResize(m);
-  start.noise.measurement.resize(static_cast<std::size_t>(m));
-  start.noise.coloured.resize(static_cast<std::size_t>(m));
-  for (LinearisedRecord& record : start.records)
-    record.path = Matrix(record.path.leftCols(m));
-  for (Matrix& omitted : start.omitted)
-    if (omitted.size() > 0) omitted.conservativeResize(Eigen::NoChange, m);
-  return start;
-}
-
 /// The nominal part of a model that has effects behind it.
 OdeModel nominal_part(const OdeModel& augmented, const OdeModel& nominal) {
   std::vector<Equation> equations;
@@ -268,6 +255,18 @@ class JointFit {
   }
 
   /// The fit without its memory states.
+  Assimilation nominal_start(const Assimilation& from, Index m) const {
+    Assimilation start = from;
+    start.noise.disturbance.conservativeResize(m);
+    start.noise.measurement.resize(static_cast<std::size_t>(m));
+    start.noise.coloured.resize(static_cast<std::size_t>(m));
+    for (LinearisedRecord& record : start.records)
+      record.path = Matrix(record.path.leftCols(m));
+    for (Matrix& omitted : start.omitted)
+      if (omitted.size() > 0) omitted.conservativeResize(Eigen::NoChange, m);
+    return start;
+  }
+
   void read_coefficients(Explanation& result) const {
     const Assimilation& fit = result.fit;
     std::size_t place = task_.options.free.size(), channel = 0;
@@ -325,14 +324,6 @@ Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
   constexpr int kFew = 3;
   constexpr int kFewWithHidden = 8;  // a step may lead far from what it promises
   return JointFit(task).at(start, effects, task.options.hidden.empty() ? kFew : kFewWithHidden);
-}
-
-Assimilation without_effects(const JointFitTask& task, const Assimilation& from) {
-  Assimilation start = nominal_start(from, task.nominal.dimension());
-  start.channel_terms.clear();
-  for (LinearisedRecord& record : start.records) record.bridge = Matrix();
-  return linearised_from(nominal_part(from.model, task.nominal), task.data, start,
-                         task.options, task.context);
 }
 
 Explanation with_joint_errors(const JointFitTask& task, Explanation explanation) {

@@ -34,7 +34,8 @@ double median(std::vector<double>& values) {
 /// bits, so that the leading ones say among which few the median is. 4 times as fast as to
 /// partition all of them.
 double median_size(std::vector<double>& sizes) {
-  constexpr std::size_t kMany = 4096;  // a fact of cost: fewer are sooner partitioned than counted
+  constexpr std::size_t kMany =
+      4096;  // a fact of cost: fewer are sooner partitioned than counted
   if (sizes.size() < kMany) return median(sizes);
   constexpr int kSign = 1, kLeading = 15;  // the exponent and four bits of the fraction
   const auto leading = [](double size) {

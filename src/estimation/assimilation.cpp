@@ -96,17 +96,6 @@ class Turns {
     return options_.hidden.empty() ? std::move(state_) : verified(std::move(state_));
   }
 
-  /// Path, noise and coefficients as they are.
-  Assimilation linearised() {
-    relinearise();
-    state_.deviance = std::numeric_limits<double>::infinity();
-    if (!is_linearised()) return std::move(state_);
-    const InnovationSystem system(state_);
-    state_.deviance = system.deviance();
-    state_.used = system.used();
-    return std::move(state_);
-  }
-
  private:
   /// Where states are hidden a step may be far from what it promises: what counts is the
   /// deviance that is found where the steps have led.
@@ -411,31 +400,15 @@ Assimilation assimilate(const OdeModel& model, const Dataset& data,
                  context);
 }
 
-namespace {
-
-/// A start for the turns of another model.
-Assimilation begun(const OdeModel& model, const Dataset& data, const Assimilation& start,
-                   const AssimilationOptions& options) {
+Assimilation assimilate_from(const OdeModel& model, const Dataset& data,
+                             const Assimilation& start, const AssimilationOptions& options,
+                             const RunContext& context) {
   Assimilation begin = start;
   begin.model = model;
   begin.free = options.free;
   begin.measured.clear();
   for (const Trajectory& record : data.trajectories) begin.measured.push_back(record.states);
-  return begin;
-}
-
-}  // namespace
-
-Assimilation assimilate_from(const OdeModel& model, const Dataset& data,
-                             const Assimilation& start, const AssimilationOptions& options,
-                             const RunContext& context) {
-  return Turns(data, options, begun(model, data, start, options), context).run(false);
-}
-
-Assimilation linearised_from(const OdeModel& model, const Dataset& data,
-                             const Assimilation& start, const AssimilationOptions& options,
-                             const RunContext& context) {
-  return Turns(data, options, begun(model, data, start, options), context).linearised();
+  return Turns(data, options, std::move(begin), context).run(false);
 }
 
 }  // namespace lacuna

@@ -56,8 +56,9 @@ std::vector<Candidate> special_forms(const std::vector<FittedEffect>& effects) {
 }
 
 /// Searches that may come to other effects than the best account: where something is left,
-/// without each of its special forms; where states are hidden, along its path, which is nearer
-/// to the truth than the one from which its forms were chosen.
+/// without each of its special forms; where states are hidden, among all functions of the
+/// arguments that it has, along its path, which is nearer to the truth than the one from which
+/// its forms were chosen.
 std::vector<EffectSearch> other_searches(const EffectSearch& search, const Account& best) {
   std::vector<EffectSearch> others;
   if (is_anything_left(best.left, search.problem.options.decision))
@@ -65,7 +66,9 @@ std::vector<EffectSearch> other_searches(const EffectSearch& search, const Accou
       others.push_back(search);
       others.back().without.push_back(std::move(doubted));
     }
-  if (search.base.fit_options.hidden.empty()) return others;
+  const bool remembers =
+      best.explanation.fit.model.dimension() > search.problem.nominal.dimension();
+  if (search.base.fit_options.hidden.empty() || remembers) return others;
   others.push_back(search);
   others.back().along = &best.explanation;
   return others;

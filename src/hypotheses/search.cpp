@@ -251,12 +251,8 @@ bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& f
       continue;
     }
     if (const auto why = shortfall(search, size, before, ranked)) {
-      found.rivals.push_back({std::string(kNamedEffects.name),
-                              says(search, ranked),
-                              ranked.criterion,
-                              false,
-                              why->quantity,
-                              why->value,
+      found.rivals.push_back({std::string(kNamedEffects.name), says(search, ranked),
+                              ranked.criterion, false, why->quantity, why->value,
                               why->threshold});
       continue;
     }

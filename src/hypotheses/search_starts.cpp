@@ -16,19 +16,11 @@ Assimilation undisturbed(const Problem& problem, const Baseline& base) {
 
 std::vector<SearchStart> search_starts(const EffectSearch& search, const Explanation& current) {
   std::vector<SearchStart> starts;
-  const Problem& problem = search.problem;
   if (search.base.fit_options.hidden.empty() || !current.effects.empty()) return starts;
-  if (search.along) {
-    starts.push_back(
-        {std::nullopt, without_effects({search.base.records->data, problem.nominal,
-                                        search.base.fit_options, problem.context},
-                                       search.along->fit)});
-  } else {
-    starts.push_back({std::nullopt, undisturbed(problem, search.base)});
-    for (Index k = 0; k < problem.nominal.dimension(); ++k)
-      if (current.fit.noise.disturbance[k] > 0.0)
-        starts.push_back({k, disturbed_alone(problem, search.base, k)});
-  }
+  starts.push_back({std::nullopt, undisturbed(search.problem, search.base)});
+  for (Index k = 0; k < search.problem.nominal.dimension(); ++k)
+    if (current.fit.noise.disturbance[k] > 0.0)
+      starts.push_back({k, disturbed_alone(search.problem, search.base, k)});
   std::erase_if(starts,
                 [](const SearchStart& one) { return !std::isfinite(one.fit.deviance); });
   return starts;

@@ -21,9 +21,8 @@ struct SearchStart {
   Assimilation fit;
 };
 
-/// Where states are hidden and no effect is there yet: the path that the search goes along,
-/// where it has one, else undisturbed(), and disturbed_alone() for each equation. None where
-/// all is measured.
+/// Where states are hidden and no effect is there yet: undisturbed(), and disturbed_alone() for
+/// each equation. None where all is measured.
 std::vector<SearchStart> search_starts(const EffectSearch& search, const Explanation& current);
 
 }  // namespace lacuna

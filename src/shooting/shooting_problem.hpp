@@ -83,7 +83,7 @@ class ShootingProblem {
   std::vector<std::optional<Prior>> priors_;
   Vector sigma_;
   std::vector<std::shared_ptr<const StageSignals>> known_signals_;  // of schemes used before
-  std::unique_ptr<WindowGroups> windows_;  // of the present scheme
+  std::unique_ptr<WindowGroups> windows_;                           // of the present scheme
   int threads_;
 };
 

@@ -9,8 +9,8 @@
 namespace lacuna {
 namespace {
 
-/// A group has no fewer windows than a block of the rates has lanes, and no fewer steps than make
-/// up for a thread that starts. Facts of cost.
+/// A group has no fewer windows than a block of the rates has lanes, and no fewer steps than
+/// make up for a thread that starts. Facts of cost.
 constexpr Index kGroups = 16, kFewestWindows = 16, kFewestIntervals = 2048;
 
 std::vector<WindowRange> groups_of(const WindowPlan& plan) {

@@ -8,8 +8,8 @@
 
 namespace lacuna {
 
-/// Simulates and linearises the windows of a plan in groups, which several threads take in turn.
-/// Groups depend on the plan alone, and so do results.
+/// Simulates and linearises the windows of a plan in groups, which several threads take in
+/// turn. Groups depend on the plan alone, and so do results.
 class WindowGroups {
  public:
   WindowGroups(const Rates& rates, std::shared_ptr<const StageSignals> signals, int threads);

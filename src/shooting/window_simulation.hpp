@@ -37,8 +37,8 @@ class WindowSimulator {
   /// @param starts initial states, windows of the plan x m.
   /// @param orbits with room for them (make_room()); only what belongs to these windows is
   ///   written.
-  void run(Rates& rates, const WindowPlan& plan, const WindowRange& range,
-           const Matrix& starts, Orbits& orbits);
+  void run(Rates& rates, const WindowPlan& plan, const WindowRange& range, const Matrix& starts,
+           Orbits& orbits);
 
  private:
   void prepare(const Rates& rates, Index windows);

@@ -25,6 +25,7 @@ struct HiddenBench {
   double amplitude = 1.0;  ///< of the input
   double noise = 0.0;      ///< standard deviation
   int samples = 1500;
+  double mean = 0.0;  ///< of the input
 };
 
 class HiddenStates : public ::testing::Test {
@@ -36,7 +37,8 @@ class HiddenStates : public ::testing::Test {
       const double t = bench.step * i;
       const double u = std::sin(2.9 * t + phase) + 0.7 * std::sin(4.7 * t + 2.0 * phase) +
                        0.6 * std::sin(1.3 * t) + 0.4 * std::sin(11.0 * t + phase);
-      drive << format_number(t, 17) << ',' << format_number(bench.amplitude * u, 17) << '\n';
+      drive << format_number(t, 17) << ','
+            << format_number(bench.mean + bench.amplitude * u, 17) << '\n';
     }
     const std::string u = folder_.write("u.csv", "t,u\n" + drive.str());
     const std::string all = folder_.file("all.csv");
@@ -107,6 +109,20 @@ TEST_F(HiddenStates, DragIsNamedWhereOnlyThePositionIsMeasured) {
   EXPECT_EQ(answer["effects"][0]["equation"], "v");
   EXPECT_NEAR(answer["effects"][0]["coefficient"].get<double>(), -0.5, 0.05);
   EXPECT_EQ(answer["verdict"], "explained");
+}
+
+// From the path of the nominal model the flow of a store through a hole gains more, and hardly
+// anything is left beside it.
+TEST_F(HiddenStates, ASaturatingRateIsFoundAlongThePathThatAWrongFormLedTo) {
+  const std::string begin = "input u hold linear\ndA/dt = ";
+  for (const double noise : {0.02, 0.05}) {
+    const Json answer = diagnosis({begin + "-1.5*A + 5*u - 6*A/(0.6+abs(A))\ndy/dt = 4*A - y",
+                                   "y", 0.02, 0.55, noise, 1500, 1.6},
+                                  begin + "-1.62*A + 5.65*u\ndy/dt = 3.55*A - 1.12*y");
+    ASSERT_EQ(answer.at("effects").size(), 1u) << answer.dump(1);
+    EXPECT_EQ(answer["effects"][0]["name"], "saturating-rate") << noise;
+    EXPECT_EQ(answer["effects"][0]["equation"], "A");
+  }
 }
 
 TEST_F(HiddenStates, DragOfAMotorIsNamedWhereOnlyItsCurrentIsMeasured) {

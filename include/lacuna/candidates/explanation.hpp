@@ -67,11 +67,6 @@ Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
 Explanation explain(const JointFitTask& task, const Assimilation& start,
                     const std::vector<FittedEffect>& effects);
 
-/// The nominal model along the path that a fit with effects has found, without them: with the
-/// coefficients and the noise that it has beside them. The deviance is not finite where it has
-/// no rates there.
-Assimilation without_effects(const JointFitTask& task, const Assimilation& from);
-
 /// The explanation with standard errors that hold whatever its shapes are: the covariance of
 /// the joint linearised problem of everything that was fitted. In a fit they are those at the
 /// shapes as they are.

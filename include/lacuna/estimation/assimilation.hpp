@@ -126,10 +126,4 @@ Assimilation assimilate_from(const OdeModel& model, const Dataset& data,
                              const Assimilation& start, const AssimilationOptions& options,
                              const RunContext& context);
 
-/// A model linearised along the path that another assimilation found, with its noise; nothing is
-/// fitted. The deviance is not finite where the model has no rates along the path.
-Assimilation linearised_from(const OdeModel& model, const Dataset& data,
-                             const Assimilation& start, const AssimilationOptions& options,
-                             const RunContext& context);
-
 }  // namespace lacuna

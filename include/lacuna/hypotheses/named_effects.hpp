@@ -26,8 +26,9 @@ inline constexpr StageInfo kOtherChoices{
 
 /// Where anything is left beside the effects (is_anything_left()) their first choices may have
 /// been wrong: they are sought again without each of the forms with shapes or memory in turn.
-/// Where states are hidden they are sought again along the path that they have led to, whether
-/// anything is left or not: a wrong form may have been all that showed along the first path.
+/// Where states are hidden they are sought again among the functions of their arguments, along
+/// the path that they have led to, whether anything is left or not: a wrong form may have been
+/// all that showed along the first path.
 /// The best of these searches takes the place of the first when the records are explained
 /// better beyond doubt, or as well with fewer parameters, and what lasts in windows is not more
 /// by what counts: between samples a chain of terms may do better than one form that is true

@@ -17,8 +17,8 @@ struct EffectSearch {
   const std::vector<Stage<Effect>>& effects;  ///< that are tried
   /// Forms that are not, nor what the same effects propose in their places that is no plainer.
   std::vector<Candidate> without = {};
-  /// Where states are hidden: the first effect is sought along its path, where other forms may
-  /// show.
+  /// Where states are hidden: the first effect is sought among the functions of the arguments
+  /// that this has, along its path; it has no memory.
   const Explanation* along = nullptr;
 
   /// What fitted forms are called.

@@ -53,23 +53,5 @@ TEST(Explanation, SensorsMayHaveSummandsToo) {
   EXPECT_NEAR(found.effects[0].coefficient, 0.1, 0.005);
 }
 
-TEST(Explanation, WithoutItsEffectsTheNominalModelStaysOnThePath) {
-  const Dataset data = support::hidden_record(
-      [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.002);
-  const Assimilation base = support::assimilated(data);
-  const JointFitTask task{data, base.model, support::oscillator_fit_options(), RunContext{}};
-  const Explanation found =
-      explain(task, base, {{support::stop_candidate(0.0), Vector::Constant(1, -0.1), -2.0}});
-  const Assimilation bare = without_effects(task, found.fit);
-  EXPECT_EQ(bare.model.equations()[1].size(), base.model.equations()[1].size());
-  EXPECT_EQ(bare.model.coefficient(1, "v"), found.fit.model.coefficient(1, "v"));
-  EXPECT_EQ(bare.records[0].path, found.fit.records[0].path);
-  EXPECT_EQ(bare.noise.disturbance, found.fit.noise.disturbance);
-  EXPECT_GT(bare.deviance, found.fit.deviance + 1000.0) << "what is missing shows at once";
-  EXPECT_LT(bare.records[0].defect.row(1).cwiseAbs().maxCoeff(), 1.0);
-  EXPECT_GT(bare.records[0].defect.row(1).norm(),
-            10.0 * found.fit.records[0].defect.row(1).norm());
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -56,16 +56,15 @@ TEST(WindowGroups, AreWhatOneWindowAloneIs) {
     ShootingPoint point{all.point.parameters, all.point.starts.row(static_cast<Index>(w))};
     problem.evaluate(plan, point);
     const auto rows = Eigen::seqN(plan[0].first, plan[0].samples);
-    EXPECT_LT((point.orbits.samples(rows, Eigen::all) -
-               all.point.orbits.samples(rows, Eigen::all))
-                  .norm(),
-              1e-10)
+    EXPECT_LT(
+        (point.orbits.samples(rows, Eigen::all) - all.point.orbits.samples(rows, Eigen::all))
+            .norm(),
+        1e-10)
         << w;
     const ShootingLinearisation linear = problem.linearise(plan, point);
     const Matrix& r = linear.windows.front();
     const Matrix& of_all = all.linear.windows[w];
-    EXPECT_LT((r.transpose() * r - of_all.transpose() * of_all).norm(),
-              1e-9 * r.squaredNorm())
+    EXPECT_LT((r.transpose() * r - of_all.transpose() * of_all).norm(), 1e-9 * r.squaredNorm())
         << w;
   }
 }

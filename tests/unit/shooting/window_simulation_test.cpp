@@ -18,8 +18,8 @@ struct Windows {
   Dataset data = testing::noisy_record("van-der-pol", 100, 0.01);
   ParametrisedModel model = with_free_coefficients(test_system("van-der-pol").model);
   ShootingProblem problem{model, data, std::nullopt};  // whose signals are those of one step
-  WindowPlan plan{{0, 10, 10}, {10, 40, 40}, {50, 3, 3}, {53, 20, 20}, {73, 12, 12},
-                  {85, 15, 14}};
+  WindowPlan plan{{0, 10, 10},  {10, 40, 40}, {50, 3, 3},
+                  {53, 20, 20}, {73, 12, 12}, {85, 15, 14}};
   Matrix starts = data.trajectories[0].states({0, 10, 50, 53, 73, 85}, Eigen::all);
 
   Orbits simulated(const WindowRange& range) {
