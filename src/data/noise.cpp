@@ -31,13 +31,13 @@ double median(std::vector<double>& values) {
 }
 
 /// The same of many sizes, none of which is below 0: the order of such numbers is that of their
-/// bits, so that the leading ones say among which few the median is. 4 times as fast as to
-/// partition all of them.
+/// bits, so that the leading ones say among which few the median is; the others need not be
+/// partitioned.
 double median_size(std::vector<double>& sizes) {
-  constexpr std::size_t kMany =
-      4096;  // a fact of cost: fewer are sooner partitioned than counted
+  constexpr std::size_t kMany = 4096;  // a fact of cost: fewer are sooner partitioned
   if (sizes.size() < kMany) return median(sizes);
-  constexpr int kSign = 1, kLeading = 15;  // the exponent and four bits of the fraction
+  // Facts of doubles: the sign, and behind it the exponent and four bits of the fraction.
+  constexpr int kSign = 1, kLeading = 15;
   const auto leading = [](double size) {
     return std::bit_cast<std::uint64_t>(size) << kSign >> (64 - kLeading);
   };

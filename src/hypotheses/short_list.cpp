@@ -88,10 +88,8 @@ class Shares {
   std::map<std::tuple<std::string, Index, bool>, std::vector<Candidate>> taken_;
 };
 
-/// The best of each family and equation in the order of the screening: those that may be
-/// significant and that are not far behind the best, whose lead only grows by an exact fit.
-/// @param at_least so many whatever they gain: where a disturbance takes the place of what is
-///   missing along a hidden path, only the order says something.
+}  // namespace
+
 std::vector<ScreenedCandidate> worth_fitting(const std::vector<ScreenedCandidate>& screened,
                                              const DecisionOptions& decision, int at_least) {
   std::vector<ScreenedCandidate> result;
@@ -108,6 +106,8 @@ std::vector<ScreenedCandidate> worth_fitting(const std::vector<ScreenedCandidate
   }
   return result;
 }
+
+namespace {
 
 void append(const std::vector<ScreenedCandidate>& screened, const DecisionOptions& decision,
             std::shared_ptr<const Assimilation> start, ShortList& list) {
@@ -157,11 +157,13 @@ ShortList forms_along(const EffectSearch& search, const Explanation& current) {
   };
   const auto path = std::make_shared<const Assimilation>(found.fit);
   for (const Candidate& candidate : all_candidates(search, current)) {
+    // The argument was chosen among those of all candidates.
+    ++list.screened;
+    list.tried += static_cast<Index>(candidate.starts.size());
     if (!is_another_form(candidate)) continue;
     for (const Vector& start : candidate.starts)
       list.candidates.push_back({{candidate, start, 0.0, 0.0, 1}, path});
   }
-  list.screened = list.tried = static_cast<Index>(list.candidates.size());
   return list;
 }
 

@@ -23,6 +23,13 @@ struct ShortList {
   Index tried = 0;  ///< with all shapes
 };
 
+/// The best of each family and equation in the order of a screening: those that may be
+/// significant and that are not far behind the best, whose lead only grows by an exact fit.
+/// @param at_least so many whatever they gain: where a disturbance takes the place of what is
+///   missing along a hidden path, only the order says something.
+std::vector<ScreenedCandidate> worth_fitting(const std::vector<ScreenedCandidate>& screened,
+                                             const DecisionOptions& decision, int at_least);
+
 /// Without a path to go along the best of a screening (score tests) of all candidates; where
 /// states are hidden along search_starts(), too. Along the path of an explanation all functions
 /// of its arguments.

@@ -23,7 +23,8 @@ double* aligned(double* memory) {
 }
 
 // 256 rows where they fit into 128 KiB of the second cache, fewer for wide problems: sums over
-// the lanes of a vector cost as much for few rows as for many. Divides a chunk.
+// the lanes of a vector cost as much for few rows as for many. A fact of the machines. Divides a
+// chunk.
 Index tile_rows(Index columns) {
   constexpr Index kCacheDoubles = 16384;
   Index rows = 256;

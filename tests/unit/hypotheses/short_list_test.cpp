@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/config/registry.hpp"
@@ -57,7 +59,9 @@ TEST_F(ShortLists, AlongAPathHaveAllFunctionsOfItsArgument) {
   EXPECT_TRUE(has(list, "sign(v)"));
   EXPECT_TRUE(has(list, "v*abs(v)"));
   EXPECT_TRUE(has(list, "v^3"));
-  EXPECT_EQ(list.screened, static_cast<Index>(list.candidates.size()));
+  EXPECT_EQ(list.screened,
+            short_list(EffectSearch{problem_, base_, options_.effects}, bare()).screened)
+      << "the argument was chosen among all";
   for (const Listed& one : list.candidates) {
     const Candidate& candidate = one.screened.candidate;
     EXPECT_EQ(candidate.argument.to_string(), "v");
@@ -67,6 +71,25 @@ TEST_F(ShortLists, AlongAPathHaveAllFunctionsOfItsArgument) {
     ASSERT_TRUE(one.start);
     EXPECT_EQ(one.start->records[0].path, wrong.fit.records[0].path);
   }
+}
+
+TEST(WorthFitting, AreThePossibleOnesAndAtLeastSoMany) {
+  std::vector<ScreenedCandidate> screened;
+  const double gains[] = {100.0, 40.0, 3.0, 1.0, 0.5};
+  for (int i = 0; i < 5; ++i) {
+    Candidate candidate = support::plain_candidate("v^" + std::to_string(i + 2));
+    candidate.families = {"family " + std::to_string(i)};
+    screened.push_back({candidate, Vector(0), 1.0, gains[i], 1});
+  }
+  const DecisionOptions decision;
+  EXPECT_EQ(worth_fitting(screened, decision, 0).size(), 2u);
+  EXPECT_EQ(worth_fitting(screened, decision, 1).size(), 2u);
+  const auto four = worth_fitting(screened, decision, 4);
+  ASSERT_EQ(four.size(), 4u);
+  EXPECT_EQ(four.back().gain, 1.0) << "in their order";
+  screened[1].candidate.families = screened[0].candidate.families;
+  EXPECT_EQ(worth_fitting(screened, decision, 4).size(), 4u)
+      << "a family has one for an argument";
 }
 
 TEST_F(ShortLists, BesideAnEffectAreScreenedAgain) {
