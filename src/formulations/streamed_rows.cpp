@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/finite.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/records/derived_record.hpp"
 #include "variable_slots.hpp"
@@ -20,6 +21,13 @@ void check_no_delay(const TermLibrary& library) {
                         "leave the term out, or give a part of the record");
 }
 
+/// What no term uses would not be seen in the rows.
+void check_finite(const Eigen::Ref<const Matrix>& variables,
+                  const Eigen::Ref<const Matrix>& rates) {
+  if (all_finite(variables) && all_finite(rates)) return;
+  throw DataError("data", "a value is not finite", "split the record there or remove the row");
+}
+
 }  // namespace
 
 /// Rows are made of the samples of one piece after the other.
@@ -34,9 +42,11 @@ class StreamedRows::Reader final : public RowReader {
       const Index skip = first + done - piece_->first_row;
       const Index count = std::min(theta.rows() - done, piece_->count - skip);
       slots_.resize(count, program_.slots());
-      fill_variables(*samples_, begin_ + skip, slots_);
+      const Index variables = fill_variables(*samples_, begin_ + skip, slots_);
       program_.evaluate(slots_, theta.middleRows(done, count), workspace_);
-      targets.middleRows(done, count) = samples_->derivatives.middleRows(begin_ + skip, count);
+      auto rates = targets.middleRows(done, count);
+      rates = samples_->derivatives.middleRows(begin_ + skip, count);
+      check_finite(slots_.leftCols(variables), rates);
       done += count;
     }
   }

@@ -41,10 +41,11 @@ bool has_delay(const TermLibrary& library) {
 
 /// The system of rows that know where they come from.
 /// @param error see LeastSquaresSystem::target_error.
+/// @param unchecked records in memory whose values only the rows look at, or null.
 template <class Rows>
 LeastSquaresSystem system_of(const std::shared_ptr<const Rows>& rows,
                              const TermLibrary& library, const std::optional<Vector>& error,
-                             const RunContext& context) {
+                             const Dataset* unchecked, const RunContext& context) {
   try {
     const LeastSquaresSystem system(rows, library.names(),
                                     left_hand_sides(library.variables.states, Evolution::Flow),
@@ -52,6 +53,7 @@ LeastSquaresSystem system_of(const std::shared_ptr<const Rows>& rows,
     return error ? system.with_target_error(*error) : system;
   } catch (const DataError&) {
     // The system knows row numbers only; where and why is worth another pass.
+    if (unchecked) check_finite(*unchecked, context.threads);
     if (const auto entry = rows->find_non_finite()) throw_non_finite(*entry);
     throw;
   }
@@ -72,15 +74,17 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
   const Index margin = data.has_derivatives() ? 0 : method->margin();
   return system_of(std::make_shared<const LibraryRows>(library, records, margin), library,
                    data.has_derivatives() ? std::nullopt : method->truncation_error(data),
-                   context);
+                   nullptr, context);
 }
 
 LeastSquaresSystem StrongForm::do_assemble_long(const RecordStream& records,
                                                 const TermLibrary& library,
                                                 const RunContext& context) const {
   // What has a past needs it in memory; the rows say so where it is not.
-  if (has_delay(library) && records.in_memory())
+  if (has_delay(library) && records.in_memory()) {
+    check_finite(*records.in_memory(), context.threads);
     return do_assemble(*records.in_memory(), library, context);
+  }
   const Dataset& data = records.excerpt();
   const bool given = data.has_derivatives();
   const Stage<Differentiator> method =
@@ -88,7 +92,8 @@ LeastSquaresSystem StrongForm::do_assemble_long(const RecordStream& records,
   return system_of(
       std::make_shared<const StreamedRows>(library, records.records(),
                                            SampleRates{method, options().smooth_states}, given),
-      library, given ? std::nullopt : method->truncation_error(data), context);
+      library, given ? std::nullopt : method->truncation_error(data), records.in_memory(),
+      context);
 }
 
 std::optional<Vector> StrongForm::do_target_noise(const Dataset& data,

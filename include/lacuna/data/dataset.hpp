@@ -79,4 +79,12 @@ Dataset with_input_columns(Dataset data);
 /// @throws DataError naming trajectory, column, row and remedy.
 void check_dataset(const Dataset& data, int threads = 1);
 
+/// The part of it that looks at no values but those of time.
+/// @throws DataError as check_dataset().
+void check_form(const Dataset& data);
+
+/// The rest, for a dataset that has passed check_form(): whether values are finite.
+/// @throws DataError as check_dataset().
+void check_finite(const Dataset& data, int threads = 1);
+
 }  // namespace lacuna

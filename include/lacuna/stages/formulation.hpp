@@ -52,8 +52,8 @@ class Formulation : public StageInterface {
   virtual LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,
                                          const RunContext& context) const = 0;
 
-  /// The same for records that are longer than an excerpt. Without it they have to be in
-  /// memory.
+  /// The same for records that are longer than an excerpt; of those in memory check_form() is
+  /// done, check_finite() is not. Without it they have to be in memory.
   virtual LeastSquaresSystem do_assemble_long(const RecordStream& records,
                                               const TermLibrary& library,
                                               const RunContext& context) const;
