@@ -7,7 +7,6 @@
 
 #include "lacuna/core/options.hpp"
 #include "lacuna/core/text.hpp"
-#include "lacuna/streams/read_stream.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -150,11 +149,11 @@ Dataset read_data(const DataOptions& options) {
   return data;
 }
 
-RecordStream read_data_in_pieces(const DataOptions& options, const RunContext& context) {
+ColumnRoles roles_in_pieces(const DataOptions& options) {
   if (!options.holds.empty())
     throw ConfigError("--hold", "how inputs go on is not asked of records in pieces",
                       "leave it out, or leave out --memory");
-  return read_stream(options.paths, roles_of(options), context);
+  return roles_of(options);
 }
 
 bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {

@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/model/ode_model.hpp"
 #include "lacuna/records/embedding.hpp"
-#include "lacuna/streams/record_stream.hpp"
 
 namespace lacuna::cli {
 
@@ -51,8 +49,9 @@ OdeModel with_holds(const OdeModel& model, const DataOptions& options);
 /// The record that the options describe, as measured.
 Dataset read_data(const DataOptions& options);
 
-/// The same in pieces.
-RecordStream read_data_in_pieces(const DataOptions& options, const RunContext& context);
+/// All roles that the options give to columns, for records that are read in pieces.
+/// @throws ConfigError when the options ask for what is not done there.
+ColumnRoles roles_in_pieces(const DataOptions& options);
 
 /// Whether the files, with what is made of them in memory, take more than so many bytes; never
 /// for 0.

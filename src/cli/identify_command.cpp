@@ -14,6 +14,7 @@
 #include "lacuna/relations/relations.hpp"
 #include "lacuna/report/data_summary.hpp"
 #include "lacuna/report/pages.hpp"
+#include "lacuna/streams/read_stream.hpp"
 #include "lacuna/streams/record_stream.hpp"
 #include "lacuna/validation/validate.hpp"
 #include "report_options.hpp"
@@ -91,17 +92,6 @@ Configuration make_configuration(const IdentifyArguments& options) {
   for (const std::string& equation : options.equations) configuration.set_equation(equation);
   for (const std::string& assignment : options.assignments) configuration.set(assignment);
   return configuration;
-}
-
-RecordStream load(const IdentifyArguments& options, const Pipeline& pipeline,
-                  const RunContext& context) {
-  const std::vector<EmbeddingOrder> orders = embedding_orders(options.data);
-  const bool needs_all = options.hidden || !orders.empty();
-  if (!needs_all && reads_in_pieces(options.data, options.memory))
-    return read_data_in_pieces(options.data, context);
-  Dataset data = read_data(options.data);
-  if (orders.empty()) return data;
-  return embed(data, orders, *differentiator_of(*pipeline.formulation));
 }
 
 /// What is done with a record.
@@ -203,19 +193,43 @@ void write_results(const Session& session, const IdentifyArguments& options,
     show(session, read_line(records) + "\n\n" + format_text(report, options.full));
 }
 
+/// A result and the records from which it was found.
+struct Identified {
+  RecordStream records;
+  IdentificationResult result;
+};
+
 /// Forms beside the library enter where the user has not said what the library is.
-IdentificationResult identified(const Plan& plan, const IdentifyArguments& options,
-                                RecordStream& records, const RunContext& context) {
+Identified identified(const Plan& plan, const IdentifyArguments& options, RecordStream records,
+                      const RunContext& context) {
   const Pipeline& pipeline = plan.pipeline;
   if (options.hidden) {
     HiddenIdentification found =
         identify_hidden(*records.in_memory(), pipeline,
                         *differentiator_of(*pipeline.formulation), "h1", context.alone());
-    records = std::move(found.data);
-    return std::move(found.result);
+    return {std::move(found.data), std::move(found.result)};
   }
-  if (plan.is_chosen) return identify(records, pipeline, context);
-  return identify_with_forms(records, pipeline, plan.effects, plan.rules.forms, context);
+  IdentificationResult result =
+      plan.is_chosen
+          ? identify(records, pipeline, context)
+          : identify_with_forms(records, pipeline, plan.effects, plan.rules.forms, context);
+  return {std::move(records), std::move(result)};
+}
+
+/// Reads the data in the way that the options ask for.
+Identified read_and_identify(const Plan& plan, const IdentifyArguments& options,
+                             const RunContext& context) {
+  const std::vector<EmbeddingOrder> orders = embedding_orders(options.data);
+  const auto use = [&](RecordStream records) {
+    return identified(plan, options, std::move(records), context);
+  };
+  context.report("reading data", 0.0);
+  const bool needs_all = options.hidden || !orders.empty();
+  if (!needs_all && reads_in_pieces(options.data, options.memory))
+    return with_stream(options.data.paths, roles_in_pieces(options.data), context, use);
+  Dataset data = read_data(options.data);
+  if (orders.empty()) return use(std::move(data));
+  return use(embed(data, orders, *differentiator_of(*plan.pipeline.formulation)));
 }
 
 int identify_command(const Session& session, const IdentifyArguments& options) {
@@ -237,11 +251,8 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
   const Plan plan = plan_of(session, configuration);
   const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext divided = make_context(session, options.run);
-  divided.report("reading data", 0.0);
-  RecordStream records = load(options, plan.pipeline, divided);
-
-  IdentificationReport report{identified(plan, options, records, divided), plan.pipeline,
-                              configuration.text()};
+  auto [records, result] = read_and_identify(plan, options, divided);
+  IdentificationReport report{std::move(result), plan.pipeline, configuration.text()};
   if (!divided.leads()) return 0;
   const RunContext context = divided.alone();
   const bool is_map = report.result.model.is_map();

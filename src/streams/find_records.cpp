@@ -2,13 +2,12 @@
 #include "find_records.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
 
-#include "core/finite.hpp"
 #include "core/parts.hpp"
+#include "is_plain.hpp"
 #include "lacuna/core/error.hpp"
 
 namespace lacuna {
@@ -16,31 +15,6 @@ namespace {
 
 constexpr Index kPiece = Index{1} << 14;  // a fact of the machines: a piece stays in cache
 constexpr Index kOverlap = 2;             // a fact of steps: none lies between pieces
-
-/// Whether all that is used is finite; what is not used hardly ever makes a difference.
-template <class Values>
-bool used_is_finite(const Values& values, const ColumnIndices& columns) {
-  if (all_finite(Eigen::Map<const Vector>(values.data(), values.size()))) return true;
-  const std::vector<Index> used = columns.used();
-  return std::all_of(used.begin(), used.end(),
-                     [&](Index column) { return values.col(column).allFinite(); });
-}
-
-/// Whether rows are one record as far as anybody can see: all is finite, time goes on evenly.
-template <class Values>
-bool is_plain(const Values& values, const ColumnIndices& columns) {
-  if (columns.trajectory || values.rows() < 2) return false;
-  if (!used_is_finite(values, columns)) return false;
-  if (!columns.time) return true;
-  const auto time = values.col(*columns.time);
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
-  for (Index row = 1; row < time.size(); ++row) {
-    const double step = time[row] - time[row - 1];
-    smallest = std::min(smallest, step);
-    largest = std::max(largest, step);
-  }
-  return smallest > 0.0 && largest <= 1.5 * smallest;
-}
 
 /// Whether two rows that follow each other are complete. What is infinite counts: it is an
 /// error.
@@ -58,11 +32,13 @@ bool has_record(const Matrix& values, const ColumnIndices& columns) {
 /// Its ranges count from the first row of the piece; none where all of it is missing.
 Records records_of_piece(const NpyFile& file, const ColumnIndices& columns, Index first,
                          Index count) {
-  if (const auto rows = file.plain_rows(first, count); rows && is_plain(*rows, columns))
+  const bool can_be = count >= 2;
+  if (const auto rows = file.plain_rows(first, count);
+      can_be && rows && is_plain(*rows, columns))
     return {{{0, count, 0}}, {}};
   Table piece = file.columns();
   piece.values = file.values(first, count);
-  if (is_plain(piece.values, columns)) return {{{0, count, 0}}, {}};
+  if (can_be && is_plain(piece.values, columns)) return {{{0, count, 0}}, {}};
   piece.source += ", rows from " + std::to_string(first + 1);
   if (!has_record(piece.values, columns))
     return {{},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "find_records.hpp"
+#include "is_plain.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
@@ -40,6 +41,29 @@ class RecordInFile final : public SampleSource {
   std::shared_ptr<const RecordFile> file_;
   TableRows rows_;
   std::string name_;
+};
+
+/// All rows of a file, taken for one record until one that is read says otherwise.
+class HopefulRecord final : public SampleSource {
+ public:
+  explicit HopefulRecord(std::shared_ptr<const RecordFile> file) : file_(std::move(file)) {}
+
+  Index samples() const override { return file_->file.rows(); }
+
+  Trajectory read(Index first, Index count) const override {
+    const Index before = std::min<Index>(first, 1);  // the step between two reads is one, too
+    const Table table = file_->file.read(first - before, before + count);
+    if (!is_plain(table.values, file_->columns))
+      throw InterruptedRecord(table.source, "these rows are not one record",
+                              "look for where it is interrupted");
+    Trajectory record =
+        take_record(table, file_->columns, file_->step, {before, count, first});
+    record.source = table.source;
+    return record;
+  }
+
+ private:
+  std::shared_ptr<const RecordFile> file_;
 };
 
 void check_columns(const Table& first, const Table& other) {
@@ -78,25 +102,51 @@ void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
   }
 }
 
+/// The files and what a dataset says beside its samples.
+struct Files {
+  std::vector<std::shared_ptr<const RecordFile>> files;
+  Dataset description;
+};
+
+Files open_files(const std::vector<std::string>& paths, const ColumnRoles& roles) {
+  Files all;
+  for (const std::string& path : expand_patterns(paths)) {
+    all.files.push_back(open_file(path, roles));
+    check_columns(all.files.front()->file.columns(), all.files.back()->file.columns());
+  }
+  all.description = described(all.files.front()->file, roles);
+  return all;
+}
+
 }  // namespace
 
 RecordStream read_stream(const std::vector<std::string>& paths, const ColumnRoles& roles,
                          const RunContext& context) {
-  Dataset description;
+  auto [files, description] = open_files(paths, roles);
   std::vector<std::shared_ptr<const SampleSource>> records;
-  std::shared_ptr<const RecordFile> first;
-  for (const std::string& path : expand_patterns(paths)) {
-    const auto file = open_file(path, roles);
-    if (!first) {
-      first = file;
-      description = described(file->file, roles);
-    }
-    check_columns(first->file.columns(), file->file.columns());
+  for (const auto& file : files) {
     Records found = find_records(file->file, file->columns, context);
     description.notes.insert(description.notes.end(), found.notes.begin(), found.notes.end());
     add_records(file, std::move(found), records);
   }
   return {std::move(description), std::move(records)};
+}
+
+std::optional<RecordStream> read_hopeful_stream(const std::vector<std::string>& paths,
+                                                const ColumnRoles& roles,
+                                                const RunContext& context) {
+  if (context.team != nullptr || roles.trajectory) return std::nullopt;
+  auto [files, description] = open_files(paths, roles);
+  std::vector<std::shared_ptr<const SampleSource>> records;
+  Index rows = 0;
+  for (const auto& file : files) {
+    if (file->file.rows() < 2) return std::nullopt;
+    records.push_back(std::make_shared<const HopefulRecord>(file));
+    rows += file->file.rows();
+  }
+  RecordStream stream(std::move(description), std::move(records));
+  const bool all_are_read = stream.is_long() && stream.samples() == rows;
+  return all_are_read ? std::optional<RecordStream>(std::move(stream)) : std::nullopt;
 }
 
 }  // namespace lacuna

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "lacuna/core/error.hpp"
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/data/roles.hpp"
 #include "lacuna/streams/record_stream.hpp"
@@ -17,5 +20,35 @@ namespace lacuna {
 ///   for files whose columns are not those of the first.
 RecordStream read_stream(const std::vector<std::string>& paths, const ColumnRoles& roles = {},
                          const RunContext& context = {});
+
+/// What was taken for one record is none: a value is missing or time does not go on evenly.
+class InterruptedRecord : public Error {
+ public:
+  using Error::Error;
+};
+
+/// What read_stream() gives where every file is one record without interruption, and without
+/// its pass: rows are checked when they are read, so whoever passes over all of them has
+/// checked them all. Nothing where that is known not to be enough: records are numbered by a
+/// column, thinned (rows are passed over), or divided among a team (only one member would
+/// see it).
+/// @throws as read_stream(); and as its records do, which throw InterruptedRecord from read().
+std::optional<RecordStream> read_hopeful_stream(const std::vector<std::string>& paths,
+                                                const ColumnRoles& roles = {},
+                                                const RunContext& context = {});
+
+/// use(records) for records that are read in pieces, in one pass less where every file is one
+/// record: `use`, which passes over all rows, begins again with read_stream() where it is not.
+template <class Use>
+auto with_stream(const std::vector<std::string>& paths, const ColumnRoles& roles,
+                 const RunContext& context, const Use& use) {
+  try {
+    if (auto records = read_hopeful_stream(paths, roles, context))
+      return use(std::move(*records));
+  } catch (const InterruptedRecord&) {
+    // The pass of read_stream() finds out where records end, or what is wrong.
+  }
+  return use(read_stream(paths, roles, context));
+}
 
 }  // namespace lacuna

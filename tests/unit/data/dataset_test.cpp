@@ -101,6 +101,20 @@ TEST(CheckDataset, RefusesTimesThatDoNotRise) {
   expect_refused(data, "a.csv", "has 1 of the 2 samples", "longer");
 }
 
+TEST(CheckDataset, FormAndValuesAreItsParts) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Dataset values = sample();
+  values.trajectories[1].derivatives = Matrix::Constant(4, 2, nan);
+  EXPECT_NO_THROW(check_form(values));
+  testing::expect_error<DataError>([&] { check_finite(values); }, "a.csv, row 1",
+                                   "derivative of 'x' is nan", "remove the row");
+  Dataset form = sample();
+  form.trajectories[0].time[3] = nan;
+  EXPECT_NO_THROW(check_finite(form));
+  testing::expect_error<DataError>([&] { check_form(form); }, "a.csv, row 4", "the time nan",
+                                   "sort the samples");
+}
+
 TEST(CheckDataset, RefusesRatesOfStatesThatDoNotExist) {
   Dataset data = sample();
   data.rate_of = {Index{2}, std::nullopt};

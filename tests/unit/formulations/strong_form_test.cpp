@@ -4,16 +4,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <utility>
+
 #include "lacuna/core/random.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
 #include "lacuna/differentiators/savitzky_golay.hpp"
 #include "lacuna/linear/subproblem.hpp"
 #include "support/oscillation.hpp"
+#include "unit/streams/long_records.hpp"
 
 namespace lacuna {
 namespace {
 
 using ::testing::ElementsAre;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TermLibrary rate_library(const std::vector<std::string>& texts) {
   TermLibrary library{{{"x", "v"}, {"u"}}, {}};
@@ -84,6 +90,31 @@ TEST(StrongForm, TermThatIsNotFiniteIsNamedWithItsSample) {
   EXPECT_NE(problem.find("term 'x^-1'"), std::string::npos) << problem;
   EXPECT_NE(problem.find("sample 7 of run.csv (t = 0.06, x = 0)"), std::string::npos)
       << problem;
+}
+
+TEST(StrongForm, AValueThatIsNotFiniteIsNamedInALongRecordToo) {
+  // No candidate has x or the input u in it.
+  const TermLibrary library = rate_library({"1", "v"});
+  for (const bool given : {false, true}) {
+    Dataset whole = testing::long_oscillation(200000, 97.3);
+    whole.inputs = {{"u", ""}};
+    Trajectory& record = whole.trajectories[0];
+    record.inputs = Matrix::Random(record.samples(), 1);
+    if (given) record.derivatives = Matrix::Random(record.samples(), 2);
+    ASSERT_EQ(problem_with(whole, library), "no error");
+    const std::vector<std::pair<Matrix*, std::string>> places{
+        {&record.states, "state 'x'"},
+        {&record.inputs, "input 'u'"},
+        {&record.derivatives, "derivative of 'x'"}};
+    for (const auto& [values, name] : places) {
+      if (values->size() == 0) continue;
+      const double before = std::exchange((*values)(150007, 0), kNan);
+      const std::string problem = problem_with(whole, library);
+      EXPECT_NE(problem.find("swing, row 150008: " + name + " is nan"), std::string::npos)
+          << problem;
+      (*values)(150007, 0) = before;
+    }
+  }
 }
 
 TEST(StrongForm, NoiseOfTheTargetIsTheNoiseOfDifferences) {

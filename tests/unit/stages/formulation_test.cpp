@@ -83,6 +83,20 @@ TEST(Formulation, RoundingIsNoVariation) {
   EXPECT_NE(refusal(data).find("is constant"), std::string::npos);
 }
 
+TEST(Formulation, AStateThatVariesLateVaries) {
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(20000, 0.0, 1.0);
+  record.states = Matrix::Random(20000, 2);
+  record.states.col(1).setConstant(2.0);
+  record.inputs.resize(20000, 0);
+  data.trajectories = {record};
+  EXPECT_NE(refusal(data).find("is constant (2) in all 20000 samples"), std::string::npos);
+  data.trajectories[0].states(19999, 1) = 2.5;
+  EXPECT_EQ(refusal(data), "");
+}
+
 TEST(Formulation, SmallSignalOnAnOffsetIsVariation) {
   Dataset data = waves();
   data.trajectories[0].states *= 1e-9;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "data/npy.hpp"
 #include "lacuna/bases/monomials.hpp"
@@ -170,12 +171,132 @@ TEST(ReadStream, RefusesOtherFilesAndOtherColumns) {
                                    folder.file("2.npy"), "columns", "same columns");
 }
 
+/// Time, states and exact derivatives of an oscillation.
+Matrix oscillation_with_rates(Index samples) {
+  const Matrix values = testing::table_of(long_oscillation(samples, 97.3));
+  const double w = 2.0 * std::acos(-1.0) / 0.973;
+  Matrix table(samples, 5);
+  table << values, values.col(2), -w * w * values.col(1);
+  return table;
+}
+
+/// What comes out of records that are read with one pass less, and how often it was begun.
+struct Tried {
+  std::string model;
+  std::size_t records = 0;
+  std::vector<std::string> notes;
+  int times = 0;
+};
+
+Tried tried(const std::string& path, const ColumnRoles& roles, const Pipeline& pipeline) {
+  Tried tried;
+  const auto use = [&](RecordStream stream) {
+    ++tried.times;
+    tried.model = format_model(identify(stream, pipeline).model);
+    tried.records = stream.records().size();
+    tried.notes = stream.excerpt().notes;
+    return 0;
+  };
+  EXPECT_EQ(with_stream({path}, roles, {}, use), 0);
+  return tried;
+}
+
+ColumnRoles with_rates() {
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"x", "2"}, {"v", "3"}, {"rx", "4"}, {"rv", "5"}};
+  roles.states = {"x", "v"};
+  roles.derivatives = {"rx", "rv"};
+  return roles;
+}
+
+Pipeline linear_sindy() {
+  Pipeline pipeline = preset("sindy");
+  pipeline.basis = Monomials{{.max_degree = 1}};
+  return pipeline;
+}
+
+TEST(WithStream, OneRecordIsReadWithOnePassLessAndToTheSameBit) {
+  const TemporaryFolder folder;
+  const std::string path = saved(folder, "long.npy", lorenz_table(200000));
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"x", "2"}, {"y", "3"}, {"z", "4"}};
+  const Pipeline pipeline = preset("algorithm1");
+  const Tried once = tried(path, roles, pipeline);
+  EXPECT_EQ(once.times, 1);
+  EXPECT_EQ(once.records, 1U);
+  EXPECT_EQ(once.model, format_model(identify(read_stream({path}, roles), pipeline).model));
+}
+
+TEST(WithStream, BeginsAgainWhereARecordIsInterruptedAnywhere) {
+  const TemporaryFolder folder;
+  const Index samples = 300000;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  // In the first and the last row, inside, and between two pieces of the pass over the rows.
+  for (const Index row : {Index{0}, Index{150001}, Index{8192} * 9, samples - 1})
+    for (const bool given : {false, true}) {
+      Matrix values = oscillation_with_rates(samples);
+      values(row, 1) = nan;
+      const std::string path =
+          saved(folder, "nan.npy", given ? values : Matrix(values.leftCols(3)));
+      const ColumnRoles roles = given ? with_rates() : first_is_time();
+      const RecordStream expected = read_stream({path}, roles);
+      const Tried twice = tried(path, roles, linear_sindy());
+      EXPECT_EQ(twice.records, expected.records().size()) << row;
+      EXPECT_EQ(twice.notes, expected.excerpt().notes) << row;
+      EXPECT_EQ(twice.model, format_model(identify(expected, linear_sindy()).model)) << row;
+    }
+}
+
+TEST(WithStream, TimeThatJumpsBetweenTwoReadsIsSeen) {
+  const TemporaryFolder folder;
+  for (const Index row : {Index{8192} * 3, Index{8192} * 20 + 17}) {
+    Matrix values = oscillation_with_rates(300000);
+    values.col(0).tail(300000 - row).array() += 5.0;
+    const std::string path = saved(folder, "jump.npy", values);
+    const Tried twice = tried(path, with_rates(), linear_sindy());
+    EXPECT_EQ(twice.records, 2U);
+    EXPECT_LE(twice.times, 2);
+    EXPECT_EQ(twice.model,
+              format_model(identify(read_stream({path}, with_rates()), linear_sindy()).model));
+  }
+}
+
+TEST(WithStream, WhatNobodyUsesInterruptsNothing) {
+  const TemporaryFolder folder;
+  Matrix values = oscillation_with_rates(200000);
+  values(1000, 3) = std::numeric_limits<double>::quiet_NaN();
+  const std::string path = saved(folder, "unused.npy", values);
+  ColumnRoles roles = with_rates();
+  roles.derivatives = {};
+  EXPECT_EQ(tried(path, roles, linear_sindy()).times, 1);
+}
+
+TEST(WithStream, DoesNotHopeWhereNotAllRowsAreLookedAt) {
+  const TemporaryFolder folder;
+  const std::string slow =
+      saved(folder, "slow.npy", testing::table_of(long_oscillation(300000, 20000.3)));
+  ASSERT_LT(read_stream({slow}, first_is_time()).samples(), 300000) << "thinned";
+  EXPECT_FALSE(read_hopeful_stream({slow}, first_is_time()));
+  const std::string path =
+      saved(folder, "a.npy", testing::table_of(long_oscillation(200000, 97.3)));
+  EXPECT_TRUE(read_hopeful_stream({path}, first_is_time()));
+  ColumnRoles numbered = first_is_time();
+  numbered.trajectory = "v";
+  EXPECT_FALSE(read_hopeful_stream({path}, numbered));
+  testing::ThreadTeam(2).run(1, [&](const RunContext& context) {
+    EXPECT_FALSE(read_hopeful_stream({path}, first_is_time(), context));
+  });
+  const std::string few = saved(folder, "few.npy", testing::table_of(long_oscillation(900, 9)));
+  EXPECT_FALSE(read_hopeful_stream({few}, first_is_time()));
+}
+
 TEST(ReadStream, TimeThatGoesBackwardsIsAnError) {
   const TemporaryFolder folder;
   Matrix values = testing::table_of(long_oscillation(200000, 97.3));
   values(150000, 0) = 0.0;
   const std::string path = saved(folder, "back.npy", values);
   EXPECT_THROW(read_stream({path}, first_is_time()), DataError);
+  EXPECT_THROW(tried(path, first_is_time(), linear_sindy()), DataError);
 }
 
 }  // namespace
