@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/column_kernels.hpp"
 #include "lacuna/core/parallel.hpp"
 
 namespace lacuna {
 
 bool all_finite(const Eigen::Ref<const Matrix>& values) {
-  return (values.array() * 0.0).sum() == 0.0;
+  for (Index column = 0; column < values.cols(); ++column)
+    if (!is_finite(values.col(column).data(), values.rows())) return false;
+  return true;
 }
 
 bool all_finite(const Eigen::Ref<const Matrix>& values, int threads) {

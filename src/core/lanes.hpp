@@ -49,12 +49,19 @@ LACUNA_INLINE void keep_in_register([[maybe_unused]] V& value) {
 #endif
 }
 
-/// The sum of the lanes.
+/// The sum of the lanes, by halves: the machine does not wait for each of them.
 template <class V>
 LACUNA_INLINE double sum(const V& value) {
-  double total = 0.0;
-  for (unsigned lane = 0; lane < sizeof(V) / sizeof(double); ++lane) total += value[lane];
-  return total;
+  constexpr unsigned kLanes = sizeof(V) / sizeof(double);
+  if constexpr (kLanes == 8) {
+    return sum(__builtin_shufflevector(value, value, 0, 1, 2, 3) +
+               __builtin_shufflevector(value, value, 4, 5, 6, 7));
+  } else if constexpr (kLanes == 4) {
+    return sum(__builtin_shufflevector(value, value, 0, 1) +
+               __builtin_shufflevector(value, value, 2, 3));
+  } else {
+    return value[0] + value[1];
+  }
 }
 
 /// A fact of the machines: doubles in a register of AVX2.

@@ -95,8 +95,9 @@ LibraryRows::Block LibraryRows::make_block(const Trajectory& record, std::size_t
               0,
               Matrix(count, program_.slots()),
               record.derivatives.middleRows(first, count)};
-  Index slot = fill_variables(record, first, block.slots);
+  fill_variables(record, first, block.slots);
   if (program_.delays().empty()) return block;
+  Index slot = record.states.cols() + record.inputs.cols() + 1;
   Matrix variables(record.samples(), slot);
   fill_variables(record, 0, variables);
   for (const DelayedVariable& delayed : program_.delays())

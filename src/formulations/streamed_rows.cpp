@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/finite.hpp"
+#include "core/column_kernels.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/records/derived_record.hpp"
 #include "variable_slots.hpp"
@@ -21,11 +21,12 @@ void check_no_delay(const TermLibrary& library) {
                         "leave the term out, or give a part of the record");
 }
 
-/// What no term uses would not be seen in the rows.
-void check_finite(const Eigen::Ref<const Matrix>& variables,
-                  const Eigen::Ref<const Matrix>& rates) {
-  if (all_finite(variables) && all_finite(rates)) return;
-  throw DataError("data", "a value is not finite", "split the record there or remove the row");
+/// Copies rows first, first + 1, ... @return whether all values are finite.
+bool copy_rows(const Matrix& from, Index first, Eigen::Ref<Matrix> to) {
+  bool finite = true;
+  for (Index j = 0; j < to.cols(); ++j)
+    finite &= copy_finite(from.col(j).data() + first, to.rows(), to.col(j).data());
+  return finite;
 }
 
 }  // namespace
@@ -42,11 +43,12 @@ class StreamedRows::Reader final : public RowReader {
       const Index skip = first + done - piece_->first_row;
       const Index count = std::min(theta.rows() - done, piece_->count - skip);
       slots_.resize(count, program_.slots());
-      const Index variables = fill_variables(*samples_, begin_ + skip, slots_);
+      // What no term uses would not be seen in the rows.
+      if (!(fill_variables(*samples_, begin_ + skip, slots_) &
+            copy_rows(samples_->derivatives, begin_ + skip, targets.middleRows(done, count))))
+        throw DataError("data", "a value is not finite",
+                        "split the record there or remove the row");
       program_.evaluate(slots_, theta.middleRows(done, count), workspace_);
-      auto rates = targets.middleRows(done, count);
-      rates = samples_->derivatives.middleRows(begin_ + skip, count);
-      check_finite(slots_.leftCols(variables), rates);
       done += count;
     }
   }

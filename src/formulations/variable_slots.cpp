@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "variable_slots.hpp"
 
+#include "core/column_kernels.hpp"
+
 namespace lacuna {
 
-Index fill_variables(const Trajectory& record, Index first, Eigen::Ref<Matrix> slots) {
+bool fill_variables(const Trajectory& record, Index first, Eigen::Ref<Matrix> slots) {
   Index column = 0;
+  bool finite = true;
   const auto put = [&](const auto& values) {
     for (Index j = 0; j < values.cols(); ++j)
-      slots.col(column++) = values.col(j).segment(first, slots.rows());
+      finite &= copy_finite(values.col(j).data() + first, slots.rows(),
+                            slots.col(column++).data());
   };
   put(record.states);
   put(record.inputs);
   put(record.time);
-  return column;
+  return finite;
 }
 
 }  // namespace lacuna

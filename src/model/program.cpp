@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/column_kernels.hpp"
 #include "lacuna/core/error.hpp"
 #include "operations.hpp"
 #include "program_builder.hpp"
@@ -58,6 +59,11 @@ struct BlockRun {
       double* __restrict out = targets[i.target];
       for (Index row = 0; row < rows; ++row) out[row] = f(a[row], b[row]);
     }
+  }
+  /// What most of a library is made of.
+  void products() const {
+    for (const Instruction& i : instructions)
+      multiply(sources[i.a], sources[i.b], rows, targets[i.target]);
   }
   template <class F>
   void ternary(F f) const {
@@ -146,10 +152,14 @@ void Program::evaluate_block(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<M
         out.col(output.column).data() + first;
   }
   const std::span<const Instruction> all(instructions_);
-  for (const Run& run : runs_)
-    with_function(run.operation, BlockRun<Instruction>{
-                                     all.subspan(run.begin, run.end - run.begin),
-                                     workspace.sources.data(), workspace.targets.data(), rows});
+  for (const Run& run : runs_) {
+    const BlockRun<Instruction> block{all.subspan(run.begin, run.end - run.begin),
+                                      workspace.sources.data(), workspace.targets.data(), rows};
+    if (run.operation == Operation::Multiply)
+      block.products();
+    else
+      with_function(run.operation, block);
+  }
   for (const Output& output : copied_)
     std::copy_n(workspace.sources[static_cast<std::size_t>(output.source)], rows,
                 out.col(output.column).data() + first);

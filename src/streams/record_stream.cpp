@@ -57,17 +57,21 @@ Pace pace_of(const Sources& records) {
       [](const auto& a, const auto& b) { return a->samples() < b->samples(); });
   const auto sparse = thinned(longest, std::max<Index>(longest->samples() / kForLevels, 1));
   const Trajectory all = sparse->read(0, sparse->samples());
-  const Trajectory begin =
-      longest->read(0, std::min(longest->samples(), RecordStream::kExcerpt));
-  Pace pace{begin.samples(), 0};
-  for (Index k = 0; k < begin.states.cols(); ++k) {
-    const Index count = passages(begin.states.col(k), level_of(all.states.col(k)));
-    pace.slowest_state = std::min(pace.slowest_state, count);
-    pace.fastest = std::max(pace.fastest, count);
+  const Index samples = std::min(longest->samples(), RecordStream::kExcerpt);
+  const Trajectory* whole = longest->in_memory();
+  const Trajectory read = whole ? Trajectory{} : longest->read(0, samples);
+  const Trajectory& record = whole ? *whole : read;
+  const auto count = [&](const Matrix& values, const Matrix& sparse_values, Index k) {
+    return passages(values.col(k).head(samples), level_of(sparse_values.col(k)));
+  };
+  Pace pace{samples, 0};
+  for (Index k = 0; k < record.states.cols(); ++k) {
+    const Index passed = count(record.states, all.states, k);
+    pace.slowest_state = std::min(pace.slowest_state, passed);
+    pace.fastest = std::max(pace.fastest, passed);
   }
-  for (Index k = 0; k < begin.inputs.cols(); ++k)
-    pace.fastest =
-        std::max(pace.fastest, passages(begin.inputs.col(k), level_of(all.inputs.col(k))));
+  for (Index k = 0; k < record.inputs.cols(); ++k)
+    pace.fastest = std::max(pace.fastest, count(record.inputs, all.inputs, k));
   return pace;
 }
 
@@ -82,6 +86,49 @@ void add_stretch(const Sources& records, Index first, Index count,
     first = std::max<Index>(first - samples, 0);
     count -= inside;
   }
+}
+
+/// The stretches of an excerpt of records that are longer than one.
+std::vector<Stretch> stretches_of(const Sources& records, const Pace& pace) {
+  constexpr Index kMost = 16;
+  const Index all = total_samples(records);
+  const Index parts = std::clamp<Index>(pace.slowest_state / kPassages, 1, kMost);
+  const Index length = RecordStream::kExcerpt / parts;
+  std::vector<Stretch> stretches;
+  for (Index i = 0; i < parts; ++i)
+    add_stretch(records, parts > 1 ? (all - length) / (parts - 1) * i : 0, length, stretches);
+  return stretches;
+}
+
+/// Every how many of so many samples are enough.
+Index thinning_at(const Pace& pace, Index all) {
+  constexpr Index kSamplesOfPassage = 1000;
+  if (pace.slowest_state >= kPassages) return 1;
+  const Index wanted = kPassages / std::max<Index>(pace.slowest_state, 1);
+  const Index enough = (all + RecordStream::kExcerpt - 1) / RecordStream::kExcerpt;
+  const Index most =
+      RecordStream::kExcerpt / kSamplesOfPassage / std::max<Index>(pace.fastest, 1);
+  return std::max<Index>(std::min({pace.slowest_state > 0 ? wanted : enough, enough, most}), 1);
+}
+
+Sources thinned_by(Index step, Sources records) {
+  for (auto& record : records) record = thinned(std::move(record), step);
+  return records;
+}
+
+/// Which samples are used: every step-th, and of those an excerpt.
+struct Selection {
+  Index step = 1;
+  std::vector<Stretch> excerpt;
+};
+
+Selection selection_of(const Sources& records) {
+  const Index all = total_samples(records);
+  if (all <= RecordStream::kExcerpt) return {1, excerpt_of(records)};
+  const Pace pace = pace_of(records);
+  const Index step = thinning_at(pace, all);
+  return {step,
+          step > 1 ? excerpt_of(thinned_by(step, records)) : stretches_of(records, pace)};
 }
 
 }  // namespace
@@ -111,46 +158,33 @@ RecordStream::RecordStream(Dataset description, Sources records)
 }
 
 void RecordStream::take_excerpt(Dataset description) {
-  const Index step = thinning_of(records_);
-  for (auto& record : records_) record = thinned(std::move(record), step);
+  const Selection chosen = selection_of(records_);
+  records_ = thinned_by(chosen.step, std::move(records_));
   samples_ = total_samples(records_);
-  if (step > 1)
+  if (chosen.step > 1)
     description.notes.push_back("the signals change little from sample to sample: one in " +
-                                std::to_string(step) + " is used");
+                                std::to_string(chosen.step) + " is used");
   description.trajectories.clear();
-  for (const Stretch& stretch : excerpt_of(records_))
+  for (const Stretch& stretch : chosen.excerpt)
     description.trajectories.push_back(
         records_[stretch.record]->read(stretch.first, stretch.count));
   excerpt_ = std::make_shared<const Dataset>(std::move(description));
   if (samples_ > kExcerpt) return;
-  if (step == 1) all_ = excerpt_;
+  if (chosen.step == 1) all_ = excerpt_;
   records_.clear();
 }
 
 std::vector<Stretch> excerpt_of(const Sources& records) {
-  constexpr Index kMost = 16;
   const Index all = total_samples(records);
-  const bool is_short = all <= RecordStream::kExcerpt;
-  const Index parts =
-      is_short ? 1 : std::clamp<Index>(pace_of(records).slowest_state / kPassages, 1, kMost);
-  const Index length = is_short ? all : RecordStream::kExcerpt / parts;
+  if (all > RecordStream::kExcerpt) return stretches_of(records, pace_of(records));
   std::vector<Stretch> stretches;
-  for (Index i = 0; i < parts; ++i)
-    add_stretch(records, parts > 1 ? (all - length) / (parts - 1) * i : 0, length, stretches);
+  add_stretch(records, 0, all, stretches);
   return stretches;
 }
 
 Index thinning_of(const Sources& records) {
-  constexpr Index kSamplesOfPassage = 1000;
   const Index all = total_samples(records);
-  if (all <= RecordStream::kExcerpt) return 1;
-  const Pace pace = pace_of(records);
-  if (pace.slowest_state >= kPassages) return 1;
-  const Index wanted = kPassages / std::max<Index>(pace.slowest_state, 1);
-  const Index enough = (all + RecordStream::kExcerpt - 1) / RecordStream::kExcerpt;
-  const Index most =
-      RecordStream::kExcerpt / kSamplesOfPassage / std::max<Index>(pace.fastest, 1);
-  return std::max<Index>(std::min({pace.slowest_state > 0 ? wanted : enough, enough, most}), 1);
+  return all <= RecordStream::kExcerpt ? 1 : thinning_at(pace_of(records), all);
 }
 
 }  // namespace lacuna

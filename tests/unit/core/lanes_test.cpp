@@ -19,6 +19,13 @@ TEST(Lanes, AreReadAndWrittenAnywhereInMemory) {
   EXPECT_EQ(numbers, (std::vector<double>{0, 11, 12, 13, 14, 5, 6, 7, 8}));
 }
 
+TEST(Lanes, SumsAreThoseOfAllLanes) {
+  std::vector<double> numbers(8);
+  std::iota(numbers.begin(), numbers.end(), 1.0);
+  EXPECT_EQ(sum(at<2>(numbers.data()).values), 3.0);
+  EXPECT_EQ(sum(at<4>(numbers.data()).values), 10.0);
+}
+
 TEST(Numbers, AreZeroAtFirst) {
   Numbers<5> some(5);
   Numbers<Eigen::Dynamic> more(7);
