@@ -61,10 +61,19 @@ LACUNA_INLINE void multiply_kernel(const double* a, const double* b, Index count
   for (; row < count; ++row) out[row] = a[row] * b[row];
 }
 
+template <int W>
+LACUNA_INLINE void difference_kernel(double* x, Index count) {
+  Index row = 0;
+  for (; row + W <= count; row += W)
+    at<W>(x + row).values = at<W>(x + row + 1).values - at<W>(x + row).values;
+  for (; row < count; ++row) x[row] = x[row + 1] - x[row];
+}
+
 struct Kernels {
   bool (*look)(const double*, Index);
   bool (*copy)(const double*, Index, double*);
   void (*multiply)(const double*, const double*, Index, double*);
+  void (*difference)(double*, Index);
 };
 
 bool look_generic(const double* v, Index n) { return finite_kernel<2>(v, n, Look{}); }
@@ -74,6 +83,7 @@ bool copy_generic(const double* v, Index n, double* to) {
 void multiply_generic(const double* a, const double* b, Index n, double* out) {
   multiply_kernel<2>(a, b, n, out);
 }
+void difference_generic(double* x, Index n) { difference_kernel<2>(x, n); }
 
 #ifdef LACUNA_KERNEL_DISPATCH
 [[gnu::target("avx2")]] bool look_avx2(const double* v, Index n) {
@@ -86,6 +96,7 @@ void multiply_generic(const double* a, const double* b, Index n, double* out) {
                                            double* out) {
   multiply_kernel<4>(a, b, n, out);
 }
+[[gnu::target("avx2")]] void difference_avx2(double* x, Index n) { difference_kernel<4>(x, n); }
 [[gnu::target("avx512f")]] bool look_avx512(const double* v, Index n) {
   return finite_kernel<8>(v, n, Look{});
 }
@@ -96,14 +107,18 @@ void multiply_generic(const double* a, const double* b, Index n, double* out) {
                                                 double* out) {
   multiply_kernel<8>(a, b, n, out);
 }
+[[gnu::target("avx512f")]] void difference_avx512(double* x, Index n) {
+  difference_kernel<8>(x, n);
+}
 #endif
 
 Kernels best_kernels() {
 #ifdef LACUNA_KERNEL_DISPATCH
-  if (__builtin_cpu_supports("avx512f")) return {look_avx512, copy_avx512, multiply_avx512};
-  if (has_avx2()) return {look_avx2, copy_avx2, multiply_avx2};
+  if (__builtin_cpu_supports("avx512f"))
+    return {look_avx512, copy_avx512, multiply_avx512, difference_avx512};
+  if (has_avx2()) return {look_avx2, copy_avx2, multiply_avx2, difference_avx2};
 #endif
-  return {look_generic, copy_generic, multiply_generic};
+  return {look_generic, copy_generic, multiply_generic, difference_generic};
 }
 
 const Kernels& kernels() {
@@ -122,5 +137,7 @@ bool copy_finite(const double* from, Index count, double* to) {
 void multiply(const double* a, const double* b, Index count, double* out) {
   kernels().multiply(a, b, count, out);
 }
+
+void difference(double* x, Index count) { kernels().difference(x, count); }
 
 }  // namespace lacuna

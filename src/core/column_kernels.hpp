@@ -17,4 +17,7 @@ bool copy_finite(const double* from, Index count, double* to);
 /// out_i = a_i b_i; `out` may be neither.
 void multiply(const double* a, const double* b, Index count, double* out);
 
+/// x_i = x_{i + 1} - x_i for i < count; there are count + 1 values.
+void difference(double* x, Index count);
+
 }  // namespace lacuna

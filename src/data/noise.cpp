@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/column_kernels.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/data/marks.hpp"
 
@@ -62,7 +63,6 @@ class Differences {
     const double scale = values_.size() > 0 ? values_.cwiseAbs().maxCoeff() : 0.0;
     if (scale > 0.0) values_ /= scale;
     scale_ = scale;
-    if (uniform_) differences_ = values_;
   }
 
   /// Goes on to the next order k and adds every `stride`-th |w' x| / |w| to the list.
@@ -71,15 +71,14 @@ class Differences {
     if (uniform_) {
       // C(2k, k) = C(2k - 2, k - 1) (4 - 2 / k)
       gain_ *= std::sqrt(4.0 - 2.0 / static_cast<double>(order));
-      double* difference = differences_.data();
-      for (Index i = 0; i < count_; ++i) difference[i] = difference[i + 1] - difference[i];
+      difference(values_.data(), count_);
     }
     const auto old = static_cast<Index>(sizes.size());
     const Index more = (count_ + stride - 1) / stride;
     sizes.resize(static_cast<std::size_t>(old + more));
     Eigen::Map<Vector> added(sizes.data() + old, more);
     if (uniform_)
-      added = differences_(Eigen::seqN(0, more, stride)).cwiseAbs() * (scale_ / gain_);
+      added = values_(Eigen::seqN(0, more, stride)).cwiseAbs() * (scale_ / gain_);
     else
       for (Index i = 0; i < more; ++i) added[i] = scale_ * std::abs(divided(i * stride, order));
   }
@@ -100,12 +99,11 @@ class Differences {
   }
 
   const Vector& time_;
-  Vector values_;
+  Vector values_;  ///< where steps are even: the differences of the present order
   bool uniform_;
   double scale_ = 0.0;
   double gain_ = 1.0;
-  Vector differences_;  ///< of the present order, the first count_ of them
-  Index count_;
+  Index count_;  ///< of the differences
 };
 
 /// Orders after the one at which the estimates level off that count: what is left of the signal

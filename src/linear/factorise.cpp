@@ -87,43 +87,68 @@ Factor factor_from_gram(const RowSource& rows, const Shape& shape, const Matrix&
   return orthogonal_factor(shape, fold_orthogonal(rows, context));
 }
 
-// The first rows of many.
-class FirstRows final : public RowSource {
+// Some of many rows, at equal distances; all of few.
+class SomeRows final : public RowSource {
  public:
-  FirstRows(const RowSource& rows, Index count) : rows_(rows), count_(count) {}
+  // Facts of cost: little beside a pass, and rows that lie together are read together.
+  static constexpr Index kCount = kManyRows / 16, kTogether = 2048;
 
-  Index rows() const override { return count_; }
+  explicit SomeRows(const RowSource& rows) : rows_(rows) {}
+
+  Index rows() const override { return std::min(rows_.rows(), kCount); }
   Index terms() const override { return rows_.terms(); }
   Index targets() const override { return rows_.targets(); }
-  std::unique_ptr<RowReader> open() const override { return rows_.open(); }
+  std::unique_ptr<RowReader> open() const override;
+
+  // Where a row lies among all.
+  Index place(Index row) const {
+    if (rows_.rows() <= kCount) return row;
+    const Index distance = (rows_.rows() - kTogether) / (kCount / kTogether - 1);
+    return row / kTogether * distance + row % kTogether;
+  }
 
  private:
+  class Reader;
   const RowSource& rows_;
-  Index count_;
 };
 
-// The first of very many rows. A fact of cost: an eighth of the fewest, little beside a pass.
-FirstRows first_of(const RowSource& rows) {
-  constexpr Index kFirst = kManyRows / 8;
-  return {rows, std::min(rows.rows(), kFirst)};
-}
+class SomeRows::Reader final : public RowReader {
+ public:
+  explicit Reader(const SomeRows& some) : some_(some), reader_(some.rows_.open()) {}
 
-// Whether the first of many rows tell that a pass for their Gram would be in vain.
-bool begins_unresolved(const RowSource& rows, const RunContext& context) {
+  void read(Index first, Eigen::Ref<Matrix> theta, Eigen::Ref<Matrix> targets) override {
+    for (Index done = 0; done < theta.rows();) {
+      const Index row = first + done;
+      const Index count = std::min(theta.rows() - done, kTogether - row % kTogether);
+      reader_->read(some_.place(row), theta.middleRows(done, count),
+                    targets.middleRows(done, count));
+      done += count;
+    }
+  }
+
+ private:
+  const SomeRows& some_;
+  std::unique_ptr<RowReader> reader_;
+};
+
+std::unique_ptr<RowReader> SomeRows::open() const { return std::make_unique<Reader>(*this); }
+
+// Whether some of many rows tell that a pass for their Gram would be in vain.
+bool seems_unresolved(const RowSource& rows, const RunContext& context) {
   if (rows.rows() < kManyRows) return false;
-  const FirstRows first = first_of(rows);
-  const Matrix gram = fold_gram(first, context);
+  const SomeRows some(rows);
+  const Matrix gram = fold_gram(some, context);
   return squares_in_range(gram.diagonal()) &&
-         !factor_of_gram({first.rows(), rows.terms(), rows.targets()}, gram, Folding::Automatic,
+         !factor_of_gram({some.rows(), rows.terms(), rows.targets()}, gram, Folding::Automatic,
                          context);
 }
 
-// Coefficients that explain the first rows, L x m; nothing where those do not determine them.
-std::optional<Matrix> fit_to_first(const RowSource& rows, const RunContext& context) {
-  const FirstRows first = first_of(rows);
-  const Matrix folded = fold_orthogonal(first, context);
+// Coefficients that explain some rows, L x m; nothing where those do not determine them.
+std::optional<Matrix> fit_to_some(const RowSource& rows, const RunContext& context) {
+  const SomeRows some(rows);
+  const Matrix folded = fold_orthogonal(some, context);
   if (!squares_in_range(folded.colwise().squaredNorm().transpose())) return std::nullopt;
-  const Factor factor = orthogonal_factor({first.rows(), rows.terms(), rows.targets()}, folded);
+  const Factor factor = orthogonal_factor({some.rows(), rows.terms(), rows.targets()}, folded);
   const Matrix terms = factor.triangle.topLeftCorner(rows.terms(), rows.terms());
   if (condition_estimate(terms) > kGramCondition) return std::nullopt;
   const Matrix scaled = terms.triangularView<Eigen::Upper>().solve(
@@ -136,7 +161,7 @@ std::optional<Matrix> fit_to_first(const RowSource& rows, const RunContext& cont
 // R_ty = S + R_tt D H.
 std::optional<Factor> deflated_factor(const RowSource& rows, const Shape& shape,
                                       const RunContext& context) {
-  const auto h = fit_to_first(rows, context);
+  const auto h = fit_to_some(rows, context);
   if (!h) return std::nullopt;
   const Matrix gram = fold_deflated_gram(rows, *h, context);
   if (!gram.allFinite() || !squares_in_range(gram.diagonal().head(shape.terms)))
@@ -175,7 +200,7 @@ Factor factorise(const RowSource& rows, Folding folding, ColumnName name,
                  const RunContext& context) {
   const Shape shape{rows.rows(), rows.terms(), rows.targets()};
   const bool deflated = folding == Folding::Deflated ||
-                        (folding == Folding::Automatic && begins_unresolved(rows, context));
+                        (folding == Folding::Automatic && seems_unresolved(rows, context));
   if (deflated)
     if (auto factor = deflated_factor(rows, shape, context)) return *std::move(factor);
   const bool orthogonal = deflated || folding == Folding::Orthogonal;

@@ -20,11 +20,13 @@ struct TileView {
   Index columns;
 };
 
-// N x 3 inner products of columns.
-template <int W, int N>
+// N x 3 inner products of columns; where the last three columns on both sides are the same,
+// those above the diagonal.
+template <int W, int N, bool Diagonal>
 LACUNA_INLINE void gram_block(const TileView& tile, const double* left, const double* right,
                               double* gram, Index gram_stride) {
   using V = typename Lanes<W>::Type;
+  const auto wanted = [](int i, int j) { return !Diagonal || i <= N - kBlock + j; };
   V products[kBlock][N] = {};
   for (Index row = 0; row < tile.rows; row += W) {
     V a[N];
@@ -35,11 +37,13 @@ LACUNA_INLINE void gram_block(const TileView& tile, const double* left, const do
     for (int j = 0; j < kBlock; ++j) {
       V b = at<W>(right + j * tile.stride + row).values;
       keep_in_register(b);
-      for (int i = 0; i < N; ++i) products[j][i] += a[i] * b;
+      for (int i = 0; i < N; ++i)
+        if (wanted(i, j)) products[j][i] += a[i] * b;
     }
   }
   for (int j = 0; j < kBlock; ++j) {
-    for (int i = 0; i < N; ++i) gram[j * gram_stride + i] += sum(products[j][i]);
+    for (int i = 0; i < N; ++i)
+      if (wanted(i, j)) gram[j * gram_stride + i] += sum(products[j][i]);
   }
 }
 
@@ -50,12 +54,14 @@ LACUNA_INLINE void gram_kernel(const TileView& tile, double* gram) {
   for (Index j = 0; j < tile.columns; j += kBlock) {
     const double* right = tile.data + j * tile.stride;
     double* column = gram + j * tile.columns;
+    const auto left = [&](Index i) { return tile.data + i * tile.stride; };
     Index i = 0;
-    for (; i + kWide <= j + kBlock; i += kWide)
-      gram_block<W, kWide>(tile, tile.data + i * tile.stride, right, column + i, tile.columns);
-    for (; i <= j; i += kBlock)
-      gram_block<W, kBlock>(tile, tile.data + i * tile.stride, right, column + i,
-                            tile.columns);
+    for (; i + kWide <= j; i += kWide)
+      gram_block<W, kWide, false>(tile, left(i), right, column + i, tile.columns);
+    if (i + kWide == j + kBlock)
+      gram_block<W, kWide, true>(tile, left(i), right, column + i, tile.columns);
+    else
+      gram_block<W, kBlock, true>(tile, left(i), right, column + i, tile.columns);
   }
 }
 
@@ -136,20 +142,34 @@ LACUNA_INLINE void triangle_kernel(const TileView& tile, double* triangle) {
   }
 }
 
-// N terms times their coefficients are taken off M targets.
+// N terms times their coefficients are taken off M targets; two vectors of rows share what is
+// read of the coefficients.
 template <int W, int N, int M>
 LACUNA_INLINE void deflate(const TileView& tile, const double* terms, const double* h,
                            Index height, double* targets) {
   using V = typename Lanes<W>::Type;
-  for (Index row = 0; row < tile.rows; row += W) {
-    V left[M];
-    for (int k = 0; k < M; ++k) left[k] = at<W>(targets + k * tile.stride + row).values;
-    for (int j = 0; j < N; ++j) {
-      V term = at<W>(terms + j * tile.stride + row).values;
-      keep_in_register(term);
-      for (int k = 0; k < M; ++k) left[k] -= term * h[k * height + j];
+  for (Index row = 0; row < tile.rows; row += 2 * W) {
+    V even[M], odd[M];
+    for (int k = 0; k < M; ++k) {
+      even[k] = at<W>(targets + k * tile.stride + row).values;
+      odd[k] = at<W>(targets + k * tile.stride + row + W).values;
     }
-    for (int k = 0; k < M; ++k) at<W>(targets + k * tile.stride + row).values = left[k];
+    for (int j = 0; j < N; ++j) {
+      V first = at<W>(terms + j * tile.stride + row).values;
+      V second = at<W>(terms + j * tile.stride + row + W).values;
+      keep_in_register(first);
+      keep_in_register(second);
+      for (int k = 0; k < M; ++k) {
+        V coefficient = h[k * height + j] - V{};
+        keep_in_register(coefficient);
+        even[k] -= first * coefficient;
+        odd[k] -= second * coefficient;
+      }
+    }
+    for (int k = 0; k < M; ++k) {
+      at<W>(targets + k * tile.stride + row).values = even[k];
+      at<W>(targets + k * tile.stride + row + W).values = odd[k];
+    }
   }
 }
 

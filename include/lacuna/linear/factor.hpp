@@ -10,7 +10,7 @@ enum class Folding {
   Automatic,   ///< Gram; tall-skinny QR where the Gram cannot resolve the problem
   Gram,        ///< normal equations and Cholesky: fastest
   Orthogonal,  ///< tall-skinny QR: as accurate as QR of the whole matrix
-  Deflated,    ///< Gram of the terms and of what a fit to the first rows leaves of the targets
+  Deflated,    ///< Gram of the terms and of what a fit to some rows leaves of the targets
 };
 
 /// All that is kept of the rows: the triangular factor of [Theta Y] with columns of Theta

@@ -47,5 +47,15 @@ TEST(ColumnKernels, ProductsAreThoseOfEachRow) {
   }
 }
 
+TEST(ColumnKernels, DifferencesAreThoseOfNeighbours) {
+  for (Index count = 0; count < kMost; ++count) {
+    const Vector values = Vector::Random(count + 2);
+    Vector x = values;
+    difference(x.data(), count);
+    for (Index i = 0; i < count; ++i) EXPECT_EQ(x[i], values[i + 1] - values[i]);
+    EXPECT_EQ(x.tail(2), values.tail(2));
+  }
+}
+
 }  // namespace
 }  // namespace lacuna
