@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "lacuna/data/table.hpp"
+#include "row_blocks.hpp"
 
 namespace lacuna {
 
@@ -14,5 +18,10 @@ namespace lacuna {
 /// @throws DataError naming source and what is damaged, too large or not there, and where the
 ///   program was built without HDF5.
 Table parse_hdf5(std::string_view bytes, const std::string& source);
+
+/// The same table, a block at a time.
+/// @param block size of a block in bytes, about.
+/// @throws DataError as parse_hdf5().
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, std::size_t block);
 
 }  // namespace lacuna

@@ -161,7 +161,7 @@ TEST(Dialects, ADateAndATimeAreOneColumn) {
 TEST(Dialects, PlainTablesAreLeftAlone) {
   for (const char* text : {"t,x\n0,1\n1,2\n", "1 2 3\n4 5 6\n", "", "X,Y\n1,2\n3,4\n",
                            "Record Length,2\nt,x\n0,1\n", "0 1 2 3\n1 1 2 3\n"})
-    EXPECT_FALSE(plain_text(text)) << text;
+    EXPECT_FALSE(dialect_of(text)) << text;
 }
 
 }  // namespace
