@@ -72,6 +72,15 @@ bool has_real_numbers(const Handle& set) {
   return kind == H5T_INTEGER || kind == H5T_FLOAT;
 }
 
+/// How many rows, or columns, of a data set are packed together; 1 where none are.
+Index packed_together(const Handle& set, bool columns) {
+  const Handle made(H5Dget_create_plist(set.get()), H5Pclose);
+  hsize_t sizes[2] = {1, 1};
+  if (H5Pget_layout(made.get()) != H5D_CHUNKED || H5Pget_chunk(made.get(), 2, sizes) < 1)
+    return 1;
+  return static_cast<Index>(sizes[columns ? 1 : 0]);
+}
+
 /// What is found in a file.
 struct Found {
   std::vector<ArrayShape> shapes;   ///< of the data sets that are arrays of numbers
@@ -132,6 +141,14 @@ class ArrayRows {
   Index samples() const { return all_.samples; }
   const Table& columns() const { return all_.table; }
 
+  /// Most samples that are unpacked together.
+  Index together() const {
+    Index most = 1;
+    for (const ArrayPlace& place : all_.places)
+      most = std::max(most, packed_together(found_.sets[place.array], place.in_columns));
+    return most;
+  }
+
   /// Samples [first, first + count), which must be there.
   Matrix read(Index first, Index count) const {
     Matrix values(count, static_cast<Index>(all_.table.columns.size()));
@@ -177,10 +194,13 @@ class ArrayRows {
 
 class Hdf5Blocks final : public RowBlocks {
  public:
-  Hdf5Blocks(const std::filesystem::path& path, std::size_t block)
+  Hdf5Blocks(const std::filesystem::path& path, BlockSizes sizes)
       : rows_(open_file(path), path.string()) {
+    // A block that is smaller than what is packed together has all of that unpacked.
     const std::size_t row = rows_.columns().columns.size() * sizeof(double);
-    count_ = std::max<Index>(static_cast<Index>(block / row), 1);
+    const auto most = static_cast<Index>(sizes.longest / row);
+    count_ = std::max<Index>({static_cast<Index>(sizes.block / row),
+                              std::min(rows_.together(), most), 1});
   }
 
   const Table& columns() const override { return rows_.columns(); }
@@ -215,9 +235,9 @@ Table parse_hdf5(std::string_view bytes, const std::string& source) {
   return table;
 }
 
-std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, std::size_t block) {
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes sizes) {
   tell_errors_ourselves();
-  return std::make_unique<Hdf5Blocks>(path, block);
+  return std::make_unique<Hdf5Blocks>(path, sizes);
 }
 
 }  // namespace lacuna

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -20,8 +19,7 @@ namespace lacuna {
 Table parse_hdf5(std::string_view bytes, const std::string& source);
 
 /// The same table, a block at a time.
-/// @param block size of a block in bytes, about.
 /// @throws DataError as parse_hdf5().
-std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, std::size_t block);
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes sizes);
 
 }  // namespace lacuna

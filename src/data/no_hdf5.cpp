@@ -16,7 +16,7 @@ namespace {
 
 Table parse_hdf5(std::string_view, const std::string& source) { fail_without_hdf5(source); }
 
-std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, std::size_t) {
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes) {
   fail_without_hdf5(path.string());
 }
 

@@ -50,7 +50,7 @@ std::unique_ptr<RowBlocks> row_blocks(std::unique_ptr<OpenedFile> file, std::siz
       if (!file->has_places())
         refuse_blocks(*file, "an HDF5 file that is packed or comes through a pipe",
                       "unpack it and give its name");
-      return hdf5_blocks(file->path, sizes.block);
+      return hdf5_blocks(file->path, sizes);
     case FileKind::Text:
       break;
   }

@@ -50,7 +50,7 @@ struct OpenedFile {
 /// How much memory the blocks of a reader may take, in bytes.
 struct BlockSizes {
   std::size_t block = 0;    ///< of text, or of numbers
-  std::size_t longest = 0;  ///< line of a text
+  std::size_t longest = 0;  ///< line of a text, or what is packed together
 };
 
 /// Blocks for a reader that may take so many bytes in all.

@@ -2,6 +2,7 @@
 #include "spool.hpp"
 
 #include <bit>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -15,7 +16,7 @@ namespace {
 constexpr auto kActivity = "reading data";
 
 std::string megabytes(double bytes) {
-  return std::to_string(static_cast<std::uint64_t>(bytes / 1048576.0) + 1) + " MB";
+  return std::to_string(static_cast<std::uint64_t>(std::ceil(bytes / 1048576.0))) + " MB";
 }
 
 /// Writes what the share of a source that was read has become.

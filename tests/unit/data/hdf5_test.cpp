@@ -65,7 +65,7 @@ TEST(Hdf5, BlocksAreTheWhole) {
     for (const std::size_t size : {std::size_t{1}, std::size_t{500}, std::size_t{1} << 20U}) {
       if (is_absent()) return;
       const Table whole = read_table(kSamples / name);
-      const auto blocks = hdf5_blocks(kSamples / name, size);
+      const auto blocks = hdf5_blocks(kSamples / name, {size, size});
       EXPECT_EQ(blocks->columns().headers, whole.headers);
       EXPECT_EQ(blocks->columns().notes, whole.notes);
       Table block = blocks->columns();
