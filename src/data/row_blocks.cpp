@@ -30,8 +30,8 @@ OpenedFile::OpenedFile(const std::filesystem::path& given)
 }
 
 BlockSizes block_sizes(std::size_t memory) {
-  // Facts of texts and machines: the numbers of short fields take up to twelve times as much as
-  // the text; blocks of more than 4 MiB are not faster.
+  // Facts of texts and machines: the numbers of empty fields take sixteen times as much as the
+  // text; larger blocks than 4 MiB are not faster.
   constexpr std::size_t kLeast = std::size_t{1} << 16U, kMost = std::size_t{1} << 22U;
   return {std::clamp(memory / 32, kLeast, kMost), std::max(memory / 16, TextFormat::kBegin)};
 }

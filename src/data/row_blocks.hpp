@@ -43,8 +43,10 @@ struct OpenedFile {
   std::string begin;  ///< what has been read from the stream: 1 MiB, or all where there is less
   FileKind kind = FileKind::Text;
 
-  /// Whether it can be read at any place, as it is.
-  bool has_places() const { return stream.file_size().has_value() && !stream.is_packed(); }
+  /// Whether it can be read at any place by its name, as it is.
+  bool has_places() const {
+    return path != "-" && stream.file_size().has_value() && !stream.is_packed();
+  }
 };
 
 /// How much memory the blocks of a reader may take, in bytes.

@@ -119,8 +119,11 @@ Records find_records(const NpyFile& file, const ColumnIndices& columns,
     add_notes(std::move(found[i].notes), all.notes);
   }
   if (all.ranges.empty())
-    throw DataError(file.columns().source, "there are no two rows of numbers",
-                    "give at least two samples in a row");
+    throw DataError(file.columns().source,
+                    file.rows() == 1 ? "there is only one line of numbers"
+                                     : "no two lines that follow each other are complete",
+                    "give at least two samples in a row; where channels have rates of their "
+                    "own, leave out --memory");
   return all;
 }
 
