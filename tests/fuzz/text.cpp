@@ -35,8 +35,8 @@ std::vector<std::string> seeds() {
           "Index   time   v(th)\n----------\n0\t0.0\t1.0\t\n1\t0.1\t2.0\t\n"};
 }
 
-/// Rows that come in two blocks are those of the whole, as far as the first block shows how they
-/// are read.
+/// Rows that come in two blocks are those of the whole, where the first block shows how they are
+/// read.
 void check_blocks(std::string_view input, const Table& whole) {
   const std::string_view begin = input.substr(0, input.size() * 3 / 4);
   auto format = find_format(begin, false, "input");
