@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "lacuna/core/file_bytes.hpp"
 #include "lacuna/core/options.hpp"
 #include "lacuna/core/text.hpp"
 
@@ -159,12 +160,15 @@ ColumnRoles roles_in_pieces(const DataOptions& options) {
 bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
   constexpr std::uint64_t kCopies =
       4;  // the file, its table, the records, what is made of them
+  constexpr std::uint64_t kUnpacked = 4;  // times its packed size is what a text often takes
   if (memory == 0) return false;
   std::uint64_t bytes = 0;
   for (const std::string& path : expand_patterns(options.paths)) {
     std::error_code none;
+    // Nobody knows how much comes through a pipe.
+    if (path == "-" || std::filesystem::is_fifo(path, none)) return true;
     const auto size = std::filesystem::file_size(path, none);
-    if (!none) bytes += size;
+    if (!none) bytes += size * (is_packed(path) ? kUnpacked : 1);
   }
   return bytes > memory / kCopies;
 }

@@ -226,7 +226,9 @@ Identified read_and_identify(const Plan& plan, const IdentifyArguments& options,
   context.report("reading data", 0.0);
   const bool needs_all = options.hidden || !orders.empty();
   if (!needs_all && reads_in_pieces(options.data, options.memory))
-    return with_stream(options.data.paths, roles_in_pieces(options.data), context, use);
+    return with_stream(*open_records(options.data.paths, roles_in_pieces(options.data),
+                                     context, options.memory),
+                       context, use);
   Dataset data = read_data(options.data);
   if (orders.empty()) return use(std::move(data));
   return use(embed(data, orders, *differentiator_of(*plan.pipeline.formulation)));
@@ -286,8 +288,9 @@ Command declare_identify(CLI::App& root) {
   declare_pipeline_options(*app, *options);
   declare_output_options(*app, *options);
   declare_size_option(*app, "--memory", options->memory,
-                      "Records (.npy) that do not fit into so much are read in pieces, e.g. "
-                      "300MB [default: all are read into memory]");
+                      "Records that do not fit into so much are read in pieces, e.g. 300MB; "
+                      "those that are no .npy by way of a file in $TMPDIR [default: all are "
+                      "read into memory]");
   declare_run_options(*app, options->run);
   return {app,
           [options](const Session& session) { return identify_command(session, *options); }};

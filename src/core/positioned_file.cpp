@@ -22,8 +22,11 @@ namespace {
 
 }  // namespace
 
-PositionedFile::PositionedFile(std::filesystem::path path)
-    : path_(std::move(path)), handle_(open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+PositionedFile::PositionedFile(const std::filesystem::path& path)
+    : PositionedFile(open(path.c_str(), O_RDONLY | O_CLOEXEC), path) {}
+
+PositionedFile::PositionedFile(int handle, std::filesystem::path path)
+    : path_(std::move(path)), handle_(handle) {
   struct stat status {};
   if (handle_ < 0 || fstat(handle_, &status) != 0) refuse_place(path_, std::strerror(errno));
   size_ = static_cast<std::size_t>(status.st_size);

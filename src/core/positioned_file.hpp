@@ -12,7 +12,12 @@ namespace lacuna {
 class PositionedFile {
  public:
   /// @throws FileError when it cannot be opened or is no file with places.
-  explicit PositionedFile(std::filesystem::path path);
+  explicit PositionedFile(const std::filesystem::path& path);
+
+  /// A file that is open.
+  /// @param handle of it, which is closed with this.
+  /// @param path for messages.
+  PositionedFile(int handle, std::filesystem::path path);
   ~PositionedFile();
   PositionedFile(PositionedFile&& other) noexcept;
   PositionedFile& operator=(PositionedFile&&) = delete;

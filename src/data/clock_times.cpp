@@ -182,35 +182,51 @@ std::string row_of(const std::vector<std::string_view>& fields, const ClockLine&
   return joined_line(row);
 }
 
+/// Takes the lines of a log: some of a preamble, one of them the header, then samples.
+class ClockLog {
+ public:
+  /// @param before lines in front of the first sample.
+  /// @param header which of them has the names, from 0; none where there are not so many.
+  ClockLog(ClockLine kind, std::size_t before, std::size_t header)
+      : kind_(kind), before_(before), header_(header) {}
+
+  void operator()(std::string_view line, std::string& text) {
+    if (line_ < before_) {
+      text += line_ == header_ ? header_of(line, kind_) : "\n";
+      ++line_;
+      return;
+    }
+    const auto fields = fields_of(line, kind_.delimiter);
+    const auto clock = fields.empty() ? std::nullopt : clock_of(fields, kind_.in_two);
+    if (clock)
+      text += row_of(fields, kind_, elapsed_(*clock));
+    else
+      text.append(line) += '\n';
+  }
+
+ private:
+  ClockLine kind_;
+  std::size_t before_, header_;
+  std::size_t line_ = 0;  ///< of the preamble
+  Elapsed elapsed_;
+};
+
 }  // namespace
 
-std::optional<PlainText> clock_times(std::string_view text) {
-  constexpr int kLooked = 60;  // lines of a preamble
-  Lines probe(text);
-  std::optional<ClockLine> kind;
-  std::string_view header;
-  std::size_t before = 0;
-  for (int i = 0; i < kLooked && !kind; ++i, ++before) {
-    const auto line = probe.next();
-    if (!line) return std::nullopt;
-    kind = clock_line(*line);
-    if (!kind && is_numbers(*line)) return std::nullopt;
-    if (!kind && !strip(*line).empty()) header = *line;
-  }
-  if (!kind) return std::nullopt;
-  PlainText plain{"", "times of a clock are seconds since the first one"};
-  Lines lines(text);
-  for (std::size_t i = 0; i + 1 < before; ++i) {
+std::optional<TextDialect> clock_times(std::string_view begin) {
+  constexpr std::size_t kLooked = 60;  // lines of a preamble
+  Lines lines(begin);
+  std::size_t header = kLooked;
+  for (std::size_t i = 0; i < kLooked; ++i) {
     const auto line = lines.next();
-    plain.text += line->data() == header.data() ? header_of(*line, *kind) : "\n";
+    if (!line) return std::nullopt;
+    if (const auto kind = clock_line(*line))
+      return TextDialect{"times of a clock are seconds since the first one",
+                     ClockLog(*kind, i, header)};
+    if (is_numbers(*line)) return std::nullopt;
+    if (!strip(*line).empty()) header = i;
   }
-  Elapsed elapsed;
-  while (const auto line = lines.next()) {
-    const auto fields = fields_of(*line, kind->delimiter);
-    const auto clock = fields.empty() ? std::nullopt : clock_of(fields, kind->in_two);
-    plain.text += clock ? row_of(fields, *kind, elapsed(*clock)) : std::string(*line) + "\n";
-  }
-  return plain;
+  return std::nullopt;
 }
 
 }  // namespace dialects

@@ -26,15 +26,31 @@ std::string joined_line(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-std::optional<PlainText> plain_text(std::string_view text) {
+namespace {
+
+std::string_view without_byte_order_mark(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.substr(0, 3) == kByteOrderMark) text.remove_prefix(3);
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
+}  // namespace
+
+std::optional<TextDialect> dialect_of(std::string_view begin) {
+  begin = without_byte_order_mark(begin);
   for (const auto dialect :
        {dialects::rigol, dialects::tektronix, dialects::labview, dialects::ngspice_raw,
         dialects::stepped_ltspice, dialects::ngspice_print, dialects::ngspice_wrdata,
         dialects::clock_times})
-    if (auto plain = dialect(text)) return plain;
+    if (auto found = dialect(begin)) return found;
   return std::nullopt;
+}
+
+std::string translated(TextDialect& dialect, std::string_view lines) {
+  std::string text;
+  text.reserve(lines.size() + lines.size() / 8);
+  Lines rest(without_byte_order_mark(lines));
+  while (const auto line = rest.next()) dialect.translate(*line, text);
+  return text;
 }
 
 }  // namespace lacuna

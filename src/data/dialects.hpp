@@ -2,6 +2,7 @@
 // Texts of instruments and programs that are no plain tables, as plain tables.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,33 +10,41 @@
 
 namespace lacuna {
 
-/// A text as a table with a header line.
-struct PlainText {
-  std::string text;
-  std::string note;             ///< what the file was taken for
+/// How a text becomes a plain table, line by line.
+struct TextDialect {
+  std::string note;  ///< what the file is taken for
+
+  /// Appends one line of the table, an empty one where there is none, for one line of the file;
+  /// is called for all of them in their order.
+  std::function<void(std::string_view line, std::string& text)> translate;
+
   std::string run_column = {};  ///< name of a column that numbers runs, where there are several
-  std::string shift = {};       ///< lines of the text that are in front of those of the file
+  std::string header = {};      ///< line of names that is in front of those of the file
 };
 
-/// The text as a plain table where it is one of:
+/// How a text is to be taken where it is one of:
 /// - Rigol: `X,CH1,Start,Increment` with a step instead of times;
 /// - Tektronix TDS: preamble and samples side by side;
 /// - LabVIEW measurement (.lvm);
 /// - LTspice export of a stepped run, ngspice: `print`, `wrdata`, raw file as text;
 /// - times of day or dates in the first column.
 /// Nothing for every other text.
-std::optional<PlainText> plain_text(std::string_view text);
+/// @param begin whole lines with which it begins, or all of it.
+std::optional<TextDialect> dialect_of(std::string_view begin);
+
+/// The lines of a table that a dialect makes of lines, which have to come in their order.
+std::string translated(TextDialect& dialect, std::string_view lines);
 
 namespace dialects {
 
-std::optional<PlainText> rigol(std::string_view text);
-std::optional<PlainText> tektronix(std::string_view text);
-std::optional<PlainText> labview(std::string_view text);
-std::optional<PlainText> stepped_ltspice(std::string_view text);
-std::optional<PlainText> ngspice_print(std::string_view text);
-std::optional<PlainText> ngspice_wrdata(std::string_view text);
-std::optional<PlainText> ngspice_raw(std::string_view text);
-std::optional<PlainText> clock_times(std::string_view text);
+std::optional<TextDialect> rigol(std::string_view begin);
+std::optional<TextDialect> tektronix(std::string_view begin);
+std::optional<TextDialect> labview(std::string_view begin);
+std::optional<TextDialect> stepped_ltspice(std::string_view begin);
+std::optional<TextDialect> ngspice_print(std::string_view begin);
+std::optional<TextDialect> ngspice_wrdata(std::string_view begin);
+std::optional<TextDialect> ngspice_raw(std::string_view begin);
+std::optional<TextDialect> clock_times(std::string_view begin);
 
 }  // namespace dialects
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "file_kinds.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "lacuna/core/error.hpp"
+#include "lacuna/data/text_field.hpp"
 
 namespace lacuna {
 namespace {
@@ -42,6 +46,21 @@ KnownFile zip_kind(std::string_view bytes) {
   return {"a zip archive", "unpack it and give the file with the numbers"};
 }
 
+/// Whether the name ends in an ending such as .npy, or in that and .gz.
+bool is_named(const std::filesystem::path& path, std::string_view ending) {
+  std::filesystem::path name = path.filename();
+  if (lower_case(name.extension().string()) == ".gz") name = name.stem();
+  return lower_case(name.extension().string()) == ending;
+}
+
+/// Version of a MATLAB file, as the two bytes behind its text say; 0 where it is none.
+int mat_version(std::string_view bytes) {
+  const std::string_view mark = bytes.substr(std::min<std::size_t>(bytes.size(), 124), 4);
+  if (mark == std::string_view("\0\1IM", 4) || mark == std::string_view("\1\0MI", 4)) return 5;
+  if (mark == std::string_view("\0\2IM", 4) || mark == std::string_view("\2\0MI", 4)) return 7;
+  return 0;
+}
+
 }  // namespace
 
 std::optional<KnownFile> known_file(std::string_view bytes) {
@@ -50,6 +69,18 @@ std::optional<KnownFile> known_file(std::string_view bytes) {
       return KnownFile{std::string(kind.what), std::string(kind.remedy)};
   if (bytes.substr(0, 4) == "PK\x03\x04") return zip_kind(bytes);
   return std::nullopt;
+}
+
+FileKind kind_of(const std::filesystem::path& path, std::string_view begin,
+                 const std::string& source) {
+  if (is_named(path, ".npy") || begin.starts_with("\x93NUMPY")) return FileKind::Npy;
+  if (is_named(path, ".npz")) return FileKind::Npz;
+  const int mat = mat_version(begin);
+  if (mat == 7 || begin.starts_with("\x89HDF\r\n\x1a\n")) return FileKind::Hdf5;
+  if (mat == 5) return FileKind::Mat;
+  if (const auto known = known_file(begin))
+    throw DataError(source, "this is " + known->what + ", which cannot be read", known->remedy);
+  return FileKind::Text;
 }
 
 }  // namespace lacuna

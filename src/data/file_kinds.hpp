@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,5 +16,21 @@ struct KnownFile {
 
 /// What a file looks like by its first bytes, where it is one that cannot be read.
 std::optional<KnownFile> known_file(std::string_view bytes);
+
+/// What can be read.
+enum class FileKind {
+  Npy,
+  Npz,
+  Mat,   ///< MATLAB's of version 5 to 7
+  Hdf5,  ///< also MATLAB's of version 7.3, netCDF 4
+  Text,
+};
+
+/// The kind of a file by the ending of its name and by its bytes, unpacked.
+/// @param begin of them, or all.
+/// @param source name for messages.
+/// @throws DataError for well-known kinds that cannot be read.
+FileKind kind_of(const std::filesystem::path& path, std::string_view begin,
+                 const std::string& source);
 
 }  // namespace lacuna

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "lacuna/data/table.hpp"
+#include "row_blocks.hpp"
 
 namespace lacuna {
 
@@ -14,5 +17,9 @@ namespace lacuna {
 /// @throws DataError naming source and what is damaged, too large or not there, and where the
 ///   program was built without HDF5.
 Table parse_hdf5(std::string_view bytes, const std::string& source);
+
+/// The same table, a block at a time.
+/// @throws DataError as parse_hdf5().
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes sizes);
 
 }  // namespace lacuna

@@ -13,18 +13,6 @@ constexpr std::string_view kEnd = "***End_of_Header***";
 
 using Head = std::map<std::string, std::vector<std::string>, std::less<>>;
 
-/// Reads "key value value ..." up to the end of a head.
-void read_head(Lines& lines, char delimiter, Head& head, std::string& text) {
-  while (const auto line = lines.next()) {
-    text += "\n";
-    if (line->substr(0, kEnd.size()) == kEnd) return;
-    const auto fields = fields_of(*line, delimiter);
-    if (fields.empty()) continue;
-    auto& values = head[std::string(fields[0])];
-    values.assign(fields.begin() + 1, fields.end());
-  }
-}
-
 double value_in(const Head& head, const std::string& key, double otherwise) {
   const auto found = head.find(key);
   if (found == head.end() || found->second.empty()) return otherwise;
@@ -42,7 +30,7 @@ std::string unit_in(const Head& head, std::size_t channel) {
 }
 
 /// Columns that hold channels, by the names of a packet.
-std::vector<std::size_t> channels_of(const std::vector<std::string_view>& names) {
+std::vector<std::size_t> channels_of(const std::vector<std::string>& names) {
   std::vector<std::size_t> channels;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!names[i].empty() && names[i] != "X_Value" && names[i] != "Comment")
@@ -52,7 +40,7 @@ std::vector<std::size_t> channels_of(const std::vector<std::string_view>& names)
 
 /// Samples of one packet up to an empty line or the next head.
 struct Packet {
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   std::vector<std::size_t> channels;
   double begin = 0.0, step = 0.0;
   int run = 1;
@@ -74,7 +62,7 @@ std::string names_of(const Packet& packet, const Head& head) {
   std::vector<std::string> names{"t [s]"};
   for (std::size_t c = 0; c < packet.channels.size(); ++c) {
     const std::string unit = unit_in(head, c);
-    names.push_back(std::string(packet.names[packet.channels[c]]) +
+    names.push_back(packet.names[packet.channels[c]] +
                     (unit.empty() ? "" : " [" + unit + "]"));
   }
   names.emplace_back("packet");
@@ -83,44 +71,65 @@ std::string names_of(const Packet& packet, const Head& head) {
 
 bool begins_head(std::string_view line) { return line.substr(0, 8) == "Channels"; }
 
+/// Takes the lines of a file, one after the other.
+class Measurement {
+ public:
+  explicit Measurement(char delimiter) : delimiter_(delimiter) { packet_.run = 0; }
+
+  void operator()(std::string_view line, std::string& text) {
+    const std::string_view content = strip(line);
+    if (!in_head_ && begins_head(content)) {
+      in_head_ = true;
+      packet_.names.clear();
+    } else if (in_head_) {
+      take_head(line);
+    } else if (!content.empty() && packet_.names.empty()) {
+      begin_packet(line);
+      if (packet_.run == 1) text += names_of(packet_, head_);
+      if (packet_.run == 1) return;
+    } else if (!content.empty()) {
+      text += row_of(fields_of(line, delimiter_), packet_, sample_++);
+      return;
+    }
+    text += '\n';
+  }
+
+ private:
+  /// "key value value ..." up to the end of a head.
+  void take_head(std::string_view line) {
+    in_head_ = line.substr(0, kEnd.size()) != kEnd;
+    const auto fields = fields_of(line, delimiter_);
+    if (!in_head_ || fields.empty()) return;
+    head_[std::string(fields[0])].assign(fields.begin() + 1, fields.end());
+  }
+
+  void begin_packet(std::string_view line) {
+    const auto names = fields_of(line, delimiter_);
+    packet_ = {{names.begin(), names.end()},
+               {},
+               value_in(head_, "X0", 0.0),
+               value_in(head_, "Delta_X", 1.0),
+               packet_.run + 1};
+    packet_.channels = channels_of(packet_.names);
+    sample_ = 0.0;
+  }
+
+  char delimiter_;
+  bool in_head_ = true;
+  Head head_;
+  Packet packet_;
+  double sample_ = 0.0;
+};
+
 }  // namespace
 
-std::optional<PlainText> labview(std::string_view text) {
-  if (text.substr(0, 19) != "LabVIEW Measurement") return std::nullopt;
-  const char delimiter = text.find("Separator\tComma") != std::string_view::npos ||
-                                 text.find("Separator,Comma") != std::string_view::npos
+std::optional<TextDialect> labview(std::string_view begin) {
+  if (begin.substr(0, 19) != "LabVIEW Measurement") return std::nullopt;
+  const char delimiter = begin.find("Separator\tComma") != std::string_view::npos ||
+                                 begin.find("Separator,Comma") != std::string_view::npos
                              ? ','
                              : '\t';
-  PlainText plain{"", "taken for a LabVIEW measurement", "packet"};
-  Lines lines(text);
-  Head head;
-  read_head(lines, delimiter, head, plain.text);
-  Packet packet;
-  packet.run = 0;
-  double sample = 0.0;
-  while (const auto line = lines.next()) {
-    const std::string_view content = strip(*line);
-    if (begins_head(content)) {
-      plain.text += "\n";
-      read_head(lines, delimiter, head, plain.text);
-      packet.names.clear();
-    } else if (content.empty()) {
-      plain.text += "\n";
-    } else if (packet.names.empty()) {
-      packet = {fields_of(*line, delimiter),
-                {},
-                value_in(head, "X0", 0.0),
-                value_in(head, "Delta_X", 1.0),
-                packet.run + 1};
-      packet.channels = channels_of(packet.names);
-      sample = 0.0;
-      plain.text += packet.run == 1 ? names_of(packet, head) : "\n";
-    } else {
-      plain.text += row_of(fields_of(*line, delimiter), packet, sample);
-      sample += 1.0;
-    }
-  }
-  return plain;
+  return TextDialect{"taken for a LabVIEW measurement", Measurement(delimiter), "packet"};
 }
 
 }  // namespace lacuna::dialects

@@ -16,7 +16,7 @@
 namespace lacuna {
 namespace {
 
-struct CloseFile {
+struct CloseMatFile {
   void operator()(mat_t* file) const { Mat_Close(file); }
 };
 struct FreeVariable {
@@ -139,7 +139,7 @@ bool can_hold(std::size_t file_bytes, const matvar_t& variable) {
 Table read_mat(const std::filesystem::path& path) {
   const std::string source = path.string();
   const Warnings warnings;
-  const std::unique_ptr<mat_t, CloseFile> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
+  const std::unique_ptr<mat_t, CloseMatFile> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) fail(source);
   Found found;
   const auto bytes = static_cast<std::size_t>(std::filesystem::file_size(path));
@@ -157,7 +157,7 @@ Table read_mat(const std::filesystem::path& path) {
     collect(*variable, variable->name, found);
   }
   if (warnings.seen()) fail(source);
-  Table table = table_of_arrays(std::move(found.arrays), source);
+  Table table = table_of_arrays(found.arrays, source);
   for (const std::string& name : found.others)
     table.notes.push_back(source + ": the variable '" + name +
                           "' is neither a vector nor a matrix of real numbers and is left out");

@@ -95,22 +95,26 @@ void load_matrix(std::string_view data, const NpyHeader& header, Matrix& values)
   }
 }
 
-std::string padded_header(const Matrix& values) {
-  constexpr std::size_t kAlignment = 64, kPreamble = 10;
-  std::string text = "{'descr': '<f8', 'fortran_order': True, 'shape': (" +
-                     std::to_string(values.rows()) + ", " + std::to_string(values.cols()) +
-                     "), }";
-  const std::size_t used = (kPreamble + text.size() + 1) % kAlignment;
-  text.append((kAlignment - used) % kAlignment, ' ');
-  return text + '\n';
-}
-
 void append_value(std::string& bytes, double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   for (unsigned i = 0; i < 8; ++i) bytes += static_cast<char>((bits >> (8 * i)) & 0xFFU);
 }
 
 }  // namespace
+
+std::string npy_begin(std::string_view type, bool fortran_order, Index rows, Index columns) {
+  constexpr std::size_t kAlignment = 64, kPreamble = 10;
+  std::string text = "{'descr': '" + std::string(type) + "', 'fortran_order': " +
+                     (fortran_order ? "True" : "False") + ", 'shape': (" +
+                     std::to_string(rows) + ", " + std::to_string(columns) + "), }";
+  const std::size_t used = (kPreamble + text.size() + 1) % kAlignment;
+  text.append((kAlignment - used) % kAlignment, ' ');
+  text += '\n';
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  bytes += static_cast<char>(text.size() & 0xFFU);
+  bytes += static_cast<char>(text.size() >> 8U);
+  return bytes + text;
+}
 
 Table npy_columns(const NpyHeader& header, const std::string& source) {
   Table table;
@@ -140,11 +144,7 @@ Table parse_npy(std::string_view bytes, const std::string& source) {
 }
 
 void write_npy(const std::filesystem::path& path, const Matrix& values) {
-  const std::string header = padded_header(values);
-  std::string bytes("\x93NUMPY\x01\x00", 8);
-  bytes += static_cast<char>(header.size() & 0xFFU);
-  bytes += static_cast<char>(header.size() >> 8U);
-  bytes += header;
+  std::string bytes = npy_begin("<f8", true, values.rows(), values.cols());
   bytes.reserve(bytes.size() + static_cast<std::size_t>(values.size()) * sizeof(double));
   for (Index i = 0; i < values.size(); ++i) append_value(bytes, values.data()[i]);
   write_file_atomically(path, bytes);

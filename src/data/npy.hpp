@@ -23,6 +23,10 @@ Table npy_columns(const NpyHeader& header, const std::string& source);
 /// The numbers of an array. @param data header.rows rows of them, without the header.
 Matrix npy_values(const NpyHeader& header, std::string_view data);
 
+/// What stands in front of the numbers of a .npy of version 1; 128 bytes.
+/// @param type of the numbers: "<f8", ">f8".
+std::string npy_begin(std::string_view type, bool fortran_order, Index rows, Index columns);
+
 /// Writes a matrix as .npy version 1, little-endian doubles in Fortran order, whole or not at
 /// all.
 /// @throws FileError when it cannot be written.

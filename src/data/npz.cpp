@@ -4,7 +4,6 @@
 #include <zlib.h>
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "lacuna/core/error.hpp"
@@ -101,7 +100,7 @@ Table parse_npz(std::string_view bytes, const std::string& source) {
   for (const Entry& entry : entries_of(bytes, source))
     arrays.push_back(
         {name_of(entry.name), parse_npy(entry.bytes, source + ", " + entry.name).values});
-  return table_of_arrays(std::move(arrays), source);
+  return table_of_arrays(arrays, source);
 }
 
 }  // namespace lacuna

@@ -42,8 +42,8 @@ std::optional<RigolHeader> rigol_header(std::string_view line) {
 
 }  // namespace
 
-std::optional<PlainText> rigol(std::string_view text) {
-  Lines lines(text);
+std::optional<TextDialect> rigol(std::string_view begin) {
+  Lines lines(begin);
   const auto first = lines.next();
   const auto header = first ? rigol_header(*first) : std::nullopt;
   if (!header) return std::nullopt;
@@ -57,25 +57,31 @@ std::optional<PlainText> rigol(std::string_view text) {
   std::vector<std::string> names{"t [s]"};
   for (std::size_t i = 1; i < header->start; ++i)
     names.push_back(with_unit(header->names[i], units[i]));
-  PlainText plain{joined_line(names) + "\n", "taken for a record of a Rigol oscilloscope"};
-  while (const auto line = lines.next()) {
-    const auto fields = fields_of(*line, ',');
-    const auto count = number(fields[0]);
-    if (!count || fields.size() < header->start) {
-      plain.text += std::string(*line) + "\n";  // the reader says what is wrong with it
-      continue;
+  const std::vector<std::string> heads{joined_line(names), "\n"};
+  const auto translate = [heads, next = std::size_t{0}, channels = header->start,
+                          start = *start, step = *step](std::string_view line,
+                                                        std::string& text) mutable {
+    if (next < heads.size()) {
+      text += heads[next++];
+      return;
     }
-    std::vector<std::string> row{format_number(*start + *count * *step)};
-    for (std::size_t i = 1; i < header->start; ++i) row.emplace_back(fields[i]);
-    plain.text += joined_line(row);
-  }
-  return plain;
+    const auto fields = fields_of(line, ',');
+    const auto count = number(fields[0]);
+    if (!count || fields.size() < channels) {
+      text.append(line) += '\n';  // the reader says what is wrong with it
+      return;
+    }
+    std::vector<std::string> row{format_number(start + *count * step)};
+    for (std::size_t i = 1; i < channels; ++i) row.emplace_back(fields[i]);
+    text += joined_line(row);
+  };
+  return TextDialect{"taken for a record of a Rigol oscilloscope", translate};
 }
 
-std::optional<PlainText> tektronix(std::string_view text) {
-  if (text.substr(0, 14) != "Record Length,") return std::nullopt;
-  std::string name = "CH1", unit, time_unit = "s", rows;
-  Lines lines(text);
+std::optional<TextDialect> tektronix(std::string_view begin) {
+  if (begin.substr(0, 14) != "Record Length,") return std::nullopt;
+  std::string name = "CH1", unit, time_unit = "s";
+  Lines lines(begin);
   while (const auto line = lines.next()) {
     const auto fields = fields_of(*line, ',');
     if (fields.size() < 5) return std::nullopt;  // a preamble above the samples
@@ -83,11 +89,17 @@ std::optional<PlainText> tektronix(std::string_view text) {
     if (fields[0] == "Source") name = fields[1];
     if (fields[0] == "Vertical Units") unit = fields[1];
     if (fields[0] == "Horizontal Units") time_unit = unit_symbol(fields[1]);
-    rows += joined_line({std::string(fields[3]), std::string(fields[4])});
   }
-  const std::string heads = joined_line({"t [" + (time_unit.empty() ? "s" : time_unit) + "]",
-                                         name + (unit.empty() ? "" : " [" + unit + "]")});
-  return PlainText{heads + rows, "taken for a record of a Tektronix oscilloscope", "", heads};
+  const auto translate = [](std::string_view line, std::string& text) {
+    const auto fields = fields_of(line, ',');
+    if (fields.size() < 5)
+      text.append(line) += '\n';  // the reader says what is wrong with it
+    else
+      text += joined_line({std::string(fields[3]), std::string(fields[4])});
+  };
+  return TextDialect{"taken for a record of a Tektronix oscilloscope", translate, "",
+                 joined_line({"t [" + (time_unit.empty() ? "s" : time_unit) + "]",
+                              name + (unit.empty() ? "" : " [" + unit + "]")})};
 }
 
 }  // namespace lacuna::dialects

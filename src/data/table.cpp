@@ -109,7 +109,8 @@ std::string place(const Table& table, Index row, Index column) {
   const auto index = static_cast<std::size_t>(row);
   if (index < table.lines.size())
     return table.source + ":" + std::to_string(table.lines[index]) + ":" + number;
-  return table.source + ", row " + std::to_string(row + 1) + ", column " + number;
+  return table.source + ", row " + std::to_string(table.rows_before + row + 1) + ", column " +
+         number;
 }
 
 std::string to_identifier(std::string_view text) {

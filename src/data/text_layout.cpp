@@ -275,10 +275,14 @@ std::string unit_symbol(std::string_view field) {
   return "";
 }
 
+char line_end_of(std::string_view text) {
+  return text.find('\n') == std::string_view::npos ? '\r' : '\n';
+}
+
 TextLayout find_layout(std::string_view text, const std::string& source) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   TextLayout layout;
-  layout.line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+  layout.line_end = line_end_of(text);
   const std::size_t begin = text.substr(0, 3) == kByteOrderMark ? 3 : 0;
   const Start start = find_start(text, begin, layout.line_end, source);
   layout.delimiter = start.delimiter;
@@ -297,6 +301,14 @@ TextLayout find_layout(std::string_view text, const std::string& source) {
   drop_trailing_column(start, layout);
   note_preamble(start, layout, source);
   return layout;
+}
+
+bool shows_layout(std::string_view begin, const TextLayout& layout) {
+  constexpr int kLooked = 3;  // the first line of numbers, and two for is_lone_number()
+  LineCursor cursor(begin, layout.data_begin, layout.line_end);
+  for (int i = 0; i < kLooked; ++i)
+    if (!cursor.next()) return false;
+  return true;
 }
 
 }  // namespace lacuna

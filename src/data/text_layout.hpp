@@ -29,6 +29,9 @@ struct TextLayout {
 /// it is none.
 std::string unit_symbol(std::string_view field);
 
+/// '\r' in texts that have no '\n'.
+char line_end_of(std::string_view text);
+
 /// Finds the layout: the data begin at the first line whose fields are all numbers or missing;
 /// the header is the line of names in front of it (with a line of units between them, if there
 /// is one); what stands above is a preamble. Lines that start with # and empty lines do not
@@ -37,5 +40,9 @@ std::string unit_symbol(std::string_view field);
 /// @throws DataError when there is no line of numbers, when the header does not fit the data or
 ///   when the line in front of the data mixes numbers and text.
 TextLayout find_layout(std::string_view text, const std::string& source);
+
+/// Whether more of a text would change nothing in the layout that was found at its begin.
+/// @param begin whole lines.
+bool shows_layout(std::string_view begin, const TextLayout& layout);
 
 }  // namespace lacuna

@@ -39,10 +39,12 @@ Records records_of_piece(const NpyFile& file, const ColumnIndices& columns, Inde
   Table piece = file.columns();
   piece.values = file.values(first, count);
   if (can_be && is_plain(piece.values, columns)) return {{{0, count, 0}}, {}};
-  piece.source += ", rows from " + std::to_string(first + 1);
+  piece.lines = file.lines(first, count);
+  piece.rows_before = first;
   if (!has_record(piece.values, columns))
     return {{},
-            {piece.source + ": values are missing in all " + std::to_string(count) + " rows"}};
+            {piece.source + ", rows from " + std::to_string(first + 1) +
+             ": values are missing in all " + std::to_string(count) + " rows"}};
   return split_records(piece, columns);
 }
 
@@ -117,8 +119,11 @@ Records find_records(const NpyFile& file, const ColumnIndices& columns,
     add_notes(std::move(found[i].notes), all.notes);
   }
   if (all.ranges.empty())
-    throw DataError(file.columns().source, "there are no two rows of numbers",
-                    "give at least two samples in a row");
+    throw DataError(file.columns().source,
+                    file.rows() == 1 ? "there is only one line of numbers"
+                                     : "no two lines that follow each other are complete",
+                    "give at least two samples in a row; where channels have rates of their "
+                    "own, leave out --memory");
   return all;
 }
 

@@ -3,29 +3,35 @@
 
 #include <algorithm>
 #include <memory>
-#include <string>
+#include <utility>
 
 #include "data/npy.hpp"
-#include "lacuna/core/error.hpp"
 
 namespace lacuna {
 namespace {
 
-NpyHeader header_of(const PositionedFile& file) {
+NpyHeader header_of(const PositionedFile& file, const std::string& source) {
   constexpr std::size_t kLongestHeader = std::size_t{1} << 20U;
   std::string begin(std::min(file.size(), kLongestHeader), '\0');
   file.read(0, begin);
-  if (!begin.starts_with("\x93NUMPY"))
-    throw DataError(
-        file.path().string(), "this is no NumPy array",
-        "only .npy is read in pieces; leave out --memory, or save the record as one");
-  return parse_npy_header(begin, file.size(), file.path().string());
+  return parse_npy_header(begin, file.size(), source);
 }
 
 }  // namespace
 
 NpyFile::NpyFile(const std::filesystem::path& path)
-    : file_(path), header_(header_of(file_)), columns_(npy_columns(header_, path.string())) {}
+    : NpyFile(PositionedFile(path), path.string()) {}
+
+NpyFile::NpyFile(PositionedFile file, const std::string& source)
+    : file_(std::move(file)),
+      header_(header_of(file_, source)),
+      columns_(npy_columns(header_, source)) {}
+
+NpyFile::NpyFile(PositionedFile file, Table columns, LineNumbers lines)
+    : file_(std::move(file)),
+      header_(header_of(file_, columns.source)),
+      columns_(std::move(columns)),
+      lines_(std::move(lines)) {}
 
 Matrix NpyFile::values(Index first, Index count) const {
   NpyHeader part = header_;

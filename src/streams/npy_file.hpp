@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/positioned_file.hpp"
 #include "data/npy_header.hpp"
 #include "lacuna/data/table.hpp"
+#include "line_numbers.hpp"
 
 namespace lacuna {
 
@@ -17,6 +20,15 @@ class NpyFile {
  public:
   /// @throws FileError when it cannot be read; DataError when it is no such array.
   explicit NpyFile(const std::filesystem::path& path);
+
+  /// The same of a file that is open.
+  /// @param source name for messages.
+  NpyFile(PositionedFile file, const std::string& source);
+
+  /// An array that was made of the rows of another file.
+  /// @param columns of that one, without rows.
+  /// @param lines of it from which the rows came; empty where it is no text.
+  NpyFile(PositionedFile file, Table columns, LineNumbers lines);
 
   Index rows() const noexcept { return static_cast<Index>(header_.rows); }
 
@@ -34,10 +46,16 @@ class NpyFile {
   /// machine in this order.
   std::optional<RowMajorMatrix> plain_rows(Index first, Index count) const;
 
+  /// Lines of the text from which these rows came; empty where they are not known.
+  std::vector<std::size_t> lines(Index first, Index count) const {
+    return lines_.of(first, count);
+  }
+
  private:
   PositionedFile file_;
   NpyHeader header_;
   Table columns_;
+  LineNumbers lines_;
 };
 
 }  // namespace lacuna

@@ -5,15 +5,15 @@
 #include <memory>
 #include <utility>
 
+#include "data/same_columns.hpp"
 #include "find_records.hpp"
 #include "is_plain.hpp"
 #include "lacuna/core/error.hpp"
-#include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
 #include "npy_file.hpp"
+#include "spool.hpp"
 
 namespace lacuna {
-namespace {
 
 /// What is the same for all records of a file.
 struct RecordFile {
@@ -21,6 +21,8 @@ struct RecordFile {
   ColumnIndices columns;
   std::optional<double> step;
 };
+
+namespace {
 
 class RecordInFile final : public SampleSource {
  public:
@@ -66,31 +68,15 @@ class HopefulRecord final : public SampleSource {
   std::shared_ptr<const RecordFile> file_;
 };
 
-void check_columns(const Table& first, const Table& other) {
-  if (names_of(first.columns) == names_of(other.columns)) return;
-  throw DataError(other.source,
-                  "its columns (" + join(names_of(other.columns), ", ") +
-                      ") are not those of " + first.source + " (" +
-                      join(names_of(first.columns), ", ") + ")",
-                  "give files with the same columns in the same order, or read them apart");
-}
-
 /// What a dataset says beside its samples.
-Dataset described(const NpyFile& file, const ColumnRoles& roles) {
-  constexpr Index kFew = 4096;
-  ColumnRoles known = roles;
-  known.names.clear();  // the columns are called so already
-  Dataset data = assign_roles(file.read(0, std::min(file.rows(), kFew)), known);
+Dataset described(Table table, const ColumnIndices& columns, ColumnRoles roles) {
+  roles.names.clear();  // the columns are called so already
+  // Two rows with which nothing is wrong.
+  table.values = Matrix::Zero(2, static_cast<Index>(table.columns.size()));
+  if (columns.time) table.values(1, *columns.time) = 1.0;
+  Dataset data = assign_roles(table, roles);
   data.trajectories.clear();
   return data;
-}
-
-std::shared_ptr<const RecordFile> open_file(const std::string& path, const ColumnRoles& roles) {
-  NpyFile file(path);
-  for (const auto& [name, column] : roles.names) rename_column(file.columns(), name, column);
-  ColumnIndices columns = find_columns(file.columns(), roles);
-  return std::make_shared<const RecordFile>(
-      RecordFile{std::move(file), std::move(columns), roles.step});
 }
 
 void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
@@ -102,51 +88,73 @@ void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
   }
 }
 
-/// The files and what a dataset says beside its samples.
-struct Files {
-  std::vector<std::shared_ptr<const RecordFile>> files;
-  Dataset description;
-};
-
-Files open_files(const std::vector<std::string>& paths, const ColumnRoles& roles) {
-  Files all;
-  for (const std::string& path : expand_patterns(paths)) {
-    all.files.push_back(open_file(path, roles));
-    check_columns(all.files.front()->file.columns(), all.files.back()->file.columns());
-  }
-  all.description = described(all.files.front()->file, roles);
-  return all;
+void append_notes(const std::vector<std::string>& notes, Dataset& data) {
+  data.notes.insert(data.notes.end(), notes.begin(), notes.end());
 }
 
 }  // namespace
 
-RecordStream read_stream(const std::vector<std::string>& paths, const ColumnRoles& roles,
-                         const RunContext& context) {
-  auto [files, description] = open_files(paths, roles);
+/// Files, and what a dataset says of them beside its samples.
+struct RecordFiles {
+  std::vector<std::shared_ptr<const RecordFile>> files;
+  Dataset description;
+};
+
+std::shared_ptr<const RecordFiles> open_records(const std::vector<std::string>& paths,
+                                                const ColumnRoles& roles,
+                                                const RunContext& context,
+                                                std::size_t memory) {
+  RecordFiles all;
+  ColumnRoles fixed = roles;
+  for (const std::string& path : expand_patterns(paths)) {
+    NpyFile file = open_rows(path, memory, context);
+    for (const auto& [name, column] : roles.names) rename_column(file.columns(), name, column);
+    const Table& first = all.files.empty() ? file.columns() : all.files[0]->file.columns();
+    check_same_columns(first, file.columns());
+    ColumnIndices columns = find_columns(file.columns(), fixed);
+    Dataset description = described(file.columns(), columns, fixed);
+    if (all.files.empty()) {
+      fixed = fixed_roles(first, roles);
+      all.description = std::move(description);
+    } else {
+      check_same_units(all.description, description, file.columns().source, first.source);
+      append_notes(description.notes, all.description);
+    }
+    all.files.push_back(std::make_shared<const RecordFile>(
+        RecordFile{std::move(file), std::move(columns), roles.step}));
+  }
+  return std::make_shared<const RecordFiles>(std::move(all));
+}
+
+RecordStream read_stream(const RecordFiles& all, const RunContext& context) {
+  Dataset description = all.description;
   std::vector<std::shared_ptr<const SampleSource>> records;
-  for (const auto& file : files) {
+  for (const auto& file : all.files) {
     Records found = find_records(file->file, file->columns, context);
-    description.notes.insert(description.notes.end(), found.notes.begin(), found.notes.end());
+    append_notes(found.notes, description);
     add_records(file, std::move(found), records);
   }
   return {std::move(description), std::move(records)};
 }
 
-std::optional<RecordStream> read_hopeful_stream(const std::vector<std::string>& paths,
-                                                const ColumnRoles& roles,
+std::optional<RecordStream> read_hopeful_stream(const RecordFiles& all,
                                                 const RunContext& context) {
-  if (context.team != nullptr || roles.trajectory) return std::nullopt;
-  auto [files, description] = open_files(paths, roles);
+  if (context.team != nullptr || all.files[0]->columns.trajectory) return std::nullopt;
   std::vector<std::shared_ptr<const SampleSource>> records;
   Index rows = 0;
-  for (const auto& file : files) {
+  for (const auto& file : all.files) {
     if (file->file.rows() < 2) return std::nullopt;
     records.push_back(std::make_shared<const HopefulRecord>(file));
     rows += file->file.rows();
   }
-  RecordStream stream(std::move(description), std::move(records));
+  RecordStream stream(all.description, std::move(records));
   const bool all_are_read = stream.is_long() && stream.samples() == rows;
   return all_are_read ? std::optional<RecordStream>(std::move(stream)) : std::nullopt;
+}
+
+RecordStream read_stream(const std::vector<std::string>& paths, const ColumnRoles& roles,
+                         const RunContext& context) {
+  return read_stream(*open_records(paths, roles, context), context);
 }
 
 }  // namespace lacuna

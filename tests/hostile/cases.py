@@ -284,6 +284,11 @@ def environment_cases():
     for variable in ["TERM=none", "HOME=/none", "TMPDIR=/none", "COLUMNS=-1"]:
         yield Case("environment: " + variable, "identify r.csv --degree 1", 0, "Equations", files,
                    before="export " + variable)
+    for before, status, part in [("true", 0, "Equations"), ("export TMPDIR=/none", 2, "set TMPDIR"),
+                                 ("ulimit -f 1", 2, "set TMPDIR"),
+                                 ("trap '' XFSZ; ulimit -f 1", 2, "set TMPDIR")]:
+        yield Case("in pieces: " + before, "identify - --degree 1 --memory 16MB", status, part,
+                   files, before="exec < r.csv; " + before)
     yield Case("closed input", "identify r.csv --degree 1", 0, "Equations", files,
                before="exec < /dev/null")
 

@@ -2,6 +2,8 @@
 // The command on several processes, where there is an MPI.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "integration/program.hpp"
 #include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"
@@ -44,6 +46,22 @@ TEST(Mpi, ResultsAreThoseOfOneProcessToTheBit) {
     ASSERT_TRUE(testing::can_run(job(processes, arguments + folder.file("many.json"))));
     EXPECT_EQ(folder.read("many.json"), folder.read("one.json")) << processes;
   }
+}
+
+TEST(Mpi, TextIsReadInPiecesByEachProcess) {
+  if (!has_mpi()) GTEST_SKIP() << "there is no MPI";
+  const TemporaryFolder folder;
+  const Matrix values = testing::table_of(testing::long_oscillation(150000, 97.3, 0.001));
+  std::ofstream file(folder.file("a.csv"));
+  file.precision(17);
+  for (Index row = 0; row < values.rows(); ++row)
+    file << values(row, 0) << ',' << values(row, 1) << ',' << values(row, 2) << '\n';
+  file.close();
+  const std::string arguments = "identify " + folder.file("a.csv") +
+                                " --map t=1,x=2,v=3 --degree 1 --memory 16MB --json ";
+  ASSERT_EQ(run_program(arguments + folder.file("one.json")).status, 0);
+  ASSERT_TRUE(testing::can_run(job(2, arguments + folder.file("many.json"))));
+  EXPECT_EQ(folder.read("many.json"), folder.read("one.json"));
 }
 
 TEST(Mpi, AFleetOfRecordsIsDivided) {

@@ -42,6 +42,9 @@ class FileBytes {
 ///   the memory does not hold what is in it.
 FileBytes read_bytes(const std::filesystem::path& path);
 
+/// Whether a file is compressed by gzip, by its first bytes. A pipe is not looked into.
+bool is_packed(const std::filesystem::path& path);
+
 /// Unpacks gzip data; several members one after the other are joined.
 /// @param source name for messages.
 /// @throws DataError when the data are damaged or cut short.

@@ -22,6 +22,9 @@ struct Table {
   /// Line of the file each row came from, counted from 1; empty for binary files.
   std::vector<std::size_t> lines;
 
+  /// Rows of the file that are in front of these, where they are a part of it.
+  Index rows_before = 0;
+
   /// Names as they stood in the header, before they were made identifiers; one per column.
   std::vector<std::string> headers;
 
@@ -39,7 +42,7 @@ struct Table {
 void rename_column(Table& table, const std::string& name, const std::string& column);
 
 /// Where one value stands: "run.csv:12:3" (line, field) or "run.npy, row 12, column 3", all
-/// counted from 1; row and column count from 0 here.
+/// counted from 1 in the file; row (of the table) and column count from 0 here.
 std::string place(const Table& table, Index row, Index column);
 
 /// The identifier nearest to a header text: Greek letters become their names, every run of

@@ -3,7 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "data/npy.hpp"
+#include "lacuna/core/file_bytes.hpp"
+#include "lacuna/core/text.hpp"
 #include "lacuna/data/write.hpp"
+#include "support/disk_limits.hpp"
 #include "support/noisy_records.hpp"
 #include "unit/cli/records.hpp"
 #include "unit/streams/long_records.hpp"
@@ -286,6 +289,41 @@ TEST(IdentifyCommand, ReadsInPiecesWhatDoesNotFitIntoTheMemoryItIsGiven) {
   EXPECT_THAT(pieces.out, HasSubstr("the terms come from all 400000 samples"));
   EXPECT_THAT(pieces.out, HasSubstr("an excerpt of 400000 rows in 1 record\n"));
   EXPECT_THAT(pieces.out, HasSubstr("*v\n  dv/dt = -41.69"));
+}
+
+/// Numbers as text, with all their digits.
+std::string text_of(const Dataset& data) {
+  const Matrix values = testing::table_of(data);
+  std::string text = "t [s],x [m],v [m/s]\n";
+  for (Index row = 0; row < values.rows(); ++row) {
+    for (Index column = 0; column < values.cols(); ++column)
+      text += (column > 0 ? "," : "") + format_number(values(row, column));
+    text += '\n';
+  }
+  return text;
+}
+
+TEST(IdentifyCommand, TextIsReadInPiecesByWayOfATemporaryFile) {
+  const TemporaryFolder folder, temporary;
+  const testing::TemporaryFilesIn there(temporary.path());
+  const std::string text = text_of(testing::long_oscillation(200000, 97.3, 1e-3));
+  folder.write("a.csv", text);
+  folder.write("a.csv.gz", gzip(text));
+  const auto with = [&](const std::string& name, const std::string& memory) {
+    return run_command({"identify", folder.file(name), "--degree", "1", "--memory", memory});
+  };
+  for (const char* name : {"a.csv", "a.csv.gz"}) {
+    const CommandResult pieces = with(name, "16MB"), whole = with(name, "4G");
+    EXPECT_EQ(pieces.status, 0) << pieces.err;
+    EXPECT_EQ(pieces.out, whole.out) << name;
+    EXPECT_THAT(pieces.out, HasSubstr("an excerpt of 200000 rows in 1 record\n"));
+  }
+  EXPECT_EQ(temporary.count(), 0);
+  const testing::FileSizeLimit limit(1000000);
+  expect_failure(with("a.csv", "16MB"), 2,
+                 {temporary.path().string().c_str(), folder.file("a.csv").c_str(),
+                  "could be written; set TMPDIR"});
+  EXPECT_EQ(temporary.count(), 0);
 }
 
 TEST(IdentifyCommand, PiecesHaveLimits) {

@@ -132,6 +132,7 @@ TEST(Dialects, RawFilesAreListsOfPoints) {
       "rc.raw");
   EXPECT_THAT(names_of(table), ElementsAre("time", "v_out"));
   EXPECT_EQ(row(table, 1), Eigen::Vector2d(0.1, 2.5));
+  EXPECT_THAT(table.lines, ElementsAre(12, 15));
 }
 
 TEST(Dialects, ClocksAreSecondsSinceTheFirst) {
@@ -160,8 +161,9 @@ TEST(Dialects, ADateAndATimeAreOneColumn) {
 
 TEST(Dialects, PlainTablesAreLeftAlone) {
   for (const char* text : {"t,x\n0,1\n1,2\n", "1 2 3\n4 5 6\n", "", "X,Y\n1,2\n3,4\n",
-                           "Record Length,2\nt,x\n0,1\n", "0 1 2 3\n1 1 2 3\n"})
-    EXPECT_FALSE(plain_text(text)) << text;
+                           "Record Length,2\nt,x\n0,1\n", "0 1 2 3\n1 1 2 3\n",
+                           "0 1 0 3\n0.1 1 0.2 3\n"})
+    EXPECT_FALSE(dialect_of(text)) << text;
 }
 
 }  // namespace

@@ -60,6 +60,23 @@ TEST(Hdf5, IsWhatMatlabWritesToday) {
   }
 }
 
+TEST(Hdf5, BlocksAreTheWhole) {
+  for (const char* name : {"groups.h5", "arrays_v73.mat"})
+    for (const std::size_t size : {std::size_t{1}, std::size_t{500}, std::size_t{1} << 20U}) {
+      if (is_absent()) return;
+      const Table whole = read_table(kSamples / name);
+      const auto blocks = hdf5_blocks(kSamples / name, {size, size});
+      EXPECT_EQ(blocks->columns().headers, whole.headers);
+      EXPECT_EQ(blocks->columns().notes, whole.notes);
+      Table block = blocks->columns();
+      Index rows = 0;
+      for (; blocks->next(block); rows += block.values.rows())
+        EXPECT_EQ(block.values, whole.values.middleRows(rows, block.values.rows())) << name;
+      EXPECT_EQ(rows, whole.values.rows());
+      EXPECT_EQ(blocks->share(), 1.0);
+    }
+}
+
 TEST(Hdf5, DamageIsTold) {
   if (is_absent()) return;
   std::ifstream file(kSamples / "groups.h5", std::ios::binary);

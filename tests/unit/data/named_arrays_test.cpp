@@ -50,6 +50,19 @@ TEST(NamedArrays, WhatAllNamesBeginWithIsLeftOut) {
               ::testing::ElementsAre("at", "ax"));
 }
 
+TEST(NamedArrays, ArePutInTheirPlaces) {
+  const ArrayTable all =
+      arrange_arrays({{"t", 5, 1}, {"none", 0, 5}, {"y", 2, 5}, {"n", 3, 3}}, "run");
+  EXPECT_EQ(all.samples, 5);
+  EXPECT_EQ(all.table.columns.size(), 3u);
+  ASSERT_EQ(all.places.size(), 2u);
+  EXPECT_FALSE(all.places[0].in_columns);
+  EXPECT_EQ(all.places[1].array, 2u);
+  EXPECT_TRUE(all.places[1].in_columns);
+  EXPECT_EQ(all.places[1].first_column, 1);
+  EXPECT_EQ(all.places[1].columns, 2);
+}
+
 TEST(NamedArrays, NothingIsAnError) {
   EXPECT_THROW(table_of_arrays({}, "run"), DataError);
   EXPECT_THROW(table_of_arrays({{"x", Matrix(0, 3)}}, "run"), DataError);

@@ -10,7 +10,10 @@
 
 #include "data/npy.hpp"
 #include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/error.hpp"
+#include "lacuna/core/file_bytes.hpp"
 #include "lacuna/core/random.hpp"
+#include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/dynamics/simulate.hpp"
@@ -158,9 +161,9 @@ TEST(ReadStream, AStepStandsForTheTime) {
 
 TEST(ReadStream, RefusesOtherFilesAndOtherColumns) {
   const TemporaryFolder folder;
-  std::ofstream(folder.file("a.csv")) << "t,x\n0,1\n1,2\n";
-  testing::expect_error<DataError>([&] { read_stream({folder.file("a.csv")}); },
-                                   folder.file("a.csv"), "no NumPy array", "--memory");
+  std::ofstream(folder.file("a.npz")) << "PK";
+  testing::expect_error<DataError>([&] { read_stream({folder.file("a.npz")}); },
+                                   folder.file("a.npz"), "in pieces", "--memory");
   testing::expect_error<FileError>([&] { read_stream({folder.file("none.npy")}); },
                                    folder.file("none.npy"), "cannot be read", "name");
   saved(folder, "1.npy", Matrix::Random(10, 3));
@@ -197,7 +200,7 @@ Tried tried(const std::string& path, const ColumnRoles& roles, const Pipeline& p
     tried.notes = stream.excerpt().notes;
     return 0;
   };
-  EXPECT_EQ(with_stream({path}, roles, {}, use), 0);
+  EXPECT_EQ(with_stream(*open_records({path}, roles), {}, use), 0);
   return tried;
 }
 
@@ -276,18 +279,96 @@ TEST(WithStream, DoesNotHopeWhereNotAllRowsAreLookedAt) {
   const std::string slow =
       saved(folder, "slow.npy", testing::table_of(long_oscillation(300000, 20000.3)));
   ASSERT_LT(read_stream({slow}, first_is_time()).samples(), 300000) << "thinned";
-  EXPECT_FALSE(read_hopeful_stream({slow}, first_is_time()));
+  EXPECT_FALSE(read_hopeful_stream(*open_records({slow}, first_is_time())));
   const std::string path =
       saved(folder, "a.npy", testing::table_of(long_oscillation(200000, 97.3)));
-  EXPECT_TRUE(read_hopeful_stream({path}, first_is_time()));
+  const auto plain = open_records({path}, first_is_time());
+  EXPECT_TRUE(read_hopeful_stream(*plain));
   ColumnRoles numbered = first_is_time();
   numbered.trajectory = "v";
-  EXPECT_FALSE(read_hopeful_stream({path}, numbered));
+  EXPECT_FALSE(read_hopeful_stream(*open_records({path}, numbered)));
   testing::ThreadTeam(2).run(1, [&](const RunContext& context) {
-    EXPECT_FALSE(read_hopeful_stream({path}, first_is_time(), context));
+    EXPECT_FALSE(read_hopeful_stream(*plain, context));
   });
   const std::string few = saved(folder, "few.npy", testing::table_of(long_oscillation(900, 9)));
-  EXPECT_FALSE(read_hopeful_stream({few}, first_is_time()));
+  EXPECT_FALSE(read_hopeful_stream(*open_records({few}, first_is_time())));
+}
+
+/// A file of text with these numbers, to the last digit, and a comment in front of one line.
+std::string saved_as_text(const TemporaryFolder& folder, const std::string& name,
+                          const std::string& header, const Matrix& values) {
+  std::string text = header + "\n";
+  for (Index row = 0; row < values.rows(); ++row) {
+    if (row == 70000) text += "# a comment\n";
+    for (Index column = 0; column < values.cols(); ++column)
+      text += (column > 0 ? "," : "") + format_number(values(row, column));
+    text += '\n';
+  }
+  return folder.write(name, name.ends_with(".gz") ? std::string(gzip(text)) : text);
+}
+
+TEST(ReadStream, TextGivesTheSameModelToTheBit) {
+  const TemporaryFolder folder;
+  Matrix values = lorenz_table(200000);
+  values(150000, 2) = std::numeric_limits<double>::quiet_NaN();
+  const Pipeline pipeline = preset("algorithm1");
+  for (const char* name : {"long.csv", "long.csv.gz"}) {
+    const std::string path = saved_as_text(folder, name, "t [ms],x [V],y,z", values);
+    const Dataset data = read_dataset({path});
+    const RecordStream stream = read_stream({path});
+    ASSERT_TRUE(stream.is_long());
+    EXPECT_EQ(stream.in_memory(), nullptr);
+    EXPECT_EQ(stream.records().size(), 2U);
+    EXPECT_EQ(stream.excerpt().time_unit, "ms");
+    EXPECT_EQ(stream.excerpt().notes, data.notes);
+    EXPECT_EQ(stream.excerpt().trajectories[0].source, path + ", record 1");
+    EXPECT_EQ(format_model(identify(stream, pipeline).model),
+              format_model(identify(data, pipeline).model));
+  }
+}
+
+TEST(ReadStream, TextHasTheErrorsThatItHasInMemory) {
+  const TemporaryFolder folder;
+  const Matrix good = lorenz_table(150000);
+  const auto expect_the_same = [&](const std::vector<std::string>& paths) {
+    std::string expected = "none";
+    try {
+      read_dataset(paths);
+    } catch (const Error& error) {
+      expected = error.what();
+    }
+    try {
+      read_stream(paths);
+      ADD_FAILURE() << expected;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), expected);
+    }
+  };
+  Matrix back = good, infinite = good;
+  back(120000, 0) = 0.0;
+  infinite(120000, 2) = std::numeric_limits<double>::infinity();
+  expect_the_same({saved_as_text(folder, "back.csv", "t,x,y,z", back)});
+  expect_the_same({saved_as_text(folder, "infinite.csv", "t,x,y,z", infinite)});
+  expect_the_same({saved_as_text(folder, "twice.csv", "t,x,x,z", good)});
+  const std::string first = saved_as_text(folder, "1.csv", "t,x,y,z", good.topRows(9));
+  const auto other = [&](const char* header) {
+    return std::vector{first, saved_as_text(folder, "2.csv", header, good.topRows(9))};
+  };
+  expect_the_same(other("t,x,y,w"));
+  expect_the_same(other("t,x,y [m],z"));
+  expect_the_same({first, folder.file("none.csv")});
+}
+
+TEST(ReadStream, ColumnsMayHaveAnotherOrderInOtherFiles) {
+  const TemporaryFolder folder;
+  const Matrix values = lorenz_table(100000);
+  const std::string first = saved_as_text(folder, "1.csv", "t,x,y,z", values);
+  const std::string second = saved_as_text(folder, "2.csv", "z,y,t,x",
+                                           values(Eigen::all, std::vector<int>{3, 2, 0, 1}));
+  const RecordStream stream = read_stream({first, second});
+  ASSERT_EQ(stream.records().size(), 2U);
+  EXPECT_EQ(stream.records()[1]->read(100, 50).states,
+            values.middleRows(100, 50).rightCols(3));
 }
 
 TEST(ReadStream, TimeThatGoesBackwardsIsAnError) {
