@@ -2,12 +2,11 @@
 #include "support/refinement_draws.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "lacuna/core/random.hpp"
+#include "lacuna/core/text.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/shooting/cramer_rao.hpp"
 #include "lacuna/shooting/refine.hpp"
@@ -69,27 +68,27 @@ std::vector<RefinementCondition> refinement_conditions() {
   return conditions;
 }
 
-std::vector<RefinementCell> run_refinements(int draws) {
-  std::vector<RefinementCell> cells;
+std::optional<Refinements> run_refinements(const CellStore& store, std::size_t draws) {
+  const std::vector<RefinementCondition> conditions = refinement_conditions();
   std::vector<Dataset> clean;
-  for (const RefinementCondition& condition : refinement_conditions()) {
-    cells.push_back({condition, std::vector<RefinementDraw>(static_cast<std::size_t>(draws))});
+  CellWork<RefinementDraw> cells;
+  for (const RefinementCondition& condition : conditions) {
     clean.push_back(clean_record(condition));
+    for (std::size_t draw = 0; draw < draws; ++draw)
+      cells.names.push_back(condition.system + " " + format_number(condition.noise) + " " +
+                            std::to_string(draw + 1));
   }
-  const std::size_t count = cells.size() * static_cast<std::size_t>(draws);
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      const std::size_t cell = i / static_cast<std::size_t>(draws);
-      const std::size_t draw = i % static_cast<std::size_t>(draws);
-      cells[cell].draws[draw] = run_draw(cells[cell].condition, clean[cell], 1 + draw);
-    }
+  cells.work = [&](std::size_t k) {
+    return run_draw(conditions[k / draws], clean[k / draws], 1 + k % draws);
   };
-  std::vector<std::jthread> threads;
-  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-    threads.emplace_back(work);
-  threads.clear();  // joins
-  return cells;
+  const auto finished = run_cells(store, cells);
+  if (!finished) return {};
+  Refinements all{{}, finished->origin};
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const auto part = finished->part(i * draws, draws);
+    all.conditions.push_back({conditions[i], {part.begin(), part.end()}});
+  }
+  return all;
 }
 
 }  // namespace lacuna::benchmarks

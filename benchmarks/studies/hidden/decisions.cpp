@@ -3,16 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iostream>
-#include <set>
 #include <span>
 
 #include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
-#include "support/parallel.hpp"
 #include "support/table.hpp"
 #include "trials.hpp"
 
@@ -49,6 +46,8 @@ struct Change {
   std::string name;
   double factor = 1.0;
   double value = 0.0;
+
+  std::string label() const { return name + " x " + format_number(factor); }
 };
 
 std::vector<Change> all_changes() {
@@ -114,7 +113,7 @@ std::string answer_of(const Outcome& outcome) {
          std::to_string(score.name) + std::to_string(score.spurious);
 }
 
-/// Those of the changes that alone give another answer. Changes that, made together, leave the
+/// Labels of those of the changes that alone give another answer. Changes that, made together, leave the
 /// answer as it was to the letter count as changing nothing; else each half of them is tried.
 std::vector<std::string> altering(std::span<const Change> changes, const Trial& trial,
                                   const Outcome& before) {
@@ -123,7 +122,7 @@ std::vector<std::string> altering(std::span<const Change> changes, const Trial& 
   const Outcome after = run_trial(trial, options);
   const bool same = answer_of(after) == answer_of(before);
   if (changes.size() == 1)
-    return same ? std::vector<std::string>{} : std::vector{changes[0].name};
+    return same ? std::vector<std::string>{} : std::vector{changes[0].label()};
   if (same && after.score.answer == before.score.answer) return {};
   const std::size_t half = changes.size() / 2;
   auto names = altering(changes.first(half), trial, before);
@@ -132,41 +131,52 @@ std::vector<std::string> altering(std::span<const Change> changes, const Trial& 
   return names;
 }
 
-/// A row for each change of a group: how many trials it alters, and which.
-std::string rows_of(const std::vector<Change>& group, const std::vector<Trial>& trials,
-                    const std::vector<Outcome>& before) {
-  std::vector<std::vector<std::string>> altered(trials.size());
-  for_all(trials.size(),
-          [&](std::size_t i) { altered[i] = altering(group, trials[i], before[i]); });
-  std::string rows;
-  for (const Change& change : group) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < trials.size(); ++i)
-      if (std::ranges::count(altered[i], change.name) > 0)
-        names.push_back(trials[i].hidden.name);
-    rows += change.name + ',' + format_number(change.factor) + ',' +
-            format_number(change.value) + ',' + std::to_string(names.size()) + ',' +
-            (names.empty() ? "-" : join(names, " ")) + '\n';
-  }
-  return rows;
+/// Trials and the changes that are tried on each.
+struct Trials {
+  std::vector<Trial> trials;
+  std::vector<std::vector<Change>> groups;
+};
+
+Trials all_of(bool of_smoothing, const std::string& part) {
+  std::vector<Change> changes = all_changes();
+  std::erase_if(changes,
+                [&](const Change& change) { return is_of_smoothing(change) != of_smoothing; });
+  return {trials_of(of_smoothing, part), in_groups(changes)};
 }
 
-std::vector<std::vector<std::string>> read_rows(const std::filesystem::path& path) {
-  std::vector<std::vector<std::string>> rows;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) rows.push_back(split_list(line));
-  return rows;
+/// Labels of all changes that alter the answer to a trial.
+std::vector<std::string> altered(const Trial& trial,
+                                 const std::vector<std::vector<Change>>& groups) {
+  const Outcome before = run_trial(trial, diagnosis_options({}, default_registry()));
+  std::vector<std::string> labels;
+  for (const std::vector<Change>& group : groups)
+    for (std::string& label : altering(group, trial, before)) labels.push_back(std::move(label));
+  return labels;
 }
 
-void write_markdown(const std::filesystem::path& folder, std::size_t cases,
-                    std::size_t smoothed) {
-  auto rows = read_rows(folder / "decisions.csv");
-  if (rows.empty()) return;
-  std::sort(rows.begin() + 1, rows.end());
-  ResultTable table{rows.front(), {rows.begin() + 1, rows.end()}};
+/// A row for each change: how many trials it alters, and which.
+void add_rows(const Trials& all, std::span<const std::vector<std::string>> labels,
+              ResultTable& table) {
+  for (const std::vector<Change>& group : all.groups)
+    for (const Change& change : group) {
+      std::vector<std::string> names;
+      for (std::size_t i = 0; i < labels.size(); ++i)
+        if (std::ranges::count(labels[i], change.label()) > 0)
+          names.push_back(all.trials[i].hidden.name);
+      table.rows.push_back({change.name, format_number(change.factor),
+                            format_number(change.value), std::to_string(names.size()),
+                            names.empty() ? "-" : join(names, " ")});
+    }
+}
+
+void write(const std::filesystem::path& folder, ResultTable table, const Origin& origin,
+           std::size_t cases, std::size_t smoothed) {
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "decisions.csv", table.csv());
+  std::sort(table.rows.begin(), table.rows.end());
   write_file_atomically(folder / "decisions.md",
                         "# Decisions at half and at double\n\n`study_hidden decisions`, " +
-                            today() + ", " + machine_description() + ". Of " +
+                            origin.day + ", " + origin.machine + ". Of " +
                             std::to_string(cases) +
                             " hidden cases at 1 % noise (for thresholds of smoothing, these "
                             "and smoothed ones, " +
@@ -180,27 +190,23 @@ void write_markdown(const std::filesystem::path& folder, std::size_t cases,
 
 }  // namespace
 
-int run_decisions(const std::filesystem::path& folder, const std::string& part) {
-  const std::filesystem::path csv = folder / "decisions.csv";
-  std::filesystem::create_directories(folder);
-  std::set<std::string> done;
-  for (const auto& row : read_rows(csv))
-    if (row.size() > 1) done.insert(row[0] + row[1]);
-  if (done.empty()) std::ofstream(csv) << "decision,factor,value,changed,cases\n";
-  for (const bool of_smoothing : {false, true}) {
-    std::vector<Change> changes = all_changes();
-    std::erase_if(changes, [&](const Change& change) {
-      return is_of_smoothing(change) != of_smoothing ||
-             done.contains(change.name + format_number(change.factor));
-    });
-    if (changes.empty()) continue;
-    const std::vector<Trial> trials = trials_of(of_smoothing, part);
-    const std::vector<Outcome> before =
-        run_trials(trials, diagnosis_options({}, default_registry()));
-    for (const std::vector<Change>& group : in_groups(changes))
-      std::ofstream(csv, std::ios::app) << rows_of(group, trials, before);
-  }
-  write_markdown(folder, trials_of(false, part).size(), trials_of(true, part).size());
+int run_decisions(const std::filesystem::path& folder, const std::string& part,
+                  const CellStore& store) {
+  const Trials plain = all_of(false, part), smoothed = all_of(true, part);
+  const std::size_t count = plain.trials.size();
+  CellWork<std::vector<std::string>> cells{{}, [&](std::size_t i) {
+    return i < count ? altered(plain.trials[i], plain.groups)
+                     : altered(smoothed.trials[i - count], smoothed.groups);
+  }};
+  for (const Trial& trial : plain.trials) cells.names.push_back(name_of(trial));
+  for (const Trial& trial : smoothed.trials)
+    cells.names.push_back(name_of(trial) + ", thresholds of smoothing");
+  const auto finished = run_cells(store, cells);
+  if (!finished) return 0;
+  ResultTable table{{"decision", "factor", "value", "changed", "cases"}, {}};
+  add_rows(plain, finished->part(0, count), table);
+  add_rows(smoothed, finished->part(count, smoothed.trials.size()), table);
+  write(folder, std::move(table), finished->origin, count, smoothed.trials.size());
   std::cout << "table in " << folder << '\n';
   return 0;
 }

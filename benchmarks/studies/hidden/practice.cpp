@@ -101,26 +101,40 @@ hidden::Records records_of(const fs::path& folder, const std::string& ending,
   return {read("r1"), read("r2")};
 }
 
+/// Where the records of a trial lie.
+struct Place {
+  fs::path folder;
+  std::string ending;
+};
+
+Outcome judge_records(const Place& place, const DiagnosisOptions& options) {
+  const hidden::HiddenCase hidden = read_case(place.folder);
+  const bool circuit = fs::exists(place.folder / "r1_clean.csv.gz");
+  return judge(hidden, records_of(place.folder, place.ending, hidden.nominal),
+               records_of(place.folder, circuit ? "clean" : "n0", hidden.nominal), options);
+}
+
 }  // namespace
 
-std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(
-    const fs::path& folder, const std::string& part, const DiagnosisOptions& options) {
+TrialCells practice_cells(const fs::path& folder, const std::string& part,
+                          const DiagnosisOptions& options) {
   std::vector<fs::path> cases;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().string().find(part) != std::string::npos) cases.push_back(entry.path());
   std::sort(cases.begin(), cases.end());
-  std::pair<std::vector<Trial>, std::vector<Outcome>> result;
+  TrialCells result;
+  std::vector<Place> places;
   for (const fs::path& path : cases)
     for (const auto& [ending, level] : kLevels) {
       if (!fs::exists(path / ("r1_" + ending + ".csv.gz"))) continue;
-      const hidden::HiddenCase hidden = read_case(path);
-      const bool circuit = fs::exists(path / "r1_clean.csv.gz");
-      result.first.push_back({hidden, 1.0, level, 0});
-      result.second.push_back(judge(hidden, records_of(path, ending, hidden.nominal),
-                                    records_of(path, circuit ? "clean" : "n0", hidden.nominal),
-                                    options));
-      report_progress(result.first.back(), result.second.back());
+      result.trials.push_back({read_case(path), 1.0, level, 0});
+      places.push_back({path, ending});
     }
+  result.cells = told_cells(result.trials, [places, options](std::size_t i) {
+    return judge_records(places[i], options);
+  });
+  // Two endings may be of one level.
+  for (std::size_t i = 0; i < places.size(); ++i) result.cells.names[i] += " " + places[i].ending;
   return result;
 }
 

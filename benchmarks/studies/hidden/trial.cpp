@@ -39,6 +39,14 @@ std::string flags_of(const Outcome& outcome) {
   return flags + (score.size ? " size " + format_number(*score.size, 3) : "");
 }
 
+/// One line about a trial on standard error.
+void report_progress(const Trial& trial, const Outcome& outcome) {
+  std::ostringstream line;
+  line << trial.hidden.name << ' ' << trial.level << ' ' << flags_of(outcome) << ": "
+       << outcome.score.answer << outcome.failure << " (" << outcome.seconds << " s)\n";
+  std::cerr << line.str();
+}
+
 }  // namespace
 
 Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
@@ -65,21 +73,28 @@ Outcome run_trial(const Trial& trial, const DiagnosisOptions& options) {
       options);
 }
 
-void report_progress(const Trial& trial, const Outcome& outcome) {
-  std::ostringstream line;
-  line << trial.hidden.name << ' ' << trial.level << ' ' << flags_of(outcome) << ": "
-       << outcome.score.answer << outcome.failure << " (" << outcome.seconds << " s)\n";
-  std::cerr << line.str();
+std::string name_of(const Trial& trial) {
+  return trial.hidden.name + " " + to_string(trial.hidden.noise) + " " +
+         format_number(trial.level) + " x " + format_number(trial.strength) + " seed " +
+         std::to_string(trial.seed);
 }
 
-std::vector<Outcome> run_trials(const std::vector<Trial>& trials,
-                                const DiagnosisOptions& options) {
-  std::vector<Outcome> outcomes(trials.size());
-  for_all(trials.size(), [&](std::size_t i) {
-    outcomes[i] = run_trial(trials[i], options);
-    report_progress(trials[i], outcomes[i]);
-  });
-  return outcomes;
+CellWork<Outcome> told_cells(const std::vector<Trial>& trials,
+                             std::function<Outcome(std::size_t)> run) {
+  CellWork<Outcome> cells;
+  for (const Trial& trial : trials) cells.names.push_back(name_of(trial));
+  cells.work = [trials, run = std::move(run)](std::size_t i) {
+    Outcome outcome = run(i);
+    report_progress(trials[i], outcome);
+    return outcome;
+  };
+  return cells;
+}
+
+TrialCells trial_cells(std::vector<Trial> trials, const DiagnosisOptions& options) {
+  CellWork<Outcome> cells = told_cells(
+      trials, [trials, options](std::size_t i) { return run_trial(trials[i], options); });
+  return {std::move(trials), std::move(cells)};
 }
 
 }  // namespace lacuna::benchmarks

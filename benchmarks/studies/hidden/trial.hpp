@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
 #include "lacuna/hypotheses/problem.hpp"
+#include "support/cells.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -27,6 +29,11 @@ struct Outcome {
   std::optional<double> real_gap = {};  ///< recomputed from clean data, where it can be
   double seconds = 0.0;                 ///< of one processor
   std::string failure;                  ///< message of an exception; empty when there was none
+
+  auto fields() {
+    return std::tie(score.verdict, score.equation, score.name, score.listed, score.spurious,
+                    score.size, score.answer, gap, true_gap, real_gap, seconds, failure);
+  }
 };
 
 /// Diagnoses records and holds the answer against the truth. @param clean the same without
@@ -37,12 +44,21 @@ Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
 /// Makes the records of a trial, diagnoses them and holds the answer against the truth.
 Outcome run_trial(const Trial& trial, const DiagnosisOptions& options);
 
-/// One line about a trial on standard error.
-void report_progress(const Trial& trial, const Outcome& outcome);
+/// "pendulum-dry-friction white 0.01 x 1 seed 1": all by which trials differ.
+std::string name_of(const Trial& trial);
 
-/// All trials, spread over the processor's cores; outcomes in the order of the trials. Progress
-/// goes to standard error.
-std::vector<Outcome> run_trials(const std::vector<Trial>& trials,
-                                const DiagnosisOptions& options);
+/// Trials and how they are run.
+struct TrialCells {
+  std::vector<Trial> trials;
+  CellWork<Outcome> cells;
+};
+
+/// Each trial a cell, told on standard error as soon as it is run.
+/// @param run what becomes of trial i.
+CellWork<Outcome> told_cells(const std::vector<Trial>& trials,
+                             std::function<Outcome(std::size_t)> run);
+
+/// Trials that are made and diagnosed by run_trial().
+TrialCells trial_cells(std::vector<Trial> trials, const DiagnosisOptions& options);
 
 }  // namespace lacuna::benchmarks

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Identifies twelve flows from records as solvers write them: tolerances, interpolation between
 // steps, fixed steps, printed digits. Usage:
-// study_solver_noise [OUTPUT_FOLDER] [EFFECT_SIZE...]
+// study_solver_noise [OUTPUT_FOLDER] [EFFECT_SIZE...] [--cells FOLDER]
 //                    (default build/studies/solver_noise; effect sizes beside the default)
-// study_solver_noise verdicts OUTPUT_FOLDER
+// study_solver_noise verdicts OUTPUT_FOLDER [--cells FOLDER]
 //                    what is said of the models
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
-#include <map>
+#include <span>
 #include <vector>
 
 #include "lacuna/core/atomic_file.hpp"
@@ -18,6 +20,7 @@
 #include "records.hpp"
 #include "support/accuracy.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 #include "verdicts.hpp"
 
@@ -45,6 +48,8 @@ Method method(const std::string& name, std::optional<double> effect_size = {}) {
 struct Outcome {
   bool exact = false;
   double error = 0.0, seconds = 0.0;
+
+  auto fields() { return std::tie(exact, error, seconds); }
 };
 
 Outcome run(const Flow& flow, const Making& making, const Method& method) {
@@ -55,76 +60,102 @@ Outcome run(const Flow& flow, const Making& making, const Method& method) {
   return {accuracy.exact_structure, accuracy.relative_error, thread_seconds() - begin};
 }
 
-/// All records, made by each of the methods.
-class Study {
- public:
-  explicit Study(std::vector<Method> methods) : methods_(std::move(methods)) {}
+/// What is identified: every flow by every method, from records of every making.
+struct Plan {
+  std::vector<Flow> flows;
+  std::vector<Method> methods;
+  std::vector<Making> makings;
 
-  void run_making(const Making& making) {
-    std::vector<Outcome> outcomes(flows_.size() * methods_.size());
-    for_all(outcomes.size(), [&](std::size_t i) {
-      outcomes[i] = run(flows_[i / methods_.size()], making, methods_[i % methods_.size()]);
-    });
-    std::vector<std::string> row{making.name, std::to_string(flows_.size())};
-    for (std::size_t m = 0; m < methods_.size(); ++m) {
-      int exact = 0;
-      for (std::size_t f = 0; f < flows_.size(); ++f) {
-        const Outcome& outcome = outcomes[f * methods_.size() + m];
-        exact += outcome.exact ? 1 : 0;
-        details.rows.push_back({making.name, flows_[f].name, methods_[m].name,
-                                outcome.exact ? "1" : "0", format_number(outcome.error, 3),
-                                format_number(outcome.seconds, 3)});
-      }
-      row.push_back(std::to_string(exact));
-      if (making.counts) totals_[m] += exact;
-    }
-    if (making.counts) records_ += static_cast<int>(flows_.size());
-    summary.rows.push_back(std::move(row));
-    std::cout << join(summary.rows.back(), "  ") << std::endl;
-  }
-
-  void add_total() {
-    std::vector<std::string> row{"all but the two coarsest", std::to_string(records_)};
-    for (std::size_t m = 0; m < methods_.size(); ++m) row.push_back(std::to_string(totals_[m]));
-    summary.rows.push_back(std::move(row));
-  }
-
-  void write_header() {
-    summary.header = {"records by", "flows"};
-    for (const Method& each : methods_) summary.header.push_back(each.name);
-    details.header = {"records by",        "flow",       "method", "exact",
-                      "coefficient error", "CPU seconds"};
-  }
-
-  ResultTable summary, details;
-
- private:
-  std::vector<Method> methods_;
-  std::vector<Flow> flows_ = flows();
-  std::map<std::size_t, int> totals_;
-  int records_ = 0;
+  /// Records of one making, identified by each of the methods.
+  std::size_t of_making() const { return flows.size() * methods.size(); }
 };
 
-int run_study(const std::filesystem::path& folder, const std::vector<double>& sizes) {
-  std::vector<Method> methods{method("algorithm1"), method("robust")};
-  for (const double size : sizes) methods.push_back(method("algorithm1", size));
-  Study study(std::move(methods));
-  study.write_header();
-  for (const Making& making : makings()) study.run_making(making);
-  study.add_total();
+CellWork<Outcome> cells_of(const Plan& plan) {
+  CellWork<Outcome> cells;
+  for (const Making& making : plan.makings)
+    for (const Flow& flow : plan.flows)
+      for (const Method& method : plan.methods)
+        cells.names.push_back(flow.name + ", " + making.name + ", " + method.name);
+  cells.work = [&plan](std::size_t i) {
+    const std::size_t within = i % plan.of_making(), count = plan.methods.size();
+    return run(plan.flows[within / count], plan.makings[i / plan.of_making()],
+               plan.methods[within % count]);
+  };
+  return cells;
+}
+
+/// How many flows each method finds exactly.
+std::vector<int> exact_of(const Plan& plan, std::span<const Outcome> outcomes) {
+  std::vector<int> exact(plan.methods.size());
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    exact[i % exact.size()] += outcomes[i].exact ? 1 : 0;
+  return exact;
+}
+
+std::vector<std::string> summary_row(const std::string& name, int records,
+                                     const std::vector<int>& exact) {
+  std::vector<std::string> row{name, std::to_string(records)};
+  for (const int count : exact) row.push_back(std::to_string(count));
+  return row;
+}
+
+ResultTable summary_of(const Plan& plan, const Finished<Outcome>& finished) {
+  ResultTable summary{{"records by", "flows"}, {}};
+  for (const Method& each : plan.methods) summary.header.push_back(each.name);
+  const int flows = static_cast<int>(plan.flows.size());
+  std::vector<int> totals(plan.methods.size());
+  int records = 0;
+  for (std::size_t k = 0; k < plan.makings.size(); ++k) {
+    const Making& making = plan.makings[k];
+    const auto exact =
+        exact_of(plan, finished.part(k * plan.of_making(), plan.of_making()));
+    summary.rows.push_back(summary_row(making.name, flows, exact));
+    if (!making.counts) continue;
+    records += flows;
+    std::ranges::transform(totals, exact, totals.begin(), std::plus{});
+  }
+  summary.rows.push_back(summary_row("all but the two coarsest", records, totals));
+  return summary;
+}
+
+ResultTable details_of(const Plan& plan, const Finished<Outcome>& finished) {
+  ResultTable details{
+      {"records by", "flow", "method", "exact", "coefficient error", "CPU seconds"}, {}};
+  auto outcome = finished.values.begin();
+  for (const Making& making : plan.makings)
+    for (const Flow& flow : plan.flows)
+      for (const Method& method : plan.methods) {
+        details.rows.push_back({making.name, flow.name, method.name, outcome->exact ? "1" : "0",
+                                format_number(outcome->error, 3),
+                                format_number(outcome->seconds, 3)});
+        ++outcome;
+      }
+  return details;
+}
+
+int run_study(const StudyArguments& arguments) {
+  if (arguments.at(0) == "verdicts") return write_verdicts(arguments);
+  const std::filesystem::path folder = arguments.folder_at(0);
+  Plan plan{flows(), {method("algorithm1"), method("robust")}, makings()};
+  for (std::size_t i = 1; i < arguments.places.size(); ++i)
+    plan.methods.push_back(
+        method("algorithm1", parse_number(arguments.at(i)).value_or(1e-3)));
+  const auto finished = run_cells(arguments.store(), cells_of(plan));
+  if (!finished) return 0;
+  const ResultTable summary = summary_of(plan, *finished);
   std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "solver_noise.csv", study.details.csv());
+  write_file_atomically(folder / "solver_noise.csv", details_of(plan, *finished).csv());
   write_file_atomically(
       folder / "solver_noise.md",
       "Records without measurement noise, as solvers write them: in how many of the flows "
-      "exactly "
-      "the true terms\nof all equations are found among monomials up to degree 3. Adaptive: "
-      "Dormand and Prince's 5(4) pair with steps of its\nown, sampled by its interpolant. "
-      "Lorenz, "
-      "Rossler, memristor, Chua with a cubic, a linear chain of four, Sprott A,\nvan der Pol, "
-      "FitzHugh-Nagumo, Duffing with an input, Lotka-Volterra, Brusselator, SIR.\n\nMade by "
-      "`study_solver_noise FOLDER 0.0005 0.002` on " +
-          today() + ", " + machine_description() + ".\n\n" + study.summary.markdown());
+      "exactly the true terms\nof all equations are found among monomials up to degree 3. "
+      "Adaptive: Dormand and Prince's 5(4) pair with steps of its\nown, sampled by its "
+      "interpolant. Lorenz, Rossler, memristor, Chua with a cubic, a linear chain of four, "
+      "Sprott A,\nvan der Pol, FitzHugh-Nagumo, Duffing with an input, Lotka-Volterra, "
+      "Brusselator, SIR.\n\nMade by `study_solver_noise FOLDER 0.0005 0.002` on " +
+          finished->origin.day + ", " + finished->origin.machine + ".\n\n" +
+          summary.markdown());
+  std::cout << summary.markdown();
   return 0;
 }
 
@@ -132,19 +163,8 @@ int run_study(const std::filesystem::path& folder, const std::vector<double>& si
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  try {
-    if (arguments.size() == 2 && arguments[0] == "verdicts") {
-      lacuna::benchmarks::write_verdicts(arguments[1]);
-      return 0;
-    }
-    std::vector<double> sizes;
-    for (std::size_t i = 1; i < arguments.size(); ++i)
-      sizes.push_back(lacuna::parse_number(arguments[i]).value_or(1e-3));
-    return lacuna::benchmarks::run_study(
-        arguments.empty() ? "build/studies/solver_noise" : arguments[0], sizes);
-  } catch (const std::exception& error) {
-    std::cerr << "study_solver_noise: " << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"solver_noise", "[verdicts] [OUTPUT_FOLDER] [EFFECT_SIZE...]",
+       lacuna::benchmarks::run_study},
+      argc, argv);
 }

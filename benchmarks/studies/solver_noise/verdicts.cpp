@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <span>
 #include <vector>
 
 #include "lacuna/core/atomic_file.hpp"
@@ -13,7 +14,6 @@
 #include "lacuna/validation/validate.hpp"
 #include "records.hpp"
 #include "support/accuracy.hpp"
-#include "support/parallel.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -28,6 +28,8 @@ struct Judged {
   std::array<ValidationVerdict, kFloors.size()> verdicts{};
   double step = 0.0, window = 0.0;  ///< largest errors of both tests, of the motion
   double noise = 0.0;               ///< the most that the noise can be, of the motion
+
+  auto fields() { return std::tie(done, exact, verdicts, step, window, noise); }
 };
 
 double largest_share(const PredictionTest& test) {
@@ -99,49 +101,73 @@ std::vector<std::string> header() {
   return names;
 }
 
-}  // namespace
-
-void write_verdicts(const std::filesystem::path& folder) {
+/// Flows; those with polynomial right-hand sides come first.
+struct FlowsToJudge {
   std::vector<Flow> all = flows();
-  const std::size_t polynomial = all.size();
-  for (Flow& flow : flows_beyond_polynomials()) all.push_back(std::move(flow));
+  std::size_t polynomial = all.size();
+
+  FlowsToJudge() {
+    for (Flow& flow : flows_beyond_polynomials()) all.push_back(std::move(flow));
+  }
+};
+
+struct Tables {
   ResultTable summary{header(), {}};
   ResultTable details{{"records by", "flow", "exact", "verdict", "error of a step",
                        "error of a period", "noise at most"},
                       {}};
-  for (const Making& making : makings()) {
-    std::vector<Judged> outcomes(all.size());
-    for_all(all.size(), [&](std::size_t i) { outcomes[i] = judged(all[i], making); });
-    Counts exact, wrong;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Judged& one = outcomes[i];
-      if (!one.done) continue;
-      if (i >= polynomial)
-        wrong.add(one);
-      else if (one.exact)
-        exact.add(one);
-      details.rows.push_back({making.name, all[i].name, one.exact ? "1" : "0",
-                              to_string(one.verdicts[1]), format_number(one.step, 3),
-                              format_number(one.window, 3), format_number(one.noise, 3)});
-    }
-    std::vector<std::string> row{making.name};
-    exact.write(true, row);
-    wrong.write(false, row);
-    std::cout << join(row, "  ") << std::endl;
-    summary.rows.push_back(std::move(row));
+};
+
+void add(const Making& making, const FlowsToJudge& flows, std::span<const Judged> outcomes,
+         Tables& tables) {
+  Counts exact, wrong;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Judged& one = outcomes[i];
+    if (!one.done) continue;
+    if (i >= flows.polynomial)
+      wrong.add(one);
+    else if (one.exact)
+      exact.add(one);
+    tables.details.rows.push_back({making.name, flows.all[i].name, one.exact ? "1" : "0",
+                                   to_string(one.verdicts[1]), format_number(one.step, 3),
+                                   format_number(one.window, 3), format_number(one.noise, 3)});
   }
+  std::vector<std::string> row{making.name};
+  exact.write(true, row);
+  wrong.write(false, row);
+  tables.summary.rows.push_back(std::move(row));
+}
+
+}  // namespace
+
+int write_verdicts(const StudyArguments& arguments) {
+  const FlowsToJudge flows;
+  const std::vector<Making> all = makings();
+  const std::size_t count = flows.all.size();
+  CellWork<Judged> cells{
+      {}, [&](std::size_t i) { return judged(flows.all[i % count], all[i / count]); }};
+  for (const Making& making : all)
+    for (const Flow& flow : flows.all) cells.names.push_back(flow.name + ", " + making.name);
+  const auto finished = run_cells(arguments.store("verdicts"), cells);
+  if (!finished) return 0;
+  Tables tables;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    add(all[k], flows, finished->part(k * count, count), tables);
+  const std::filesystem::path folder = arguments.folder_at(1);
   std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "verdicts.csv", details.csv());
+  write_file_atomically(folder / "verdicts.csv", tables.details.csv());
   write_file_atomically(
       folder / "verdicts.md",
       "# Verdicts on records without noise\n\n`study_solver_noise verdicts FOLDER`, " +
-          today() + ", " + machine_description() +
+          finished->origin.day + ", " + finished->origin.machine +
           ". Models that monomials up to degree 3 give. *Exact*: exactly the true terms of one "
           "of twelve polynomial flows; *wrong*: flows whose right-hand sides are no "
           "polynomials. *Fit*: the verdict is \"fits to noise\", by the floor of the verdict "
           "(`validation.resolution`). Errors: the largest of all states over windows of a mean "
           "period, as a share of the motion.\n\n" +
-          summary.markdown());
+          tables.summary.markdown());
+  std::cout << tables.summary.markdown();
+  return 0;
 }
 
 }  // namespace lacuna::benchmarks
