@@ -13,11 +13,13 @@ namespace lacuna::benchmarks {
 /// A struct that lists what it holds:
 ///     auto fields() { return std::tie(exact, error, seconds); }
 template <class T>
-concept HasFields = requires(T& value) { value.fields(); };
+concept HasFields = requires(T& value) {
+  value.fields();
+};
 
 /// std::vector, std::array, Vector.
 template <class T>
-concept IsList = !std::same_as<T, std::string> && requires(T& value) {
+concept IsList = !std::same_as<T, std::string> && requires(T & value) {
   value.begin();
   value.size();
 };

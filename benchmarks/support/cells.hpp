@@ -62,7 +62,8 @@ struct Origin {
 template <class Value>
 struct Finished {
   std::vector<Value> values;
-  std::vector<double> seconds;  ///< of the machine: by the clock, over the cells it has at a time
+  std::vector<double>
+      seconds;  ///< of the machine: by the clock, over the cells it has at a time
   Origin origin;
 
   /// Values of the cells first, ..., first + count - 1.
@@ -87,9 +88,10 @@ std::optional<std::vector<CellRecord>> finish_cells(const CellStore& store,
 
 Origin origin_of(const std::vector<CellRecord>& records);
 
-/// Takes finished cells from the folder of the store, computes and keeps what is missing of this
-/// process's share, and then looks for those of the others.
-/// @return nothing where another process has not finished all of its cells yet: whoever finishes
+/// Takes finished cells from the folder of the store, computes and keeps what is missing of
+/// this process's share, and then looks for those of the others.
+/// @return nothing where another process has not finished all of its cells yet: whoever
+/// finishes
 ///   last finds them all.
 /// @throws ConfigError when there are several processes and no folder; DataError when a file is
 ///   in the place of a cell that is none of this study; FileError when a cell cannot be kept;

@@ -31,7 +31,8 @@ CellStore StudyArguments::store(const std::string& given) const {
   return {study, given + settings_text(*this), finished, share_of_launcher()};
 }
 
-StudyArguments study_arguments(const StudyProgram& study, const std::vector<std::string>& given) {
+StudyArguments study_arguments(const StudyProgram& study,
+                               const std::vector<std::string>& given) {
   StudyArguments arguments;
   arguments.study = study.name;
   Configuration configuration;

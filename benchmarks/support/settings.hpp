@@ -15,10 +15,10 @@ struct StudyArguments;
 
 /// What the main() of a study is made of.
 struct StudyProgram {
-  std::string name;           ///< "odebench"
-  std::string usage;          ///< "FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]"
+  std::string name;   ///< "odebench"
+  std::string usage;  ///< "FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]"
   int (*run)(const StudyArguments&) = nullptr;
-  std::size_t needed = 0;     ///< places that have to be given
+  std::size_t needed = 0;    ///< places that have to be given
   bool has_options = false;  ///< of `identify`, PATH=VALUE
 };
 
@@ -46,7 +46,8 @@ struct StudyArguments {
 };
 
 /// @throws ConfigError as identification_options(), and for an option that no study has.
-StudyArguments study_arguments(const StudyProgram& study, const std::vector<std::string>& given);
+StudyArguments study_arguments(const StudyProgram& study,
+                               const std::vector<std::string>& given);
 
 /// " forms.same=0.2": what a table says of its settings; empty where there are none.
 std::string settings_text(const StudyArguments& arguments);

@@ -57,8 +57,14 @@ TEST(CellValues, NumbersAreTheSameToTheBit) {
 TEST(CellValues, StructsListTheirFields) {
   Vector values(2);
   values << 0.1, -std::numeric_limits<double>::infinity();
-  const Everything there{1e-300, "a \"b\",\n\xC3\xA4", Colour::Green, 0.7, {}, values,
-                         {{3, true}, {-4, false}}, {Colour::Green, Colour::Red}};
+  const Everything there{1e-300,
+                         "a \"b\",\n\xC3\xA4",
+                         Colour::Green,
+                         0.7,
+                         {},
+                         values,
+                         {{3, true}, {-4, false}},
+                         {Colour::Green, Colour::Red}};
   const Everything read = again(there);
   EXPECT_EQ(read.number, there.number);
   EXPECT_EQ(read.text, there.text);

@@ -177,8 +177,10 @@ TEST(Cells, WithOtherValuesAreAnError) {
 TEST(Cells, OfSeveralProcessesNeedAFolder) {
   Counted study;
   expect_error<ConfigError>(
-      [&] { run_cells({"some", "", {}, {0, 2}}, study.cells()); }, "study_some",
-      "2 processes have no folder", "--cells FOLDER");
+      [&] {
+        run_cells({"some", "", {}, {0, 2}}, study.cells());
+      },
+      "study_some", "2 processes have no folder", "--cells FOLDER");
   EXPECT_EQ(study.computed, 0);
 }
 
@@ -212,9 +214,9 @@ TEST(ShareOfLauncher, IsAllWhereNothingIsTold) {
 }
 
 TEST(ShareOfLauncher, IsReadFromEachLauncher) {
-  for (const auto& [rank, size] :
-       {std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"},
-        {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"}}) {
+  for (const auto& [rank, size] : {std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+                                   {"PMI_RANK", "PMI_SIZE"},
+                                   {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"}}) {
     const Environment environment({{rank, "2"}, {size, "5"}});
     EXPECT_EQ(share_of_launcher().rank, 2) << rank;
     EXPECT_EQ(share_of_launcher().size, 5) << size;

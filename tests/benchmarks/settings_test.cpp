@@ -58,13 +58,18 @@ TEST(StudyArguments, OfAStudyWithoutOptionsArePlaces) {
 }
 
 TEST(StudyArguments, RefuseWhatNobodyReads) {
-  expect_error<ConfigError>([] { study_arguments(program(), {"out", "--cell", "x"}); },
-                            "study_some", "'--cell'", "FOLDER [DRAWS] [--cells FOLDER]");
+  expect_error<ConfigError>(
+      [] {
+        study_arguments(program(), {"out", "--cell", "x"});
+      },
+      "study_some", "'--cell'", "FOLDER [DRAWS] [--cells FOLDER]");
   EXPECT_THROW(study_arguments(program(), {"out", "--cells"}), ConfigError);
   EXPECT_THROW(study_arguments(program(), {"forms.some=0.2"}), ConfigError);
   expect_error<ConfigError>(
-      [] { study_arguments(program(), {"out", "1e3"}).count_at(1, 1); }, "study_some",
-      "'1e3' is no whole number", "give a number");
+      [] {
+        study_arguments(program(), {"out", "1e3"}).count_at(1, 1);
+      },
+      "study_some", "'1e3' is no whole number", "give a number");
 }
 
 TEST(StudyMain, RunsOrTellsTheUsage) {

@@ -70,10 +70,9 @@ struct Level {
 std::vector<std::string> summary_row(const std::string& preset, const Level& level) {
   std::vector<double> cpu;
   for (const Outcome& outcome : level.outcomes) cpu.push_back(outcome.seconds);
-  const auto exact =
-      std::count_if(level.outcomes.begin(), level.outcomes.end(), [](const Outcome& o) {
-        return o.structure.missing + o.structure.extra == 0;
-      });
+  const auto exact = std::count_if(
+      level.outcomes.begin(), level.outcomes.end(),
+      [](const Outcome& o) { return o.structure.missing + o.structure.extra == 0; });
   return {preset,
           format_number(level.percent, 3),
           count_below(level.outcomes, 0.01),
@@ -108,8 +107,7 @@ void write(const std::filesystem::path& folder, const std::string& preset,
   for (const Level& level : levels) {
     summary.rows.push_back(summary_row(preset, level));
     for (std::size_t i = 0; i < systems.size(); ++i)
-      details.rows.push_back(
-          detail_row(preset, level.percent, systems[i], level.outcomes[i]));
+      details.rows.push_back(detail_row(preset, level.percent, systems[i], level.outcomes[i]));
   }
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / (preset + ".csv"), details.csv());
@@ -135,10 +133,9 @@ int run_study(const benchmarks::StudyArguments& arguments) {
   Pipeline pipeline = lacuna::preset(preset);
   pipeline.basis = Monomials{{.max_degree = 4}};
   const std::size_t count = systems.size();
-  benchmarks::CellWork<Outcome> cells{{}, [&](std::size_t k) {
-                                        return run(systems[k % count], pipeline,
-                                                   percents[k / count]);
-                                      }};
+  benchmarks::CellWork<Outcome> cells{
+      {},
+      [&](std::size_t k) { return run(systems[k % count], pipeline, percents[k / count]); }};
   for (const double percent : percents)
     for (const System& system : systems)
       cells.names.push_back(format_number(percent) + " % " + system.name);
@@ -157,7 +154,7 @@ int run_study(const benchmarks::StudyArguments& arguments) {
 
 int main(int argc, char** argv) {
   return lacuna::benchmarks::study_main(
-      {"chaos70", "DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]",
-       lacuna::chaos70::run_study, 2},
+      {"chaos70", "DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]", lacuna::chaos70::run_study,
+       2},
       argc, argv);
 }

@@ -95,9 +95,9 @@ ResultTable table_of(const std::vector<Problem>& problems) {
       seconds += draw.seconds;
     }
     const auto count = static_cast<double>(problem.draws.size());
-    table.rows.push_back({problem.box.name, problem.box.hidden ? "yes" : "no", format_number(count),
-                          percent(own_found, count), format_number(own_intervals),
-                          percent(own_inside, own_intervals),
+    table.rows.push_back({problem.box.name, problem.box.hidden ? "yes" : "no",
+                          format_number(count), percent(own_found, count),
+                          format_number(own_intervals), percent(own_inside, own_intervals),
                           format_number(seconds / count, 2)});
     draws += count;
     found += own_found;
@@ -160,8 +160,8 @@ int run(const StudyArguments& arguments) {
       "found: "
       "the minimum of the fit that starts from the truth (rmse within 0.1 %). coverage: 95 % "
       "intervals\nthat contain the truth, of the draws that were found.\n\n" +
-          table.markdown() + "\n" + finished->origin.machine + ", " +
-          finished->origin.day + ".\n");
+          table.markdown() + "\n" + finished->origin.machine + ", " + finished->origin.day +
+          ".\n");
   std::cout << table.markdown();
   return 0;
 }

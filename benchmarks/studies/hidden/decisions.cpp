@@ -113,8 +113,9 @@ std::string answer_of(const Outcome& outcome) {
          std::to_string(score.name) + std::to_string(score.spurious);
 }
 
-/// Labels of those of the changes that alone give another answer. Changes that, made together, leave the
-/// answer as it was to the letter count as changing nothing; else each half of them is tried.
+/// Labels of those of the changes that alone give another answer. Changes that, made together,
+/// leave the answer as it was to the letter count as changing nothing; else each half of them
+/// is tried.
 std::vector<std::string> altering(std::span<const Change> changes, const Trial& trial,
                                   const Outcome& before) {
   DiagnosisOptions options = diagnosis_options({}, default_registry());
@@ -150,7 +151,8 @@ std::vector<std::string> altered(const Trial& trial,
   const Outcome before = run_trial(trial, diagnosis_options({}, default_registry()));
   std::vector<std::string> labels;
   for (const std::vector<Change>& group : groups)
-    for (std::string& label : altering(group, trial, before)) labels.push_back(std::move(label));
+    for (std::string& label : altering(group, trial, before))
+      labels.push_back(std::move(label));
   return labels;
 }
 
@@ -194,10 +196,11 @@ int run_decisions(const std::filesystem::path& folder, const std::string& part,
                   const CellStore& store) {
   const Trials plain = all_of(false, part), smoothed = all_of(true, part);
   const std::size_t count = plain.trials.size();
-  CellWork<std::vector<std::string>> cells{{}, [&](std::size_t i) {
-    return i < count ? altered(plain.trials[i], plain.groups)
-                     : altered(smoothed.trials[i - count], smoothed.groups);
-  }};
+  CellWork<std::vector<std::string>> cells{
+      {}, [&](std::size_t i) {
+        return i < count ? altered(plain.trials[i], plain.groups)
+                         : altered(smoothed.trials[i - count], smoothed.groups);
+      }};
   for (const Trial& trial : plain.trials) cells.names.push_back(name_of(trial));
   for (const Trial& trial : smoothed.trials)
     cells.names.push_back(name_of(trial) + ", thresholds of smoothing");

@@ -134,7 +134,8 @@ TrialCells practice_cells(const fs::path& folder, const std::string& part,
     return judge_records(places[i], options);
   });
   // Two endings may be of one level.
-  for (std::size_t i = 0; i < places.size(); ++i) result.cells.names[i] += " " + places[i].ending;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    result.cells.names[i] += " " + places[i].ending;
   return result;
 }
 

@@ -128,9 +128,8 @@ std::vector<std::string> row_of(const Case& one, std::span<const Outcome> outcom
 int run_study(const StudyArguments& arguments) {
   const std::filesystem::path folder = arguments.folder_at(0);
   const std::size_t seeds = arguments.count_at(1, 32);
-  CellWork<Outcome> cells{{}, [&](std::size_t k) {
-                            return run(cases()[k / seeds], k % seeds + 1);
-                          }};
+  CellWork<Outcome> cells{
+      {}, [&](std::size_t k) { return run(cases()[k / seeds], k % seeds + 1); }};
   for (const Case& one : cases())
     for (std::size_t seed = 1; seed <= seeds; ++seed)
       cells.names.push_back(one.system + " " + format_number(one.noise) + " " +
@@ -146,8 +145,8 @@ int run_study(const StudyArguments& arguments) {
   write_file_atomically(folder / "hidden_channel.csv", table.csv());
   write_file_atomically(
       folder / "hidden_channel.md",
-      "# A state that nobody measured\n\n`study_hidden_channel`, " + finished->origin.day + ", " +
-          finished->origin.machine +
+      "# A state that nobody measured\n\n`study_hidden_channel`, " + finished->origin.day +
+          ", " + finished->origin.machine +
           ". 501 samples of two channels, default preset (degree 3). *Exact*: all equations "
           "have exactly the true terms, up to the scale of the hidden state.\n\n" +
           table.markdown());

@@ -186,7 +186,8 @@ void report_progress(const Trial& trial, const Outcome& outcome) {
 }
 
 int run(const benchmarks::StudyArguments& given) {
-  if (given.at(0) == "export") return export_trials(given.at(1), chosen(given.at(2), given.at(3)));
+  if (given.at(0) == "export")
+    return export_trials(given.at(1), chosen(given.at(2), given.at(3)));
   const fs::path folder = given.folder_at(0);
   const std::vector<Trial> trials = chosen(given.at(1), given.at(2));
   const DiagnosisOptions options = diagnosis_options({}, default_registry());
@@ -205,9 +206,9 @@ int run(const benchmarks::StudyArguments& given) {
   const benchmarks::ResultTable summary = summary_of(trials, outcomes);
   write_file_atomically(folder / "cases.csv", cases.csv());
   write_file_atomically(folder / "results.md",
-                        "# Diagnosis where states are hidden\n\n" +
-                            finished->origin.machine + ", " + finished->origin.day +
-                            "\n\n" + summary.markdown() + "\n" + cases.markdown());
+                        "# Diagnosis where states are hidden\n\n" + finished->origin.machine +
+                            ", " + finished->origin.day + "\n\n" + summary.markdown() + "\n" +
+                            cases.markdown());
   std::cout << summary.markdown();
   return 0;
 }

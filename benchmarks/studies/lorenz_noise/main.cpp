@@ -128,11 +128,10 @@ CellWork<Outcome> draws_of(const std::vector<Condition>& all, const std::string&
   for (const Condition& c : all)
     for (int draw = 1; draw <= c.draws; ++draw) {
       draws.emplace_back(c, static_cast<std::uint64_t>(draw));
-      cells.names.push_back(join(std::vector<std::string>{
-                                     c.system, format_number(c.step), std::to_string(c.samples),
-                                     format_number(c.noise), scale_name(c),
-                                     std::to_string(draw)},
-                                 " "));
+      cells.names.push_back(join(
+          std::vector<std::string>{c.system, format_number(c.step), std::to_string(c.samples),
+                                   format_number(c.noise), scale_name(c), std::to_string(draw)},
+          " "));
     }
   cells.work = [draws, preset](std::size_t k) {
     return run_draw(draws[k].first, draws[k].second, preset);

@@ -14,8 +14,8 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/records/embedding.hpp"
 #include "lacuna/pipeline/presets.hpp"
+#include "lacuna/records/embedding.hpp"
 #include "lacuna/shooting/refine.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
@@ -100,10 +100,9 @@ int run(const StudyArguments& arguments) {
       positioning, oscillator, diagnosed_positioning, diagnosed_oscillator};
   // Each uses all cores and tells its seconds.
   const auto finished = run_cells<std::string>(
-      arguments.store(folder),
-      {{"EMPS", "Silverbox", "EMPS diagnosed", "Silverbox diagnosed"},
-       [&](std::size_t part) { return parts[part](folder); },
-       Pace::OneByOne});
+      arguments.store(folder), {{"EMPS", "Silverbox", "EMPS diagnosed", "Silverbox diagnosed"},
+                                [&](std::size_t part) { return parts[part](folder); },
+                                Pace::OneByOne});
   if (!finished) return 0;
   const std::string text =
       "# Measured records\n\n" + join(finished->values, "\n") + "\n" +

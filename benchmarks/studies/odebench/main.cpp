@@ -41,7 +41,8 @@ struct Condition {
 };
 
 /// Published protocol.
-constexpr std::array<Condition, 4> kConditions = {{{0.0, 0.0}, {0.05, 0.0}, {0.0, 0.5}, {0.05, 0.5}}};
+constexpr std::array<Condition, 4> kConditions = {
+    {{0.0, 0.0}, {0.05, 0.0}, {0.0, 0.5}, {0.05, 0.5}}};
 
 Vector vector_of(const nlohmann::json& list) {
   const auto values = list.get<std::vector<double>>();
@@ -158,8 +159,7 @@ struct Task {
 };
 
 /// All systems under a condition: once where nothing is drawn.
-std::vector<Task> tasks_of(const Condition& condition, std::size_t systems,
-                           std::size_t draws) {
+std::vector<Task> tasks_of(const Condition& condition, std::size_t systems, std::size_t draws) {
   std::vector<Task> tasks;
   const bool drawn = condition.sigma > 0.0 || condition.dropped > 0.0;
   for (std::size_t draw = 0; draw < (drawn ? draws : 1); ++draw)

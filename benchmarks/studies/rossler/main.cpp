@@ -74,10 +74,9 @@ int run(const StudyArguments& arguments) {
   const std::size_t count = conditions.size();
   std::vector<Records> records;
   for (const Condition& condition : conditions) records.push_back(make_records(condition));
-  CellWork<std::vector<Score>> work{{}, [&](std::size_t i) {
-                                      return scores_of(compositions[i / count],
-                                                       records[i % count]);
-                                    }};
+  CellWork<std::vector<Score>> work{
+      {},
+      [&](std::size_t i) { return scores_of(compositions[i / count], records[i % count]); }};
   for (const Composition& composition : compositions)
     for (const Condition& condition : conditions)
       work.names.push_back(name_of(composition, condition));
@@ -85,8 +84,7 @@ int run(const StudyArguments& arguments) {
   if (!finished) return 0;
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < finished->values.size(); ++i)
-    cells.push_back(
-        {&compositions[i / count], conditions[i % count], finished->values[i]});
+    cells.push_back({&compositions[i / count], conditions[i % count], finished->values[i]});
   std::filesystem::create_directories(folder);
   write_report(folder, cells, finished->origin);
   std::cout << compositions.size() << " compositions, " << cells.size() << " cells in "
@@ -99,6 +97,6 @@ int run(const StudyArguments& arguments) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  return lacuna::benchmarks::study_main(
-      {"rossler", "[OUTPUT_FOLDER]", lacuna::benchmarks::run}, argc, argv);
+  return lacuna::benchmarks::study_main({"rossler", "[OUTPUT_FOLDER]", lacuna::benchmarks::run},
+                                        argc, argv);
 }

@@ -73,13 +73,13 @@ struct Plan {
 CellWork<Outcome> cells_of(const Plan& plan) {
   CellWork<Outcome> cells;
   for (const Making& making : plan.makings)
-    for (const Flow& flow : plan.flows)
-      for (const Method& method : plan.methods)
+    for (const Method& method : plan.methods)
+      for (const Flow& flow : plan.flows)
         cells.names.push_back(flow.name + ", " + making.name + ", " + method.name);
   cells.work = [&plan](std::size_t i) {
-    const std::size_t within = i % plan.of_making(), count = plan.methods.size();
-    return run(plan.flows[within / count], plan.makings[i / plan.of_making()],
-               plan.methods[within % count]);
+    const std::size_t within = i % plan.of_making(), count = plan.flows.size();
+    return run(plan.flows[within % count], plan.makings[i / plan.of_making()],
+               plan.methods[within / count]);
   };
   return cells;
 }
@@ -88,7 +88,7 @@ CellWork<Outcome> cells_of(const Plan& plan) {
 std::vector<int> exact_of(const Plan& plan, std::span<const Outcome> outcomes) {
   std::vector<int> exact(plan.methods.size());
   for (std::size_t i = 0; i < outcomes.size(); ++i)
-    exact[i % exact.size()] += outcomes[i].exact ? 1 : 0;
+    exact[i / plan.flows.size()] += outcomes[i].exact ? 1 : 0;
   return exact;
 }
 
@@ -107,8 +107,7 @@ ResultTable summary_of(const Plan& plan, const Finished<Outcome>& finished) {
   int records = 0;
   for (std::size_t k = 0; k < plan.makings.size(); ++k) {
     const Making& making = plan.makings[k];
-    const auto exact =
-        exact_of(plan, finished.part(k * plan.of_making(), plan.of_making()));
+    const auto exact = exact_of(plan, finished.part(k * plan.of_making(), plan.of_making()));
     summary.rows.push_back(summary_row(making.name, flows, exact));
     if (!making.counts) continue;
     records += flows;
@@ -123,8 +122,8 @@ ResultTable details_of(const Plan& plan, const Finished<Outcome>& finished) {
       {"records by", "flow", "method", "exact", "coefficient error", "CPU seconds"}, {}};
   auto outcome = finished.values.begin();
   for (const Making& making : plan.makings)
-    for (const Flow& flow : plan.flows)
-      for (const Method& method : plan.methods) {
+    for (const Method& method : plan.methods)
+      for (const Flow& flow : plan.flows) {
         details.rows.push_back({making.name, flow.name, method.name, outcome->exact ? "1" : "0",
                                 format_number(outcome->error, 3),
                                 format_number(outcome->seconds, 3)});
@@ -138,8 +137,7 @@ int run_study(const StudyArguments& arguments) {
   const std::filesystem::path folder = arguments.folder_at(0);
   Plan plan{flows(), {method("algorithm1"), method("robust")}, makings()};
   for (std::size_t i = 1; i < arguments.places.size(); ++i)
-    plan.methods.push_back(
-        method("algorithm1", parse_number(arguments.at(i)).value_or(1e-3)));
+    plan.methods.push_back(method("algorithm1", parse_number(arguments.at(i)).value_or(1e-3)));
   const auto finished = run_cells(arguments.store(), cells_of(plan));
   if (!finished) return 0;
   const ResultTable summary = summary_of(plan, *finished);
