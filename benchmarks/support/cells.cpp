@@ -129,11 +129,11 @@ class Progress {
   std::atomic<std::size_t> done_ = 0;
 };
 
-CellRecord computed(const CellWork<Json>& cells, std::size_t cell) {
+CellRecord computed(const std::function<Json()>& work, Pace pace) {
   const auto begin = std::chrono::steady_clock::now();
-  CellRecord record{cells.work(cell), machine_description(), today(), 0.0};
+  CellRecord record{work(), machine_description(), today(), 0.0};
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  record.seconds = time.count() / (cells.pace == Pace::AllCores ? cores() : 1);
+  record.seconds = time.count() / (pace == Pace::AllCores ? cores() : 1);
   return record;
 }
 
@@ -187,13 +187,14 @@ Origin origin_of(const std::vector<CellRecord>& records) {
   return origin;
 }
 
-std::optional<std::vector<CellRecord>> finish_cells(const CellStore& store,
-                                                    const CellWork<Json>& cells) {
-  check(store, cells.names);
+std::optional<std::vector<CellRecord>> finish_cells(
+    const CellStore& store, const std::vector<std::string>& names, Pace pace,
+    const std::function<Json(std::size_t)>& work) {
+  check(store, names);
   const auto kept = [&](std::size_t cell) {
-    return store.folder ? kept_cell(store, cells.names[cell]) : std::nullopt;
+    return store.folder ? kept_cell(store, names[cell]) : std::nullopt;
   };
-  std::vector<std::optional<CellRecord>> records(cells.names.size());
+  std::vector<std::optional<CellRecord>> records(names.size());
   std::vector<std::size_t> own;
   for (std::size_t k = 0; k < records.size(); ++k)
     if (store.share.has(k)) own.push_back(k);
@@ -202,12 +203,12 @@ std::optional<std::vector<CellRecord>> finish_cells(const CellStore& store,
     std::optional<CellRecord>& record = records[own[i]];
     record = kept(own[i]);
     if (!record) {
-      record = computed(cells, own[i]);
-      if (store.folder) keep(store, cells.names[own[i]], *record);
+      record = computed([&] { return work(own[i]); }, pace);
+      if (store.folder) keep(store, names[own[i]], *record);
     }
     progress.add();
   };
-  if (cells.pace == Pace::AllCores)
+  if (pace == Pace::AllCores)
     for_all(own.size(), finish);
   else
     for (std::size_t i = 0; i < own.size(); ++i) finish(i);

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/cell_values.hpp"
@@ -42,12 +44,41 @@ enum class Pace {
   OneByOne,  ///< for cells that measure time, or use all cores themselves
 };
 
-/// Cells of one study: cell k is called names[k], and work(k) computes it.
+/// The cells of a study, each with what computes it. The names tell them apart.
 template <class Value>
-struct CellWork {
-  std::vector<std::string> names;
-  std::function<Value(std::size_t)> work;
-  Pace pace = Pace::AllCores;
+class Cells {
+ public:
+  explicit Cells(Pace pace = Pace::AllCores) : pace_(pace) {}
+
+  /// What is added from now on is a group, whose name stands before those of its cells.
+  void begin_group(const std::string& name) {
+    group_ = name + " ";
+    groups_.push_back(names_.size());
+  }
+
+  void add(const std::string& name, std::function<Value()> work) {
+    names_.push_back(group_ + name);
+    work_.push_back(std::move(work));
+  }
+
+  /// A group of cells draw(1), ..., draw(count).
+  void add_draws(const std::string& group, std::size_t count,
+                 const std::function<Value(std::size_t)>& draw) {
+    begin_group(group);
+    for (std::size_t k = 1; k <= count; ++k) add(std::to_string(k), [=] { return draw(k); });
+  }
+
+  Pace pace() const { return pace_; }
+  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::size_t>& groups() const { return groups_; }  ///< first cell of each
+  Value compute(std::size_t cell) const { return work_[cell](); }
+
+ private:
+  Pace pace_;
+  std::string group_;
+  std::vector<std::string> names_;
+  std::vector<std::size_t> groups_;
+  std::vector<std::function<Value()>> work_;
 };
 
 /// What there is to say of the making of cells. It depends on the cells only, so that every
@@ -58,17 +89,27 @@ struct Origin {
   double seconds = 0.0;  ///< sum of Finished::seconds
 };
 
-/// All cells in the order of their names.
+/// All cells in the order in which they were added.
 template <class Value>
 struct Finished {
   std::vector<Value> values;
-  std::vector<double>
-      seconds;  ///< of the machine: by the clock, over the cells it has at a time
+  /// Of the machine: by the clock, over the cells that it works on at a time.
+  std::vector<double> seconds;
+  std::vector<std::size_t> groups;  ///< first cell of each
   Origin origin;
 
-  /// Values of the cells first, ..., first + count - 1.
-  std::span<const Value> part(std::size_t first, std::size_t count) const {
-    return std::span(values).subspan(first, count);
+  std::span<const Value> group(std::size_t k) const { return part(values, k); }
+
+  double seconds_of_group(std::size_t k) const {
+    const auto own = part(seconds, k);
+    return std::accumulate(own.begin(), own.end(), 0.0);
+  }
+
+ private:
+  template <class T>
+  std::span<const T> part(const std::vector<T>& all, std::size_t k) const {
+    const std::size_t end = k + 1 < groups.size() ? groups[k + 1] : all.size();
+    return std::span(all).subspan(groups[k], end - groups[k]);
   }
 };
 
@@ -79,9 +120,10 @@ struct CellRecord {
   double seconds = 0.0;
 };
 
-/// run_cells() without types.
-std::optional<std::vector<CellRecord>> finish_cells(const CellStore& store,
-                                                    const CellWork<nlohmann::json>& cells);
+/// run_cells() without types. @param work computes a cell.
+std::optional<std::vector<CellRecord>> finish_cells(
+    const CellStore& store, const std::vector<std::string>& names, Pace pace,
+    const std::function<nlohmann::json(std::size_t)>& work);
 
 /// @throws DataError always.
 [[noreturn]] void tell_other_values(const CellStore& store, const std::string& cell);
@@ -97,19 +139,21 @@ Origin origin_of(const std::vector<CellRecord>& records);
 ///   in the place of a cell that is none of this study; FileError when a cell cannot be kept;
 ///   ArgumentError when two cells have the same name; and what the work throws.
 template <class Value>
-std::optional<Finished<Value>> run_cells(const CellStore& store, const CellWork<Value>& cells) {
-  const auto work = [&](std::size_t cell) {
-    Value value = cells.work(cell);
+std::optional<Finished<Value>> run_cells(const CellStore& store, const Cells<Value>& cells) {
+  const auto records = finish_cells(store, cells.names(), cells.pace(), [&](std::size_t cell) {
+    Value value = cells.compute(cell);
     return json_of(value);
-  };
-  const auto records = finish_cells(store, {cells.names, work, cells.pace});
+  });
   if (!records) return {};
-  Finished<Value> finished{std::vector<Value>(records->size()), {}, origin_of(*records)};
+  Finished<Value> finished;
+  finished.values.resize(records->size());
+  finished.groups = cells.groups();
+  finished.origin = origin_of(*records);
   for (std::size_t k = 0; k < records->size(); ++k) {
     try {
       read_value((*records)[k].value, finished.values[k]);
     } catch (const nlohmann::json::exception&) {
-      tell_other_values(store, cells.names[k]);
+      tell_other_values(store, cells.names()[k]);
     }
     finished.seconds.push_back((*records)[k].seconds);
   }

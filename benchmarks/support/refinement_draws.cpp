@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "lacuna/core/random.hpp"
 #include "lacuna/core/text.hpp"
@@ -70,23 +71,18 @@ std::vector<RefinementCondition> refinement_conditions() {
 
 std::optional<Refinements> run_refinements(const CellStore& store, std::size_t draws) {
   const std::vector<RefinementCondition> conditions = refinement_conditions();
-  std::vector<Dataset> clean;
-  CellWork<RefinementDraw> cells;
+  Cells<RefinementDraw> cells;
   for (const RefinementCondition& condition : conditions) {
-    clean.push_back(clean_record(condition));
-    for (std::size_t draw = 0; draw < draws; ++draw)
-      cells.names.push_back(condition.system + " " + format_number(condition.noise) + " " +
-                            std::to_string(draw + 1));
+    const auto clean = std::make_shared<const Dataset>(clean_record(condition));
+    cells.add_draws(condition.system + " " + format_number(condition.noise), draws,
+                    [=](std::size_t seed) { return run_draw(condition, *clean, seed); });
   }
-  cells.work = [&](std::size_t k) {
-    return run_draw(conditions[k / draws], clean[k / draws], 1 + k % draws);
-  };
   const auto finished = run_cells(store, cells);
   if (!finished) return {};
   Refinements all{{}, finished->origin};
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const auto part = finished->part(i * draws, draws);
-    all.conditions.push_back({conditions[i], {part.begin(), part.end()}});
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
+    const auto group = finished->group(k);
+    all.conditions.push_back({conditions[k], {group.begin(), group.end()}});
   }
   return all;
 }

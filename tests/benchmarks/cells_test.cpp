@@ -33,13 +33,14 @@ struct Counted {
   std::atomic<int> computed = 0;
   std::size_t ends_at = 1000;  ///< the cell at which it ends by an exception
 
-  CellWork<Row> cells() {
-    CellWork<Row> cells{{}, [this](std::size_t k) {
-                          if (k == ends_at) throw std::runtime_error("ended");
-                          ++computed;
-                          return Row{1.0 / (1.0 + static_cast<double>(k)), "row"};
-                        }};
-    for (int k = 0; k < 7; ++k) cells.names.push_back("case " + std::to_string(k) + "/a");
+  Cells<Row> cells(Pace pace = Pace::AllCores) {
+    Cells<Row> cells(pace);
+    for (std::size_t k = 0; k < 7; ++k)
+      cells.add("case " + std::to_string(k) + "/a", [this, k] {
+        if (k == ends_at) throw std::runtime_error("ended");
+        ++computed;
+        return Row{1.0 / (1.0 + static_cast<double>(k)), "row"};
+      });
     return cells;
   }
 };
@@ -87,16 +88,27 @@ TEST(Cells, AreComputedOnceAndReadAfterwards) {
   EXPECT_EQ(table_of(*after), uninterrupted());
   EXPECT_EQ(after->seconds, before->seconds);
   EXPECT_EQ(after->origin.seconds, before->origin.seconds);
-  EXPECT_EQ(after->part(2, 2)[1].value, 0.25);
+}
+
+TEST(Cells, StandInGroups) {
+  Cells<double> cells;
+  cells.add_draws("first", 2, [](std::size_t draw) { return static_cast<double>(draw); });
+  cells.begin_group("none");
+  cells.begin_group("last");
+  cells.add("a", [] { return 0.5; });
+  EXPECT_THAT(cells.names(), ElementsAre("first 1", "first 2", "last a"));
+  const auto finished = run_cells({"some", ""}, cells);
+  EXPECT_THAT(finished->group(0), ElementsAre(1.0, 2.0));
+  EXPECT_THAT(finished->group(1), ElementsAre());
+  EXPECT_THAT(finished->group(2), ElementsAre(0.5));
+  EXPECT_EQ(finished->seconds_of_group(0), finished->seconds[0] + finished->seconds[1]);
 }
 
 TEST(Cells, GoOnWhereAStudyHasEnded) {
   const TemporaryFolder folder;
   Counted first, second;
   first.ends_at = 4;
-  CellWork<Row> one_by_one = first.cells();
-  one_by_one.pace = Pace::OneByOne;
-  EXPECT_THROW(run_cells(store_in(folder), one_by_one), std::runtime_error);
+  EXPECT_THROW(run_cells(store_in(folder), first.cells(Pace::OneByOne)), std::runtime_error);
   const auto finished = run_cells(store_in(folder), second.cells());
   EXPECT_EQ(first.computed, 4);
   EXPECT_EQ(second.computed, 3);
@@ -169,7 +181,8 @@ TEST(Cells, WithOtherValuesAreAnError) {
   const TemporaryFolder folder;
   Counted study;
   run_cells(store_in(folder), study.cells());
-  const CellWork<std::string> other{study.cells().names, [](std::size_t) { return ""; }};
+  Cells<std::string> other;
+  other.add("case 0/a", [] { return ""; });
   expect_error<DataError>([&] { run_cells(store_in(folder), other); },
                           "cell 'case 0/a' of study_some", "other values", "--cells");
 }
@@ -186,8 +199,8 @@ TEST(Cells, OfSeveralProcessesNeedAFolder) {
 
 TEST(Cells, HaveNamesOfTheirOwn) {
   Counted study;
-  CellWork<Row> cells = study.cells();
-  cells.names[3] = cells.names[2];
+  Cells<Row> cells = study.cells();
+  cells.add(cells.names()[2], [] { return Row{}; });
   EXPECT_THROW(run_cells({"some", ""}, cells), ArgumentError);
 }
 

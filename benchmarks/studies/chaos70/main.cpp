@@ -2,13 +2,11 @@
 // Identifies the 70 polynomial chaotic flows from noisy records.
 // usage: study_chaos70 DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...] [--cells FOLDER]
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <numeric>
 #include <span>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "support/parallel.hpp"
@@ -56,96 +54,76 @@ double median_error(std::span<const Outcome> outcomes) {
   return errors[errors.size() / 2];
 }
 
-double sum(std::span<const double> seconds) {
-  return std::accumulate(seconds.begin(), seconds.end(), 0.0);
-}
-
-/// One level: the outcomes of all systems, and the seconds that each took of the machine.
-struct Level {
-  double percent = 0.0;
-  std::span<const Outcome> outcomes;
-  std::span<const double> seconds;
-};
-
-std::vector<std::string> summary_row(const std::string& preset, const Level& level) {
-  std::vector<double> cpu;
-  for (const Outcome& outcome : level.outcomes) cpu.push_back(outcome.seconds);
-  const auto exact = std::count_if(
-      level.outcomes.begin(), level.outcomes.end(),
-      [](const Outcome& o) { return o.structure.missing + o.structure.extra == 0; });
-  return {preset,
-          format_number(level.percent, 3),
-          count_below(level.outcomes, 0.01),
-          count_below(level.outcomes, 0.1),
-          published(level.percent),
-          format_number(median_error(level.outcomes), 3),
-          std::to_string(exact),
-          format_number(sum(cpu), 3),
-          format_number(sum(level.seconds), 3)};
-}
-
-std::vector<std::string> detail_row(const std::string& preset, double percent,
-                                    const System& system, const Outcome& outcome) {
-  return {preset,
-          format_number(percent, 3),
-          system.name,
-          format_number(outcome.error, 3),
-          std::to_string(outcome.structure.missing),
-          std::to_string(outcome.structure.extra),
-          format_number(outcome.seconds, 3)};
-}
-
-void write(const std::filesystem::path& folder, const std::string& preset,
-           const std::vector<Level>& levels, const std::vector<System>& systems,
-           const benchmarks::Origin& origin) {
+/// The tables, level by level.
+struct Tables {
   benchmarks::ResultTable summary{
       {"preset", "noise %", "below 1 %", "below 10 %", "published", "median error",
        "exact structure", "CPU seconds", "wall seconds"},
       {}};
   benchmarks::ResultTable details{
       {"preset", "noise %", "system", "error", "missing", "extra", "CPU seconds"}, {}};
-  for (const Level& level : levels) {
-    summary.rows.push_back(summary_row(preset, level));
-    for (std::size_t i = 0; i < systems.size(); ++i)
-      details.rows.push_back(detail_row(preset, level.percent, systems[i], level.outcomes[i]));
-  }
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / (preset + ".csv"), details.csv());
-  write_file_atomically(
-      folder / (preset + ".md"),
-      "# chaos70, preset " + preset + "\n\n" + origin.machine + ", " + origin.day +
-          "\n\nCommand: study_chaos70 DATA/chaos70 benchmarks/studies/chaos70/results " +
-          preset +
-          "\n\nSystems out of 70 whose coefficient error is below 1 % / 10 %; published: "
-          "the best of all variants in arXiv 2302.10787, with thresholds chosen on clean "
-          "data. Wall time on all cores, beside whatever else the machine does.\n\n" +
-          summary.markdown());
-  std::cout << summary.markdown();
+};
+
+/// A level of noise.
+struct Level {
+  std::string preset;
+  double percent = 0.0;
+  std::span<const Outcome> outcomes;  ///< of all systems
+  double seconds = 0.0;               ///< by the clock
+};
+
+void add(const Level& level, const std::vector<System>& systems, Tables& tables) {
+  const std::span<const Outcome> outcomes = level.outcomes;
+  const auto exact = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
+    return o.structure.missing + o.structure.extra == 0;
+  });
+  const double cpu =
+      std::accumulate(outcomes.begin(), outcomes.end(), 0.0,
+                      [](double sum, const Outcome& outcome) { return sum + outcome.seconds; });
+  const std::string percent = format_number(level.percent, 3);
+  tables.summary.rows.push_back(
+      {level.preset, percent, count_below(outcomes, 0.01), count_below(outcomes, 0.1),
+       published(level.percent), format_number(median_error(outcomes), 3),
+       std::to_string(exact), format_number(cpu, 3), format_number(level.seconds, 3)});
+  for (std::size_t i = 0; i < systems.size(); ++i)
+    tables.details.rows.push_back(
+        {level.preset, percent, systems[i].name, format_number(outcomes[i].error, 3),
+         std::to_string(outcomes[i].structure.missing),
+         std::to_string(outcomes[i].structure.extra), format_number(outcomes[i].seconds, 3)});
 }
 
 int run_study(const benchmarks::StudyArguments& arguments) {
   const std::string preset = arguments.at(2, "robust");
-  std::vector<double> percents;
+  std::vector<double> levels;
   for (std::size_t i = 3; i < arguments.places.size(); ++i)
-    percents.push_back(parse_number(arguments.at(i)).value_or(0.0));
-  if (percents.empty()) percents = {0.0, 0.1, 1.0, 5.0};
+    levels.push_back(parse_number(arguments.at(i)).value_or(0.0));
+  if (levels.empty()) levels = {0.0, 0.1, 1.0, 5.0};
   const std::vector<System> systems = read_systems(arguments.at(0));
   Pipeline pipeline = lacuna::preset(preset);
   pipeline.basis = Monomials{{.max_degree = 4}};
-  const std::size_t count = systems.size();
-  benchmarks::CellWork<Outcome> cells{
-      {},
-      [&](std::size_t k) { return run(systems[k % count], pipeline, percents[k / count]); }};
-  for (const double percent : percents)
+  benchmarks::Cells<Outcome> cells;
+  for (const double level : levels) {
+    cells.begin_group(format_number(level) + " %");
     for (const System& system : systems)
-      cells.names.push_back(format_number(percent) + " % " + system.name);
+      cells.add(system.name, [&, level] { return run(system, pipeline, level); });
+  }
   const auto finished = run_cells(arguments.store(preset + " " + arguments.at(0)), cells);
   if (!finished) return 0;
-  std::vector<Level> levels;
-  for (std::size_t i = 0; i < percents.size(); ++i)
-    levels.push_back({percents[i], finished->part(i * count, count),
-                      std::span(finished->seconds).subspan(i * count, count)});
-  write(arguments.at(1), preset, levels, systems, finished->origin);
+  Tables tables;
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    add({preset, levels[k], finished->group(k), finished->seconds_of_group(k)}, systems,
+        tables);
+  benchmarks::write_results(
+      arguments.at(1), preset, tables.details.csv(),
+      "# chaos70, preset " + preset + "\n\n" + finished->origin.machine + ", " +
+          finished->origin.day +
+          "\n\nCommand: study_chaos70 DATA/chaos70 benchmarks/studies/chaos70/results " +
+          preset +
+          "\n\nSystems out of 70 whose coefficient error is below 1 % / 10 %; published: "
+          "the best of all variants in arXiv 2302.10787, with thresholds chosen on clean data. "
+          "Wall time on all cores, beside whatever else the machine does.\n\n" +
+          tables.summary.markdown());
+  std::cout << tables.summary.markdown();
   return 0;
 }
 

@@ -4,10 +4,8 @@
 //                     (default build/studies/coverage, 200)
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 #include "support/refinement_draws.hpp"
 #include "support/settings.hpp"
@@ -65,16 +63,13 @@ ResultTable table_of(const std::vector<RefinementDraws>& cells) {
 }
 
 int run(const StudyArguments& arguments) {
-  const std::filesystem::path folder = arguments.folder_at(0);
   const std::size_t draws = arguments.count_at(1, 200);
   const auto finished = run_refinements(arguments.store(), draws);
   if (!finished) return 0;
   const Origin& origin = finished->origin;
   const ResultTable table = table_of(finished->conditions);
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "coverage.csv", table.csv());
-  write_file_atomically(
-      folder / "coverage.md",
+  write_results(
+      arguments.folder_at(0), "coverage", table.csv(),
       "# Coverage of the 95 % intervals of the refinement\n\nStructure given, coefficients "
       "start "
       "up to 10 % off, white noise of the stated share of each state's\nstandard deviation, "

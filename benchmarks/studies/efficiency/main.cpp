@@ -4,10 +4,8 @@
 //                     (default build/studies/efficiency, 200)
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 #include "support/refinement_draws.hpp"
 #include "support/settings.hpp"
@@ -51,16 +49,13 @@ ResultTable table_of(const std::vector<RefinementDraws>& cells) {
 }
 
 int run(const StudyArguments& arguments) {
-  const std::filesystem::path folder = arguments.folder_at(0);
   const std::size_t draws = arguments.count_at(1, 200);
   const auto finished = run_refinements(arguments.store(), draws);
   if (!finished) return 0;
   const Origin& origin = finished->origin;
   const ResultTable table = table_of(finished->conditions);
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "efficiency.csv", table.csv());
-  write_file_atomically(
-      folder / "efficiency.md",
+  write_results(
+      arguments.folder_at(0), "efficiency", table.csv(),
       "# Error of refined coefficients over the Cramer-Rao bound\n\nThe bound is that of the "
       "windows used, at the true model and the true noise; the last column holds the\nerror "
       "against the bound of the whole record as one window. An efficient estimate has 1 as "

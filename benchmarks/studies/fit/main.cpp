@@ -33,11 +33,6 @@ struct Draw {
   auto fields() { return std::tie(found, numbers, with_interval, inside, seconds); }
 };
 
-struct Problem {
-  GreyBox box;
-  std::vector<Draw> draws;
-};
-
 SystemModel off_by(const SystemModel& system, Random& random) {
   std::vector<Parameter> parameters = system.parameters();
   for (Parameter& parameter : parameters)
@@ -49,19 +44,20 @@ SystemModel off_by(const SystemModel& system, Random& random) {
   return {system.symbolic(), std::move(parameters)};
 }
 
-Dataset record_of(const GreyBox& box, const OdeModel& truth, int draw) {
+Dataset record_of(const GreyBox& box, const OdeModel& truth, std::uint64_t draw) {
   return support::grey_box(truth, {.start = Eigen::Map<const Vector>(
                                        box.start.data(), static_cast<Index>(box.start.size())),
                                    .step = box.step,
                                    .samples = box.samples,
                                    .noise = kNoise,
-                                   .seed = static_cast<std::uint64_t>(draw) + 1});
+                                   .seed = draw});
 }
 
-Draw draw_of(const GreyBox& box, int number) {
+/// @param number 1 and up.
+Draw draw_of(const GreyBox& box, std::uint64_t number) {
   const SystemModel truth = parse_ode_system(box.text, box.name);
   const Dataset data = record_of(box, truth.model(), number);
-  Random random(1000 + static_cast<std::uint64_t>(number));
+  Random random(999 + number);
   const double begin = thread_seconds();
   const Fit found = fit(off_by(truth, random), data, {});
   Draw draw;
@@ -79,25 +75,25 @@ Draw draw_of(const GreyBox& box, int number) {
   return draw;
 }
 
-ResultTable table_of(const std::vector<Problem>& problems) {
+ResultTable table_of(const std::vector<GreyBox>& boxes, const Finished<Draw>& finished) {
   ResultTable table{
       {"problem", "hidden", "draws", "found %", "intervals", "coverage %", "seconds"}, {}};
   double draws = 0, found = 0, intervals = 0, inside = 0;
   const auto percent = [](double part, double whole) {
     return format_number(100.0 * part / std::max(1.0, whole), 4);
   };
-  for (const Problem& problem : problems) {
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
     double own_found = 0, own_intervals = 0, own_inside = 0, seconds = 0;
-    for (const Draw& draw : problem.draws) {
+    for (const Draw& draw : finished.group(k)) {
       own_found += draw.found ? 1 : 0;
       own_intervals += draw.found ? draw.with_interval : 0;
       own_inside += draw.found ? draw.inside : 0;
       seconds += draw.seconds;
     }
-    const auto count = static_cast<double>(problem.draws.size());
-    table.rows.push_back({problem.box.name, problem.box.hidden ? "yes" : "no",
-                          format_number(count), percent(own_found, count),
-                          format_number(own_intervals), percent(own_inside, own_intervals),
+    const auto count = static_cast<double>(finished.group(k).size());
+    table.rows.push_back({boxes[k].name, boxes[k].hidden ? "yes" : "no", format_number(count),
+                          percent(own_found, count), format_number(own_intervals),
+                          percent(own_inside, own_intervals),
                           format_number(seconds / count, 2)});
     draws += count;
     found += own_found;
@@ -133,28 +129,17 @@ void write_records(const std::filesystem::path& folder) {
 }
 
 int run(const StudyArguments& arguments) {
-  const std::filesystem::path folder = arguments.folder_at(0);
   const std::size_t draws = arguments.count_at(1, 25);
   if (arguments.places.size() > 2) write_records(arguments.at(2));
   const std::vector<GreyBox> boxes = grey_boxes();
-  CellWork<Draw> cells{{}, [&](std::size_t k) {
-                         return draw_of(boxes[k / draws], static_cast<int>(k % draws));
-                       }};
+  Cells<Draw> cells;
   for (const GreyBox& box : boxes)
-    for (std::size_t i = 0; i < draws; ++i)
-      cells.names.push_back(box.name + " " + std::to_string(i + 1));
+    cells.add_draws(box.name, draws, [&](std::size_t number) { return draw_of(box, number); });
   const auto finished = run_cells(arguments.store(), cells);
   if (!finished) return 0;
-  std::vector<Problem> problems;
-  for (const GreyBox& box : boxes) {
-    const auto part = finished->part(problems.size() * draws, draws);
-    problems.push_back({box, {part.begin(), part.end()}});
-  }
-  const ResultTable table = table_of(problems);
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "fit.csv", table.csv());
-  write_file_atomically(
-      folder / "fit.md",
+  const ResultTable table = table_of(boxes, *finished);
+  write_results(
+      arguments.folder_at(0), "fit", table.csv(),
       "# Models of known structure fitted to records\n\nEvery number starts off by a factor of "
       "3, up or down at random; white noise of 1 % of each output's standard\ndeviation. "
       "found: "

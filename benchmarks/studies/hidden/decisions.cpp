@@ -2,6 +2,7 @@
 #include "decisions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -132,17 +133,12 @@ std::vector<std::string> altering(std::span<const Change> changes, const Trial& 
   return names;
 }
 
-/// Trials and the changes that are tried on each.
-struct Trials {
-  std::vector<Trial> trials;
-  std::vector<std::vector<Change>> groups;
-};
-
-Trials all_of(bool of_smoothing, const std::string& part) {
+/// Changes of thresholds of smoothing, or of the others.
+std::vector<std::vector<Change>> groups_of(bool of_smoothing) {
   std::vector<Change> changes = all_changes();
   std::erase_if(changes,
                 [&](const Change& change) { return is_of_smoothing(change) != of_smoothing; });
-  return {trials_of(of_smoothing, part), in_groups(changes)};
+  return in_groups(changes);
 }
 
 /// Labels of all changes that alter the answer to a trial.
@@ -156,25 +152,18 @@ std::vector<std::string> altered(const Trial& trial,
   return labels;
 }
 
-/// A row for each change: how many trials it alters, and which.
-void add_rows(const Trials& all, std::span<const std::vector<std::string>> labels,
-              ResultTable& table) {
-  for (const std::vector<Change>& group : all.groups)
-    for (const Change& change : group) {
-      std::vector<std::string> names;
-      for (std::size_t i = 0; i < labels.size(); ++i)
-        if (std::ranges::count(labels[i], change.label()) > 0)
-          names.push_back(all.trials[i].hidden.name);
-      table.rows.push_back({change.name, format_number(change.factor),
-                            format_number(change.value), std::to_string(names.size()),
-                            names.empty() ? "-" : join(names, " ")});
-    }
+/// Names of the trials that a change alters. @param labels of each of them, by altered().
+std::vector<std::string> altered_by(const Change& change, const std::vector<Trial>& trials,
+                                    std::span<const std::vector<std::string>> labels) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (std::ranges::count(labels[i], change.label()) > 0)
+      names.push_back(trials[i].hidden.name);
+  return names;
 }
 
-void write(const std::filesystem::path& folder, ResultTable table, const Origin& origin,
-           std::size_t cases, std::size_t smoothed) {
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "decisions.csv", table.csv());
+void write_markdown(const std::filesystem::path& folder, ResultTable table,
+                    const Origin& origin, std::size_t cases, std::size_t smoothed) {
   std::sort(table.rows.begin(), table.rows.end());
   write_file_atomically(folder / "decisions.md",
                         "# Decisions at half and at double\n\n`study_hidden decisions`, " +
@@ -194,22 +183,29 @@ void write(const std::filesystem::path& folder, ResultTable table, const Origin&
 
 int run_decisions(const std::filesystem::path& folder, const std::string& part,
                   const CellStore& store) {
-  const Trials plain = all_of(false, part), smoothed = all_of(true, part);
-  const std::size_t count = plain.trials.size();
-  CellWork<std::vector<std::string>> cells{
-      {}, [&](std::size_t i) {
-        return i < count ? altered(plain.trials[i], plain.groups)
-                         : altered(smoothed.trials[i - count], smoothed.groups);
-      }};
-  for (const Trial& trial : plain.trials) cells.names.push_back(name_of(trial));
-  for (const Trial& trial : smoothed.trials)
-    cells.names.push_back(name_of(trial) + ", thresholds of smoothing");
+  const std::array groups{groups_of(false), groups_of(true)};
+  const std::array trials{trials_of(false, part), trials_of(true, part)};
+  Cells<std::vector<std::string>> cells;
+  for (const std::size_t kind : {0, 1}) {
+    cells.begin_group(kind == 0 ? "" : "smoothing");
+    for (const Trial& trial : trials[kind])
+      cells.add(name_of(trial), [&, kind] { return altered(trial, groups[kind]); });
+  }
   const auto finished = run_cells(store, cells);
   if (!finished) return 0;
   ResultTable table{{"decision", "factor", "value", "changed", "cases"}, {}};
-  add_rows(plain, finished->part(0, count), table);
-  add_rows(smoothed, finished->part(count, smoothed.trials.size()), table);
-  write(folder, std::move(table), finished->origin, count, smoothed.trials.size());
+  for (const std::size_t kind : {0, 1})
+    for (const std::vector<Change>& group : groups[kind])
+      for (const Change& change : group) {
+        const auto names = altered_by(change, trials[kind], finished->group(kind));
+        table.rows.push_back({change.name, format_number(change.factor),
+                              format_number(change.value), std::to_string(names.size()),
+                              names.empty() ? "-" : join(names, " ")});
+      }
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "decisions.csv", table.csv());
+  write_markdown(folder, std::move(table), finished->origin, trials[0].size(),
+                 trials[1].size());
   std::cout << "table in " << folder << '\n';
   return 0;
 }

@@ -37,22 +37,21 @@ std::vector<Trial> chosen_trials(const std::string& name) {
   return {};
 }
 
-TrialCells cells_of(const StudyArguments& given) {
+/// The trials that are asked for. @param cells gets one for each of them.
+std::vector<Trial> trials_of(const StudyArguments& given, Cells<Outcome>& cells) {
   const DiagnosisOptions options = diagnosis_options({}, default_registry());
   const std::string part = given.at(2), level = given.at(3);
   const char* data = std::getenv("LACUNA_DATA");
   if (given.at(0) == "practice" && data != nullptr)
-    return practice_cells(std::filesystem::path(data) / "practice", part, options);
+    return practice_trials(std::filesystem::path(data) / "practice", part, options, cells);
   std::vector<Trial> trials = chosen_trials(given.at(0));
   std::erase_if(trials, [&](const Trial& trial) {
     return trial.hidden.name.find(part) == std::string::npos ||
            (!level.empty() && trial.level != std::stod(level));
   });
-  if (trials.empty())
-    throw ConfigError("study_hidden", "there are no such trials",
-                      "give cases, power, alarm, reality, ordinary, smoothed or (with "
-                      "LACUNA_DATA set) practice");
-  return trial_cells(std::move(trials), options);
+  for (const Trial& trial : trials)
+    add_told(cells, trial, [=] { return run_trial(trial, options); });
+  return trials;
 }
 
 /// Writes the cases at a noise level (1 % where none is given) as files, one folder each.
@@ -76,10 +75,14 @@ int run(const StudyArguments& given) {
   const std::filesystem::path folder = given.folder_at(1);
   if (name == "export") return export_cases(folder, given.at(2), given.at(3));
   if (name == "decisions") return run_decisions(folder, given.at(2), given.store(name));
-  const auto [trials, cells] = cells_of(given);
+  Cells<Outcome> cells;
+  const std::vector<Trial> trials = trials_of(given, cells);
+  if (trials.empty())
+    throw ConfigError("study_hidden", "there are no such trials",
+                      "give cases, power, alarm, reality, ordinary, smoothed or (with "
+                      "LACUNA_DATA set) practice");
   const auto finished = run_cells(given.store(name), cells);
   if (!finished) return 0;
-  std::filesystem::create_directories(folder);
   write_tables(folder, name, trials, *finished);
   std::cout << trials.size() << " trials in " << finished->origin.seconds << " s; tables in "
             << folder << '\n';

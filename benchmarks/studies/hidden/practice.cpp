@@ -101,42 +101,33 @@ hidden::Records records_of(const fs::path& folder, const std::string& ending,
   return {read("r1"), read("r2")};
 }
 
-/// Where the records of a trial lie.
-struct Place {
-  fs::path folder;
-  std::string ending;
-};
-
-Outcome judge_records(const Place& place, const DiagnosisOptions& options) {
-  const hidden::HiddenCase hidden = read_case(place.folder);
-  const bool circuit = fs::exists(place.folder / "r1_clean.csv.gz");
-  return judge(hidden, records_of(place.folder, place.ending, hidden.nominal),
-               records_of(place.folder, circuit ? "clean" : "n0", hidden.nominal), options);
+Outcome judge_records(const fs::path& folder, const std::string& ending,
+                      const hidden::HiddenCase& hidden, const DiagnosisOptions& options) {
+  const bool circuit = fs::exists(folder / "r1_clean.csv.gz");
+  return judge(hidden, records_of(folder, ending, hidden.nominal),
+               records_of(folder, circuit ? "clean" : "n0", hidden.nominal), options);
 }
 
 }  // namespace
 
-TrialCells practice_cells(const fs::path& folder, const std::string& part,
-                          const DiagnosisOptions& options) {
+std::vector<Trial> practice_trials(const fs::path& folder, const std::string& part,
+                                   const DiagnosisOptions& options, Cells<Outcome>& cells) {
   std::vector<fs::path> cases;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().string().find(part) != std::string::npos) cases.push_back(entry.path());
   std::sort(cases.begin(), cases.end());
-  TrialCells result;
-  std::vector<Place> places;
+  std::vector<Trial> trials;
   for (const fs::path& path : cases)
     for (const auto& [ending, level] : kLevels) {
       if (!fs::exists(path / ("r1_" + ending + ".csv.gz"))) continue;
-      result.trials.push_back({read_case(path), 1.0, level, 0});
-      places.push_back({path, ending});
+      const Trial trial{read_case(path), 1.0, level, 0};
+      add_told(
+          cells, trial,
+          [=, ending = ending] { return judge_records(path, ending, trial.hidden, options); },
+          " " + ending);
+      trials.push_back(trial);
     }
-  result.cells = told_cells(result.trials, [places, options](std::size_t i) {
-    return judge_records(places[i], options);
-  });
-  // Two endings may be of one level.
-  for (std::size_t i = 0; i < places.size(); ++i)
-    result.cells.names[i] += " " + places[i].ending;
-  return result;
+  return trials;
 }
 
 }  // namespace lacuna::benchmarks

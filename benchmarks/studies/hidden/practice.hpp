@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "trial.hpp"
 
@@ -10,7 +11,8 @@ namespace lacuna::benchmarks {
 
 /// The practice cases of a folder (one folder each: nominal model, records at several noise
 /// levels, truth): record r1 to find, r2 to check.
-TrialCells practice_cells(const std::filesystem::path& folder, const std::string& part,
-                          const DiagnosisOptions& options);
+/// @param cells gets one for each of the trials.
+std::vector<Trial> practice_trials(const std::filesystem::path& folder, const std::string& part,
+                                   const DiagnosisOptions& options, Cells<Outcome>& cells);
 
 }  // namespace lacuna::benchmarks

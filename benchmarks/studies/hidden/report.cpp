@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 #include "support/table.hpp"
 
@@ -155,8 +154,7 @@ void write_tables(const std::filesystem::path& folder, const std::string& name,
     text += grouped(trials, outcomes, "kind of record", ordinary_of);
   if (name == "alarm")
     text += grouped(trials, outcomes, "system", [](const Trial& t) { return t.hidden.name; });
-  write_file_atomically(folder / (name + ".md"), text);
-  write_file_atomically(folder / (name + ".csv"), all_trials(trials, outcomes).csv());
+  write_results(folder, name, all_trials(trials, outcomes).csv(), text);
 }
 
 }  // namespace lacuna::benchmarks

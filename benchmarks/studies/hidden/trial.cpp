@@ -79,22 +79,13 @@ std::string name_of(const Trial& trial) {
          std::to_string(trial.seed);
 }
 
-CellWork<Outcome> told_cells(const std::vector<Trial>& trials,
-                             std::function<Outcome(std::size_t)> run) {
-  CellWork<Outcome> cells;
-  for (const Trial& trial : trials) cells.names.push_back(name_of(trial));
-  cells.work = [trials, run = std::move(run)](std::size_t i) {
-    Outcome outcome = run(i);
-    report_progress(trials[i], outcome);
+void add_told(Cells<Outcome>& cells, const Trial& trial, const std::function<Outcome()>& run,
+              const std::string& ending) {
+  cells.add(name_of(trial) + ending, [=] {
+    Outcome outcome = run();
+    report_progress(trial, outcome);
     return outcome;
-  };
-  return cells;
-}
-
-TrialCells trial_cells(std::vector<Trial> trials, const DiagnosisOptions& options) {
-  CellWork<Outcome> cells = told_cells(
-      trials, [trials, options](std::size_t i) { return run_trial(trials[i], options); });
-  return {std::move(trials), std::move(cells)};
+  });
 }
 
 }  // namespace lacuna::benchmarks

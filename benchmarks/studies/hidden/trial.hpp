@@ -47,18 +47,9 @@ Outcome run_trial(const Trial& trial, const DiagnosisOptions& options);
 /// "pendulum-dry-friction white 0.01 x 1 seed 1": all by which trials differ.
 std::string name_of(const Trial& trial);
 
-/// Trials and how they are run.
-struct TrialCells {
-  std::vector<Trial> trials;
-  CellWork<Outcome> cells;
-};
-
-/// Each trial a cell, told on standard error as soon as it is run.
-/// @param run what becomes of trial i.
-CellWork<Outcome> told_cells(const std::vector<Trial>& trials,
-                             std::function<Outcome(std::size_t)> run);
-
-/// Trials that are made and diagnosed by run_trial().
-TrialCells trial_cells(std::vector<Trial> trials, const DiagnosisOptions& options);
+/// Adds a trial as a cell, which is told on standard error when it is run.
+/// @param ending of its name, where trials do not differ else.
+void add_told(Cells<Outcome>& cells, const Trial& trial, const std::function<Outcome()>& run,
+              const std::string& ending = "");
 
 }  // namespace lacuna::benchmarks

@@ -4,12 +4,10 @@
 // [OUTPUT_FOLDER] [SEEDS] [--cells FOLDER]
 //                      (default build/studies/hidden_channel, 32)
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <set>
 #include <span>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/core/text.hpp"
@@ -110,41 +108,32 @@ std::string names_of(const Case& one) {
   return join(names, ", ");
 }
 
-std::vector<std::string> row_of(const Case& one, std::span<const Outcome> outcomes) {
-  const auto count = [&](auto holds) {
-    return std::to_string(std::count_if(outcomes.begin(), outcomes.end(), holds));
-  };
-  double longest = 0.0;
-  for (const Outcome& outcome : outcomes) longest = std::max(longest, outcome.seconds);
-  return {one.system,
-          names_of(one),
-          format_number(one.noise),
-          std::to_string(outcomes.size()),
-          count([](auto& o) { return o.exact; }),
-          count([](auto& o) { return !o.exact && o.claims; }),
-          format_number(longest, 2)};
-}
-
 int run_study(const StudyArguments& arguments) {
-  const std::filesystem::path folder = arguments.folder_at(0);
   const std::size_t seeds = arguments.count_at(1, 32);
-  CellWork<Outcome> cells{
-      {}, [&](std::size_t k) { return run(cases()[k / seeds], k % seeds + 1); }};
+  Cells<Outcome> cells;
   for (const Case& one : cases())
-    for (std::size_t seed = 1; seed <= seeds; ++seed)
-      cells.names.push_back(one.system + " " + format_number(one.noise) + " " +
-                            std::to_string(seed));
+    cells.add_draws(one.system + " " + format_number(one.noise), seeds,
+                    [&](std::size_t seed) { return run(one, seed); });
   const auto finished = run_cells(arguments.store(), cells);
   if (!finished) return 0;
   ResultTable table{{"flow", "measured", "noise", "records", "exact",
                      "not exact, but said to fit", "largest CPU s"},
                     {}};
-  for (std::size_t i = 0; i < cases().size(); ++i)
-    table.rows.push_back(row_of(cases()[i], finished->part(i * seeds, seeds)));
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "hidden_channel.csv", table.csv());
-  write_file_atomically(
-      folder / "hidden_channel.md",
+  for (std::size_t k = 0; k < cases().size(); ++k) {
+    const Case& one = cases()[k];
+    const std::span<const Outcome> outcomes = finished->group(k);
+    const auto count = [&](auto holds) {
+      return std::to_string(std::count_if(outcomes.begin(), outcomes.end(), holds));
+    };
+    double longest = 0.0;
+    for (const Outcome& outcome : outcomes) longest = std::max(longest, outcome.seconds);
+    table.rows.push_back({one.system, names_of(one), format_number(one.noise),
+                          std::to_string(seeds), count([](auto& o) { return o.exact; }),
+                          count([](auto& o) { return !o.exact && o.claims; }),
+                          format_number(longest, 2)});
+  }
+  write_results(
+      arguments.folder_at(0), "hidden_channel", table.csv(),
       "# A state that nobody measured\n\n`study_hidden_channel`, " + finished->origin.day +
           ", " + finished->origin.machine +
           ". 501 samples of two channels, default preset (degree 3). *Exact*: all equations "

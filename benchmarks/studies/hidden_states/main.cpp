@@ -191,13 +191,13 @@ int run(const benchmarks::StudyArguments& given) {
   const fs::path folder = given.folder_at(0);
   const std::vector<Trial> trials = chosen(given.at(1), given.at(2));
   const DiagnosisOptions options = diagnosis_options({}, default_registry());
-  benchmarks::CellWork<Outcome> cells{{}, [&](std::size_t i) {
-                                        const Outcome outcome = run_trial(trials[i], options);
-                                        report_progress(trials[i], outcome);
-                                        return outcome;
-                                      }};
+  benchmarks::Cells<Outcome> cells;
   for (const Trial& trial : trials)
-    cells.names.push_back(trial.system.name + " " + format_number(trial.percent) + " %");
+    cells.add(trial.system.name + " " + format_number(trial.percent) + " %", [&] {
+      const Outcome outcome = run_trial(trial, options);
+      report_progress(trial, outcome);
+      return outcome;
+    });
   const auto finished = run_cells(given.store(), cells);
   if (!finished) return 0;
   const std::vector<Outcome>& outcomes = finished->values;

@@ -6,14 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
@@ -121,44 +118,30 @@ std::vector<std::string> row_of(const Condition& c, std::span<const Outcome> out
           format_number(median(outcomes, &Outcome::seconds), 3)};
 }
 
-/// Draws of all conditions, one after the other.
-CellWork<Outcome> draws_of(const std::vector<Condition>& all, const std::string& preset) {
-  CellWork<Outcome> cells;
-  std::vector<std::pair<Condition, std::uint64_t>> draws;
-  for (const Condition& c : all)
-    for (int draw = 1; draw <= c.draws; ++draw) {
-      draws.emplace_back(c, static_cast<std::uint64_t>(draw));
-      cells.names.push_back(join(
-          std::vector<std::string>{c.system, format_number(c.step), std::to_string(c.samples),
-                                   format_number(c.noise), scale_name(c), std::to_string(draw)},
-          " "));
-    }
-  cells.work = [draws, preset](std::size_t k) {
-    return run_draw(draws[k].first, draws[k].second, preset);
-  };
-  return cells;
+std::string name_of(const Condition& c) {
+  const std::vector<std::string> parts{c.system, format_number(c.step),
+                                       std::to_string(c.samples), format_number(c.noise),
+                                       scale_name(c)};
+  return join(parts, " ");
 }
 
 int run(const StudyArguments& arguments) {
-  const std::filesystem::path folder = arguments.folder_at(0);
   const int draws = std::max(1, static_cast<int>(arguments.count_at(1, 128)));
   const std::string preset = arguments.at(2, "robust");
   const std::vector<Condition> all = conditions(draws);
-  const auto finished = run_cells(arguments.store(preset), draws_of(all, preset));
+  Cells<Outcome> cells;
+  for (const Condition& condition : all)
+    cells.add_draws(name_of(condition), static_cast<std::size_t>(condition.draws),
+                    [&](std::size_t seed) { return run_draw(condition, seed, preset); });
+  const auto finished = run_cells(arguments.store(preset), cells);
   if (!finished) return 0;
   ResultTable table{{"system", "step", "samples", "degree", "noise %", "of", "draws",
                      "exact structure %", "median coefficient error", "median seconds"},
                     {}};
-  std::size_t first = 0;
-  for (const Condition& condition : all) {
-    const auto count = static_cast<std::size_t>(condition.draws);
-    table.rows.push_back(row_of(condition, finished->part(first, count)));
-    first += count;
-  }
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "lorenz_noise.csv", table.csv());
-  write_file_atomically(
-      folder / "lorenz_noise.md",
+  for (std::size_t k = 0; k < all.size(); ++k)
+    table.rows.push_back(row_of(all[k], finished->group(k)));
+  write_results(
+      arguments.folder_at(0), "lorenz_noise", table.csv(),
       "Preset `" + preset +
           "`; each draw is another stretch of the orbit with other noise, whose standard "
           "deviation is\nrelative to that of each state (deviation) or to the root mean square "

@@ -96,13 +96,13 @@ int run(const StudyArguments& arguments) {
   if (!folder)
     throw ConfigError("study_measured", "LACUNA_DATA is not set",
                       "set it to the folder of the measured records");
-  const std::vector<std::string (*)(const std::filesystem::path&)> parts{
-      positioning, oscillator, diagnosed_positioning, diagnosed_oscillator};
   // Each uses all cores and tells its seconds.
-  const auto finished = run_cells<std::string>(
-      arguments.store(folder), {{"EMPS", "Silverbox", "EMPS diagnosed", "Silverbox diagnosed"},
-                                [&](std::size_t part) { return parts[part](folder); },
-                                Pace::OneByOne});
+  Cells<std::string> cells(Pace::OneByOne);
+  cells.add("EMPS", [&] { return positioning(folder); });
+  cells.add("Silverbox", [&] { return oscillator(folder); });
+  cells.add("EMPS diagnosed", [&] { return diagnosed_positioning(folder); });
+  cells.add("Silverbox diagnosed", [&] { return diagnosed_oscillator(folder); });
+  const auto finished = run_cells(arguments.store(folder), cells);
   if (!finished) return 0;
   const std::string text =
       "# Measured records\n\n" + join(finished->values, "\n") + "\n" +

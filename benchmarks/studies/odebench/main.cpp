@@ -12,7 +12,6 @@
 #include <span>
 
 #include "lacuna/config/registry.hpp"
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/file_bytes.hpp"
 #include "lacuna/core/random.hpp"
@@ -152,39 +151,15 @@ double median_seconds(std::span<const Outcome> outcomes) {
   return seconds[seconds.size() / 2];
 }
 
-/// A record to be made.
-struct Task {
-  Condition condition;
-  std::size_t system = 0, draw = 0;
-};
-
-/// All systems under a condition: once where nothing is drawn.
-std::vector<Task> tasks_of(const Condition& condition, std::size_t systems, std::size_t draws) {
-  std::vector<Task> tasks;
-  const bool drawn = condition.sigma > 0.0 || condition.dropped > 0.0;
-  for (std::size_t draw = 0; draw < (drawn ? draws : 1); ++draw)
-    for (std::size_t system = 0; system < systems; ++system)
-      tasks.push_back({condition, system, draw});
-  return tasks;
+std::string name_of(const Condition& condition) {
+  return format_number(condition.sigma) + ", " + format_number(condition.dropped);
 }
 
-std::string name_of(const Task& task, const System& system) {
-  return system.name + " sigma " + format_number(task.condition.sigma) + " dropped " +
-         format_number(task.condition.dropped) + " draw " + std::to_string(task.draw + 1);
-}
-
-std::vector<std::string> summary_row(const Condition& condition,
-                                     std::span<const Outcome> outcomes) {
-  return {format_number(condition.sigma) + ", " + format_number(condition.dropped),
-          std::to_string(outcomes.size()), share(outcomes, 0), share(outcomes, 1),
-          format_number(median_seconds(outcomes), 2)};
-}
-
-std::vector<std::string> detail_row(const Task& task, const System& system,
+std::vector<std::string> detail_row(const Condition& condition, const std::string& system,
                                     const Outcome& one) {
-  return {format_number(task.condition.sigma),
-          format_number(task.condition.dropped),
-          system.name,
+  return {format_number(condition.sigma),
+          format_number(condition.dropped),
+          system,
           format_number(one.determination[0], 4),
           format_number(one.determination[1], 4),
           format_number(one.seconds, 3),
@@ -193,20 +168,18 @@ std::vector<std::string> detail_row(const Task& task, const System& system,
 
 int run_study(const benchmarks::StudyArguments& arguments) {
   const std::vector<System> systems = read_systems(arguments.at(0));
-  const std::filesystem::path folder = arguments.at(1);
   const std::size_t draws = arguments.count_at(2, 1);
   const Search search{default_registry().make_all<Effect>(), arguments.options.forms};
-  std::vector<Task> tasks;
-  benchmarks::CellWork<Outcome> cells{
-      {}, [&](std::size_t i) {
-        const System& system = systems[tasks[i].system];
-        return run(record_of(system, tasks[i].condition, 1 + tasks[i].draw), system, search);
-      }};
-  for (const Condition& condition : kConditions)
-    for (const Task& task : tasks_of(condition, systems.size(), draws)) {
-      tasks.push_back(task);
-      cells.names.push_back(name_of(task, systems[task.system]));
-    }
+  benchmarks::Cells<Outcome> cells;
+  for (const Condition& condition : kConditions) {
+    cells.begin_group(name_of(condition));
+    const bool drawn = condition.sigma > 0.0 || condition.dropped > 0.0;
+    for (std::size_t draw = 1; draw <= (drawn ? draws : 1); ++draw)
+      for (const System& system : systems)
+        cells.add(system.name + " " + std::to_string(draw), [&, draw] {
+          return run(record_of(system, condition, draw), system, search);
+        });
+  }
   const auto finished = run_cells(arguments.store(arguments.at(0)), cells);
   if (!finished) return 0;
   benchmarks::ResultTable summary{
@@ -214,19 +187,18 @@ int run_study(const benchmarks::StudyArguments& arguments) {
   benchmarks::ResultTable details{{"sigma", "dropped", "system", "reconstruction R2",
                                    "generalisation R2", "CPU seconds", "model"},
                                   {}};
-  std::size_t first = 0;
-  for (const Condition& condition : kConditions) {
-    const std::size_t count = tasks_of(condition, systems.size(), draws).size();
-    summary.rows.push_back(summary_row(condition, finished->part(first, count)));
-    first += count;
+  for (std::size_t k = 0; k < kConditions.size(); ++k) {
+    const std::span<const Outcome> outcomes = finished->group(k);
+    summary.rows.push_back({name_of(kConditions[k]), std::to_string(outcomes.size()),
+                            share(outcomes, 0), share(outcomes, 1),
+                            format_number(median_seconds(outcomes), 2)});
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+      details.rows.push_back(
+          detail_row(kConditions[k], systems[i % systems.size()].name, outcomes[i]));
   }
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-    details.rows.push_back(detail_row(tasks[i], systems[tasks[i].system], finished->values[i]));
   std::cout << summary.markdown();
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "odebench.csv", details.csv());
-  write_file_atomically(
-      folder / "odebench.md",
+  benchmarks::write_results(
+      arguments.at(1), "odebench", details.csv(),
       "# ODEBench\n\n`study_odebench FILE FOLDER " + std::to_string(draws) +
           benchmarks::settings_text(arguments) + "`, " + finished->origin.day + ", " +
           finished->origin.machine +

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "lacuna/config/registry.hpp"
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
@@ -106,10 +105,8 @@ void add(const RationalSystem& system, double noise, std::span<const Outcome> ou
 
 void write(const std::filesystem::path& folder, const std::string& arguments,
            const Tables& tables, const Origin& origin) {
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "rational.csv", tables.details.csv());
-  write_file_atomically(
-      folder / "rational.md",
+  write_results(
+      folder, "rational", tables.details.csv(),
       "# Rational and logistic right-hand sides\n\n`study_rational FOLDER " + arguments +
           "`, " + origin.day + ", " + origin.machine +
           ". Identified by the default, without a word about the functions unless the "
@@ -121,51 +118,26 @@ void write(const std::filesystem::path& folder, const std::string& arguments,
           tables.summary.markdown());
 }
 
-/// Records of one system at one level of noise.
-struct Group {
-  RationalSystem system;
-  double noise = 0.0;
-  std::size_t draws = 1;
-};
-
-/// @param only part of the names of the systems; empty: all.
-std::vector<Group> groups_of(std::size_t draws, const std::string& only) {
-  std::vector<Group> groups;
-  for (const RationalSystem& system : rational_systems()) {
-    if (system.name.find(only) == std::string::npos) continue;
-    groups.push_back({system, 0.0, 1});
-    if (draws > 0 && (!system.slow || !only.empty())) groups.push_back({system, 0.01, draws});
-  }
-  return groups;
-}
-
-/// Draws of all groups, one after the other.
-CellWork<Outcome> cells_of(const std::vector<Group>& groups, const Search& search) {
-  CellWork<Outcome> cells;
-  std::vector<std::pair<const Group*, std::uint64_t>> draws;
-  for (const Group& group : groups)
-    for (std::size_t draw = 1; draw <= group.draws; ++draw) {
-      draws.emplace_back(&group, draw);
-      cells.names.push_back(group.system.name + " " + format_number(group.noise) + " " +
-                            std::to_string(draw));
-    }
-  cells.work = [draws, &search](std::size_t i) {
-    const auto& [group, seed] = draws[i];
-    return run(group->system, group->noise, seed, search);
-  };
-  return cells;
-}
-
 int run_study(const StudyArguments& arguments) {
   const std::size_t draws = arguments.count_at(1, 50);
+  const std::string only = arguments.at(2);
   const Search search{default_registry().make_all<Effect>(), arguments.options.forms};
-  const std::vector<Group> groups = groups_of(draws, arguments.at(2));
-  const auto finished = run_cells(arguments.store(), cells_of(groups, search));
+  std::vector<std::pair<RationalSystem, double>> groups;
+  for (const RationalSystem& system : rational_systems())
+    for (const double noise : {0.0, 0.01})
+      if (system.name.find(only) != std::string::npos &&
+          (noise == 0.0 || (draws > 0 && (!system.slow || !only.empty()))))
+        groups.emplace_back(system, noise);
+  Cells<Outcome> cells;
+  for (const auto& group : groups)
+    cells.add_draws(
+        group.first.name + " " + format_number(group.second), group.second > 0.0 ? draws : 1,
+        [&](std::size_t seed) { return run(group.first, group.second, seed, search); });
+  const auto finished = run_cells(arguments.store(), cells);
   if (!finished) return 0;
   Tables tables;
-  for (const Group& group : groups)
-    add(group.system, group.noise, finished->part(tables.details.rows.size(), group.draws),
-        tables);
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    add(groups[k].first, groups[k].second, finished->group(k), tables);
   write(arguments.folder_at(0), std::to_string(draws) + settings_text(arguments), tables,
         finished->origin);
   std::cout << tables.summary.markdown();

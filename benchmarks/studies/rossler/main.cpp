@@ -74,12 +74,11 @@ int run(const StudyArguments& arguments) {
   const std::size_t count = conditions.size();
   std::vector<Records> records;
   for (const Condition& condition : conditions) records.push_back(make_records(condition));
-  CellWork<std::vector<Score>> work{
-      {},
-      [&](std::size_t i) { return scores_of(compositions[i / count], records[i % count]); }};
+  Cells<std::vector<Score>> work;
   for (const Composition& composition : compositions)
-    for (const Condition& condition : conditions)
-      work.names.push_back(name_of(composition, condition));
+    for (std::size_t i = 0; i < count; ++i)
+      work.add(name_of(composition, conditions[i]),
+               [&, i] { return scores_of(composition, records[i]); });
   const auto finished = run_cells(arguments.store(), work);
   if (!finished) return 0;
   std::vector<Cell> cells;

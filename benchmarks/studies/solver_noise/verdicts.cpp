@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/pipeline/presets.hpp"
@@ -101,63 +100,46 @@ std::vector<std::string> header() {
   return names;
 }
 
-/// Flows; those with polynomial right-hand sides come first.
-struct FlowsToJudge {
+}  // namespace
+
+int write_verdicts(const StudyArguments& arguments) {
   std::vector<Flow> all = flows();
-  std::size_t polynomial = all.size();
-
-  FlowsToJudge() {
-    for (Flow& flow : flows_beyond_polynomials()) all.push_back(std::move(flow));
+  const std::size_t polynomial = all.size();
+  for (Flow& flow : flows_beyond_polynomials()) all.push_back(std::move(flow));
+  const std::vector<Making> ways = makings();
+  Cells<Judged> cells;
+  for (const Making& making : ways) {
+    cells.begin_group(making.name);
+    for (const Flow& flow : all) cells.add(flow.name, [&] { return judged(flow, making); });
   }
-};
-
-struct Tables {
+  const auto finished = run_cells(arguments.store("verdicts"), cells);
+  if (!finished) return 0;
   ResultTable summary{header(), {}};
   ResultTable details{{"records by", "flow", "exact", "verdict", "error of a step",
                        "error of a period", "noise at most"},
                       {}};
-};
-
-void add(const Making& making, const FlowsToJudge& flows, std::span<const Judged> outcomes,
-         Tables& tables) {
-  Counts exact, wrong;
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const Judged& one = outcomes[i];
-    if (!one.done) continue;
-    if (i >= flows.polynomial)
-      wrong.add(one);
-    else if (one.exact)
-      exact.add(one);
-    tables.details.rows.push_back({making.name, flows.all[i].name, one.exact ? "1" : "0",
-                                   to_string(one.verdicts[1]), format_number(one.step, 3),
-                                   format_number(one.window, 3), format_number(one.noise, 3)});
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const Making& making = ways[k];
+    const std::span<const Judged> outcomes = finished->group(k);
+    Counts exact, wrong;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Judged& one = outcomes[i];
+      if (!one.done) continue;
+      if (i >= polynomial)
+        wrong.add(one);
+      else if (one.exact)
+        exact.add(one);
+      details.rows.push_back({making.name, all[i].name, one.exact ? "1" : "0",
+                              to_string(one.verdicts[1]), format_number(one.step, 3),
+                              format_number(one.window, 3), format_number(one.noise, 3)});
+    }
+    std::vector<std::string> row{making.name};
+    exact.write(true, row);
+    wrong.write(false, row);
+    summary.rows.push_back(std::move(row));
   }
-  std::vector<std::string> row{making.name};
-  exact.write(true, row);
-  wrong.write(false, row);
-  tables.summary.rows.push_back(std::move(row));
-}
-
-}  // namespace
-
-int write_verdicts(const StudyArguments& arguments) {
-  const FlowsToJudge flows;
-  const std::vector<Making> all = makings();
-  const std::size_t count = flows.all.size();
-  CellWork<Judged> cells{
-      {}, [&](std::size_t i) { return judged(flows.all[i % count], all[i / count]); }};
-  for (const Making& making : all)
-    for (const Flow& flow : flows.all) cells.names.push_back(flow.name + ", " + making.name);
-  const auto finished = run_cells(arguments.store("verdicts"), cells);
-  if (!finished) return 0;
-  Tables tables;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    add(all[k], flows, finished->part(k * count, count), tables);
-  const std::filesystem::path folder = arguments.folder_at(1);
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "verdicts.csv", tables.details.csv());
-  write_file_atomically(
-      folder / "verdicts.md",
+  write_results(
+      arguments.folder_at(1), "verdicts", details.csv(),
       "# Verdicts on records without noise\n\n`study_solver_noise verdicts FOLDER`, " +
           finished->origin.day + ", " + finished->origin.machine +
           ". Models that monomials up to degree 3 give. *Exact*: exactly the true terms of one "
@@ -165,8 +147,8 @@ int write_verdicts(const StudyArguments& arguments) {
           "polynomials. *Fit*: the verdict is \"fits to noise\", by the floor of the verdict "
           "(`validation.resolution`). Errors: the largest of all states over windows of a mean "
           "period, as a share of the motion.\n\n" +
-          tables.summary.markdown());
-  std::cout << tables.summary.markdown();
+          summary.markdown());
+  std::cout << summary.markdown();
   return 0;
 }
 
