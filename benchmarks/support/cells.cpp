@@ -37,12 +37,12 @@ std::string digest(std::string_view bytes) {
   return text.data();
 }
 
-/// What another build has computed is not taken for the work of this one. Empty where the
-/// system does not tell which file is run.
+/// Of the file that is run: what another build has computed is not taken for the work of this
+/// one. Empty where the system does not tell which file it is; a shared library is not seen.
 const std::string& program() {
   static const std::string of_file = [] {
     const fs::path self = "/proc/self/exe";
-    return fs::exists(self) ? digest(read_bytes(self).view()) : std::string();
+    return fs::exists(self) ? file_digest(self) : std::string();
   }();
   return of_file;
 }
@@ -150,6 +150,8 @@ std::optional<int> number_in(const char* variable) {
 }
 
 }  // namespace
+
+std::string file_digest(const fs::path& path) { return digest(read_bytes(path).view()); }
 
 void tell_other_values(const CellStore& store, const std::string& cell) {
   throw DataError("cell '" + cell + "' of study_" + store.study,

@@ -39,6 +39,9 @@ struct CellStore {
   Share share = {};
 };
 
+/// What stands for the content of a file among settings. @throws FileError.
+std::string file_digest(const std::filesystem::path& path);
+
 enum class Pace {
   AllCores,  ///< a cell for each core
   OneByOne,  ///< for cells that measure time, or use all cores themselves
@@ -52,7 +55,7 @@ class Cells {
 
   /// What is added from now on is a group, whose name stands before those of its cells.
   void begin_group(const std::string& name) {
-    group_ = name + " ";
+    group_ = name.empty() ? "" : name + " ";
     groups_.push_back(names_.size());
   }
 
@@ -132,8 +135,7 @@ Origin origin_of(const std::vector<CellRecord>& records);
 
 /// Takes finished cells from the folder of the store, computes and keeps what is missing of
 /// this process's share, and then looks for those of the others.
-/// @return nothing where another process has not finished all of its cells yet: whoever
-/// finishes
+/// @return nothing where another process has not finished all of its cells yet: who finishes
 ///   last finds them all.
 /// @throws ConfigError when there are several processes and no folder; DataError when a file is
 ///   in the place of a cell that is none of this study; FileError when a cell cannot be kept;

@@ -220,6 +220,15 @@ TEST(Cells, TellOfEveryMachineAndTheLastDay) {
   EXPECT_EQ(origin.seconds, 3.75);
 }
 
+TEST(FileDigest, IsThatOfTheContent) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a", "data"), b = folder.write("b", "data");
+  EXPECT_EQ(file_digest(a), file_digest(b));
+  folder.write("b", "date");
+  EXPECT_NE(file_digest(a), file_digest(b));
+  EXPECT_THROW(file_digest(folder.file("c")), FileError);
+}
+
 TEST(ShareOfLauncher, IsAllWhereNothingIsTold) {
   const Environment environment({});
   EXPECT_EQ(share_of_launcher().rank, 0);

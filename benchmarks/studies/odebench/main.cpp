@@ -180,7 +180,8 @@ int run_study(const benchmarks::StudyArguments& arguments) {
           return run(record_of(system, condition, draw), system, search);
         });
   }
-  const auto finished = run_cells(arguments.store(arguments.at(0)), cells);
+  const auto finished =
+      run_cells(arguments.store(benchmarks::file_digest(arguments.at(0))), cells);
   if (!finished) return 0;
   benchmarks::ResultTable summary{
       {"sigma, dropped", "records", "reconstruction", "generalisation", "median CPU s"}, {}};
