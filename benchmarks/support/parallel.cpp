@@ -26,11 +26,12 @@ void for_all(std::size_t count, const std::function<void(std::size_t)>& work) {
   };
   {
     std::vector<std::jthread> threads;
-    for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-      threads.emplace_back(run);
+    for (unsigned k = 0; k < cores(); ++k) threads.emplace_back(run);
   }
   if (failure) std::rethrow_exception(failure);
 }
+
+unsigned cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 double thread_seconds() {
   timespec time{};

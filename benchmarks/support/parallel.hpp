@@ -10,7 +10,11 @@ namespace lacuna::benchmarks {
 /// one throws first is thrown here after the others have ended.
 void for_all(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// CPU time that this thread has had, seconds; it does not depend on what else the machine does.
+/// Cores of this machine, 1 where that is not known.
+unsigned cores();
+
+/// CPU time that this thread has had, seconds; it does not depend on what else the machine
+/// does.
 double thread_seconds();
 
 }  // namespace lacuna::benchmarks

@@ -2,12 +2,12 @@
 #include "support/refinement_draws.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <thread>
+#include <memory>
 
 #include "lacuna/core/random.hpp"
+#include "lacuna/core/text.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
 #include "lacuna/shooting/cramer_rao.hpp"
 #include "lacuna/shooting/refine.hpp"
@@ -69,27 +69,22 @@ std::vector<RefinementCondition> refinement_conditions() {
   return conditions;
 }
 
-std::vector<RefinementCell> run_refinements(int draws) {
-  std::vector<RefinementCell> cells;
-  std::vector<Dataset> clean;
-  for (const RefinementCondition& condition : refinement_conditions()) {
-    cells.push_back({condition, std::vector<RefinementDraw>(static_cast<std::size_t>(draws))});
-    clean.push_back(clean_record(condition));
+std::optional<Refinements> run_refinements(const CellStore& store, std::size_t draws) {
+  const std::vector<RefinementCondition> conditions = refinement_conditions();
+  Cells<RefinementDraw> cells;
+  for (const RefinementCondition& condition : conditions) {
+    const auto clean = std::make_shared<const Dataset>(clean_record(condition));
+    cells.add_draws(condition.system + " " + format_number(condition.noise), draws,
+                    [=](std::size_t seed) { return run_draw(condition, *clean, seed); });
   }
-  const std::size_t count = cells.size() * static_cast<std::size_t>(draws);
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      const std::size_t cell = i / static_cast<std::size_t>(draws);
-      const std::size_t draw = i % static_cast<std::size_t>(draws);
-      cells[cell].draws[draw] = run_draw(cells[cell].condition, clean[cell], 1 + draw);
-    }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-    threads.emplace_back(work);
-  threads.clear();  // joins
-  return cells;
+  const auto finished = run_cells(store, cells);
+  if (!finished) return {};
+  Refinements all{{}, finished->origin};
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
+    const auto group = finished->group(k);
+    all.conditions.push_back({conditions[k], {group.begin(), group.end()}});
+  }
+  return all;
 }
 
 }  // namespace lacuna::benchmarks

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lacuna/core/types.hpp"
+#include "support/cells.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -26,10 +28,15 @@ struct RefinementDraw {
   Vector whole_bound;      ///< the same for the whole record as one window
   double seconds = 0.0;
   bool fits_to_noise = false;
+
+  auto fields() {
+    return std::tie(converged, errors, standard_errors, half_widths, bound, whole_bound,
+                    seconds, fits_to_noise);
+  }
 };
 
 /// All draws of one condition.
-struct RefinementCell {
+struct RefinementDraws {
   RefinementCondition condition;
   std::vector<RefinementDraw> draws;
 };
@@ -37,8 +44,14 @@ struct RefinementCell {
 /// Five systems at 0.1, 1 and 5 % noise.
 std::vector<RefinementCondition> refinement_conditions();
 
-/// Refines `draws` seeded draws of each condition on all cores; the result does not depend on
-/// their number.
-std::vector<RefinementCell> run_refinements(int draws);
+/// All draws of all conditions.
+struct Refinements {
+  std::vector<RefinementDraws> conditions;
+  Origin origin;
+};
+
+/// Refines `draws` seeded draws of each condition, each draw a cell.
+/// @return nothing where other processes have not finished their cells. @throws as run_cells().
+std::optional<Refinements> run_refinements(const CellStore& store, std::size_t draws);
 
 }  // namespace lacuna::benchmarks

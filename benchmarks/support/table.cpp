@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 
 namespace lacuna::benchmarks {
@@ -44,6 +45,13 @@ std::string ResultTable::markdown() const {
   text += markdown_row(std::vector<std::string>(header.size(), "---"));
   for (const auto& row : rows) text += markdown_row(row);
   return text;
+}
+
+void write_results(const std::filesystem::path& folder, const std::string& name,
+                   const std::string& csv, const std::string& markdown) {
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / (name + ".csv"), csv);
+  write_file_atomically(folder / (name + ".md"), markdown);
 }
 
 std::string machine_description() {

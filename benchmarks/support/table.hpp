@@ -16,6 +16,12 @@ struct ResultTable {
   std::string markdown() const;
 };
 
+/// Writes NAME.csv and NAME.md, each whole or not at all; the folder is made where it is
+/// missing.
+/// @throws FileError when they cannot be written.
+void write_results(const std::filesystem::path& folder, const std::string& name,
+                   const std::string& csv, const std::string& markdown);
+
 /// "Intel(R) ..., 2 cores, g++ 12.2.0": the machine and compiler a table was made with.
 std::string machine_description();
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Identifies the 70 polynomial chaotic flows from noisy records.
-// usage: study_chaos70 DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]
+// usage: study_chaos70 DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...] [--cells FOLDER]
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <numeric>
+#include <span>
 
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 #include "systems.hpp"
 
@@ -23,6 +22,8 @@ struct Outcome {
   double error = 1.0;
   Structure structure;
   double seconds = 0.0;  ///< CPU time
+
+  auto fields() { return std::tie(error, structure.missing, structure.extra, seconds); }
 };
 
 /// Systems below 1 % / 10 % in the best of the published variants (arXiv 2302.10787), whose
@@ -41,95 +42,88 @@ Outcome run(const System& system, const Pipeline& pipeline, double percent) {
           benchmarks::thread_seconds() - begin};
 }
 
-std::vector<Outcome> run_all(const std::vector<System>& systems, const Pipeline& pipeline,
-                             double percent) {
-  std::vector<Outcome> outcomes(systems.size());
-  benchmarks::for_all(systems.size(),
-                      [&](std::size_t i) { outcomes[i] = run(systems[i], pipeline, percent); });
-  return outcomes;
-}
-
-std::string count_below(const std::vector<Outcome>& outcomes, double limit) {
+std::string count_below(std::span<const Outcome> outcomes, double limit) {
   return std::to_string(std::count_if(outcomes.begin(), outcomes.end(),
                                       [&](const Outcome& o) { return o.error < limit; }));
 }
 
-double median_error(const std::vector<Outcome>& outcomes) {
+double median_error(std::span<const Outcome> outcomes) {
   std::vector<double> errors;
   for (const Outcome& outcome : outcomes) errors.push_back(outcome.error);
   std::sort(errors.begin(), errors.end());
   return errors[errors.size() / 2];
 }
 
-/// One run of all systems: a line of the summary, and its details.
-class Study {
- public:
-  explicit Study(std::string preset) : preset_(std::move(preset)) {
-    summary.header = {"preset",          "noise %",     "below 1 %",
-                      "below 10 %",      "published",   "median error",
-                      "exact structure", "CPU seconds", "wall seconds"};
-    details.header = {"preset",  "noise %", "system",     "error",
-                      "missing", "extra",   "CPU seconds"};
-  }
-
-  void add(const std::vector<System>& systems, double percent) {
-    Pipeline pipeline = lacuna::preset(preset_);
-    pipeline.basis = Monomials{{.max_degree = 4}};
-    const auto begin = std::chrono::steady_clock::now();
-    const std::vector<Outcome> outcomes = run_all(systems, pipeline, percent);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    const auto exact = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
-      return o.structure.missing + o.structure.extra == 0;
-    });
-    const double cpu = std::accumulate(
-        outcomes.begin(), outcomes.end(), 0.0,
-        [](double sum, const Outcome& outcome) { return sum + outcome.seconds; });
-    const std::string level = format_number(percent, 3);
-    summary.rows.push_back({preset_, level, count_below(outcomes, 0.01),
-                            count_below(outcomes, 0.1), published(percent),
-                            format_number(median_error(outcomes), 3), std::to_string(exact),
-                            format_number(cpu, 3), format_number(elapsed.count(), 3)});
-    for (std::size_t i = 0; i < systems.size(); ++i)
-      details.rows.push_back(
-          {preset_, level, systems[i].name, format_number(outcomes[i].error, 3),
-           std::to_string(outcomes[i].structure.missing),
-           std::to_string(outcomes[i].structure.extra), format_number(outcomes[i].seconds, 3)});
-    std::cout << summary.markdown() << std::flush;
-  }
-
-  benchmarks::ResultTable summary, details;
-
-  void write(const std::filesystem::path& folder) const {
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / (preset_ + ".csv")) << details.csv();
-    std::ofstream(folder / (preset_ + ".md"))
-        << "# chaos70, preset " << preset_ << "\n\n"
-        << benchmarks::machine_description() << ", " << benchmarks::today()
-        << "\n\nCommand: study_chaos70 DATA/chaos70 benchmarks/studies/chaos70/results "
-        << preset_
-        << "\n\nSystems out of 70 whose coefficient error is below 1 % / 10 %; published: "
-        << "the best of all variants in arXiv 2302.10787, with thresholds chosen on clean "
-           "data. "
-        << "Wall time on two threads, beside whatever else the machine does.\n\n"
-        << summary.markdown();
-  }
-
- private:
-  std::string preset_;
+/// The tables, level by level.
+struct Tables {
+  benchmarks::ResultTable summary{
+      {"preset", "noise %", "below 1 %", "below 10 %", "published", "median error",
+       "exact structure", "CPU seconds", "wall seconds"},
+      {}};
+  benchmarks::ResultTable details{
+      {"preset", "noise %", "system", "error", "missing", "extra", "CPU seconds"}, {}};
 };
 
-int run_study(const std::vector<std::string>& arguments) {
-  const std::string preset = arguments.size() > 2 ? arguments[2] : "robust";
+/// A level of noise.
+struct Level {
+  std::string preset;
+  double percent = 0.0;
+  std::span<const Outcome> outcomes;  ///< of all systems
+  double seconds = 0.0;               ///< by the clock
+};
+
+void add(const Level& level, const std::vector<System>& systems, Tables& tables) {
+  const std::span<const Outcome> outcomes = level.outcomes;
+  const auto exact = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
+    return o.structure.missing + o.structure.extra == 0;
+  });
+  const double cpu =
+      std::accumulate(outcomes.begin(), outcomes.end(), 0.0,
+                      [](double sum, const Outcome& outcome) { return sum + outcome.seconds; });
+  const std::string percent = format_number(level.percent, 3);
+  tables.summary.rows.push_back(
+      {level.preset, percent, count_below(outcomes, 0.01), count_below(outcomes, 0.1),
+       published(level.percent), format_number(median_error(outcomes), 3),
+       std::to_string(exact), format_number(cpu, 3), format_number(level.seconds, 3)});
+  for (std::size_t i = 0; i < systems.size(); ++i)
+    tables.details.rows.push_back(
+        {level.preset, percent, systems[i].name, format_number(outcomes[i].error, 3),
+         std::to_string(outcomes[i].structure.missing),
+         std::to_string(outcomes[i].structure.extra), format_number(outcomes[i].seconds, 3)});
+}
+
+int run_study(const benchmarks::StudyArguments& arguments) {
+  const std::string preset = arguments.at(2, "robust");
   std::vector<double> levels;
-  for (std::size_t i = 3; i < arguments.size(); ++i)
-    levels.push_back(parse_number(arguments[i]).value_or(0.0));
+  for (std::size_t i = 3; i < arguments.places.size(); ++i)
+    levels.push_back(parse_number(arguments.at(i)).value_or(0.0));
   if (levels.empty()) levels = {0.0, 0.1, 1.0, 5.0};
-  const std::vector<System> systems = read_systems(arguments[0]);
-  Study study(preset);
+  const std::vector<System> systems = read_systems(arguments.at(0));
+  Pipeline pipeline = lacuna::preset(preset);
+  pipeline.basis = Monomials{{.max_degree = 4}};
+  benchmarks::Cells<Outcome> cells;
   for (const double level : levels) {
-    study.add(systems, level);
-    study.write(arguments[1]);
+    cells.begin_group(format_number(level) + " %");
+    for (const System& system : systems)
+      cells.add(system.name, [&, level] { return run(system, pipeline, level); });
   }
+  const auto finished = run_cells(arguments.store(preset + " " + arguments.at(0)), cells);
+  if (!finished) return 0;
+  Tables tables;
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    add({preset, levels[k], finished->group(k), finished->seconds_of_group(k)}, systems,
+        tables);
+  benchmarks::write_results(
+      arguments.at(1), preset, tables.details.csv(),
+      "# chaos70, preset " + preset + "\n\n" + finished->origin.machine + ", " +
+          finished->origin.day +
+          "\n\nCommand: study_chaos70 DATA/chaos70 benchmarks/studies/chaos70/results " +
+          preset +
+          "\n\nSystems out of 70 whose coefficient error is below 1 % / 10 %; published: "
+          "the best of all variants in arXiv 2302.10787, with thresholds chosen on clean data. "
+          "Wall time on all cores, beside whatever else the machine does.\n\n" +
+          tables.summary.markdown());
+  std::cout << tables.summary.markdown();
   return 0;
 }
 
@@ -137,15 +131,8 @@ int run_study(const std::vector<std::string>& arguments) {
 }  // namespace lacuna::chaos70
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() < 2) {
-    std::cerr << "usage: study_chaos70 DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]\n";
-    return 2;
-  }
-  try {
-    return lacuna::chaos70::run_study(arguments);
-  } catch (const lacuna::Error& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"chaos70", "DATA_FOLDER OUTPUT_FOLDER [PRESET] [PERCENT...]", lacuna::chaos70::run_study,
+       2},
+      argc, argv);
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How often the 95 % intervals of the refinement contain the truth. Usage:
-// study_coverage [OUTPUT_FOLDER] [DRAWS]      (default build/studies/coverage, 200)
+// study_coverage [OUTPUT_FOLDER] [DRAWS] [--cells FOLDER]
+//                     (default build/studies/coverage, 200)
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 #include "support/refinement_draws.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -18,7 +17,7 @@ namespace {
 std::string percent(double share) { return format_number(100.0 * share, 3); }
 
 /// Share of all intervals of a cell that contain the truth.
-double coverage(const RefinementCell& cell) {
+double coverage(const RefinementDraws& cell) {
   double inside = 0.0, all = 0.0;
   for (const RefinementDraw& draw : cell.draws) {
     inside += static_cast<double>(
@@ -29,7 +28,7 @@ double coverage(const RefinementCell& cell) {
 }
 
 /// The coefficient whose intervals contain the truth least often.
-double worst_coverage(const RefinementCell& cell) {
+double worst_coverage(const RefinementDraws& cell) {
   Vector inside = Vector::Zero(cell.draws.front().errors.size());
   for (const RefinementDraw& draw : cell.draws)
     inside.array() +=
@@ -37,23 +36,23 @@ double worst_coverage(const RefinementCell& cell) {
   return inside.minCoeff() / static_cast<double>(cell.draws.size());
 }
 
-double share_of(const RefinementCell& cell, bool RefinementDraw::*property) {
+double share_of(const RefinementDraws& cell, bool RefinementDraw::*property) {
   return static_cast<double>(std::count_if(cell.draws.begin(), cell.draws.end(),
                                            [&](const auto& d) { return d.*property; })) /
          static_cast<double>(cell.draws.size());
 }
 
-double mean_milliseconds(const RefinementCell& cell) {
+double mean_milliseconds(const RefinementDraws& cell) {
   double sum = 0.0;
   for (const RefinementDraw& draw : cell.draws) sum += draw.seconds;
   return 1e3 * sum / static_cast<double>(cell.draws.size());
 }
 
-ResultTable table_of(const std::vector<RefinementCell>& cells) {
+ResultTable table_of(const std::vector<RefinementDraws>& cells) {
   ResultTable table{{"system", "samples", "noise %", "draws", "coverage %",
                      "worst coefficient %", "converged %", "called noise %", "time ms"},
                     {}};
-  for (const RefinementCell& cell : cells)
+  for (const RefinementDraws& cell : cells)
     table.rows.push_back({cell.condition.system, std::to_string(cell.condition.samples),
                           percent(cell.condition.noise), std::to_string(cell.draws.size()),
                           percent(coverage(cell)), percent(worst_coverage(cell)),
@@ -63,22 +62,21 @@ ResultTable table_of(const std::vector<RefinementCell>& cells) {
   return table;
 }
 
-int run(const std::filesystem::path& folder, int draws) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::vector<RefinementCell> cells = run_refinements(draws);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  const ResultTable table = table_of(cells);
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "coverage.csv", table.csv());
-  write_file_atomically(
-      folder / "coverage.md",
+int run(const StudyArguments& arguments) {
+  const std::size_t draws = arguments.count_at(1, 200);
+  const auto finished = run_refinements(arguments.store(), draws);
+  if (!finished) return 0;
+  const Origin& origin = finished->origin;
+  const ResultTable table = table_of(finished->conditions);
+  write_results(
+      arguments.folder_at(0), "coverage", table.csv(),
       "# Coverage of the 95 % intervals of the refinement\n\nStructure given, coefficients "
       "start "
       "up to 10 % off, white noise of the stated share of each state's\nstandard deviation, "
       "noise estimated from the residuals. \"called noise\": share of draws whose residuals\n"
       "pass as noise.\n\n" +
-          table.markdown() + "\n" + machine_description() + ", " + today() + ", " +
-          format_number(time.count(), 3) + " s. Command: `study_coverage FOLDER " +
+          table.markdown() + "\n" + origin.machine + ", " + origin.day + ", " +
+          format_number(origin.seconds, 3) + " s. Command: `study_coverage FOLDER " +
           std::to_string(draws) + "`\n");
   std::cout << table.markdown();
   return 0;
@@ -88,11 +86,6 @@ int run(const std::filesystem::path& folder, int draws) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return lacuna::benchmarks::run(argc > 1 ? argv[1] : "build/studies/coverage",
-                                   argc > 2 ? std::stoi(argv[2]) : 200);
-  } catch (const std::exception& error) {
-    std::cerr << "study_coverage: " << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"coverage", "[OUTPUT_FOLDER] [DRAWS]", lacuna::benchmarks::run}, argc, argv);
 }

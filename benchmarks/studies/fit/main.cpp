@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Models of known structure fitted to simulated records: how often the true numbers are found
 // from starts off by a factor of 3, and how often the 95 % intervals contain them. Usage:
-// study_fit [OUTPUT_FOLDER] [DRAWS] [RECORDS_FOLDER]   (default build/studies/fit, 25, none)
+// study_fit [OUTPUT_FOLDER] [DRAWS] [RECORDS_FOLDER] [--cells FOLDER]
+//                                                      (default build/studies/fit, 25, none)
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "problems.hpp"
 #include "support/grey_box.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -27,11 +29,8 @@ struct Draw {
   bool found = false;  ///< the minimum of the fit that starts from the truth
   int numbers = 0, with_interval = 0, inside = 0;
   double seconds = 0.0;
-};
 
-struct Cell {
-  GreyBox box;
-  std::vector<Draw> draws;
+  auto fields() { return std::tie(found, numbers, with_interval, inside, seconds); }
 };
 
 SystemModel off_by(const SystemModel& system, Random& random) {
@@ -45,19 +44,20 @@ SystemModel off_by(const SystemModel& system, Random& random) {
   return {system.symbolic(), std::move(parameters)};
 }
 
-Dataset record_of(const GreyBox& box, const OdeModel& truth, int draw) {
+Dataset record_of(const GreyBox& box, const OdeModel& truth, std::uint64_t draw) {
   return support::grey_box(truth, {.start = Eigen::Map<const Vector>(
                                        box.start.data(), static_cast<Index>(box.start.size())),
                                    .step = box.step,
                                    .samples = box.samples,
                                    .noise = kNoise,
-                                   .seed = static_cast<std::uint64_t>(draw) + 1});
+                                   .seed = draw});
 }
 
-Draw draw_of(const GreyBox& box, int number) {
+/// @param number 1 and up.
+Draw draw_of(const GreyBox& box, std::uint64_t number) {
   const SystemModel truth = parse_ode_system(box.text, box.name);
   const Dataset data = record_of(box, truth.model(), number);
-  Random random(1000 + static_cast<std::uint64_t>(number));
+  Random random(999 + number);
   const double begin = thread_seconds();
   const Fit found = fit(off_by(truth, random), data, {});
   Draw draw;
@@ -75,23 +75,23 @@ Draw draw_of(const GreyBox& box, int number) {
   return draw;
 }
 
-ResultTable table_of(const std::vector<Cell>& cells) {
+ResultTable table_of(const std::vector<GreyBox>& boxes, const Finished<Draw>& finished) {
   ResultTable table{
       {"problem", "hidden", "draws", "found %", "intervals", "coverage %", "seconds"}, {}};
   double draws = 0, found = 0, intervals = 0, inside = 0;
   const auto percent = [](double part, double whole) {
     return format_number(100.0 * part / std::max(1.0, whole), 4);
   };
-  for (const Cell& cell : cells) {
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
     double own_found = 0, own_intervals = 0, own_inside = 0, seconds = 0;
-    for (const Draw& draw : cell.draws) {
+    for (const Draw& draw : finished.group(k)) {
       own_found += draw.found ? 1 : 0;
       own_intervals += draw.found ? draw.with_interval : 0;
       own_inside += draw.found ? draw.inside : 0;
       seconds += draw.seconds;
     }
-    const auto count = static_cast<double>(cell.draws.size());
-    table.rows.push_back({cell.box.name, cell.box.hidden ? "yes" : "no", format_number(count),
+    const auto count = static_cast<double>(finished.group(k).size());
+    table.rows.push_back({boxes[k].name, boxes[k].hidden ? "yes" : "no", format_number(count),
                           percent(own_found, count), format_number(own_intervals),
                           percent(own_inside, own_intervals),
                           format_number(seconds / count, 2)});
@@ -128,26 +128,25 @@ void write_records(const std::filesystem::path& folder) {
   write_file_atomically(folder / "starts.json", starts + "}\n");
 }
 
-int run(const std::filesystem::path& folder, int draws) {
-  std::vector<Cell> cells;
-  for (const GreyBox& box : grey_boxes())
-    cells.push_back({box, std::vector<Draw>(static_cast<std::size_t>(draws))});
-  const auto count = static_cast<std::size_t>(draws);
-  for_all(cells.size() * count, [&](std::size_t i) {
-    cells[i / count].draws[i % count] =
-        draw_of(cells[i / count].box, static_cast<int>(i % count));
-  });
-  const ResultTable table = table_of(cells);
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "fit.csv", table.csv());
-  write_file_atomically(
-      folder / "fit.md",
+int run(const StudyArguments& arguments) {
+  const std::size_t draws = arguments.count_at(1, 25);
+  if (arguments.places.size() > 2) write_records(arguments.at(2));
+  const std::vector<GreyBox> boxes = grey_boxes();
+  Cells<Draw> cells;
+  for (const GreyBox& box : boxes)
+    cells.add_draws(box.name, draws, [&](std::size_t number) { return draw_of(box, number); });
+  const auto finished = run_cells(arguments.store(), cells);
+  if (!finished) return 0;
+  const ResultTable table = table_of(boxes, *finished);
+  write_results(
+      arguments.folder_at(0), "fit", table.csv(),
       "# Models of known structure fitted to records\n\nEvery number starts off by a factor of "
       "3, up or down at random; white noise of 1 % of each output's standard\ndeviation. "
       "found: "
       "the minimum of the fit that starts from the truth (rmse within 0.1 %). coverage: 95 % "
       "intervals\nthat contain the truth, of the draws that were found.\n\n" +
-          table.markdown() + "\n" + machine_description() + ", " + today() + ".\n");
+          table.markdown() + "\n" + finished->origin.machine + ", " + finished->origin.day +
+          ".\n");
   std::cout << table.markdown();
   return 0;
 }
@@ -156,7 +155,6 @@ int run(const std::filesystem::path& folder, int draws) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  const std::filesystem::path folder = argc > 1 ? argv[1] : "build/studies/fit";
-  if (argc > 3) lacuna::benchmarks::write_records(argv[3]);
-  return lacuna::benchmarks::run(folder, argc > 2 ? std::atoi(argv[2]) : 25);
+  return lacuna::benchmarks::study_main(
+      {"fit", "[OUTPUT_FOLDER] [DRAWS] [RECORDS_FOLDER]", lacuna::benchmarks::run}, argc, argv);
 }

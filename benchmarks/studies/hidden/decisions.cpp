@@ -2,17 +2,15 @@
 #include "decisions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iostream>
-#include <set>
 #include <span>
 
 #include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
-#include "support/parallel.hpp"
 #include "support/table.hpp"
 #include "trials.hpp"
 
@@ -49,6 +47,8 @@ struct Change {
   std::string name;
   double factor = 1.0;
   double value = 0.0;
+
+  std::string label() const { return name + " x " + format_number(factor); }
 };
 
 std::vector<Change> all_changes() {
@@ -114,8 +114,9 @@ std::string answer_of(const Outcome& outcome) {
          std::to_string(score.name) + std::to_string(score.spurious);
 }
 
-/// Those of the changes that alone give another answer. Changes that, made together, leave the
-/// answer as it was to the letter count as changing nothing; else each half of them is tried.
+/// Labels of those of the changes that alone give another answer. Changes that, made together,
+/// leave the answer as it was to the letter count as changing nothing; else each half of them
+/// is tried.
 std::vector<std::string> altering(std::span<const Change> changes, const Trial& trial,
                                   const Outcome& before) {
   DiagnosisOptions options = diagnosis_options({}, default_registry());
@@ -123,7 +124,7 @@ std::vector<std::string> altering(std::span<const Change> changes, const Trial& 
   const Outcome after = run_trial(trial, options);
   const bool same = answer_of(after) == answer_of(before);
   if (changes.size() == 1)
-    return same ? std::vector<std::string>{} : std::vector{changes[0].name};
+    return same ? std::vector<std::string>{} : std::vector{changes[0].label()};
   if (same && after.score.answer == before.score.answer) return {};
   const std::size_t half = changes.size() / 2;
   auto names = altering(changes.first(half), trial, before);
@@ -132,41 +133,41 @@ std::vector<std::string> altering(std::span<const Change> changes, const Trial& 
   return names;
 }
 
-/// A row for each change of a group: how many trials it alters, and which.
-std::string rows_of(const std::vector<Change>& group, const std::vector<Trial>& trials,
-                    const std::vector<Outcome>& before) {
-  std::vector<std::vector<std::string>> altered(trials.size());
-  for_all(trials.size(),
-          [&](std::size_t i) { altered[i] = altering(group, trials[i], before[i]); });
-  std::string rows;
-  for (const Change& change : group) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < trials.size(); ++i)
-      if (std::ranges::count(altered[i], change.name) > 0)
-        names.push_back(trials[i].hidden.name);
-    rows += change.name + ',' + format_number(change.factor) + ',' +
-            format_number(change.value) + ',' + std::to_string(names.size()) + ',' +
-            (names.empty() ? "-" : join(names, " ")) + '\n';
-  }
-  return rows;
+/// Changes of thresholds of smoothing, or of the others.
+std::vector<std::vector<Change>> groups_of(bool of_smoothing) {
+  std::vector<Change> changes = all_changes();
+  std::erase_if(changes,
+                [&](const Change& change) { return is_of_smoothing(change) != of_smoothing; });
+  return in_groups(changes);
 }
 
-std::vector<std::vector<std::string>> read_rows(const std::filesystem::path& path) {
-  std::vector<std::vector<std::string>> rows;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) rows.push_back(split_list(line));
-  return rows;
+/// Labels of all changes that alter the answer to a trial.
+std::vector<std::string> altered(const Trial& trial,
+                                 const std::vector<std::vector<Change>>& groups) {
+  const Outcome before = run_trial(trial, diagnosis_options({}, default_registry()));
+  std::vector<std::string> labels;
+  for (const std::vector<Change>& group : groups)
+    for (std::string& label : altering(group, trial, before))
+      labels.push_back(std::move(label));
+  return labels;
 }
 
-void write_markdown(const std::filesystem::path& folder, std::size_t cases,
-                    std::size_t smoothed) {
-  auto rows = read_rows(folder / "decisions.csv");
-  if (rows.empty()) return;
-  std::sort(rows.begin() + 1, rows.end());
-  ResultTable table{rows.front(), {rows.begin() + 1, rows.end()}};
+/// Names of the trials that a change alters. @param labels of each of them, by altered().
+std::vector<std::string> altered_by(const Change& change, const std::vector<Trial>& trials,
+                                    std::span<const std::vector<std::string>> labels) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (std::ranges::count(labels[i], change.label()) > 0)
+      names.push_back(trials[i].hidden.name);
+  return names;
+}
+
+void write_markdown(const std::filesystem::path& folder, ResultTable table,
+                    const Origin& origin, std::size_t cases, std::size_t smoothed) {
+  std::sort(table.rows.begin(), table.rows.end());
   write_file_atomically(folder / "decisions.md",
                         "# Decisions at half and at double\n\n`study_hidden decisions`, " +
-                            today() + ", " + machine_description() + ". Of " +
+                            origin.day + ", " + origin.machine + ". Of " +
                             std::to_string(cases) +
                             " hidden cases at 1 % noise (for thresholds of smoothing, these "
                             "and smoothed ones, " +
@@ -180,27 +181,31 @@ void write_markdown(const std::filesystem::path& folder, std::size_t cases,
 
 }  // namespace
 
-int run_decisions(const std::filesystem::path& folder, const std::string& part) {
-  const std::filesystem::path csv = folder / "decisions.csv";
-  std::filesystem::create_directories(folder);
-  std::set<std::string> done;
-  for (const auto& row : read_rows(csv))
-    if (row.size() > 1) done.insert(row[0] + row[1]);
-  if (done.empty()) std::ofstream(csv) << "decision,factor,value,changed,cases\n";
-  for (const bool of_smoothing : {false, true}) {
-    std::vector<Change> changes = all_changes();
-    std::erase_if(changes, [&](const Change& change) {
-      return is_of_smoothing(change) != of_smoothing ||
-             done.contains(change.name + format_number(change.factor));
-    });
-    if (changes.empty()) continue;
-    const std::vector<Trial> trials = trials_of(of_smoothing, part);
-    const std::vector<Outcome> before =
-        run_trials(trials, diagnosis_options({}, default_registry()));
-    for (const std::vector<Change>& group : in_groups(changes))
-      std::ofstream(csv, std::ios::app) << rows_of(group, trials, before);
+int run_decisions(const std::filesystem::path& folder, const std::string& part,
+                  const CellStore& store) {
+  const std::array groups{groups_of(false), groups_of(true)};
+  const std::array trials{trials_of(false, part), trials_of(true, part)};
+  Cells<std::vector<std::string>> cells;
+  for (const std::size_t kind : {0, 1}) {
+    cells.begin_group(kind == 0 ? "" : "smoothing");
+    for (const Trial& trial : trials[kind])
+      cells.add(name_of(trial), [&, kind] { return altered(trial, groups[kind]); });
   }
-  write_markdown(folder, trials_of(false, part).size(), trials_of(true, part).size());
+  const auto finished = run_cells(store, cells);
+  if (!finished) return 0;
+  ResultTable table{{"decision", "factor", "value", "changed", "cases"}, {}};
+  for (const std::size_t kind : {0, 1})
+    for (const std::vector<Change>& group : groups[kind])
+      for (const Change& change : group) {
+        const auto names = altered_by(change, trials[kind], finished->group(kind));
+        table.rows.push_back({change.name, format_number(change.factor),
+                              format_number(change.value), std::to_string(names.size()),
+                              names.empty() ? "-" : join(names, " ")});
+      }
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "decisions.csv", table.csv());
+  write_markdown(folder, std::move(table), finished->origin, trials[0].size(),
+                 trials[1].size());
   std::cout << "table in " << folder << '\n';
   return 0;
 }

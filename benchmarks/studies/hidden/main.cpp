@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
 //   study_hidden cases|power|alarm|reality|ordinary|smoothed|practice|decisions|export [FOLDER]
-//   [PART_OF_A_NAME] [NOISE_LEVEL]
+//   [PART_OF_A_NAME] [NOISE_LEVEL] [--cells FOLDER]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing; reality: effects and complete
 // systems in records as benches make them; ordinary: 500 of these in which nothing is missing;
 // smoothed: effects and complete systems in records that somebody smoothed; practice: the cases
 // in the folder `practice` of LACUNA_DATA; decisions: the cases at 1 % noise (for thresholds of
-// smoothing, the smoothed ones too) with each threshold at half and at double its value (it
-// goes on where its table in FOLDER ends).
-#include <chrono>
+// smoothing, the smoothed ones too) with each threshold at half and at double its value.
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -18,10 +16,12 @@
 #include "hidden/support/cases.hpp"
 #include "lacuna/config/diagnosis_configuration.hpp"
 #include "lacuna/core/atomic_file.hpp"
+#include "lacuna/core/error.hpp"
 #include "lacuna/data/write.hpp"
 #include "lacuna/model/model_file.hpp"
 #include "practice.hpp"
 #include "report.hpp"
+#include "support/settings.hpp"
 #include "trials.hpp"
 
 namespace lacuna::benchmarks {
@@ -37,28 +37,21 @@ std::vector<Trial> chosen_trials(const std::string& name) {
   return {};
 }
 
-struct Arguments {
-  std::string name;
-  std::filesystem::path folder;
-  std::string part, level;
-};
-
-using Results = std::pair<std::vector<Trial>, std::vector<Outcome>>;
-
-Results results_of(const Arguments& given) {
+/// The trials that are asked for. @param cells gets one for each of them.
+std::vector<Trial> trials_of(const StudyArguments& given, Cells<Outcome>& cells) {
   const DiagnosisOptions options = diagnosis_options({}, default_registry());
-  if (given.name == "practice") {
-    const char* data = std::getenv("LACUNA_DATA");
-    if (data == nullptr) return {};
-    return run_practice(std::filesystem::path(data) / "practice", given.part, options);
-  }
-  std::vector<Trial> trials = chosen_trials(given.name);
+  const std::string part = given.at(2), level = given.at(3);
+  const char* data = std::getenv("LACUNA_DATA");
+  if (given.at(0) == "practice" && data != nullptr)
+    return practice_trials(std::filesystem::path(data) / "practice", part, options, cells);
+  std::vector<Trial> trials = chosen_trials(given.at(0));
   std::erase_if(trials, [&](const Trial& trial) {
-    return trial.hidden.name.find(given.part) == std::string::npos ||
-           (!given.level.empty() && trial.level != std::stod(given.level));
+    return trial.hidden.name.find(part) == std::string::npos ||
+           (!level.empty() && trial.level != std::stod(level));
   });
-  std::vector<Outcome> outcomes = run_trials(trials, options);
-  return {std::move(trials), std::move(outcomes)};
+  for (const Trial& trial : trials)
+    add_told(cells, trial, [=] { return run_trial(trial, options); });
+  return trials;
 }
 
 /// Writes the cases at a noise level (1 % where none is given) as files, one folder each.
@@ -77,21 +70,22 @@ int export_cases(const std::filesystem::path& folder, const std::string& part,
   return 0;
 }
 
-int run(const Arguments& given) {
-  if (given.name == "decisions") return run_decisions(given.folder, given.part);
-  if (given.name == "export") return export_cases(given.folder, given.part, given.level);
-  const auto start = std::chrono::steady_clock::now();
-  const auto [trials, outcomes] = results_of(given);
-  if (trials.empty()) {
-    std::cerr << "there are no such trials; give cases, power, alarm, reality, ordinary, "
-                 "smoothed or (with LACUNA_DATA set) practice\n";
-    return 2;
-  }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::filesystem::create_directories(given.folder);
-  write_tables(given.folder, given.name, trials, outcomes, time.count());
-  std::cout << trials.size() << " trials in " << time.count() << " s; tables in "
-            << given.folder << '\n';
+int run(const StudyArguments& given) {
+  const std::string name = given.at(0);
+  const std::filesystem::path folder = given.folder_at(1);
+  if (name == "export") return export_cases(folder, given.at(2), given.at(3));
+  if (name == "decisions") return run_decisions(folder, given.at(2), given.store(name));
+  Cells<Outcome> cells;
+  const std::vector<Trial> trials = trials_of(given, cells);
+  if (trials.empty())
+    throw ConfigError("study_hidden", "there are no such trials",
+                      "give cases, power, alarm, reality, ordinary, smoothed or (with "
+                      "LACUNA_DATA set) practice");
+  const auto finished = run_cells(given.store(name), cells);
+  if (!finished) return 0;
+  write_tables(folder, name, trials, *finished);
+  std::cout << trials.size() << " trials in " << finished->origin.seconds << " s; tables in "
+            << folder << '\n';
   return 0;
 }
 
@@ -99,7 +93,10 @@ int run(const Arguments& given) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  return lacuna::benchmarks::run({argc > 1 ? argv[1] : "",
-                                  argc > 2 ? argv[2] : "build/studies/hidden",
-                                  argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : ""});
+  return lacuna::benchmarks::study_main(
+      {"hidden",
+       "cases|power|alarm|reality|ordinary|smoothed|practice|decisions|export [FOLDER] "
+       "[PART_OF_A_NAME] [NOISE_LEVEL]",
+       lacuna::benchmarks::run, 1},
+      argc, argv);
 }

@@ -101,27 +101,33 @@ hidden::Records records_of(const fs::path& folder, const std::string& ending,
   return {read("r1"), read("r2")};
 }
 
+Outcome judge_records(const fs::path& folder, const std::string& ending,
+                      const hidden::HiddenCase& hidden, const DiagnosisOptions& options) {
+  const bool circuit = fs::exists(folder / "r1_clean.csv.gz");
+  return judge(hidden, records_of(folder, ending, hidden.nominal),
+               records_of(folder, circuit ? "clean" : "n0", hidden.nominal), options);
+}
+
 }  // namespace
 
-std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(
-    const fs::path& folder, const std::string& part, const DiagnosisOptions& options) {
+std::vector<Trial> practice_trials(const fs::path& folder, const std::string& part,
+                                   const DiagnosisOptions& options, Cells<Outcome>& cells) {
   std::vector<fs::path> cases;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().string().find(part) != std::string::npos) cases.push_back(entry.path());
   std::sort(cases.begin(), cases.end());
-  std::pair<std::vector<Trial>, std::vector<Outcome>> result;
+  std::vector<Trial> trials;
   for (const fs::path& path : cases)
     for (const auto& [ending, level] : kLevels) {
       if (!fs::exists(path / ("r1_" + ending + ".csv.gz"))) continue;
-      const hidden::HiddenCase hidden = read_case(path);
-      const bool circuit = fs::exists(path / "r1_clean.csv.gz");
-      result.first.push_back({hidden, 1.0, level, 0});
-      result.second.push_back(judge(hidden, records_of(path, ending, hidden.nominal),
-                                    records_of(path, circuit ? "clean" : "n0", hidden.nominal),
-                                    options));
-      report_progress(result.first.back(), result.second.back());
+      const Trial trial{read_case(path), 1.0, level, 0};
+      add_told(
+          cells, trial,
+          [=, ending = ending] { return judge_records(path, ending, trial.hidden, options); },
+          " " + ending);
+      trials.push_back(trial);
     }
-  return result;
+  return trials;
 }
 
 }  // namespace lacuna::benchmarks

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "trial.hpp"
@@ -10,9 +10,9 @@
 namespace lacuna::benchmarks {
 
 /// The practice cases of a folder (one folder each: nominal model, records at several noise
-/// levels, truth), diagnosed one after another: record r1 to find, r2 to check.
-std::pair<std::vector<Trial>, std::vector<Outcome>> run_practice(
-    const std::filesystem::path& folder, const std::string& part,
-    const DiagnosisOptions& options);
+/// levels, truth): record r1 to find, r2 to check.
+/// @param cells gets one for each of the trials.
+std::vector<Trial> practice_trials(const std::filesystem::path& folder, const std::string& part,
+                                   const DiagnosisOptions& options, Cells<Outcome>& cells);
 
 }  // namespace lacuna::benchmarks

@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 #include "support/table.hpp"
 
@@ -137,12 +136,13 @@ ResultTable all_trials(const std::vector<Trial>& trials, const std::vector<Outco
 }  // namespace
 
 void write_tables(const std::filesystem::path& folder, const std::string& name,
-                  const std::vector<Trial>& trials, const std::vector<Outcome>& outcomes,
-                  double seconds) {
+                  const std::vector<Trial>& trials, const Finished<Outcome>& finished) {
+  const std::vector<Outcome>& outcomes = finished.values;
+  const Origin& origin = finished.origin;
   const auto level = [](const Trial& t) { return format_number(100.0 * t.level) + " %"; };
   std::string text = "# Hidden effects: " + name + "\n\n`study_hidden " + name + "`, " +
-                     today() + ", " + machine_description() + ", " + format_number(seconds, 3) +
-                     " s.\n\n";
+                     origin.day + ", " + origin.machine + ", " +
+                     format_number(origin.seconds, 3) + " s.\n\n";
   text += grouped(trials, outcomes, "kind, noise",
                   [&](const Trial& t) { return group_of(t) + ", " + level(t); });
   if (name == "power")
@@ -154,8 +154,7 @@ void write_tables(const std::filesystem::path& folder, const std::string& name,
     text += grouped(trials, outcomes, "kind of record", ordinary_of);
   if (name == "alarm")
     text += grouped(trials, outcomes, "system", [](const Trial& t) { return t.hidden.name; });
-  write_file_atomically(folder / (name + ".md"), text);
-  write_file_atomically(folder / (name + ".csv"), all_trials(trials, outcomes).csv());
+  write_results(folder, name, all_trials(trials, outcomes).csv(), text);
 }
 
 }  // namespace lacuna::benchmarks

@@ -11,7 +11,6 @@ namespace lacuna::benchmarks {
 /// Writes NAME.csv with every trial and NAME.md with the shares by noise, by kind and by
 /// family.
 void write_tables(const std::filesystem::path& folder, const std::string& name,
-                  const std::vector<Trial>& trials, const std::vector<Outcome>& outcomes,
-                  double seconds);
+                  const std::vector<Trial>& trials, const Finished<Outcome>& finished);
 
 }  // namespace lacuna::benchmarks

@@ -39,6 +39,14 @@ std::string flags_of(const Outcome& outcome) {
   return flags + (score.size ? " size " + format_number(*score.size, 3) : "");
 }
 
+/// One line about a trial on standard error.
+void report_progress(const Trial& trial, const Outcome& outcome) {
+  std::ostringstream line;
+  line << trial.hidden.name << ' ' << trial.level << ' ' << flags_of(outcome) << ": "
+       << outcome.score.answer << outcome.failure << " (" << outcome.seconds << " s)\n";
+  std::cerr << line.str();
+}
+
 }  // namespace
 
 Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
@@ -65,21 +73,19 @@ Outcome run_trial(const Trial& trial, const DiagnosisOptions& options) {
       options);
 }
 
-void report_progress(const Trial& trial, const Outcome& outcome) {
-  std::ostringstream line;
-  line << trial.hidden.name << ' ' << trial.level << ' ' << flags_of(outcome) << ": "
-       << outcome.score.answer << outcome.failure << " (" << outcome.seconds << " s)\n";
-  std::cerr << line.str();
+std::string name_of(const Trial& trial) {
+  return trial.hidden.name + " " + to_string(trial.hidden.noise) + " " +
+         format_number(trial.level) + " x " + format_number(trial.strength) + " seed " +
+         std::to_string(trial.seed);
 }
 
-std::vector<Outcome> run_trials(const std::vector<Trial>& trials,
-                                const DiagnosisOptions& options) {
-  std::vector<Outcome> outcomes(trials.size());
-  for_all(trials.size(), [&](std::size_t i) {
-    outcomes[i] = run_trial(trials[i], options);
-    report_progress(trials[i], outcomes[i]);
+void add_told(Cells<Outcome>& cells, const Trial& trial, const std::function<Outcome()>& run,
+              const std::string& ending) {
+  cells.add(name_of(trial) + ending, [=] {
+    Outcome outcome = run();
+    report_progress(trial, outcome);
+    return outcome;
   });
-  return outcomes;
 }
 
 }  // namespace lacuna::benchmarks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
 #include "lacuna/hypotheses/problem.hpp"
+#include "support/cells.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -27,6 +29,11 @@ struct Outcome {
   std::optional<double> real_gap = {};  ///< recomputed from clean data, where it can be
   double seconds = 0.0;                 ///< of one processor
   std::string failure;                  ///< message of an exception; empty when there was none
+
+  auto fields() {
+    return std::tie(score.verdict, score.equation, score.name, score.listed, score.spurious,
+                    score.size, score.answer, gap, true_gap, real_gap, seconds, failure);
+  }
 };
 
 /// Diagnoses records and holds the answer against the truth. @param clean the same without
@@ -37,12 +44,12 @@ Outcome judge(const hidden::HiddenCase& hidden, const hidden::Records& records,
 /// Makes the records of a trial, diagnoses them and holds the answer against the truth.
 Outcome run_trial(const Trial& trial, const DiagnosisOptions& options);
 
-/// One line about a trial on standard error.
-void report_progress(const Trial& trial, const Outcome& outcome);
+/// "pendulum-dry-friction white 0.01 x 1 seed 1": all by which trials differ.
+std::string name_of(const Trial& trial);
 
-/// All trials, spread over the processor's cores; outcomes in the order of the trials. Progress
-/// goes to standard error.
-std::vector<Outcome> run_trials(const std::vector<Trial>& trials,
-                                const DiagnosisOptions& options);
+/// Adds a trial as a cell, which is told on standard error when it is run.
+/// @param ending of its name, where trials do not differ else.
+void add_told(Cells<Outcome>& cells, const Trial& trial, const std::function<Outcome()>& run,
+              const std::string& ending = "");
 
 }  // namespace lacuna::benchmarks

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Flows identified from two of their three channels: how often the structure is the true one,
 // up to the scale of the state that was not measured. Usage: study_hidden_channel
-// [OUTPUT_FOLDER] [SEEDS]
+// [OUTPUT_FOLDER] [SEEDS] [--cells FOLDER]
 //                      (default build/studies/hidden_channel, 32)
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <set>
+#include <span>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/core/text.hpp"
@@ -19,6 +18,7 @@
 #include "lacuna/realisation/identify_hidden.hpp"
 #include "lacuna/systems/test_systems.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -74,6 +74,8 @@ struct Outcome {
   bool exact = false;
   bool claims = false;  ///< says that it fits to the noise
   double seconds = 0.0;
+
+  auto fields() { return std::tie(exact, claims, seconds); }
 };
 
 Outcome run(const Case& one, std::uint64_t seed) {
@@ -106,13 +108,20 @@ std::string names_of(const Case& one) {
   return join(names, ", ");
 }
 
-int run_study(const std::filesystem::path& folder, std::size_t seeds) {
+int run_study(const StudyArguments& arguments) {
+  const std::size_t seeds = arguments.count_at(1, 32);
+  Cells<Outcome> cells;
+  for (const Case& one : cases())
+    cells.add_draws(one.system + " " + format_number(one.noise), seeds,
+                    [&](std::size_t seed) { return run(one, seed); });
+  const auto finished = run_cells(arguments.store(), cells);
+  if (!finished) return 0;
   ResultTable table{{"flow", "measured", "noise", "records", "exact",
                      "not exact, but said to fit", "largest CPU s"},
                     {}};
-  for (const Case& one : cases()) {
-    std::vector<Outcome> outcomes(seeds);
-    for_all(seeds, [&](std::size_t i) { outcomes[i] = run(one, i + 1); });
+  for (std::size_t k = 0; k < cases().size(); ++k) {
+    const Case& one = cases()[k];
+    const std::span<const Outcome> outcomes = finished->group(k);
     const auto count = [&](auto holds) {
       return std::to_string(std::count_if(outcomes.begin(), outcomes.end(), holds));
     };
@@ -123,12 +132,10 @@ int run_study(const std::filesystem::path& folder, std::size_t seeds) {
                           count([](auto& o) { return !o.exact && o.claims; }),
                           format_number(longest, 2)});
   }
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "hidden_channel.csv", table.csv());
-  write_file_atomically(
-      folder / "hidden_channel.md",
-      "# A state that nobody measured\n\n`study_hidden_channel`, " + today() + ", " +
-          machine_description() +
+  write_results(
+      arguments.folder_at(0), "hidden_channel", table.csv(),
+      "# A state that nobody measured\n\n`study_hidden_channel`, " + finished->origin.day +
+          ", " + finished->origin.machine +
           ". 501 samples of two channels, default preset (degree 3). *Exact*: all equations "
           "have exactly the true terms, up to the scale of the hidden state.\n\n" +
           table.markdown());
@@ -140,6 +147,6 @@ int run_study(const std::filesystem::path& folder, std::size_t seeds) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  return lacuna::benchmarks::run_study(argc > 1 ? argv[1] : "build/studies/hidden_channel",
-                                       argc > 2 ? std::stoul(argv[2]) : 32);
+  return lacuna::benchmarks::study_main(
+      {"hidden_channel", "[OUTPUT_FOLDER] [SEEDS]", lacuna::benchmarks::run_study}, argc, argv);
 }

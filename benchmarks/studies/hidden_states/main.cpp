@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right where not every state is measured. Usage:
-//   study_hidden_states [FOLDER] [PART_OF_A_NAME] [NOISE_PERCENT]
+//   study_hidden_states [FOLDER] [PART_OF_A_NAME] [NOISE_PERCENT] [--cells FOLDER]
 //   study_hidden_states export FOLDER [PART_OF_A_NAME] [NOISE_PERCENT]
 // Systems with an effect, complete ones, and ones that the records do not determine, at 0.5 and
 // 2 % noise; tables go to FOLDER. `export` writes model and records as files.
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <mutex>
+#include <sstream>
 #include <string>
 
 #include "lacuna/config/diagnosis_configuration.hpp"
@@ -22,6 +22,7 @@
 #include "lacuna/model/model_file.hpp"
 #include "lacuna/records/model_view.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 #include "systems.hpp"
 
@@ -41,6 +42,10 @@ struct Outcome {
   bool named = false;                   ///< whether any effect is
   bool said = false;                    ///< that something is not determined
   double seconds = 0.0;
+
+  auto fields() {
+    return std::tie(verdict, answer, failure, equation, name, named, said, seconds);
+  }
 };
 
 bool has(const std::vector<std::string>& list, const std::string& what) {
@@ -172,30 +177,39 @@ int export_trials(const fs::path& folder, const std::vector<Trial>& trials) {
   return 0;
 }
 
-int run(const std::vector<std::string>& given) {
-  const auto at = [&](std::size_t i) { return i < given.size() ? given[i] : std::string(); };
-  if (at(0) == "export") return export_trials(at(1), chosen(at(2), at(3)));
-  const fs::path folder = at(0).empty() ? "build/studies/hidden_states" : at(0);
-  const std::vector<Trial> trials = chosen(at(1), at(2));
+void report_progress(const Trial& trial, const Outcome& outcome) {
+  std::ostringstream line;
+  line << (is_right(trial, outcome) ? "+ " : "- ") << trial.system.name << ' ' << trial.percent
+       << ": " << outcome.verdict << ' ' << outcome.answer << outcome.failure
+       << (outcome.said ? " ni" : "") << " (" << outcome.seconds << " s)\n";
+  std::cerr << line.str();
+}
+
+int run(const benchmarks::StudyArguments& given) {
+  if (given.at(0) == "export")
+    return export_trials(given.at(1), chosen(given.at(2), given.at(3)));
+  const fs::path folder = given.folder_at(0);
+  const std::vector<Trial> trials = chosen(given.at(1), given.at(2));
   const DiagnosisOptions options = diagnosis_options({}, default_registry());
-  std::vector<Outcome> outcomes(trials.size());
-  std::mutex printing;
-  benchmarks::for_all(trials.size(), [&](std::size_t i) {
-    outcomes[i] = run_trial(trials[i], options);
-    const std::lock_guard<std::mutex> lock(printing);
-    std::cerr << (is_right(trials[i], outcomes[i]) ? "+ " : "- ") << trials[i].system.name
-              << ' ' << trials[i].percent << ": " << outcomes[i].verdict << ' '
-              << outcomes[i].answer << outcomes[i].failure << (outcomes[i].said ? " ni" : "")
-              << " (" << outcomes[i].seconds << " s)\n";
-  });
+  benchmarks::Cells<Outcome> cells;
+  for (const Trial& trial : trials)
+    cells.add(trial.system.name + " " + format_number(trial.percent) + " %", [&] {
+      const Outcome outcome = run_trial(trial, options);
+      report_progress(trial, outcome);
+      return outcome;
+    });
+  const auto finished =
+      run_cells(given.store(benchmarks::file_digest(LACUNA_HIDDEN_STATES)), cells);
+  if (!finished) return 0;
+  const std::vector<Outcome>& outcomes = finished->values;
   fs::create_directories(folder);
   const benchmarks::ResultTable cases = table_of(trials, outcomes);
   const benchmarks::ResultTable summary = summary_of(trials, outcomes);
   write_file_atomically(folder / "cases.csv", cases.csv());
   write_file_atomically(folder / "results.md",
-                        "# Diagnosis where states are hidden\n\n" +
-                            benchmarks::machine_description() + ", " + benchmarks::today() +
-                            "\n\n" + summary.markdown() + "\n" + cases.markdown());
+                        "# Diagnosis where states are hidden\n\n" + finished->origin.machine +
+                            ", " + finished->origin.day + "\n\n" + summary.markdown() + "\n" +
+                            cases.markdown());
   std::cout << summary.markdown();
   return 0;
 }
@@ -203,4 +217,9 @@ int run(const std::vector<std::string>& given) {
 }  // namespace
 }  // namespace lacuna::hidden_states
 
-int main(int argc, char** argv) { return lacuna::hidden_states::run({argv + 1, argv + argc}); }
+int main(int argc, char** argv) {
+  return lacuna::benchmarks::study_main(
+      {"hidden_states", "[FOLDER] [PART_OF_A_NAME] [NOISE_PERCENT]",
+       lacuna::hidden_states::run},
+      argc, argv);
+}

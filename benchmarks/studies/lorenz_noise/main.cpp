@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // How often the exact structure of Lorenz and Rossler is found, for records of different length
 // and noise, and the protocol of weak SINDy on Lorenz. Usage:
-// study_lorenz_noise [OUTPUT_FOLDER] [DRAWS] [PRESET]
+// study_lorenz_noise [OUTPUT_FOLDER] [DRAWS] [PRESET] [--cells FOLDER]
 //                                      (default build/studies/lorenz_noise 128 robust)
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
+#include <span>
 #include <vector>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/random.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/dynamics/runge_kutta.hpp"
@@ -19,7 +18,7 @@
 #include "lacuna/systems/measurement.hpp"
 #include "lacuna/systems/test_systems.hpp"
 #include "support/accuracy.hpp"
-#include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -42,11 +41,12 @@ struct Condition {
   int draws;
 };
 
-/// All draws of one condition.
-struct Cell {
-  Condition condition;
-  std::vector<char> exact;  ///< not bool: written by several threads
-  std::vector<double> errors, seconds;
+/// What became of one draw.
+struct Outcome {
+  bool exact = false;
+  double error = 0.0, seconds = 0.0;
+
+  auto fields() { return std::tie(exact, error, seconds); }
 };
 
 std::vector<Condition> conditions(int draws) {
@@ -79,64 +79,77 @@ Dataset draw_record(const Condition& condition, std::uint64_t seed) {
   return add_noise(record, sigma, seed);
 }
 
-void run_draw(Cell& cell, std::size_t draw, const std::string& name) {
-  const Dataset record = draw_record(cell.condition, 1 + draw);
+Outcome run_draw(const Condition& condition, std::uint64_t seed, const std::string& name) {
+  const Dataset record = draw_record(condition, seed);
   Pipeline pipeline = preset(name);
-  pipeline.basis = Monomials{{.max_degree = cell.condition.degree}};
+  pipeline.basis = Monomials{{.max_degree = condition.degree}};
   const auto start = std::chrono::steady_clock::now();
   const IdentificationResult result = identify(record, pipeline);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   const ModelAccuracy accuracy =
-      compare_models(result.model, test_system(cell.condition.system).model);
-  cell.exact[draw] = accuracy.exact_structure ? 1 : 0;
-  cell.errors[draw] = accuracy.relative_error;
-  cell.seconds[draw] = time.count();
+      compare_models(result.model, test_system(condition.system).model);
+  return {accuracy.exact_structure, accuracy.relative_error, time.count()};
 }
 
-Cell run_cell(const Condition& condition, const std::string& preset) {
-  const auto draws = static_cast<std::size_t>(condition.draws);
-  Cell cell{condition, std::vector<char>(draws), std::vector<double>(draws),
-            std::vector<double>(draws)};
-  for_all(draws, [&](std::size_t draw) { run_draw(cell, draw, preset); });
-  return cell;
-}
-
-double median(std::vector<double> values) {
+double median(std::span<const Outcome> outcomes, double Outcome::*value) {
+  std::vector<double> values;
+  for (const Outcome& outcome : outcomes) values.push_back(outcome.*value);
   std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
                    values.end());
   return values[values.size() / 2];
 }
 
-void add_row(const Cell& cell, ResultTable& table) {
-  const Condition& c = cell.condition;
-  const auto exact = std::count(cell.exact.begin(), cell.exact.end(), 1);
-  table.rows.push_back(
-      {c.system, format_number(c.step), std::to_string(c.samples), std::to_string(c.degree),
-       format_number(100.0 * c.noise, 3), c.scale == Scale::Deviation ? "deviation" : "signal",
-       std::to_string(c.draws), format_number(100.0 * static_cast<double>(exact) / c.draws, 3),
-       format_number(median(cell.errors), 3), format_number(median(cell.seconds), 3)});
+std::string scale_name(const Condition& condition) {
+  return condition.scale == Scale::Deviation ? "deviation" : "signal";
 }
 
-int run(const std::filesystem::path& folder, int draws, const std::string& preset) {
+std::vector<std::string> row_of(const Condition& c, std::span<const Outcome> outcomes) {
+  const auto exact = std::count_if(outcomes.begin(), outcomes.end(),
+                                   [](const Outcome& outcome) { return outcome.exact; });
+  return {c.system,
+          format_number(c.step),
+          std::to_string(c.samples),
+          std::to_string(c.degree),
+          format_number(100.0 * c.noise, 3),
+          scale_name(c),
+          std::to_string(c.draws),
+          format_number(100.0 * static_cast<double>(exact) / c.draws, 3),
+          format_number(median(outcomes, &Outcome::error), 3),
+          format_number(median(outcomes, &Outcome::seconds), 3)};
+}
+
+std::string name_of(const Condition& c) {
+  const std::vector<std::string> parts{c.system, format_number(c.step),
+                                       std::to_string(c.samples), format_number(c.noise),
+                                       scale_name(c)};
+  return join(parts, " ");
+}
+
+int run(const StudyArguments& arguments) {
+  const int draws = std::max(1, static_cast<int>(arguments.count_at(1, 128)));
+  const std::string preset = arguments.at(2, "robust");
+  const std::vector<Condition> all = conditions(draws);
+  Cells<Outcome> cells;
+  for (const Condition& condition : all)
+    cells.add_draws(name_of(condition), static_cast<std::size_t>(condition.draws),
+                    [&](std::size_t seed) { return run_draw(condition, seed, preset); });
+  const auto finished = run_cells(arguments.store(preset), cells);
+  if (!finished) return 0;
   ResultTable table{{"system", "step", "samples", "degree", "noise %", "of", "draws",
                      "exact structure %", "median coefficient error", "median seconds"},
                     {}};
-  std::filesystem::create_directories(folder);
-  for (const Condition& condition : conditions(draws)) {
-    add_row(run_cell(condition, preset), table);
-    std::cout << join(table.rows.back(), "  ") << std::endl;
-    write_file_atomically(folder / "lorenz_noise.csv", table.csv());
-    write_file_atomically(
-        folder / "lorenz_noise.md",
-        "Preset `" + preset +
-            "`; each draw is another stretch of the orbit with other noise, whose standard "
-            "deviation is\nrelative to that of each state (deviation) or to the root mean "
-            "square "
-            "of the record over all states (signal).\nErrors are those of the matrix of "
-            "coefficients in the spectral norm.\n\nMade by `study_lorenz_noise FOLDER " +
-            std::to_string(draws) + " " + preset + "` on " + today() + ", " +
-            machine_description() + ".\n\n" + table.markdown());
-  }
+  for (std::size_t k = 0; k < all.size(); ++k)
+    table.rows.push_back(row_of(all[k], finished->group(k)));
+  write_results(
+      arguments.folder_at(0), "lorenz_noise", table.csv(),
+      "Preset `" + preset +
+          "`; each draw is another stretch of the orbit with other noise, whose standard "
+          "deviation is\nrelative to that of each state (deviation) or to the root mean square "
+          "of the record over all states (signal).\nErrors are those of the matrix of "
+          "coefficients in the spectral norm.\n\nMade by `study_lorenz_noise FOLDER " +
+          std::to_string(draws) + " " + preset + "` on " + finished->origin.day + ", " +
+          finished->origin.machine + ".\n\n" + table.markdown());
+  std::cout << table.markdown();
   return 0;
 }
 
@@ -144,16 +157,7 @@ int run(const std::filesystem::path& folder, int draws, const std::string& prese
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto argument = [&](std::size_t k, const char* otherwise) {
-    return k < arguments.size() ? arguments[k] : std::string(otherwise);
-  };
-  try {
-    const double draws = lacuna::parse_number(argument(1, "128")).value_or(0.0);
-    return lacuna::benchmarks::run(argument(0, "build/studies/lorenz_noise"),
-                                   std::max(1, static_cast<int>(draws)), argument(2, "robust"));
-  } catch (const std::exception& error) {
-    std::cerr << "study_lorenz_noise: " << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"lorenz_noise", "[OUTPUT_FOLDER] [DRAWS] [PRESET]", lacuna::benchmarks::run}, argc,
+      argv);
 }

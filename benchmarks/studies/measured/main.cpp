@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measured records end to end: the positioning system EMPS and the Silverbox oscillator, read
 // from the folder LACUNA_DATA. Usage: study_measured [OUTPUT_FOLDER]
+// [--cells FOLDER]
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -13,9 +14,10 @@
 #include "lacuna/core/text.hpp"
 #include "lacuna/data/read.hpp"
 #include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/records/embedding.hpp"
 #include "lacuna/pipeline/presets.hpp"
+#include "lacuna/records/embedding.hpp"
 #include "lacuna/shooting/refine.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -88,15 +90,23 @@ std::string oscillator(const std::filesystem::path& folder) {
          "\n```\n";
 }
 
-int run(const std::filesystem::path& output) {
+int run(const StudyArguments& arguments) {
+  const std::filesystem::path output = arguments.folder_at(0);
   const char* folder = std::getenv("LACUNA_DATA");
   if (!folder)
     throw ConfigError("study_measured", "LACUNA_DATA is not set",
                       "set it to the folder of the measured records");
+  // Each uses all cores and tells its seconds.
+  Cells<std::string> cells(Pace::OneByOne);
+  cells.add("EMPS", [&] { return positioning(folder); });
+  cells.add("Silverbox", [&] { return oscillator(folder); });
+  cells.add("EMPS diagnosed", [&] { return diagnosed_positioning(folder); });
+  cells.add("Silverbox diagnosed", [&] { return diagnosed_oscillator(folder); });
+  const auto finished = run_cells(arguments.store(folder), cells);
+  if (!finished) return 0;
   const std::string text =
-      "# Measured records\n\n" + positioning(folder) + "\n" + oscillator(folder) + "\n" +
-      diagnosed_positioning(folder) + "\n" + diagnosed_oscillator(folder) + "\n" +
-      machine_description() + ", " + today() +
+      "# Measured records\n\n" + join(finished->values, "\n") + "\n" +
+      finished->origin.machine + ", " + finished->origin.day +
       ". Seconds are of the clock. Command: `LACUNA_DATA=... study_measured FOLDER`\n";
   std::filesystem::create_directories(output);
   write_file_atomically(output / "measured.md", text);
@@ -108,10 +118,6 @@ int run(const std::filesystem::path& output) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return lacuna::benchmarks::run(argc > 1 ? argv[1] : "build/studies/measured");
-  } catch (const std::exception& error) {
-    std::cerr << "study_measured: " << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"measured", "[OUTPUT_FOLDER]", lacuna::benchmarks::run}, argc, argv);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Models found in records of ODEBench, solved from the record's start and from another one.
-// usage: study_odebench FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]
+// usage: study_odebench FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...] [--cells FOLDER]
 // FILE: systems with two solutions each, as JSON (may be packed by gzip).
 // DRAWS: of noise and dropped samples; 1 as published. PATH=VALUE: options of `identify`.
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "lacuna/config/registry.hpp"
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/file_bytes.hpp"
 #include "lacuna/core/random.hpp"
@@ -35,12 +35,13 @@ struct System {
 };
 
 /// Noise x (1 + sigma xi), and the share of samples that is dropped.
-struct Cell {
+struct Condition {
   double sigma = 0.0, dropped = 0.0;
 };
 
 /// Published protocol.
-constexpr std::array<Cell, 4> kCells = {{{0.0, 0.0}, {0.05, 0.0}, {0.0, 0.5}, {0.05, 0.5}}};
+constexpr std::array<Condition, 4> kConditions = {
+    {{0.0, 0.0}, {0.05, 0.0}, {0.0, 0.5}, {0.05, 0.5}}};
 
 Vector vector_of(const nlohmann::json& list) {
   const auto values = list.get<std::vector<double>>();
@@ -71,12 +72,12 @@ std::vector<System> read_systems(const std::filesystem::path& path) {
 }
 
 /// The first solution as it is measured.
-Dataset record_of(const System& system, const Cell& cell, std::uint64_t seed) {
+Dataset record_of(const System& system, const Condition& condition, std::uint64_t seed) {
   Random random(seed);
   const Matrix& clean = system.states[0];
   std::vector<Index> kept;
   for (Index i = 0; i < clean.rows(); ++i)
-    if (random.uniform() >= cell.dropped) kept.push_back(i);
+    if (random.uniform() >= condition.dropped) kept.push_back(i);
   Dataset data;
   for (Index k = 0; k < clean.cols(); ++k) data.states.push_back({"x" + std::to_string(k), ""});
   Trajectory& record = data.trajectories.emplace_back();
@@ -88,7 +89,7 @@ Dataset record_of(const System& system, const Cell& cell, std::uint64_t seed) {
     const Index from = kept[static_cast<std::size_t>(i)];
     record.time[i] = system.time[from];
     for (Index k = 0; k < clean.cols(); ++k)
-      record.states(i, k) = clean(from, k) * (1.0 + cell.sigma * random.normal());
+      record.states(i, k) = clean(from, k) * (1.0 + condition.sigma * random.normal());
   }
   return data;
 }
@@ -102,11 +103,13 @@ double determination(const OdeModel& model, const Vector& time, const Matrix& cl
   return 1.0 - (clean - orbit.states).squaredNorm() / spread;
 }
 
-/// What came of one system in one cell.
+/// What came of one system under one condition.
 struct Outcome {
   std::array<double, 2> determination{-1.0, -1.0};
   std::string model;
   double seconds = 0.0;  ///< CPU time of the fit
+
+  auto fields() { return std::tie(determination, model, seconds); }
 };
 
 /// What is sought, and how.
@@ -132,7 +135,7 @@ Outcome run(const Dataset& data, const System& system, const Search& search) {
   return outcome;
 }
 
-std::string share(const std::vector<Outcome>& outcomes, std::size_t solution) {
+std::string share(std::span<const Outcome> outcomes, std::size_t solution) {
   const auto good = std::count_if(outcomes.begin(), outcomes.end(), [&](const Outcome& one) {
     return one.determination[solution] > 0.9;
   });
@@ -141,50 +144,65 @@ std::string share(const std::vector<Outcome>& outcomes, std::size_t solution) {
          " %";
 }
 
-double median_seconds(const std::vector<Outcome>& outcomes) {
+double median_seconds(std::span<const Outcome> outcomes) {
   std::vector<double> seconds;
   for (const Outcome& one : outcomes) seconds.push_back(one.seconds);
   std::sort(seconds.begin(), seconds.end());
   return seconds[seconds.size() / 2];
 }
 
+std::string name_of(const Condition& condition) {
+  return format_number(condition.sigma) + ", " + format_number(condition.dropped);
+}
+
+std::vector<std::string> detail_row(const Condition& condition, const std::string& system,
+                                    const Outcome& one) {
+  return {format_number(condition.sigma),
+          format_number(condition.dropped),
+          system,
+          format_number(one.determination[0], 4),
+          format_number(one.determination[1], 4),
+          format_number(one.seconds, 3),
+          one.model};
+}
+
 int run_study(const benchmarks::StudyArguments& arguments) {
-  const std::vector<System> systems = read_systems(arguments.places[0]);
-  const std::filesystem::path folder = arguments.places[1];
-  const std::size_t draws = arguments.places.size() > 2 ? std::stoul(arguments.places[2]) : 1;
+  const std::vector<System> systems = read_systems(arguments.at(0));
+  const std::size_t draws = arguments.count_at(2, 1);
   const Search search{default_registry().make_all<Effect>(), arguments.options.forms};
+  benchmarks::Cells<Outcome> cells;
+  for (const Condition& condition : kConditions) {
+    cells.begin_group(name_of(condition));
+    const bool drawn = condition.sigma > 0.0 || condition.dropped > 0.0;
+    for (std::size_t draw = 1; draw <= (drawn ? draws : 1); ++draw)
+      for (const System& system : systems)
+        cells.add(system.name + " " + std::to_string(draw), [&, draw] {
+          return run(record_of(system, condition, draw), system, search);
+        });
+  }
+  const auto finished =
+      run_cells(arguments.store(benchmarks::file_digest(arguments.at(0))), cells);
+  if (!finished) return 0;
   benchmarks::ResultTable summary{
       {"sigma, dropped", "records", "reconstruction", "generalisation", "median CPU s"}, {}};
   benchmarks::ResultTable details{{"sigma", "dropped", "system", "reconstruction R2",
                                    "generalisation R2", "CPU seconds", "model"},
                                   {}};
-  for (const Cell& cell : kCells) {
-    const bool drawn = cell.sigma > 0.0 || cell.dropped > 0.0;
-    std::vector<Outcome> outcomes((drawn ? draws : 1) * systems.size());
-    benchmarks::for_all(outcomes.size(), [&](std::size_t i) {
-      const System& system = systems[i % systems.size()];
-      outcomes[i] = run(record_of(system, cell, 1 + i / systems.size()), system, search);
-    });
-    const std::string sigma = format_number(cell.sigma), dropped = format_number(cell.dropped);
-    summary.rows.push_back({sigma + ", " + dropped, std::to_string(outcomes.size()),
+  for (std::size_t k = 0; k < kConditions.size(); ++k) {
+    const std::span<const Outcome> outcomes = finished->group(k);
+    summary.rows.push_back({name_of(kConditions[k]), std::to_string(outcomes.size()),
                             share(outcomes, 0), share(outcomes, 1),
                             format_number(median_seconds(outcomes), 2)});
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      const Outcome& one = outcomes[i];
-      details.rows.push_back({sigma, dropped, systems[i % systems.size()].name,
-                              format_number(one.determination[0], 4),
-                              format_number(one.determination[1], 4),
-                              format_number(one.seconds, 3), one.model});
-    }
-    std::cout << summary.markdown() << std::flush;
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+      details.rows.push_back(
+          detail_row(kConditions[k], systems[i % systems.size()].name, outcomes[i]));
   }
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "odebench.csv", details.csv());
-  write_file_atomically(
-      folder / "odebench.md",
+  std::cout << summary.markdown();
+  benchmarks::write_results(
+      arguments.at(1), "odebench", details.csv(),
       "# ODEBench\n\n`study_odebench FILE FOLDER " + std::to_string(draws) +
-          benchmarks::settings_text(arguments) + "`, " + benchmarks::today() + ", " +
-          benchmarks::machine_description() +
+          benchmarks::settings_text(arguments) + "`, " + finished->origin.day + ", " +
+          finished->origin.machine +
           ". Systems of the given part whose model, found by the default in the first solution "
           "(noise x (1 + sigma xi), a share of the samples dropped), has R2 > 0.9 on the clean "
           "solution from the same start (reconstruction) and from another one "
@@ -197,15 +215,8 @@ int run_study(const benchmarks::StudyArguments& arguments) {
 }  // namespace lacuna::odebench
 
 int main(int argc, char** argv) {
-  try {
-    const auto arguments = lacuna::benchmarks::study_arguments(argc, argv);
-    if (arguments.places.size() != 2 && arguments.places.size() != 3) {
-      std::cerr << "usage: study_odebench FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]\n";
-      return 2;
-    }
-    return lacuna::odebench::run_study(arguments);
-  } catch (const lacuna::Error& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"odebench", "FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]", lacuna::odebench::run_study, 2,
+       true},
+      argc, argv);
 }

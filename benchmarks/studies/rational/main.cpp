@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Systems whose right-hand sides are rational or logistic, identified by the default from clean
 // records and from noisy ones.
-// Usage: study_rational [OUTPUT_FOLDER] [DRAWS] [SYSTEM] [PATH=VALUE...]
+// Usage: study_rational [OUTPUT_FOLDER] [DRAWS] [SYSTEM] [PATH=VALUE...] [--cells FOLDER]
 //                       (default build/studies/rational, 50 draws of the noise, all systems,
 //                       noisy ones of those that take minutes only by their name;
 //                       options of `identify`, e.g. forms.same=0.2)
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <span>
+#include <utility>
 
 #include "lacuna/config/registry.hpp"
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/libraries/identify_with_forms.hpp"
@@ -30,6 +31,8 @@ struct Outcome {
   double determination = -1.0;
   double seconds = 0.0;  ///< CPU time
   std::string model;
+
+  auto fields() { return std::tie(exact, claims, error, determination, seconds, model); }
 };
 
 /// What is sought, and how.
@@ -62,7 +65,7 @@ Outcome run(const RationalSystem& system, double noise, std::uint64_t seed,
 }
 
 template <class Value>
-double median(const std::vector<Outcome>& outcomes, Value value) {
+double median(std::span<const Outcome> outcomes, Value value) {
   std::vector<double> values;
   for (const Outcome& one : outcomes) values.push_back(one.*value);
   std::sort(values.begin(), values.end());
@@ -79,7 +82,7 @@ struct Tables {
       {}};
 };
 
-void add(const RationalSystem& system, double noise, const std::vector<Outcome>& outcomes,
+void add(const RationalSystem& system, double noise, std::span<const Outcome> outcomes,
          Tables& tables) {
   const auto count = [&](auto holds) {
     return std::to_string(std::count_if(outcomes.begin(), outcomes.end(), holds));
@@ -98,17 +101,14 @@ void add(const RationalSystem& system, double noise, const std::vector<Outcome>&
          one.claims ? "1" : "0", format_number(one.error, 3),
          format_number(one.determination, 5), format_number(one.seconds, 3), one.model});
   }
-  std::cout << join(tables.summary.rows.back(), "  ") << std::endl;
 }
 
 void write(const std::filesystem::path& folder, const std::string& arguments,
-           const Tables& tables) {
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "rational.csv", tables.details.csv());
-  write_file_atomically(
-      folder / "rational.md",
+           const Tables& tables, const Origin& origin) {
+  write_results(
+      folder, "rational", tables.details.csv(),
       "# Rational and logistic right-hand sides\n\n`study_rational FOLDER " + arguments +
-          "`, " + today() + ", " + machine_description() +
+          "`, " + origin.day + ", " + origin.machine +
           ". Identified by the default, without a word about the functions unless the "
           "name says so. Noise: share of "
           "each state's standard deviation. *Exact*: every right-hand side, written as one "
@@ -119,22 +119,28 @@ void write(const std::filesystem::path& folder, const std::string& arguments,
 }
 
 int run_study(const StudyArguments& arguments) {
-  const std::vector<std::string>& places = arguments.places;
-  const std::filesystem::path folder = places.size() > 0 ? places[0] : "build/studies/rational";
-  const std::size_t draws = places.size() > 1 ? std::stoul(places[1]) : 50;
-  const std::string only = places.size() > 2 ? places[2] : "";
+  const std::size_t draws = arguments.count_at(1, 50);
+  const std::string only = arguments.at(2);
   const Search search{default_registry().make_all<Effect>(), arguments.options.forms};
-  Tables tables;
+  std::vector<std::pair<RationalSystem, double>> groups;
   for (const RationalSystem& system : rational_systems())
-    for (const double noise : {0.0, 0.01}) {
-      if (!only.empty() && system.name.find(only) == std::string::npos) continue;
-      std::vector<Outcome> outcomes(noise > 0.0 ? draws : 1);
-      if (outcomes.empty() || (noise > 0.0 && system.slow && only.empty())) continue;
-      for_all(outcomes.size(),
-              [&](std::size_t i) { outcomes[i] = run(system, noise, i + 1, search); });
-      add(system, noise, outcomes, tables);
-      write(folder, std::to_string(draws) + settings_text(arguments), tables);
-    }
+    for (const double noise : {0.0, 0.01})
+      if (system.name.find(only) != std::string::npos &&
+          (noise == 0.0 || (draws > 0 && (!system.slow || !only.empty()))))
+        groups.emplace_back(system, noise);
+  Cells<Outcome> cells;
+  for (const auto& group : groups)
+    cells.add_draws(
+        group.first.name + " " + format_number(group.second), group.second > 0.0 ? draws : 1,
+        [&](std::size_t seed) { return run(group.first, group.second, seed, search); });
+  const auto finished = run_cells(arguments.store(), cells);
+  if (!finished) return 0;
+  Tables tables;
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    add(groups[k].first, groups[k].second, finished->group(k), tables);
+  write(arguments.folder_at(0), std::to_string(draws) + settings_text(arguments), tables,
+        finished->origin);
+  std::cout << tables.summary.markdown();
   return 0;
 }
 
@@ -142,10 +148,8 @@ int run_study(const StudyArguments& arguments) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return lacuna::benchmarks::run_study(lacuna::benchmarks::study_arguments(argc, argv));
-  } catch (const std::exception& error) {
-    std::cerr << "study_rational: " << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"rational", "[OUTPUT_FOLDER] [DRAWS] [SYSTEM] [PATH=VALUE...]",
+       lacuna::benchmarks::run_study, 0, true},
+      argc, argv);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every filter x regressor x pruner x derivative on Rossler data: how often the structure is
 // exact, how far coefficients and synchronisation are off, how long it takes. Usage:
-// study_rossler [OUTPUT_FOLDER]      (default build/studies/rossler)
+// study_rossler [OUTPUT_FOLDER] [--cells FOLDER]      (default build/studies/rossler)
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -14,7 +14,7 @@
 #include "lacuna/systems/test_systems.hpp"
 #include "report.hpp"
 #include "support/accuracy.hpp"
-#include "support/parallel.hpp"
+#include "support/settings.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -50,41 +50,45 @@ Records make_records(const Condition& condition) {
   return records;
 }
 
-Cell run_cell(const Composition& composition, const Condition& condition,
-              const Records& records) {
-  Cell cell{&composition, condition, {}};
+std::vector<Score> scores_of(const Composition& composition, const Records& records) {
+  std::vector<Score> scores;
   const auto& draws = composition.derivative == "exact" ? records.exact : records.sampled;
-  for (const Dataset& draw : draws)
-    cell.scores.push_back(score(composition, draw, records.clean));
-  return cell;
+  for (const Dataset& draw : draws) scores.push_back(score(composition, draw, records.clean));
+  return scores;
 }
 
-/// All cells, spread over the processor's cores; the order of the result is fixed.
-std::vector<Cell> run_all(const std::vector<Composition>& compositions) {
+std::string name_of(const Composition& composition, const Condition& condition) {
+  const std::vector<std::string> parts{composition.filter,
+                                       composition.regressor,
+                                       composition.pruner,
+                                       composition.derivative,
+                                       std::to_string(condition.samples),
+                                       format_number(condition.noise)};
+  return join(parts, " ");
+}
+
+int run(const StudyArguments& arguments) {
+  const std::filesystem::path folder = arguments.folder_at(0);
+  const std::vector<Composition> compositions = all_compositions(default_registry());
   const std::vector<Condition> conditions = all_conditions();
+  const std::size_t count = conditions.size();
   std::vector<Records> records;
   for (const Condition& condition : conditions) records.push_back(make_records(condition));
-
-  std::vector<Cell> cells(compositions.size() * conditions.size());
-  for_all(cells.size(), [&](std::size_t i) {
-    const std::size_t condition = i % conditions.size();
-    cells[i] = run_cell(compositions[i / conditions.size()], conditions[condition],
-                        records[condition]);
-  });
-  return cells;
-}
-
-int run(const std::filesystem::path& folder) {
-  const Registry registry = default_registry();
-  const auto start = std::chrono::steady_clock::now();
-  const std::vector<Composition> compositions = all_compositions(registry);
-  const std::vector<Cell> cells = run_all(compositions);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-
+  Cells<std::vector<Score>> work;
+  for (const Composition& composition : compositions)
+    for (std::size_t i = 0; i < count; ++i)
+      work.add(name_of(composition, conditions[i]),
+               [&, i] { return scores_of(composition, records[i]); });
+  const auto finished = run_cells(arguments.store(), work);
+  if (!finished) return 0;
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < finished->values.size(); ++i)
+    cells.push_back({&compositions[i / count], conditions[i % count], finished->values[i]});
   std::filesystem::create_directories(folder);
-  write_report(folder, cells, time.count());
+  write_report(folder, cells, finished->origin);
   std::cout << compositions.size() << " compositions, " << cells.size() << " cells in "
-            << format_number(time.count(), 3) << " s; tables and picture in " << folder << '\n';
+            << format_number(finished->origin.seconds, 3) << " s; tables and picture in "
+            << folder << '\n';
   return 0;
 }
 
@@ -92,10 +96,6 @@ int run(const std::filesystem::path& folder) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return lacuna::benchmarks::run(argc > 1 ? argv[1] : "build/studies/rossler");
-  } catch (const std::exception& error) {
-    std::cerr << "study_rossler: " << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main({"rossler", "[OUTPUT_FOLDER]", lacuna::benchmarks::run},
+                                        argc, argv);
 }

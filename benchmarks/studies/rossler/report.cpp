@@ -218,7 +218,7 @@ std::string heat_map_script(const Summary& summary) {
 }  // namespace
 
 void write_report(const std::filesystem::path& folder, const std::vector<Cell>& cells,
-                  double seconds) {
+                  const Origin& origin) {
   const Summary summary = folded(summarise(cells));
   write_file_atomically(folder / "rossler.csv", full_table(cells).csv());
   write_file_atomically(folder / "rossler.dat", heat_map_data(summary));
@@ -231,7 +231,7 @@ void write_report(const std::filesystem::path& folder, const std::vector<Cell>& 
       "4000) are pooled. Errors and time: medians over all runs of a row. "
       "The best of a column is bold; [any]: inner solvers that find the same.\n\nMade by "
       "`study_rossler` on " +
-          today() + ", " + machine_description() + ", in " + format_number(seconds, 3) +
+          origin.day + ", " + origin.machine + ", in " + format_number(origin.seconds, 3) +
           " s.\n\n" + summary_table(summary).markdown());
   if (!render_with_gnuplot(folder / "rossler.gp"))
     std::cerr << "no picture: gnuplot is not installed (package gnuplot-nox)\n";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "support/cells.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -15,6 +16,8 @@ struct Score {
   double coefficient_error = 0.0;  ///< max |h - h_true| / max |h_true|
   std::optional<double> sync;      ///< relative mean synchronisation error; nothing: diverged
   double seconds = 0.0;
+
+  auto fields() { return std::tie(exact_structure, coefficient_error, sync, seconds); }
 };
 
 /// All draws of one composition under one condition.
@@ -27,6 +30,6 @@ struct Cell {
 /// Writes rossler.csv (every cell), rossler.md (summary with machine and date), and
 /// rossler.gp/.dat/.svg (picture; needs gnuplot).
 void write_report(const std::filesystem::path& folder, const std::vector<Cell>& cells,
-                  double seconds);
+                  const Origin& origin);
 
 }  // namespace lacuna::benchmarks

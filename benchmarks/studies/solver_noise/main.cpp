@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Identifies twelve flows from records as solvers write them: tolerances, interpolation between
 // steps, fixed steps, printed digits. Usage:
-// study_solver_noise [OUTPUT_FOLDER] [EFFECT_SIZE...]
+// study_solver_noise [OUTPUT_FOLDER] [EFFECT_SIZE...] [--cells FOLDER]
 //                    (default build/studies/solver_noise; effect sizes beside the default)
-// study_solver_noise verdicts OUTPUT_FOLDER
+// study_solver_noise verdicts OUTPUT_FOLDER [--cells FOLDER]
 //                    what is said of the models
-#include <filesystem>
 #include <iostream>
 #include <map>
+#include <span>
 #include <vector>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "lacuna/pruners/minor_terms.hpp"
@@ -18,6 +17,7 @@
 #include "records.hpp"
 #include "support/accuracy.hpp"
 #include "support/parallel.hpp"
+#include "support/settings.hpp"
 #include "support/table.hpp"
 #include "verdicts.hpp"
 
@@ -45,6 +45,8 @@ Method method(const std::string& name, std::optional<double> effect_size = {}) {
 struct Outcome {
   bool exact = false;
   double error = 0.0, seconds = 0.0;
+
+  auto fields() { return std::tie(exact, error, seconds); }
 };
 
 Outcome run(const Flow& flow, const Making& making, const Method& method) {
@@ -60,11 +62,14 @@ class Study {
  public:
   explicit Study(std::vector<Method> methods) : methods_(std::move(methods)) {}
 
-  void run_making(const Making& making) {
-    std::vector<Outcome> outcomes(flows_.size() * methods_.size());
-    for_all(outcomes.size(), [&](std::size_t i) {
-      outcomes[i] = run(flows_[i / methods_.size()], making, methods_[i % methods_.size()]);
-    });
+  void add_cells(const Making& making, Cells<Outcome>& cells) const {
+    cells.begin_group(making.name);
+    for (const Flow& flow : flows_)
+      for (const Method& each : methods_)
+        cells.add(flow.name + " " + each.name, [&] { return run(flow, making, each); });
+  }
+
+  void add_rows(const Making& making, std::span<const Outcome> outcomes) {
     std::vector<std::string> row{making.name, std::to_string(flows_.size())};
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       int exact = 0;
@@ -80,7 +85,6 @@ class Study {
     }
     if (making.counts) records_ += static_cast<int>(flows_.size());
     summary.rows.push_back(std::move(row));
-    std::cout << join(summary.rows.back(), "  ") << std::endl;
   }
 
   void add_total() {
@@ -105,17 +109,22 @@ class Study {
   int records_ = 0;
 };
 
-int run_study(const std::filesystem::path& folder, const std::vector<double>& sizes) {
+int run_study(const StudyArguments& arguments) {
+  if (arguments.at(0) == "verdicts") return write_verdicts(arguments);
   std::vector<Method> methods{method("algorithm1"), method("robust")};
-  for (const double size : sizes) methods.push_back(method("algorithm1", size));
+  for (std::size_t i = 1; i < arguments.places.size(); ++i)
+    methods.push_back(method("algorithm1", parse_number(arguments.at(i)).value_or(1e-3)));
   Study study(std::move(methods));
+  const std::vector<Making> all = makings();
+  Cells<Outcome> cells;
+  for (const Making& making : all) study.add_cells(making, cells);
+  const auto finished = run_cells(arguments.store(), cells);
+  if (!finished) return 0;
   study.write_header();
-  for (const Making& making : makings()) study.run_making(making);
+  for (std::size_t k = 0; k < all.size(); ++k) study.add_rows(all[k], finished->group(k));
   study.add_total();
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "solver_noise.csv", study.details.csv());
-  write_file_atomically(
-      folder / "solver_noise.md",
+  write_results(
+      arguments.folder_at(0), "solver_noise", study.details.csv(),
       "Records without measurement noise, as solvers write them: in how many of the flows "
       "exactly "
       "the true terms\nof all equations are found among monomials up to degree 3. Adaptive: "
@@ -124,7 +133,9 @@ int run_study(const std::filesystem::path& folder, const std::vector<double>& si
       "Rossler, memristor, Chua with a cubic, a linear chain of four, Sprott A,\nvan der Pol, "
       "FitzHugh-Nagumo, Duffing with an input, Lotka-Volterra, Brusselator, SIR.\n\nMade by "
       "`study_solver_noise FOLDER 0.0005 0.002` on " +
-          today() + ", " + machine_description() + ".\n\n" + study.summary.markdown());
+          finished->origin.day + ", " + finished->origin.machine + ".\n\n" +
+          study.summary.markdown());
+  std::cout << study.summary.markdown();
   return 0;
 }
 
@@ -132,19 +143,8 @@ int run_study(const std::filesystem::path& folder, const std::vector<double>& si
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  try {
-    if (arguments.size() == 2 && arguments[0] == "verdicts") {
-      lacuna::benchmarks::write_verdicts(arguments[1]);
-      return 0;
-    }
-    std::vector<double> sizes;
-    for (std::size_t i = 1; i < arguments.size(); ++i)
-      sizes.push_back(lacuna::parse_number(arguments[i]).value_or(1e-3));
-    return lacuna::benchmarks::run_study(
-        arguments.empty() ? "build/studies/solver_noise" : arguments[0], sizes);
-  } catch (const std::exception& error) {
-    std::cerr << "study_solver_noise: " << error.what() << '\n';
-    return 2;
-  }
+  return lacuna::benchmarks::study_main(
+      {"solver_noise", "[verdicts] [OUTPUT_FOLDER] [EFFECT_SIZE...]",
+       lacuna::benchmarks::run_study},
+      argc, argv);
 }

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <span>
 #include <vector>
 
-#include "lacuna/core/atomic_file.hpp"
 #include "lacuna/core/error.hpp"
 #include "lacuna/core/text.hpp"
 #include "lacuna/pipeline/presets.hpp"
 #include "lacuna/validation/validate.hpp"
 #include "records.hpp"
 #include "support/accuracy.hpp"
-#include "support/parallel.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -28,6 +27,8 @@ struct Judged {
   std::array<ValidationVerdict, kFloors.size()> verdicts{};
   double step = 0.0, window = 0.0;  ///< largest errors of both tests, of the motion
   double noise = 0.0;               ///< the most that the noise can be, of the motion
+
+  auto fields() { return std::tie(done, exact, verdicts, step, window, noise); }
 };
 
 double largest_share(const PredictionTest& test) {
@@ -101,17 +102,25 @@ std::vector<std::string> header() {
 
 }  // namespace
 
-void write_verdicts(const std::filesystem::path& folder) {
+int write_verdicts(const StudyArguments& arguments) {
   std::vector<Flow> all = flows();
   const std::size_t polynomial = all.size();
   for (Flow& flow : flows_beyond_polynomials()) all.push_back(std::move(flow));
+  const std::vector<Making> ways = makings();
+  Cells<Judged> cells;
+  for (const Making& making : ways) {
+    cells.begin_group(making.name);
+    for (const Flow& flow : all) cells.add(flow.name, [&] { return judged(flow, making); });
+  }
+  const auto finished = run_cells(arguments.store("verdicts"), cells);
+  if (!finished) return 0;
   ResultTable summary{header(), {}};
   ResultTable details{{"records by", "flow", "exact", "verdict", "error of a step",
                        "error of a period", "noise at most"},
                       {}};
-  for (const Making& making : makings()) {
-    std::vector<Judged> outcomes(all.size());
-    for_all(all.size(), [&](std::size_t i) { outcomes[i] = judged(all[i], making); });
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const Making& making = ways[k];
+    const std::span<const Judged> outcomes = finished->group(k);
     Counts exact, wrong;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Judged& one = outcomes[i];
@@ -127,21 +136,20 @@ void write_verdicts(const std::filesystem::path& folder) {
     std::vector<std::string> row{making.name};
     exact.write(true, row);
     wrong.write(false, row);
-    std::cout << join(row, "  ") << std::endl;
     summary.rows.push_back(std::move(row));
   }
-  std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "verdicts.csv", details.csv());
-  write_file_atomically(
-      folder / "verdicts.md",
+  write_results(
+      arguments.folder_at(1), "verdicts", details.csv(),
       "# Verdicts on records without noise\n\n`study_solver_noise verdicts FOLDER`, " +
-          today() + ", " + machine_description() +
+          finished->origin.day + ", " + finished->origin.machine +
           ". Models that monomials up to degree 3 give. *Exact*: exactly the true terms of one "
           "of twelve polynomial flows; *wrong*: flows whose right-hand sides are no "
           "polynomials. *Fit*: the verdict is \"fits to noise\", by the floor of the verdict "
           "(`validation.resolution`). Errors: the largest of all states over windows of a mean "
           "period, as a share of the motion.\n\n" +
           summary.markdown());
+  std::cout << summary.markdown();
+  return 0;
 }
 
 }  // namespace lacuna::benchmarks
