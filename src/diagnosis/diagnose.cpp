@@ -183,8 +183,9 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
   sharpen(known, options, context, records);
 
-  JudgedModel inputs = judge_holds({known, records.find, options, context}, hypotheses);
-  const Problem problem{*inputs.model, records.find, options, context};
+  const Problem given{known, records.find, options, context};
+  JudgedModel inputs = judge_holds(given, hypotheses);
+  const Problem problem{*inputs.model, records.find, options, context, given.fits};
   HeardAccount heard = heard_on(records.check, problem, hypotheses, std::move(inputs.judged));
   Diagnosis diagnosis =
       make_answer(problem, std::move(heard.judged), std::move(heard.gap), heard.hearing);

@@ -13,7 +13,7 @@ using Hypotheses = std::vector<Stage<Hypothesis>>;
 
 JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& hypotheses) {
   auto nominal = std::make_shared<const OdeModel>(std::move(model));
-  const Problem problem{*nominal, asked.records, asked.options, asked.context};
+  const Problem problem{*nominal, asked.records, asked.options, asked.context, asked.fits};
   Judged judged = first_account(problem, hypotheses, plain_baseline(problem));
   return {std::move(nominal), std::move(judged)};
 }
@@ -31,7 +31,8 @@ bool is_less_plain(const Account& one, const Account& other, const DecisionOptio
 JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
   ChosenHolds chosen = choose_holds(problem);
   JudgedModel best = judged_with(problem, std::move(chosen.model), hypotheses);
-  const Problem first{*best.model, problem.records, problem.options, problem.context};
+  const Problem first{*best.model, problem.records, problem.options, problem.context,
+                      problem.fits};
   std::vector<Rival> trail = std::move(chosen.trail);
   for (OdeModel& model : rival_holds(first, chosen.open, best.judged.best)) {
     JudgedModel other = judged_with(problem, std::move(model), hypotheses);
@@ -47,7 +48,8 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
          value < least && more ? "more effects, and with fewer nothing is left" : ""});
     if (taken) best = std::move(other);
   }
-  const Problem held{*best.model, problem.records, problem.options, problem.context};
+  const Problem held{*best.model, problem.records, problem.options, problem.context,
+                     problem.fits};
   best.judged = choose_account(held, hypotheses, std::move(best.judged));
   best.notes = notes_on_holds(*best.model, chosen.open);
   std::vector<Rival>& all = best.judged.trail;

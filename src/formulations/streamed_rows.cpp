@@ -43,9 +43,11 @@ class StreamedRows::Reader final : public RowReader {
       const Index skip = first + done - piece_->first_row;
       const Index count = std::min(theta.rows() - done, piece_->count - skip);
       slots_.resize(count, program_.slots());
+      const bool variables = fill_variables(*samples_, begin_ + skip, slots_);
+      const bool rates = copy_rows(samples_->derivatives, begin_ + skip,
+                                   targets.middleRows(done, count));
       // What no term uses would not be seen in the rows.
-      if (!(fill_variables(*samples_, begin_ + skip, slots_) &
-            copy_rows(samples_->derivatives, begin_ + skip, targets.middleRows(done, count))))
+      if (!variables || !rates)
         throw DataError("data", "a value is not finite",
                         "split the record there or remove the row");
       program_.evaluate(slots_, theta.middleRows(done, count), workspace_);

@@ -91,7 +91,7 @@ Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
 }  // namespace
 
 Baseline plain_baseline(const Problem& problem) {
-  const auto& [nominal, records, options, context] = problem;
+  const auto& [nominal, records, options, context, fits] = problem;
   context.report("bringing the model onto the records", 0.0);
   AssimilationOptions as_given;
   as_given.hidden = hidden_states(nominal, records.data);
@@ -112,7 +112,7 @@ Baseline plain_baseline(const Problem& problem) {
 
 Baseline fitted_baseline(const Problem& problem, Assimilation given,
                          std::vector<CoefficientPlace> free) {
-  const auto& [nominal, records, options, context] = problem;
+  const auto& [nominal, records, options, context, fits] = problem;
   const Dataset& data = records.data;
   context.report("fitting the nominal coefficients", 0.0);
   AssimilationOptions fit_options;
@@ -148,6 +148,10 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
           std::move(notes)};
 }
 
+Problem alone(const Problem& problem, const RunContext& quiet) {
+  return {problem.nominal, problem.records, problem.options, quiet, problem.fits};
+}
+
 double criterion_of(const Problem& problem, const Baseline& base,
                     const Explanation& explanation) {
   return problem.options.criterion->value({explanation.fit.deviance,
@@ -173,25 +177,35 @@ Explanation likeliest(const Baseline& base, const Assimilation& start, Fit fit) 
   return best;
 }
 
+/// A fit that other searches may have done already.
+Explanation remembered(const Problem& problem, const Baseline& base, const Assimilation& start,
+                       const std::vector<FittedEffect>& effects, bool roughly) {
+  const JointFitTask task = joint_fit(problem, base);
+  return problem.fits->explanation(
+      fit_key(roughly ? "rough" : "exact", task, start, effects), [&] {
+        return roughly ? explain_roughly(task, start, effects) : explain(task, start, effects);
+      });
+}
+
 }  // namespace
 
 Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects) {
   return likeliest(base, start, [&](const Assimilation& from) {
-    return explain(joint_fit(problem, base), from, effects);
+    return remembered(problem, base, from, effects, false);
   });
 }
 
 Explanation explain_further_on(const Problem& problem, const Baseline& base,
                                const Explanation& start) {
-  return explain(joint_fit(problem, base), start.fit, start.effects);
+  return remembered(problem, base, start.fit, start.effects, false);
 }
 
 Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
                                const Assimilation& start,
                                const std::vector<FittedEffect>& effects) {
   return likeliest(base, start, [&](const Assimilation& from) {
-    return explain_roughly(joint_fit(problem, base), from, effects);
+    return remembered(problem, base, from, effects, true);
   });
 }
 

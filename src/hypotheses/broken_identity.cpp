@@ -80,7 +80,8 @@ Baseline loosened_baseline(const Problem& problem, const Baseline& base,
     free.push_back({static_cast<Index>(k), 0});
     ++more;
   }
-  const Problem same{problem.nominal, *base.records, problem.options, problem.context};
+  const Problem same{problem.nominal, *base.records, problem.options, problem.context,
+                     problem.fits};
   Baseline next = fitted_baseline(same, loosened(problem, base, broken), std::move(free));
   next.parameters = more;  // a variance of the disturbance each
   next.correct = base.correct;

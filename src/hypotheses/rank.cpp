@@ -215,11 +215,6 @@ class Requirements {
   Vector rates_;
 };
 
-/// The same search on one thread, for fits side by side.
-Problem alone(const Problem& problem, const RunContext& quiet) {
-  return {problem.nominal, problem.records, problem.options, quiet};
-}
-
 RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current,
                           const Requirements& required, const ShortList& shortened) {
   const RunContext& context = search.problem.context;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "effect_size.hpp"
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/decision/effect_parts.hpp"
 #include "lacuna/hypotheses/named_effects.hpp"
 #include "shared_form.hpp"
@@ -145,20 +146,26 @@ void settle_for(const EffectSearch& search, std::size_t e, const OtherForm& plai
 /// effects beside which it was chosen are not the same any more: the best of these takes its
 /// place unless it is worse beyond doubt.
 void compare_again(const EffectSearch& search, std::size_t e, FoundEffects& found) {
-  const std::vector<OtherForm> plainer = found.plainer[e];
-  const OtherForm* best = nullptr;
-  Explanation likeliest = found.explanation;
+  std::vector<OtherForm> plainer = found.plainer[e];
+  std::erase_if(plainer, [&](const OtherForm& form) {
+    return has_form(found, form.effect.candidate, e);
+  });
+  std::vector<std::optional<Explanation>> fits(plainer.size());
+  const RunContext& context = search.problem.context;
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem problem = alone(search.problem, quiet);
+  const EffectSearch each{problem, search.base, search.effects};
+  parallel_for(fits.size(), context.threads,
+               [&](std::size_t i) { fits[i] = with_form(each, found, e, plainer[i].effect); });
+  std::optional<std::size_t> best;
   double least = criterion_of(search, found.explanation) + decision_of(search).undecided;
-  for (const OtherForm& form : plainer) {
-    if (has_form(found, form.effect.candidate, e)) continue;
-    Explanation next = with_form(search, found, e, form.effect);
-    const double value = criterion_of(search, next);
-    if (!(value < least) || !all_named(search, next)) continue;
-    best = &form;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const double value = criterion_of(search, *fits[i]);
+    if (!(value < least) || !all_named(search, *fits[i])) continue;
+    best = i;
     least = value;
-    likeliest = std::move(next);
   }
-  if (best) settle_for(search, e, *best, std::move(likeliest), found);
+  if (best) settle_for(search, e, plainer[*best], *std::move(fits[*best]), found);
 }
 
 void add(const EffectSearch& search, const RankedEffect& ranked, const Ranking& ranking,

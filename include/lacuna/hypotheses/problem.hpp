@@ -8,6 +8,7 @@
 
 #include "lacuna/candidates/effect.hpp"
 #include "lacuna/candidates/explanation.hpp"
+#include "lacuna/candidates/fit_memory.hpp"
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/decision/extended_bic.hpp"
 #include "lacuna/decision/options.hpp"
@@ -34,7 +35,12 @@ struct Problem {
   const BoundRecords& records;  ///< to explain
   const DiagnosisOptions& options;
   const RunContext& context;
+  /// Of all searches.
+  std::shared_ptr<FitMemory> fits = std::make_shared<FitMemory>();
 };
+
+/// The same problem in another context: on one thread, for fits side by side.
+Problem alone(const Problem& problem, const RunContext& quiet);
 
 /// What is assumed of the records before any effect is sought, and the nominal model brought
 /// onto them under these assumptions.

@@ -40,6 +40,21 @@ TEST_F(Search, FindsEffectsOneAfterAnother) {
   EXPECT_TRUE(effects.rounds[0].accepted && effects.rounds[1].accepted);
 }
 
+TEST_F(Search, WhatOthersHaveFittedChangesNothing) {
+  const FoundEffects first = found(dry_and_cubic);
+  Problem problem = asked_.problem();
+  problem.fits = std::make_shared<FitMemory>(0);
+  const FoundEffects alone = search_effects({problem, *base_, asked_.options.effects});
+  problem.fits = std::make_shared<FitMemory>();
+  for (int time = 0; time < 2; ++time) {
+    const FoundEffects again = search_effects({problem, *base_, asked_.options.effects});
+    EXPECT_EQ(again.explanation.fit.deviance, alone.explanation.fit.deviance);
+    ASSERT_EQ(again.named.size(), first.named.size());
+    for (std::size_t e = 0; e < again.named.size(); ++e)
+      EXPECT_EQ(again.named[e].coefficient, alone.named[e].coefficient);
+  }
+}
+
 TEST_F(Search, SharesOfTheDisturbanceThatGoAddUpToMostOfIt) {
   double sum = 0.0;
   for (const NamedEffect& named : found(dry_and_cubic).named) sum += named.gap_closed;
