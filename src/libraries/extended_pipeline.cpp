@@ -81,7 +81,7 @@ ExtendedPipeline::ExtendedPipeline(const RecordStream& records, const Pipeline& 
       context_(context),
       alone_(alone),
       library_(pipeline.basis->library(alone.model.variables())),
-      models_(records.excerpt()),
+      models_(records.excerpt(), context.threads),
       search_(records.excerpt(), alone.noise, options, context, library_.terms) {}
 
 IdentificationResult ExtendedPipeline::identified(

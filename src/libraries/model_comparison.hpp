@@ -21,7 +21,7 @@ bool is_known_to_fit(const IdentificationResult& result);
 /// rates count.
 class ModelComparison {
  public:
-  explicit ModelComparison(const Dataset& data);
+  explicit ModelComparison(const Dataset& data, int threads = 1);
 
   /// Sum over equations of ln(what one model leaves / what another does): of the misfits, or of
   /// the residuals where not both have a finite one, or none with a unit in common.

@@ -70,13 +70,14 @@ Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matr
 
 std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix>& noise,
                                    const Program& program, int threads) {
-  std::vector<PathRecord> paths;
-  for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
+  std::vector<PathRecord> paths(data.trajectories.size());
+  // Several records go side by side, the states of a single one.
+  const int within = paths.size() == 1 ? threads : 1;
+  parallel_for(paths.size(), threads, [&](std::size_t r) {
     const Trajectory& record = data.trajectories[r];
-    PathRecord path{record, weights_of(record, data, noise[r], threads), 1, {}, {}};
-    place_path(path, smoothed_states(record, data, noise[r], threads), program);
-    paths.push_back(std::move(path));
-  }
+    paths[r] = {record, weights_of(record, data, noise[r], within), 1, {}, {}};
+    place_path(paths[r], smoothed_states(record, data, noise[r], within), program);
+  });
   return paths;
 }
 

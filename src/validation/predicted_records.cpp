@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lacuna/core/parallel.hpp"
 #include "lacuna/data/marks.hpp"
 #include "libraries/unseen_noise.hpp"
 #include "selection/noise_growth.hpp"
@@ -31,7 +32,7 @@ void leave_out(const Trajectory& record, const Dataset& data, const PredictedRec
 }  // namespace
 
 PredictedRecords predicted_records(const Dataset& data, const std::vector<Block>& blocks,
-                                   const std::vector<StateNoise>& noise) {
+                                   const std::vector<StateNoise>& noise, int threads) {
   PredictedRecords all;
   const Index m = data.state_count();
   all.sigma.resize(m);
@@ -45,15 +46,19 @@ PredictedRecords predicted_records(const Dataset& data, const std::vector<Block>
     if (seen) weights[k] = state.sigma;
   }
   weights = weights.cwiseMax(std::numeric_limits<double>::min());
-  const SampleNoise samples = noise_of_samples(data, weights, noise, {});
-  for (const Block& block : blocks) {
+  const SampleNoise samples = noise_of_samples(data, weights, noise, {}, threads);
+  all.records.resize(blocks.size());
+  // Several blocks go side by side, the states of a single one.
+  const int within = blocks.size() == 1 ? threads : 1;
+  parallel_for(blocks.size(), threads, [&](std::size_t b) {
+    const Block& block = blocks[b];
     const Trajectory record =
         rows_of(data.trajectories[block.record], block.first, block.count);
     Matrix deviations = samples.deviations[block.record].middleRows(block.first, block.count);
-    Matrix path = smoothed_states(record, data, deviations);
+    Matrix path = smoothed_states(record, data, deviations, within);
     leave_out(record, data, all, deviations);
-    all.records.push_back({record, std::move(deviations), std::move(path)});
-  }
+    all.records[b] = {record, std::move(deviations), std::move(path)};
+  });
   return all;
 }
 

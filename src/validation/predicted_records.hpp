@@ -22,6 +22,6 @@ struct PredictedRecords {
 /// that are outliers of a noise that is seen do not count, nor those that are marked.
 /// @param noise of each state (analyse_noise()).
 PredictedRecords predicted_records(const Dataset& data, const std::vector<Block>& blocks,
-                                   const std::vector<StateNoise>& noise);
+                                   const std::vector<StateNoise>& noise, int threads = 1);
 
 }  // namespace lacuna

@@ -92,12 +92,13 @@ PredictionTest test_windows(const WindowTrial& trial, Index length, int passes,
 }
 
 /// Samples of the shortest mean period of a measured state, without its noise.
-Index period_of(const Dataset& data, const std::vector<StateNoise>& noise, Index samples) {
+Index period_of(const Dataset& data, const std::vector<StateNoise>& noise, Index samples,
+                int threads) {
   std::vector<bool> measured;
   for (Index k = 0; k < data.state_count(); ++k) measured.push_back(data.is_measured(k));
   std::vector<Matrix> paths;
   for (PredictedRecord& record :
-       predicted_records(data, limited(all_blocks(data), samples), noise).records)
+       predicted_records(data, limited(all_blocks(data), samples), noise, threads).records)
     paths.push_back(std::move(record.path));
   return window_samples(paths, measured);
 }
@@ -182,8 +183,10 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
   check_dataset(tested);
   if (result.model.is_map()) return validate_map(task, options, context);
   const bool own_noise = !held_out || tested.samples() >= options.noise_samples;
-  const std::vector<StateNoise> noise = analyse_noise(own_noise ? tested : data);
-  const Index period = period_of(tested, noise, options.held_every * options.most_samples);
+  const std::vector<StateNoise> noise =
+      analyse_noise(own_noise ? tested : data, context.threads);
+  const Index period =
+      period_of(tested, noise, options.held_every * options.most_samples, context.threads);
   const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);
   std::vector<Block> blocks =
       held_out ? all_blocks(tested) : held_blocks(tested, period, options);
@@ -195,7 +198,7 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
   if (!held_out && !refitted) blocks = all_blocks(tested);
   blocks = limited(blocks, needed);
 
-  const PredictedRecords records = predicted_records(tested, blocks, noise);
+  const PredictedRecords records = predicted_records(tested, blocks, noise, context.threads);
   Validation validation{.records = sources_of(tested, blocks),
                         .time_unit = tested.time_unit,
                         .given = held_out.has_value(),
