@@ -5,6 +5,8 @@
 //        study_scaling speed [OUTPUT_FOLDER]
 //               a million rows with derivatives for benchmarks/peers/pysindy_speed.py, and
 //               lacuna's times on them
+//        study_scaling pieces [OUTPUT_FOLDER] [ROWS]
+//               a file that is read in pieces (default 100000000 rows, 5.6 GB)
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,6 +21,7 @@
 #include "lacuna/streams/read_stream.hpp"
 #include "lacuna/systems/test_systems.hpp"
 #include "studies/scaling/meter.hpp"
+#include "studies/scaling/pieces.hpp"
 #include "studies/scaling/records.hpp"
 #include "support/accuracy.hpp"
 #include "support/lorenz96.hpp"
@@ -253,6 +256,8 @@ int run_arguments(const std::vector<std::string>& arguments) {
     return static_cast<Index>(parse_number(text(place, "")).value_or(otherwise));
   };
   if (text(0, "") == "speed") return run_speed(text(1, "build/studies/scaling"));
+  if (text(0, "") == "pieces")
+    return run_pieces(text(1, "build/studies/scaling"), number(2, 1e8));
   return run_study(text(0, "build/studies/scaling"), number(1, 20), number(2, 1e6));
 }
 

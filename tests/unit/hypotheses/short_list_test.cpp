@@ -35,7 +35,7 @@ class ShortLists : public testing::Test {
   const OdeModel nominal_ = support::oscillator();
   const BoundRecords records_ = observed(support::hidden_record(support::dry_friction, 0.01));
   const DiagnosisOptions options_ = diagnosis_options({}, default_registry());
-  const RunContext context_;
+  const RunContext context_ = {};
   const Problem problem_{nominal_, records_, options_, context_};
   const Baseline base_ = plain_baseline(problem_);
   EffectSearch search_{problem_, base_, options_.effects};
