@@ -139,20 +139,46 @@ TEST(Threads, AreNotNeeded) {
   EXPECT_EQ(alone.out, expected);
 }
 
+/// Interrupted after some seconds it ends by itself: one that does not is killed 5 s later.
+void expect_interrupted(const std::string& arguments, const std::string& seconds) {
+  const CommandResult result =
+      run_program(arguments, "timeout --preserve-status -k 5 -s INT " + seconds);
+  EXPECT_EQ(result.status, 130) << arguments << ": " << result.err;
+  EXPECT_THAT(result.err, HasSubstr("interrupted")) << arguments;
+}
+
 TEST(Interrupt, EndsAReadThatBlocks) {
   const TemporaryFolder folder;
   const std::string pipe = folder.file("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string record = folder.write("r.csv", oscillation(300));
   for (const std::string& arguments :
-       {"identify " + pipe, "sync " + pipe + " " + record,
-        "identify " + record + " --config " + pipe,
-        "simulate lorenz --x0 1,1,1 --t-end 1 --dt .1 -o " + pipe}) {
-    const CommandResult result =
-        run_program(arguments, "timeout --preserve-status -k 5 -s INT 0.3");
-    EXPECT_EQ(result.status, 130) << arguments << ": " << result.err;
-    EXPECT_THAT(result.err, HasSubstr("interrupted"));
-  }
+       {"identify " + pipe, "identify --memory 16MB " + pipe, "sync " + pipe + " " + record,
+        "identify " + record + " --config " + pipe, "check " + pipe, "fit lorenz " + pipe,
+        "diagnose --model lorenz " + pipe, "diagnose --model " + pipe + " " + record,
+        "compare lorenz " + pipe, "export " + pipe + " --format c", "model " + pipe,
+        "simulate " + pipe + " --x0 1 --t-end 1 --dt .1",
+        "simulate lorenz --x0 1,1,1 --t-end 1 --dt .1 -o " + pipe})
+    expect_interrupted(arguments, "0.3");
+}
+
+/// A record of Lorenz' system that takes every command that looks at it longer than a second.
+TEST(Interrupt, EndsWhateverIsComputed) {
+  const TemporaryFolder folder;
+  const std::string orbit = folder.file("o.csv");
+  ASSERT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 2000 --dt 0.002 --noise x=0.1 --seed 1 -o " +
+                        orbit)
+                .status,
+            0);
+  for (const std::string& arguments :
+       {"identify " + orbit + " --json " + folder.file("i.json"),
+        "diagnose --model rossler " + orbit + " --json " +
+            folder.file("d.json"),
+        "fit lorenz " + orbit + " --json " + folder.file("f.json"),
+        "compare lorenz " + orbit + " --json " + folder.file("c.json"),
+        "sync lorenz " + orbit + " --integrator dopri87"})
+    expect_interrupted(arguments, "1");
+  EXPECT_EQ(folder.count(), 1);
 }
 
 /// Oscillators in a row, each coupled to its neighbours; cubic springs.
