@@ -166,10 +166,9 @@ TEST(Interrupt, EndsAReadThatBlocks) {
 TEST(Interrupt, EndsWhateverIsComputed) {
   const TemporaryFolder folder;
   const std::string orbit = folder.file("o.csv");
-  ASSERT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 2000 --dt 0.002 --noise x=0.1 --seed 1 -o " +
-                        orbit)
-                .status,
-            0);
+  const CommandResult made = run_program(
+      "simulate lorenz --x0 1,1,20 --t-end 2000 --dt 0.002 --noise x=0.1 --seed 1 -o " + orbit);
+  ASSERT_EQ(made.status, 0) << made.err;
   for (const std::string& arguments :
        {"identify " + orbit + " --json " + folder.file("i.json"),
         "diagnose --model rossler " + orbit + " --json " +
