@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "key_text.hpp"
 #include "lacuna/core/parallel.hpp"
 #include "lacuna/numerics/qr.hpp"
 #include "nelder_mead.hpp"
@@ -56,9 +57,9 @@ std::vector<std::pair<std::size_t, std::size_t>> batches(const std::vector<Start
 }
 
 /// Every candidate at the best of its starts.
-std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candidates,
-                                             const Screening& screening,
-                                             const RunContext& context) {
+std::vector<ScreenedCandidate> at_best_starts(const std::vector<Candidate>& candidates,
+                                              const Screening& screening,
+                                              const RunContext& context) {
   const std::vector<Start> starts = all_starts(candidates);
   const auto ranges = batches(starts);
   std::vector<Score> scores(starts.size());
@@ -76,6 +77,57 @@ std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candi
     all.push_back({candidate, candidate.starts.front(), 0.0, 0.0, 0});
   for (std::size_t i = 0; i < starts.size(); ++i)
     all[starts[i].candidate].consider(starts[i].probe.shapes, scores[i]);
+  return all;
+}
+
+/// The memory of one screening.
+class Recollection {
+ public:
+  Recollection(const Screening& screening, ScreeningMemory* memory) : memory_(memory) {
+    if (memory_) key_ = screening.key();
+  }
+
+  /// @param stage of the screening: what is found of a candidate depends on it.
+  bool recall(char stage, ScreenedCandidate& one) const {
+    return memory_ && memory_->recall(key_of(stage, one), one);
+  }
+
+  void keep(char stage, const ScreenedCandidate& one) const {
+    if (memory_) memory_->keep(key_of(stage, one), one);
+  }
+
+ private:
+  std::string key_of(char stage, const ScreenedCandidate& one) const {
+    KeyText key;
+    key.add(one.candidate);
+    return key_ + stage + key.take();
+  }
+
+  ScreeningMemory* memory_;
+  std::string key_;
+};
+
+constexpr char kAtStarts = 's', kPolished = 'p';
+
+/// at_best_starts() of what is not known.
+std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candidates,
+                                             const Screening& screening,
+                                             const Recollection& known,
+                                             const RunContext& context) {
+  std::vector<ScreenedCandidate> all;
+  std::vector<Candidate> others;
+  std::vector<std::size_t> places;
+  for (const Candidate& candidate : candidates) {
+    all.push_back({candidate, candidate.starts.front(), 0.0, 0.0, 0});
+    if (known.recall(kAtStarts, all.back())) continue;
+    others.push_back(candidate);
+    places.push_back(all.size() - 1);
+  }
+  std::vector<ScreenedCandidate> found = at_best_starts(others, screening, context);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    known.keep(kAtStarts, found[i]);
+    all[places[i]] = std::move(found[i]);
+  }
   return all;
 }
 
@@ -158,6 +210,32 @@ void Screening::polish(ScreenedCandidate& screened) const {
   screened.tried += evaluations;
 }
 
+std::string Screening::key() const {
+  KeyText text;
+  text.add(assimilation_);
+  KeyText digest;
+  digest.add_all(std::hash<std::string>{}(text.take()), assimilation_.deviance);
+  return digest.take();
+}
+
+bool ScreeningMemory::recall(const std::string& key, ScreenedCandidate& candidate) {
+  const std::lock_guard lock(guard_);
+  const auto found = found_.find(key);
+  if (found == found_.end()) return false;
+  candidate.shapes = found->second.shapes;
+  candidate.gain = found->second.score.gain;
+  candidate.coefficient = found->second.score.coefficient;
+  candidate.tried = found->second.tried;
+  return true;
+}
+
+void ScreeningMemory::keep(const std::string& key, const ScreenedCandidate& candidate) {
+  const std::lock_guard lock(guard_);
+  found_.emplace(key, Found{candidate.shapes,
+                            {candidate.gain, candidate.coefficient},
+                            candidate.tried});
+}
+
 void ScreenedCandidate::consider(const Vector& at, const Score& score) {
   ++tried;
   if (score.gain <= gain) return;
@@ -169,9 +247,10 @@ void ScreenedCandidate::consider(const Vector& at, const Score& score) {
 std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
                                       const Screening& screening,
                                       const ScreeningOptions& options,
-                                      const RunContext& context) {
+                                      const RunContext& context, ScreeningMemory* memory) {
   context.report("screening candidates", 0.0);
-  std::vector<ScreenedCandidate> all = all_at_starts(candidates, screening, context);
+  const Recollection known(screening, memory);
+  std::vector<ScreenedCandidate> all = all_at_starts(candidates, screening, known, context);
   const auto better = [&](const ScreenedCandidate& a, const ScreenedCandidate& b) {
     return net_gain(a, options.shape_price) > net_gain(b, options.shape_price);
   };
@@ -180,7 +259,10 @@ std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
   const std::vector<std::size_t> chosen = to_polish(all, options.worth_shaping);
   parallel_for(chosen.size(), context.threads, [&](std::size_t i) {
     context.check_stop();
-    screening.polish(all[chosen[i]]);
+    ScreenedCandidate& one = all[chosen[i]];
+    if (known.recall(kPolished, one)) return;
+    screening.polish(one);
+    known.keep(kPolished, one);
   });
   std::stable_sort(all.begin(), all.end(), better);
   return all;

@@ -185,7 +185,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
 
   const Problem given{known, records.find, options, context};
   JudgedModel inputs = judge_holds(given, hypotheses);
-  const Problem problem{*inputs.model, records.find, options, context, given.fits};
+  const Problem problem{*inputs.model, records.find, options, context, given.memory};
   HeardAccount heard = heard_on(records.check, problem, hypotheses, std::move(inputs.judged));
   Diagnosis diagnosis =
       make_answer(problem, std::move(heard.judged), std::move(heard.gap), heard.hearing);

@@ -13,7 +13,7 @@ using Hypotheses = std::vector<Stage<Hypothesis>>;
 
 JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& hypotheses) {
   auto nominal = std::make_shared<const OdeModel>(std::move(model));
-  const Problem problem{*nominal, asked.records, asked.options, asked.context, asked.fits};
+  const Problem problem{*nominal, asked.records, asked.options, asked.context, asked.memory};
   Judged judged = first_account(problem, hypotheses, plain_baseline(problem));
   return {std::move(nominal), std::move(judged)};
 }
@@ -32,7 +32,7 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
   ChosenHolds chosen = choose_holds(problem);
   JudgedModel best = judged_with(problem, std::move(chosen.model), hypotheses);
   const Problem first{*best.model, problem.records, problem.options, problem.context,
-                      problem.fits};
+                      problem.memory};
   std::vector<Rival> trail = std::move(chosen.trail);
   for (OdeModel& model : rival_holds(first, chosen.open, best.judged.best)) {
     JudgedModel other = judged_with(problem, std::move(model), hypotheses);
@@ -49,7 +49,7 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
     if (taken) best = std::move(other);
   }
   const Problem held{*best.model, problem.records, problem.options, problem.context,
-                     problem.fits};
+                     problem.memory};
   best.judged = choose_account(held, hypotheses, std::move(best.judged));
   best.notes = notes_on_holds(*best.model, chosen.open);
   std::vector<Rival>& all = best.judged.trail;

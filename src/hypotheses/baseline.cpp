@@ -91,7 +91,7 @@ Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
 }  // namespace
 
 Baseline plain_baseline(const Problem& problem) {
-  const auto& [nominal, records, options, context, fits] = problem;
+  const auto& [nominal, records, options, context, memory] = problem;
   context.report("bringing the model onto the records", 0.0);
   AssimilationOptions as_given;
   as_given.hidden = hidden_states(nominal, records.data);
@@ -112,7 +112,7 @@ Baseline plain_baseline(const Problem& problem) {
 
 Baseline fitted_baseline(const Problem& problem, Assimilation given,
                          std::vector<CoefficientPlace> free) {
-  const auto& [nominal, records, options, context, fits] = problem;
+  const auto& [nominal, records, options, context, memory] = problem;
   const Dataset& data = records.data;
   context.report("fitting the nominal coefficients", 0.0);
   AssimilationOptions fit_options;
@@ -149,7 +149,7 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
 }
 
 Problem alone(const Problem& problem, const RunContext& quiet) {
-  return {problem.nominal, problem.records, problem.options, quiet, problem.fits};
+  return {problem.nominal, problem.records, problem.options, quiet, problem.memory};
 }
 
 double criterion_of(const Problem& problem, const Baseline& base,
@@ -181,7 +181,7 @@ Explanation likeliest(const Baseline& base, const Assimilation& start, Fit fit) 
 Explanation remembered(const Problem& problem, const Baseline& base, const Assimilation& start,
                        const std::vector<FittedEffect>& effects, bool roughly) {
   const JointFitTask task = joint_fit(problem, base);
-  return problem.fits->explanation(
+  return problem.memory->fits.explanation(
       fit_key(roughly ? "rough" : "exact", task, start, effects), [&] {
         return roughly ? explain_roughly(task, start, effects) : explain(task, start, effects);
       });

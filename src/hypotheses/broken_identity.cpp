@@ -81,7 +81,7 @@ Baseline loosened_baseline(const Problem& problem, const Baseline& base,
     ++more;
   }
   const Problem same{problem.nominal, *base.records, problem.options, problem.context,
-                     problem.fits};
+                     problem.memory};
   Baseline next = fitted_baseline(same, loosened(problem, base, broken), std::move(free));
   next.parameters = more;  // a variance of the disturbance each
   next.correct = base.correct;

@@ -39,7 +39,7 @@ Baseline corrected_baseline(const Problem& problem, const Baseline& base,
   BoundRecords records = *base.records;
   records.data = correct(records.data);
   const Problem same{problem.nominal, records, problem.options, problem.context,
-                     problem.fits};
+                     problem.memory};
   Assimilation given = assimilate_from(problem.nominal, records.data, base.given,
                                        AssimilationOptions{}, problem.context);
   Baseline next = fitted_baseline(same, std::move(given), base.fit_options.free);

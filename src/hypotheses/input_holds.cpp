@@ -127,7 +127,7 @@ void note_trial(const std::vector<TriedHold>& tried, Hold taken, const std::stri
 }  // namespace
 
 ChosenHolds choose_holds(const Problem& problem) {
-  const auto& [nominal, records, options, context, fits] = problem;
+  const auto& [nominal, records, options, context, memory] = problem;
   ChosenHolds chosen{nominal};
   Holds holds;
   std::vector<Index> unknown;

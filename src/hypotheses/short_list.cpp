@@ -122,20 +122,21 @@ void append(const std::vector<ScreenedCandidate>& screened, const DecisionOption
 ShortList screened_list(const EffectSearch& search, const Explanation& current) {
   const DecisionOptions& decision = search.problem.options.decision;
   const RunContext& context = search.problem.context;
+  ScreeningMemory* memory = &search.problem.memory->screenings;
   const Screening screening(current.fit);
   const double shape_price = search.problem.options.criterion->penalty(
       {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
   const ScreeningOptions options{shape_price, decision.worth_shaping};
   const std::vector<Candidate> candidates = all_candidates(search, current);
   ShortList list;
-  append(screen(candidates, screening, options, context), decision, nullptr, list);
+  append(screen(candidates, screening, options, context, memory), decision, nullptr, list);
   for (SearchStart& start : search_starts(search, current)) {
     std::vector<Candidate> own = candidates;
     std::erase_if(own, [&](const Candidate& candidate) {
       return candidate.place != Place::Rate ||
              (start.equation && candidate.equation != *start.equation);
     });
-    const auto screened = screen(own, Screening(start.fit), options, context);
+    const auto screened = screen(own, Screening(start.fit), options, context, memory);
     append(screened, decision, std::make_shared<const Assimilation>(std::move(start.fit)),
            list);
   }

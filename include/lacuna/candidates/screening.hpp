@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <mutex>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "lacuna/candidates/candidate_column.hpp"
@@ -50,6 +53,9 @@ class Screening {
   /// Searches the shapes from where they are (Nelder and Mead, Computer J. 7 (1965)).
   void polish(ScreenedCandidate& screened) const;
 
+  /// What stands for the assimilation.
+  std::string key() const;
+
   const InnovationSystem& system() const noexcept { return system_; }
 
   /// Sum of squares of the innovations with the nominal coefficients refitted.
@@ -68,12 +74,34 @@ struct ScreeningOptions {
   double worth_shaping = 0.0;  ///< share of the best gain below which shapes are not searched
 };
 
+/// What was found of candidates, for other screenings against the same assimilation. Several
+/// threads may use it.
+class ScreeningMemory {
+ public:
+  /// Takes what is known of a candidate. @return whether anything is.
+  bool recall(const std::string& key, ScreenedCandidate& candidate);
+
+  void keep(const std::string& key, const ScreenedCandidate& candidate);
+
+ private:
+  struct Found {
+    Vector shapes;
+    Score score;
+    Index tried;
+  };
+
+  std::mutex guard_;
+  std::unordered_map<std::string, Found> found_;
+};
+
 /// Screens all candidates: starting points of all, then the shapes of the best of each family
 /// and equation. Uses the threads of the context.
+/// @param memory of screenings, or null.
 /// @return by falling gain less the price of the shapes.
 std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
                                       const Screening& screening,
                                       const ScreeningOptions& options,
-                                      const RunContext& context);
+                                      const RunContext& context,
+                                      ScreeningMemory* memory = nullptr);
 
 }  // namespace lacuna

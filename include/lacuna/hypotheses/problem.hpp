@@ -9,6 +9,7 @@
 #include "lacuna/candidates/effect.hpp"
 #include "lacuna/candidates/explanation.hpp"
 #include "lacuna/candidates/fit_memory.hpp"
+#include "lacuna/candidates/screening.hpp"
 #include "lacuna/core/run_context.hpp"
 #include "lacuna/decision/extended_bic.hpp"
 #include "lacuna/decision/options.hpp"
@@ -29,14 +30,19 @@ struct DiagnosisOptions {
   bool fill_gap = false;  ///< structure without a name gets a black-box residual function
 };
 
+/// What searches have come to, so that no other one does the same again.
+struct SearchMemory {
+  FitMemory fits = FitMemory();
+  ScreeningMemory screenings = {};
+};
+
 /// What a diagnosis is about. Everything outlives it.
 struct Problem {
   const OdeModel& nominal;
   const BoundRecords& records;  ///< to explain
   const DiagnosisOptions& options;
   const RunContext& context;
-  /// Of all searches.
-  std::shared_ptr<FitMemory> fits = std::make_shared<FitMemory>();
+  std::shared_ptr<SearchMemory> memory = std::make_shared<SearchMemory>();
 };
 
 /// The same problem in another context: on one thread, for fits side by side.

@@ -43,9 +43,9 @@ TEST_F(Search, FindsEffectsOneAfterAnother) {
 TEST_F(Search, WhatOthersHaveFittedChangesNothing) {
   const FoundEffects first = found(dry_and_cubic);
   Problem problem = asked_.problem();
-  problem.fits = std::make_shared<FitMemory>(0);
+  problem.memory = std::shared_ptr<SearchMemory>(new SearchMemory{.fits = FitMemory(0)});
   const FoundEffects alone = search_effects({problem, *base_, asked_.options.effects});
-  problem.fits = std::make_shared<FitMemory>();
+  problem.memory = std::make_shared<SearchMemory>();
   for (int time = 0; time < 2; ++time) {
     const FoundEffects again = search_effects({problem, *base_, asked_.options.effects});
     EXPECT_EQ(again.explanation.fit.deviance, alone.explanation.fit.deviance);
