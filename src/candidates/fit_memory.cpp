@@ -36,8 +36,8 @@ Explanation FitMemory::explanation(const std::string& key, FunctionRef<Explanati
   Explanation explanation = fit();
   const std::lock_guard lock(guard_);
   const Index numbers = numbers_of(explanation);
-  if (numbers_ + numbers <= most_ && kept_.emplace(key, explanation).second)
-    numbers_ += numbers;
+  const bool has_room = numbers <= most_ / kFewest && numbers_ + numbers <= most_;
+  if (has_room && kept_.emplace(key, explanation).second) numbers_ += numbers;
   return explanation;
 }
 

@@ -18,11 +18,15 @@ std::string fit_key(const std::string& kind, const JointFitTask& task,
 
 /// Explanations by the keys of their fits. Searches that leave out one form or another begin
 /// with much the same fits; a fit is a function of its key, so that it need not be done again.
-/// As many are kept as there is room for, the first ones. Several threads may ask at a time.
+/// As many are kept as there is room for, the first ones, where that is a good part of a search
+/// (a copy of very large ones costs more than it saves). Several threads may ask at a time.
 class FitMemory {
  public:
   /// A fact of the machines: 256 MB.
   static constexpr Index kMostNumbers = Index{1} << 25;
+
+  /// A fact of searches: what two rounds fit.
+  static constexpr Index kFewest = 32;
 
   /// @param most numbers that are kept.
   explicit FitMemory(Index most = kMostNumbers) : most_(most) {}

@@ -93,11 +93,17 @@ TEST(FitMemory, FitsOnceForEachKey) {
 }
 
 TEST(FitMemory, KeepsWhatThereIsRoomFor) {
-  FitMemory memory(25);
-  for (const char* key : {"a", "b", "c"}) asked_for(memory, key, 1.0);
-  EXPECT_FALSE(asked_for(memory, "a", 2.0).second);
-  EXPECT_FALSE(asked_for(memory, "b", 2.0).second);
-  EXPECT_EQ(asked_for(memory, "c", 2.0), std::pair(2.0, true));
+  FitMemory memory(10 * FitMemory::kFewest + 5);
+  for (Index i = 0; i <= FitMemory::kFewest; ++i) asked_for(memory, std::to_string(i), 1.0);
+  for (Index i = 0; i < FitMemory::kFewest; ++i)
+    EXPECT_FALSE(asked_for(memory, std::to_string(i), 2.0).second) << i;
+  EXPECT_EQ(asked_for(memory, std::to_string(FitMemory::kFewest), 2.0), std::pair(2.0, true));
+}
+
+TEST(FitMemory, KeepsNothingOfWhichThereIsRoomForAFew) {
+  FitMemory memory(10 * FitMemory::kFewest - 1);
+  asked_for(memory, "a", 1.0);
+  EXPECT_EQ(asked_for(memory, "a", 2.0), std::pair(2.0, true));
 }
 
 TEST(FitMemory, AFitThatFailsIsNotKept) {
