@@ -62,8 +62,10 @@ std::string machine_description() {
 std::string today() {
   const std::time_t now =
       std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm day{};
+  gmtime_r(&now, &day);  // cells ask on threads of their own
   char text[16];
-  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  std::strftime(text, sizeof text, "%Y-%m-%d", &day);
   return text;
 }
 
