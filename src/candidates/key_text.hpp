@@ -69,10 +69,19 @@ class KeyText {
     add_all(noise.measurement, noise.coloured, noise.disturbance);
   }
   void add(const LinearisedRecord& record) {
-    add_all(record.time, record.path, record.slots, record.bridge, record.range);
+    add_all(record.time, record.path, record.slots, record.bridge, record.range,
+            record.grid.stride, record.grid.signals.size());
+    for (const Interpolation signal : record.grid.signals) add(static_cast<int>(signal));
   }
   void add(const Trajectory& record) {
     add_all(record.time, record.states, record.inputs, record.marks);
+  }
+  void add(const Quantity& quantity) {
+    add_all(quantity.name, quantity.unit, quantity.hold ? static_cast<int>(*quantity.hold) : -1);
+  }
+  void add(const Dataset& data) {
+    add_all(data.time_unit, data.states, data.inputs, data.rate_of, data.reconstructed,
+            data.trajectories);
   }
   void add(const Assimilation& fit) {
     add_all(fit.model, fit.records, fit.measured, fit.omitted, fit.noise, fit.least_noise,
