@@ -160,7 +160,6 @@ ColumnRoles roles_in_pieces(const DataOptions& options) {
 bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
   constexpr std::uint64_t kCopies =
       4;  // the file, its table, the records, what is made of them
-  constexpr std::uint64_t kUnpacked = 4;  // times its packed size is what a text often takes
   if (memory == 0) return false;
   std::uint64_t bytes = 0;
   for (const std::string& path : expand_patterns(options.paths)) {
@@ -168,7 +167,7 @@ bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
     // Nobody knows how much comes through a pipe.
     if (path == "-" || std::filesystem::is_fifo(path, none)) return true;
     const auto size = std::filesystem::file_size(path, none);
-    if (!none) bytes += size * (is_packed(path) ? kUnpacked : 1);
+    if (!none) bytes += size * (is_packed(path) ? kUnpackedSize : 1);
   }
   return bytes > memory / kCopies;
 }

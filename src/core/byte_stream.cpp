@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kBuffer = std::size_t{1} << 18U;
+constexpr std::size_t kBuffer = std::size_t{1} << 18U;  // a fact of cost
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason,
                          const std::string& remedy = "check the name and the permissions") {

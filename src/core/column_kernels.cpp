@@ -46,9 +46,8 @@ struct Copy {
   const double* ahead;
 
   LACUNA_INLINE void operator()(Index row, const typename Lanes<W>::Type& value) const {
-    constexpr Index kCacheLine = 8;
     at<W>(to + row).values = value;
-    if (row % kCacheLine == 0) __builtin_prefetch(ahead + row);
+    if (row * Index{sizeof(double)} % kCacheLine == 0) __builtin_prefetch(ahead + row);
   }
   LACUNA_INLINE void one(Index row, double value) const { to[row] = value; }
 };

@@ -22,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kChunk = std::size_t{1} << 18U;
-constexpr std::size_t kUnpacked = 4;  // times its packed size is what a text often takes
 
 /// Appends what `read(pointer, room)` gives until it gives nothing more.
 template <class Read>
@@ -43,7 +42,7 @@ void FileBytes::reserve(std::size_t capacity) {
 
 FileBytes gunzip(std::string_view packed, const std::string& source) {
   FileBytes content;
-  content.reserve(kUnpacked * packed.size() + kChunk);
+  content.reserve(kUnpackedSize * packed.size() + kChunk);
   while (is_gzip(packed)) {
     GzipMember member(source);
     while (!member.has_ended()) {
@@ -85,7 +84,7 @@ FileBytes read_bytes(const fs::path& path) {
     ByteStream stream(path);
     FileBytes content;
     const std::size_t size = stream.file_size().value_or(0);
-    content.reserve(stream.is_packed() ? kUnpacked * size + kChunk : size + 1);
+    content.reserve(stream.is_packed() ? kUnpackedSize * size + kChunk : size + 1);
     if (!stream.file_size()) content.reserve(kChunk);
     append_all(content, [&](char* at, std::size_t room) { return stream.read({at, room}); });
     return content;

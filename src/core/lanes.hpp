@@ -95,6 +95,9 @@ class Numbers<Eigen::Dynamic> {
   std::vector<double> values_;
 };
 
+/// A fact of the machines: bytes that come from memory together.
+inline constexpr Index kCacheLine = 64;
+
 /// Whether the machine has AVX2 and fused multiplication and addition.
 inline bool has_avx2() {
 #ifdef LACUNA_KERNEL_DISPATCH

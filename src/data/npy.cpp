@@ -103,7 +103,7 @@ void append_value(std::string& bytes, double value) {
 }  // namespace
 
 std::string npy_begin(std::string_view type, bool fortran_order, Index rows, Index columns) {
-  constexpr std::size_t kAlignment = 64, kPreamble = 10;
+  constexpr std::size_t kAlignment = 64, kPreamble = 10;  // facts of the format, in bytes
   std::string text = "{'descr': '" + std::string(type) + "', 'fortran_order': " +
                      (fortran_order ? "True" : "False") + ", 'shape': (" +
                      std::to_string(rows) + ", " + std::to_string(columns) + "), }";

@@ -128,7 +128,7 @@ class RowReader {
   }
 
   [[noreturn]] void fail_text(std::string_view field, Index column) const {
-    constexpr std::size_t kShown = 40;
+    constexpr std::size_t kShown = 40;  // for people
     const std::string shown(field.substr(0, kShown));
     const std::string& name = table_.columns[static_cast<std::size_t>(column)].name;
     throw DataError(

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <mutex>
 
+#include "core/lanes.hpp"
 #include "core/parts.hpp"
 
 namespace lacuna {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr Index kChunkRows = Index{1} << 15;
 constexpr Index kMaxSlots = 64;
-constexpr Index kCacheLine = 64;
 
 Index round_up(Index value, Index step) { return (value + step - 1) / step * step; }
 

@@ -9,6 +9,9 @@
 
 namespace lacuna {
 
+/// A fact of texts: how many times its packed size one often takes.
+inline constexpr std::size_t kUnpackedSize = 4;
+
 /// Bytes in memory, not written before they are filled (a std::string would write them twice).
 class FileBytes {
  public:

@@ -19,7 +19,7 @@ namespace lacuna {
 /// them open.
 struct RecordFiles;
 
-/// What reading takes in blocks where nothing else is said, in bytes.
+/// What reading takes in blocks where nothing else is said, in bytes: a fact of the machines.
 inline constexpr std::size_t kReadingMemory = std::size_t{1} << 28U;
 
 /// Opens files (paths or patterns). NumPy arrays (.npy) are read where they are; the rows of
