@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/bases/term_list.hpp"
 
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {

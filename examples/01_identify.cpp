@@ -2,8 +2,8 @@
 // The shortest way: a record in, equations out.
 #include <iostream>
 
-#include "lacuna/data/read.hpp"
-#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 
 int main() {
   const lacuna::Dataset record = lacuna::read_dataset({"data/tl072_record.csv.gz"});

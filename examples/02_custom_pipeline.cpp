@@ -3,14 +3,14 @@
 #include <iostream>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/data/read.hpp"
-#include "lacuna/differentiators/savitzky_golay.hpp"
-#include "lacuna/filters/abm.hpp"
-#include "lacuna/formulations/strong_form.hpp"
-#include "lacuna/pipeline/pipeline.hpp"
-#include "lacuna/pruners/keep_all.hpp"
-#include "lacuna/selection/no_refiner.hpp"
+#include "lacuna/data/derivatives/savitzky_golay.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
+#include "lacuna/regression/filters/abm.hpp"
+#include "lacuna/regression/formulations/strong_form.hpp"
+#include "lacuna/regression/pruners/keep_all.hpp"
 #include "lacuna/solvers/stlsq.hpp"
+#include "lacuna/trajectories/refiners/no_refiner.hpp"
 
 int main() {
   using namespace lacuna;

@@ -2,10 +2,10 @@
 // Proving a model: it is driven by the record, and the distance it keeps is the measure.
 #include <iostream>
 
-#include "lacuna/data/read.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/synchroniser.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 int main() {
   using namespace lacuna;

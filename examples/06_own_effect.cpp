@@ -3,8 +3,8 @@
 //   example_06_own_effect diagnose --model NOMINAL.json RECORD
 // A linear motor pulls its carriage into the slots between its magnets: a force that repeats
 // along the way.
-#include "lacuna/cli/cli.hpp"
-#include "lacuna/config/registry.hpp"
+#include "lacuna/cli/commands/cli.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/effects/effect_family.hpp"
 #include "lacuna/effects/forms.hpp"
 

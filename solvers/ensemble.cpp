@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "lacuna/core/random.hpp"
-#include "linear/gathered_rows.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "regression/linear/gathered_rows.hpp"
 #include "subset_fit.hpp"
 
 namespace lacuna {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linear/gathered_rows.hpp"
+#include "regression/linear/gathered_rows.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "lacuna/linear/triangular.hpp"
-#include "lacuna/numerics/qr.hpp"
+#include "lacuna/core/numerics/qr.hpp"
+#include "lacuna/regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

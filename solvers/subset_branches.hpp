@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
+#include "lacuna/core/base/run_context.hpp"
 #include "subset_fit.hpp"
 
 namespace lacuna {

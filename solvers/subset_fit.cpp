@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/linear/triangular.hpp"
-#include "lacuna/numerics/least_squares.hpp"
-#include "lacuna/numerics/qr.hpp"
+#include "lacuna/core/numerics/least_squares.hpp"
+#include "lacuna/core/numerics/qr.hpp"
+#include "lacuna/regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

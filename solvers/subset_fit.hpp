@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lacuna/stages/regressor.hpp"
+#include "lacuna/regression/stages/regressor.hpp"
 
 namespace lacuna {
 

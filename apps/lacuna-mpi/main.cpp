@@ -5,7 +5,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "lacuna/cli/cli.hpp"
+#include "lacuna/cli/commands/cli.hpp"
 #include "mpi_team.hpp"
 
 namespace {

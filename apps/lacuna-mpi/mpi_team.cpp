@@ -6,7 +6,7 @@
 #include <limits>
 #include <thread>
 
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {

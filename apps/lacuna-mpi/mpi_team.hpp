@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "lacuna/core/run_context.hpp"
+#include "lacuna/core/base/run_context.hpp"
 
 namespace lacuna {
 

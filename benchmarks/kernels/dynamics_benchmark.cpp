@@ -2,11 +2,11 @@
 // One step of the integrators on Rossler's system, and of the synchroniser.
 #include <benchmark/benchmark.h>
 
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/dynamics/synchroniser.hpp"
-#include "lacuna/systems/measurement.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/linear/gram.hpp"
-#include "lacuna/linear/least_squares_system.hpp"
-#include "lacuna/linear/row_fold.hpp"
-#include "lacuna/linear/subproblem.hpp"
-#include "lacuna/linear/tile_kernels.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/regression/linear/gram.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
+#include "lacuna/regression/linear/row_fold.hpp"
+#include "lacuna/regression/linear/subproblem.hpp"
+#include "lacuna/regression/linear/tile_kernels.hpp"
 
 namespace lacuna {
 namespace {

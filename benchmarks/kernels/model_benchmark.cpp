@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/selection/no_refiner.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/trajectories/refiners/no_refiner.hpp"
 #include "support/rossler_data.hpp"
 
 namespace lacuna {

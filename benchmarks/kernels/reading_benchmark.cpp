@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/data/read.hpp"
-#include "lacuna/data/write.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/data/formats/write.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/shooting/refine.hpp"
-#include "lacuna/systems/measurement.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,13 +3,13 @@
 // derivatives with 0.1 % noise, all three equations.
 #include <benchmark/benchmark.h>
 
-#include "lacuna/filters/abm.hpp"
-#include "lacuna/filters/none.hpp"
-#include "lacuna/filters/svd_filter.hpp"
-#include "lacuna/pruners/information_criterion.hpp"
-#include "lacuna/pruners/keep_all.hpp"
-#include "lacuna/pruners/minor_terms.hpp"
-#include "lacuna/pruners/sequential_thresholding.hpp"
+#include "lacuna/regression/filters/abm.hpp"
+#include "lacuna/regression/filters/none.hpp"
+#include "lacuna/regression/filters/svd_filter.hpp"
+#include "lacuna/regression/pruners/information_criterion.hpp"
+#include "lacuna/regression/pruners/keep_all.hpp"
+#include "lacuna/regression/pruners/minor_terms.hpp"
+#include "lacuna/regression/pruners/sequential_thresholding.hpp"
 #include "lacuna/solvers/irls.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
 #include "lacuna/solvers/l1/l1_ceres.hpp"

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/attractor/extents.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/systems/measurement.hpp"
-#include "lacuna/systems/rossler_circuit.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/attractor/extents.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/rossler_circuit.hpp"
 #include "parts.hpp"
 #include "spice.hpp"
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/attractor/density_distance.hpp"
-#include "lacuna/attractor/lyapunov.hpp"
-#include "lacuna/attractor/power_spectrum.hpp"
-#include "lacuna/attractor/prediction_time.hpp"
-#include "lacuna/attractor/rosenstein.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/dynamics/attractor/density_distance.hpp"
+#include "lacuna/dynamics/attractor/lyapunov.hpp"
+#include "lacuna/dynamics/attractor/power_spectrum.hpp"
+#include "lacuna/dynamics/attractor/prediction_time.hpp"
+#include "lacuna/dynamics/attractor/rosenstein.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "parts.hpp"
 
 namespace lacuna::benchmarks {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output.hpp"
 
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/text.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::benchmarks {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sources.hpp"
 
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/systems/measurement.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "spice.hpp"
 
 namespace lacuna::benchmarks {

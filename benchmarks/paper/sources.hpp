@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/data/dataset.hpp"
-#include "lacuna/dynamics/synchroniser.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 #include "output.hpp"
 #include "printed.hpp"
 

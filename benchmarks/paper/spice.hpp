@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/data/dataset.hpp"
+#include "lacuna/data/records/dataset.hpp"
 #include "output.hpp"
 
 namespace lacuna::benchmarks {

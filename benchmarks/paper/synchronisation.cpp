@@ -2,9 +2,9 @@
 // Tables 4 and 5, Figs. 5 and 6: how far models stay from the records that drive them.
 #include <limits>
 
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "parts.hpp"
 
 namespace lacuna::benchmarks {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

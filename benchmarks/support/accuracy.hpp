@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::benchmarks {
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <memory>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/shooting/cramer_rao.hpp"
-#include "lacuna/shooting/refine.hpp"
-#include "lacuna/systems/measurement.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/trajectories/shooting/cramer_rao.hpp"
+#include "lacuna/trajectories/shooting/refine.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

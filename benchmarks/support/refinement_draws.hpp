@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/types.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "support/cells.hpp"
 
 namespace lacuna::benchmarks {

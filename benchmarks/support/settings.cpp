@@ -4,7 +4,7 @@
 #include <charconv>
 #include <iostream>
 
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna::benchmarks {
 

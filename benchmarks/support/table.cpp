@@ -7,8 +7,8 @@
 #include <fstream>
 #include <thread>
 
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/text.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/numerics/qr.hpp"
+#include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/core/types.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "support/environment.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "support/environment.hpp"
 #include "support/expect_error.hpp"
 

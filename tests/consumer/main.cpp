@@ -2,8 +2,8 @@
 // A program outside the source tree that uses the installed package.
 #include <iostream>
 
-#include "lacuna/config/registry.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 int main() {
   const lacuna::Variables variables{{"x"}, {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/stages/basis.hpp"
+#include "lacuna/regression/stages/basis.hpp"
 
 #include <set>
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/config/variants.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/linear/least_squares_system.hpp"
+#include "lacuna/cli/configuration/variants.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/decision/criterion.hpp"
+#include "lacuna/diagnose/criterion/criterion.hpp"
 
 #include "contract/contract.hpp"
 

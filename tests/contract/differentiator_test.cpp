@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/stages/differentiator.hpp"
+#include "lacuna/data/derivatives/differentiator.hpp"
 
 #include "contract/contract.hpp"
 

@@ -6,13 +6,13 @@
 
 #include "contract/contract.hpp"
 #include "contract/effect_systems.hpp"
-#include "lacuna/candidates/candidate_column.hpp"
-#include "lacuna/candidates/explanation.hpp"
-#include "lacuna/candidates/screening.hpp"
-#include "lacuna/dynamics/record_input.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/numerics/significance.hpp"
+#include "lacuna/core/numerics/significance.hpp"
+#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "lacuna/diagnose/candidates/explanation.hpp"
+#include "lacuna/diagnose/candidates/screening.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna::contract {

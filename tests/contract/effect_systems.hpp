@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/candidates/effect.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "support/effect_forms.hpp"
 
 namespace lacuna::contract {

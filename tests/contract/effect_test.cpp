@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/candidates/effect.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 
 #include "contract/contract.hpp"
 #include "contract/effect_systems.hpp"
-#include "lacuna/candidates/screening.hpp"
+#include "lacuna/diagnose/candidates/screening.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna::contract {

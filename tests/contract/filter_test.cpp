@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contract/contract.hpp"
-#include "lacuna/stages/term_filter.hpp"
+#include "lacuna/regression/stages/term_filter.hpp"
 
 namespace lacuna::contract {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/stages/formulation.hpp"
+#include "lacuna/regression/stages/formulation.hpp"
 
 #include "contract/contract.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/linear/subproblem.hpp"
+#include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna::contract {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/hypotheses/hypothesis.hpp"
+#include "lacuna/diagnose/hypotheses/hypothesis.hpp"
 
 #include "contract/contract.hpp"
 #include "lacuna/effects/families.hpp"

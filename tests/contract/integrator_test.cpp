@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/integrator.hpp"
+#include "lacuna/dynamics/integration/integrator.hpp"
 
 #include <cmath>
 
 #include "contract/contract.hpp"
-#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::contract {
 namespace {

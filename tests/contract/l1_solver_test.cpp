@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/stages/l1_solver.hpp"
+#include "lacuna/regression/stages/l1_solver.hpp"
 
 #include "contract/contract.hpp"
 

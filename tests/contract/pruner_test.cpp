@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contract/contract.hpp"
+#include "lacuna/regression/stages/term_pruner.hpp"
 #include "lacuna/solvers/ols.hpp"
-#include "lacuna/stages/term_pruner.hpp"
 
 namespace lacuna::contract {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/stages/refiner.hpp"
+#include "lacuna/regression/stages/refiner.hpp"
 
 #include "contract/contract.hpp"
 #include "lacuna/bases/monomials.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/stages/regressor.hpp"
+#include "lacuna/regression/stages/regressor.hpp"
 
 #include "contract/contract.hpp"
 

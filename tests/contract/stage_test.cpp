@@ -5,11 +5,11 @@
 #include <set>
 
 #include "contract/contract.hpp"
-#include "lacuna/config/configuration.hpp"
-#include "lacuna/config/description.hpp"
-#include "lacuna/config/diagnosis_configuration.hpp"
-#include "lacuna/config/identification_configuration.hpp"
-#include "lacuna/report/stage_json.hpp"
+#include "lacuna/cli/configuration/configuration.hpp"
+#include "lacuna/cli/configuration/description.hpp"
+#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "lacuna/cli/configuration/identification_configuration.hpp"
+#include "lacuna/report/pages/stage_json.hpp"
 
 namespace lacuna::contract {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/config/configuration.hpp"
+#include "lacuna/cli/configuration/configuration.hpp"
 
 #include "fuzz/target.hpp"
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna::fuzz {
 

@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 #include <cstdio>
 #include <cstdlib>
 
-#include "unit/data/mutate.hpp"
+#include "unit/data/formats/mutate.hpp"
 
 int main(int argc, char** argv) {
   using Clock = std::chrono::steady_clock;

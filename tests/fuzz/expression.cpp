@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/expression.hpp"
+#include "lacuna/model/expressions/expression.hpp"
 
 #include <cstdlib>
 
 #include "fuzz/target.hpp"
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna::fuzz {
 

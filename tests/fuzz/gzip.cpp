@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "fuzz/target.hpp"
-#include "lacuna/core/error.hpp"
-#include "lacuna/core/file_bytes.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/file_bytes.hpp"
 
 namespace lacuna::fuzz {
 

@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "fuzz/target.hpp"
-#include "lacuna/core/error.hpp"
-#include "lacuna/model/model_file.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::fuzz {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "data/npy.hpp"
+#include "data/formats/npy.hpp"
 
 #include "fuzz/target.hpp"
-#include "lacuna/core/error.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna::fuzz {
 

@@ -2,11 +2,11 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "data/text_rows.hpp"
+#include "data/formats/text_rows.hpp"
 #include "fuzz/target.hpp"
-#include "lacuna/core/error.hpp"
-#include "lacuna/data/read_text.hpp"
-#include "lacuna/data/roles.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/formats/read_text.hpp"
+#include "lacuna/data/records/roles.hpp"
 
 namespace lacuna::fuzz {
 
@@ -26,7 +26,8 @@ std::vector<std::string> seeds() {
           "Title: * rc\nVariables:\n\t0\ttime\ttime\n\t1\tv(out)\tvoltage\nValues:\n" +
               rising(" #\t0.#\n\t1.#\n\n"),
           "time\tV(a)\nStep Information: R=1\n" + rising("#\t1\n"),
-          "t,x,y\n0,1,2\n1,2,3\n2,3,4\n", "t [s];x [V]\n0;1,5\n1;2,5\n2;3,5\n",
+          "t,x,y\n0,1,2\n1,2,3\n2,3,4\n",
+          "t [s];x [V]\n0;1,5\n1;2,5\n2;3,5\n",
           "# scope\nmodel,3\nt x y\n0 1 2\n1 2 nan\n2 3 4\n4 5 6\n",
           "\xef\xbb\xbftime\tu\xc2\xb5\r\n0\t1e-3\r\n1\t\r\n2\t\"3\"\r\n",
           "LabVIEW Measurement\t\n***End_of_Header***\t\nChannels\t1\nX0\t2.0\n"
@@ -35,8 +36,8 @@ std::vector<std::string> seeds() {
           "Index   time   v(th)\n----------\n0\t0.0\t1.0\t\n1\t0.1\t2.0\t\n"};
 }
 
-/// Rows that come in two blocks are those of the whole, where the first block shows how they are
-/// read.
+/// Rows that come in two blocks are those of the whole, where the first block shows how they
+/// are read.
 void check_blocks(std::string_view input, const Table& whole) {
   const std::string_view begin = input.substr(0, input.size() * 3 / 4);
   auto format = find_format(begin, false, "input");

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "hidden/support/records.hpp"
-#include "lacuna/core/error.hpp"
-#include "lacuna/data/dataset.hpp"
-#include "lacuna/model/model_file.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::hidden {
 namespace {

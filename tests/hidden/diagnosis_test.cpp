@@ -9,9 +9,9 @@
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
-#include "lacuna/config/registry.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

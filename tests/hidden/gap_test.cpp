@@ -4,8 +4,8 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/reality.hpp"
-#include "lacuna/config/registry.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/config/registry.hpp"
-#include "lacuna/libraries/identify_with_forms.hpp"
-#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/config/diagnosis_configuration.hpp"
-#include "lacuna/data/marks.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "lacuna/data/records/marks.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

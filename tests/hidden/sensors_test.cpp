@@ -8,8 +8,8 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/config/registry.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

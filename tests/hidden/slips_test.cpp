@@ -10,9 +10,9 @@
 #include "hidden/support/cases.hpp"
 #include "hidden/support/disturbance.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/config/registry.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
-#include "lacuna/records/read_records.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/records/binding/read_records.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/config/registry.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
-#include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/records/model_view.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::hidden {
 namespace {

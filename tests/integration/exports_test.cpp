@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-#include "lacuna/codegen/export_model.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/model/ode_text.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/export/export_model.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "integration/program.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/types.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna::testing {

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "support/noisy_records.hpp"
 
 namespace lacuna {

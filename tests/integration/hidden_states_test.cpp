@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "integration/program.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/model/ode_text.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::testing {
 namespace {

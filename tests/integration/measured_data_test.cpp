@@ -9,15 +9,15 @@
 #include <sstream>
 
 #include "integration/program.hpp"
-#include "lacuna/data/read.hpp"
-#include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/dynamics/record_input.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/model/model_file.hpp"
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/records/embedding.hpp"
-#include "lacuna/shooting/refine.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "lacuna/records/binding/embedding.hpp"
+#include "lacuna/trajectories/shooting/refine.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna::testing {

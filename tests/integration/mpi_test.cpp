@@ -7,7 +7,7 @@
 #include "integration/program.hpp"
 #include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"
-#include "unit/streams/long_records.hpp"
+#include "unit/data/long_records/long_records.hpp"
 
 namespace lacuna {
 namespace {

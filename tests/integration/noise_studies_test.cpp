@@ -6,7 +6,7 @@
 #include <string>
 
 #include "benchmarks/studies/chaos70/systems.hpp"
-#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "support/noisy_records.hpp"
 
 namespace lacuna {

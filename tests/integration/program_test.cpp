@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "lacuna/model/model_file.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::testing {
 namespace {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/studies/rational/systems.hpp"
-#include "lacuna/config/registry.hpp"
-#include "lacuna/libraries/identify_with_forms.hpp"
-#include "lacuna/model/model_file.hpp"
-#include "lacuna/model/ode_text.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

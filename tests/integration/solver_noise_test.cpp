@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "benchmarks/studies/solver_noise/records.hpp"
-#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -33,7 +33,7 @@ std::map<std::string, ClassSize> class_sizes(const std::vector<SourceFile>& file
   for (const SourceFile& file : files) {
     const Declarations found = read_declarations(file.lines);
     const bool is_source = file.path.extension() == ".cpp";
-    const std::string folder = layer_of(file.path) + "/";
+    const std::string folder = folder_of(file.path) + "/";
     const std::string own = folder + file.path.filename().string() + "/";
     Names own_classes;
     for (const ClassText& type : found.classes) {

@@ -15,7 +15,7 @@ const std::filesystem::path kRoot = LACUNA_SOURCE_DIR;
 constexpr std::size_t kSmall = 60;  // lines of a source that needs no test of its own
 
 std::filesystem::path mirror_of(const std::filesystem::path& source) {
-  return std::filesystem::path("tests/unit") / layer_of(source) /
+  return std::filesystem::path("tests/unit") / folder_of(source) /
          (source.stem().string() + "_test.cpp");
 }
 

@@ -47,13 +47,29 @@ inline std::vector<SourceFile> sources_below(const std::vector<std::string>& fol
   return all;
 }
 
-/// The layer of a source: "linear" for include/lacuna/linear/... and src/linear/..., "solvers"
-/// for solvers/...
-inline std::string layer_of(const std::filesystem::path& path) {
+/// Names from the root to the file: "src", "model", "files", "ode_text.cpp".
+inline std::vector<std::string> parts_of(const std::filesystem::path& path) {
   std::vector<std::string> parts;
   for (const auto& part : path) parts.push_back(part.string());
-  if (parts[0] == "include") return parts[2];
-  return parts[0] == "src" ? parts[1] : parts[0];
+  return parts;
+}
+
+/// Where a source or header stands in the library: "model/files" for src/model/files/... and
+/// include/lacuna/model/files/..., "solvers" for solvers/... and include/lacuna/solvers/...
+inline std::string folder_of(const std::filesystem::path& path) {
+  std::vector<std::string> parts = parts_of(path);
+  if (parts[0] == "include") parts.erase(parts.begin(), parts.begin() + 2);
+  if (parts[0] == "src") parts.erase(parts.begin());
+  const bool is_shelf = parts[0] == "bases" || parts[0] == "solvers" || parts[0] == "effects";
+  return is_shelf || parts.size() < 3 ? parts[0] : parts[0] + "/" + parts[1];
+}
+
+/// The wing of a source: "model" for what is in src/model/... and include/lacuna/model/...; what
+/// stands on a shelf belongs to the wing whose plug point it fills.
+inline std::string wing_of(const std::filesystem::path& path) {
+  const std::string folder = folder_of(path), first = folder.substr(0, folder.find('/'));
+  if (first == "bases" || first == "solvers") return "regression";
+  return first == "effects" ? "forms" : first;
 }
 
 }  // namespace lacuna::repository

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "lacuna/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/account.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna::support {

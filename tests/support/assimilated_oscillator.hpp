@@ -2,8 +2,8 @@
 // The nominal oscillator brought onto records with something hidden in them.
 #pragma once
 
-#include "lacuna/candidates/candidate.hpp"
-#include "lacuna/estimation/assimilation.hpp"
+#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/trajectories/smoother/assimilation.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna::support {

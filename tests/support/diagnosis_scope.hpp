@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "lacuna/candidates/scope.hpp"
-#include "lacuna/model/model_file.hpp"
+#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::support {
 

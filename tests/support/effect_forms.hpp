@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lacuna/effects/effect_family.hpp"
-#include "lacuna/model/model_file.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/diagnosis_scope.hpp"
 
 namespace lacuna::support {

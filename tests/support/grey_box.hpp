@@ -5,15 +5,15 @@
 #include <cmath>
 #include <string>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/dynamics/butcher_tableau.hpp"
-#include "lacuna/dynamics/record_input.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/model/ode_text.hpp"
-#include "lacuna/model/output_values.hpp"
-#include "lacuna/records/model_view.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/dynamics/integration/butcher_tableau.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/model/equations/output_values.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::support {
 

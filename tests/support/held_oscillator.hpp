@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/data/hold.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/records/hold.hpp"
 #include "support/diagnosis_scope.hpp"
 
 namespace lacuna::support {

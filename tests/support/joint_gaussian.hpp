@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/estimation/innovation_filter.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/trajectories/smoother/innovation_filter.hpp"
 
 namespace lacuna::support {
 
@@ -41,7 +41,8 @@ inline GaussianCase random_case(Index m, Index n, std::uint64_t seed) {
     for (Index part = 0; part < 3; ++part)
       record.response.row((3 * k + part) * m + k).array() += kStep / 3.0;
   record.defect = random_matrix(random, m, n - 1, 0.05);
-  record.range = (record.path.colwise().maxCoeff() - record.path.colwise().minCoeff()).transpose();
+  record.range =
+      (record.path.colwise().maxCoeff() - record.path.colwise().minCoeff()).transpose();
   made.measured = record.path + random_matrix(random, n, m, 0.3);
   made.noise.coloured.resize(static_cast<std::size_t>(m));
   made.noise.disturbance.resize(m);

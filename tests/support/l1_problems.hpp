@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/stages/l1_solver.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/regression/stages/l1_solver.hpp"
 
 namespace lacuna::testing {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/data/dataset.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna::testing {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/types.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna::testing {
 

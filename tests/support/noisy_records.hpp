@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lacuna/data/dataset.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 

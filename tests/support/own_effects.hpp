@@ -2,7 +2,7 @@
 // Two effects for tests of the search: one that is right for dry friction, one that is not.
 #pragma once
 
-#include "lacuna/candidates/effect.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna::support {
 

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lacuna/regression/stages/term_pruner.hpp"
 #include "lacuna/solvers/ols.hpp"
-#include "lacuna/stages/term_pruner.hpp"
 #include "support/stage_invariance.hpp"
 
 namespace lacuna::testing {

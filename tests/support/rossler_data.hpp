@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/types.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna::testing {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/cli/cli.hpp"
+#include "lacuna/cli/commands/cli.hpp"
 
 namespace lacuna::testing {
 

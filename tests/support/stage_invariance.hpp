@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/linear/least_squares_system.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "support/rossler_system.hpp"
 
 namespace lacuna::testing {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "lacuna/core/run_context.hpp"
+#include "lacuna/core/base/run_context.hpp"
 
 namespace lacuna::testing {
 

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "lacuna/core/error.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/data/read.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/formats/read.hpp"
 
 namespace lacuna::chaos70 {
 namespace {

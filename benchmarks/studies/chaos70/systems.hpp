@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/data/dataset.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::chaos70 {
 

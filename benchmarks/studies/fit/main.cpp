@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <iostream>
 
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/data/write.hpp"
-#include "lacuna/fitting/fit.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/data/formats/write.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 #include "problems.hpp"
 #include "support/grey_box.hpp"
 #include "support/parallel.hpp"

@@ -8,9 +8,9 @@
 #include <iostream>
 #include <span>
 
-#include "lacuna/config/diagnosis_configuration.hpp"
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/text.hpp"
+#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/text.hpp"
 #include "support/table.hpp"
 #include "trials.hpp"
 

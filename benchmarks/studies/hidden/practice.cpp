@@ -8,9 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/model/model_file.hpp"
-#include "lacuna/records/read_records.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "lacuna/records/binding/read_records.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "hidden/support/reality.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
 #include "support/parallel.hpp"
 
 namespace lacuna::benchmarks {

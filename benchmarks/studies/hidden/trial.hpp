@@ -8,7 +8,7 @@
 
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
-#include "lacuna/hypotheses/problem.hpp"
+#include "lacuna/diagnose/hypotheses/problem.hpp"
 #include "support/cells.hpp"
 
 namespace lacuna::benchmarks {

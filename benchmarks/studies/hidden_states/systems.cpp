@@ -6,11 +6,11 @@
 #include <numbers>
 #include <utility>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/model/ode_text.hpp"
-#include "lacuna/numerics/sampled_signal.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/numerics/sampled_signal.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::hidden_states {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/data/dataset.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::hidden_states {
 
@@ -23,9 +23,9 @@ struct System {
   Kind kind = Kind::Null;
   std::string truth;    ///< text model; statements end with ';'
   std::string nominal;  ///< what it lacks left out; coefficients are perturbed
-  std::vector<std::string> measured = {};   ///< states that have a column
-  std::vector<double> start = {};           ///< of each state
-  double step = 0.1;                        ///< time between samples
+  std::vector<std::string> measured = {};  ///< states that have a column
+  std::vector<double> start = {};          ///< of each state
+  double step = 0.1;                       ///< time between samples
   Index samples = 1500;
   double low = 0.0, high = 0.0, period = 0.0;  ///< range and time scale of inputs
   std::vector<std::string> equations = {};     ///< in which the effect is right

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/systems/measurement.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "support/accuracy.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"

@@ -7,18 +7,18 @@
 #include <numbers>
 #include <vector>
 
-#include "lacuna/config/registry.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/data/read.hpp"
-#include "lacuna/diagnosis/diagnose.hpp"
-#include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/dynamics/record_input.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/estimation/innovation_system.hpp"
-#include "lacuna/model/model_file.hpp"
-#include "lacuna/records/read_records.hpp"
-#include "lacuna/shooting/refine.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "lacuna/records/binding/read_records.hpp"
+#include "lacuna/trajectories/shooting/refine.hpp"
+#include "lacuna/trajectories/smoother/innovation_system.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

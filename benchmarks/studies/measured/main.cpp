@@ -9,14 +9,14 @@
 #include <iostream>
 
 #include "diagnosed.hpp"
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/error.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/data/read.hpp"
-#include "lacuna/differentiators/finite_differences.hpp"
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/records/embedding.hpp"
-#include "lacuna/shooting/refine.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/records/binding/embedding.hpp"
+#include "lacuna/trajectories/shooting/refine.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/text.hpp"
+#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::benchmarks {
 

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/error.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/model/ode_text.hpp"
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/systems/measurement.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "structure.hpp"
 
 namespace lacuna::benchmarks {

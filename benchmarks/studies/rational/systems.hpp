@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/data/dataset.hpp"
-#include "lacuna/model/ode_model.hpp"
-#include "lacuna/pipeline/pipeline.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::benchmarks {
 

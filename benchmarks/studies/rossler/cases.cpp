@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/config/variants.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
-#include "lacuna/selection/no_refiner.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/cli/configuration/variants.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/trajectories/refiners/no_refiner.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

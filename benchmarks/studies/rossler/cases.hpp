@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/config/registry.hpp"
-#include "lacuna/data/dataset.hpp"
-#include "lacuna/pipeline/pipeline.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna::benchmarks {
 

@@ -7,11 +7,11 @@
 #include <iostream>
 
 #include "cases.hpp"
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/synchroniser.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "report.hpp"
 #include "support/accuracy.hpp"
 #include "support/settings.hpp"

@@ -6,9 +6,9 @@
 #include <limits>
 #include <map>
 
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/pipeline/presets.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

@@ -11,12 +11,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lacuna/core/atomic_file.hpp"
-#include "lacuna/core/parallel.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/streams/read_stream.hpp"
-#include "lacuna/systems/test_systems.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/core/base/parallel.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/data/long_records/read_stream.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "studies/scaling/meter.hpp"
 #include "studies/scaling/records.hpp"
 #include "support/table.hpp"
@@ -120,8 +120,7 @@ std::string table_of(const std::vector<Way>& ways) {
 int run_pieces(const fs::path& folder, Index rows) {
   fs::create_directories(folder);
   const fs::path path = folder / "pieces.npy";
-  const RecordProblem problem{
-      "lorenz", test_system("lorenz").model, 0.001, rows, 0.0, true};
+  const RecordProblem problem{"lorenz", test_system("lorenz").model, 0.001, rows, 0.0, true};
   write_record(problem, path);
   const OpenFile file(path);
   std::vector<Way> ways{{"mapping, 1 thread"}, {"mapping, 2 threads"}, {"identification"}};

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "lacuna/core/types.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna::benchmarks {
 

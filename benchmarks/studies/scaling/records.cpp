@@ -5,9 +5,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "lacuna/data/dataset.hpp"
-#include "lacuna/data/roles.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/roles.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::benchmarks {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::benchmarks {
 

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "lacuna/core/text.hpp"
-#include "lacuna/pipeline/presets.hpp"
-#include "lacuna/pruners/minor_terms.hpp"
-#include "lacuna/selection/trajectory_selection.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/regression/pruners/minor_terms.hpp"
+#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
 #include "records.hpp"
 #include "support/accuracy.hpp"
 #include "support/parallel.hpp"

@@ -7,8 +7,8 @@
 #include <initializer_list>
 
 #include "dense_solution.hpp"
-#include "lacuna/core/text.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

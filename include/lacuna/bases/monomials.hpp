@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/options.hpp"
-#include "lacuna/stages/basis.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/regression/stages/basis.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/model/term.hpp"
+#include "lacuna/model/equations/term.hpp"
 
 namespace lacuna {
 

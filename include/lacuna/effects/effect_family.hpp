@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/candidates/effect.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lacuna/candidates/candidate.hpp"
-#include "lacuna/candidates/scope.hpp"
+#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/forms/candidate/scope.hpp"
 
 // How effects put candidates together.
 namespace lacuna {

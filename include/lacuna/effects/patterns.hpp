@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "lacuna/candidates/reading.hpp"
+#include "lacuna/forms/candidate/reading.hpp"
 
 // How rows of the name table recognise fitted forms, whoever proposed them.
 namespace lacuna {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/candidates/scope.hpp"
+#include "lacuna/forms/candidate/scope.hpp"
 
 // What effects look at in the nominal model: terms, differences, speeds, factors.
 namespace lacuna {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/options.hpp"
-#include "lacuna/stages/regressor.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/regression/stages/regressor.hpp"
 
 namespace lacuna {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "lacuna/core/options.hpp"
-#include "lacuna/stages/regressor.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/regression/stages/regressor.hpp"
 
 namespace lacuna {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "lacuna/core/options.hpp"
-#include "lacuna/stages/l1_solver.hpp"
-#include "lacuna/stages/regressor.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/regression/stages/l1_solver.hpp"
+#include "lacuna/regression/stages/regressor.hpp"
 
 namespace lacuna {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/function_ref.hpp"
-#include "lacuna/core/run_context.hpp"
-#include "lacuna/linear/least_squares_system.hpp"
-#include "lacuna/linear/subproblem.hpp"
+#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/run_context.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
+#include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {
 

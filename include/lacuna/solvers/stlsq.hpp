@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "lacuna/core/options.hpp"
-#include "lacuna/stages/regressor.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/regression/stages/regressor.hpp"
 
 namespace lacuna {
 

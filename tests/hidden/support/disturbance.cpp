@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/data/marks.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/records/marks.hpp"
 
 namespace lacuna::hidden {
 namespace {

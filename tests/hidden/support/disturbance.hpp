@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lacuna/data/dataset.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna::hidden {
 

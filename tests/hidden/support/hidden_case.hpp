@@ -7,7 +7,7 @@
 
 #include "hidden/support/disturbance.hpp"
 #include "hidden/support/signal.hpp"
-#include "lacuna/model/ode_model.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::hidden {
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "lacuna/dynamics/record_input.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::hidden {
 namespace {

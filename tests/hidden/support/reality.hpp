@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hidden/support/records.hpp"
-#include "lacuna/diagnosis/gap.hpp"
+#include "lacuna/diagnose/journey/gap.hpp"
 
 namespace lacuna::hidden {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "lacuna/core/error.hpp"
-#include "lacuna/core/random.hpp"
-#include "lacuna/dynamics/runge_kutta.hpp"
-#include "lacuna/dynamics/simulate.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "hidden/support/records.hpp"
-#include "lacuna/core/text.hpp"
+#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/core/types.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna::hidden {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/random.hpp"
-#include "lacuna/linear/least_squares_system.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna::testing {
 

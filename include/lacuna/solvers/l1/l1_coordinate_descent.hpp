@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/options.hpp"
-#include "lacuna/stages/l1_solver.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/regression/stages/l1_solver.hpp"
 
 namespace lacuna {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "lacuna/core/options.hpp"
-#include "lacuna/stages/l1_solver.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/regression/stages/l1_solver.hpp"
 
 namespace lacuna {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "lacuna/core/types.hpp"
-#include "lacuna/stages/l1_solver.hpp"
+#include "lacuna/core/base/types.hpp"
+#include "lacuna/regression/stages/l1_solver.hpp"
 
 namespace lacuna {
 

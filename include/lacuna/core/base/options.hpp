@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lacuna/core/base/stage.hpp"
+
+namespace lacuna {
+
+/// What is fixed about one option: everything `describe`, `--help` and the checks need.
+struct FieldInfo {
+  std::string_view name;           ///< as in the JSON configuration, snake_case
+  std::string_view unit;           ///< "s", "samples"; "" for a pure number or text
+  std::string_view text;           ///< one sentence
+  std::optional<double> min = {};  ///< smallest allowed number, inclusive
+  std::optional<double> max = {};  ///< largest allowed number, inclusive
+};
+
+/// Sees every field of an options aggregate, one call each, in order of declaration.
+///
+/// Options are plain aggregates with one member function that lists them once:
+/// @code
+///   struct StlsqOptions {
+///     static constexpr StageInfo kInfo{"stlsq", "Sequentially ...", "Brunton et al. 2016"};
+///     double threshold = 0.1;
+///     void describe(OptionVisitor& v) {
+///       v.field({"threshold", "", "Smaller coefficients are removed.", 0.0}, threshold);
+///     }
+///   };
+/// @endcode
+/// Reading from JSON, checking ranges, writing, and `--help` are visitors.
+class OptionVisitor {
+ public:
+  virtual ~OptionVisitor() = default;
+
+  virtual void field(const FieldInfo& info, double& value) = 0;
+  virtual void field(const FieldInfo& info, int& value) = 0;
+  virtual void field(const FieldInfo& info, bool& value) = 0;
+  virtual void field(const FieldInfo& info, std::string& value) = 0;
+  virtual void field(const FieldInfo& info, std::optional<double>& value) = 0;
+  virtual void field(const FieldInfo& info, std::optional<int>& value) = 0;
+  virtual void field(const FieldInfo& info, std::vector<std::string>& value) = 0;
+
+  /// An enumeration whose values 0, 1, ... have the given names.
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void field(const FieldInfo& info, std::span<const std::string_view> names, Enum& value) {
+    int index = static_cast<int>(value);
+    choice(info, names, index);
+    value = static_cast<Enum>(index);
+  }
+
+  /// A stage inside a stage, e.g. the differentiator of the strong form.
+  template <class Interface>
+  void field(const FieldInfo& info, Stage<Interface>& value) {
+    std::shared_ptr<const StageInterface> stage = value.shared();
+    nested_stage(info, Interface::kKind, stage);
+    auto typed = std::dynamic_pointer_cast<const Interface>(std::move(stage));
+    value = Stage<Interface>(std::move(typed));
+  }
+
+ protected:
+  /// A named choice: `index` counts into `names`.
+  virtual void choice(const FieldInfo& info, std::span<const std::string_view> names,
+                      int& index) = 0;
+
+  /// A nested stage of the given kind; a visitor that replaces it gives one of the same kind.
+  virtual void nested_stage(const FieldInfo& info, std::string_view kind,
+                            std::shared_ptr<const StageInterface>& stage) = 0;
+};
+
+/// Checks one number against the range of its field.
+/// @throws ConfigError naming the stage, the field, the value and the range.
+void check_range(std::string_view stage, const FieldInfo& info, double value);
+
+/// Visitor that checks the range of every number.
+class RangeCheck final : public OptionVisitor {
+ public:
+  explicit RangeCheck(std::string_view stage) : stage_(stage) {}
+  void field(const FieldInfo& info, double& value) override;
+  void field(const FieldInfo& info, int& value) override;
+  void field(const FieldInfo&, bool&) override {}
+  void field(const FieldInfo&, std::string&) override {}
+  void field(const FieldInfo& info, std::optional<double>& value) override;
+  void field(const FieldInfo& info, std::optional<int>& value) override;
+  void field(const FieldInfo&, std::vector<std::string>&) override {}
+
+ protected:
+  void choice(const FieldInfo& info, std::span<const std::string_view> names,
+              int& index) override;
+  void nested_stage(const FieldInfo&, std::string_view,
+                    std::shared_ptr<const StageInterface>&) override {}
+
+ private:
+  std::string_view stage_;
+};
+
+/// The options, when every number lies in its range.
+/// @throws ConfigError naming the field and its range.
+template <class Options>
+Options checked(Options options) {
+  RangeCheck check(Options::kInfo.name);
+  options.describe(check);
+  return options;
+}
+
+/// Gives a concrete stage its name and options, so that it only writes its hook:
+/// `class Stlsq final : public Configured<Regressor, StlsqOptions>`.
+/// `Options` is an aggregate with `kInfo` and `describe` (see OptionVisitor).
+template <class Interface, class OptionsType>
+class Configured : public Interface {
+ public:
+  using Options = OptionsType;
+
+  /// @throws ConfigError when an option is out of its range.
+  explicit Configured(Options options = {}) : options_(checked(std::move(options))) {}
+
+  const Options& options() const noexcept { return options_; }
+  const StageInfo& info() const final { return Options::kInfo; }
+
+  void visit_options(OptionVisitor& visitor) const final {
+    Options copy = options_;
+    copy.describe(visitor);
+  }
+
+ private:
+  Options options_;
+};
+
+}  // namespace lacuna

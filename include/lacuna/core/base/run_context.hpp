@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string_view>
+
+#include "lacuna/core/base/error.hpp"
+
+namespace lacuna {
+
+/// How far a run has come.
+struct Progress {
+  std::string_view activity;  ///< what is being done, e.g. "fitting dx/dt"
+  double fraction = 0.0;      ///< share of the activity that is done, 0..1
+};
+
+/// Processes that run the same program side by side, on one machine or on many, and divide the
+/// passes over rows among them. All members share the same things in the same order.
+class Team {
+ public:
+  virtual ~Team() = default;
+  virtual int size() const = 0;
+  virtual int rank() const = 0;  ///< 0 leads: it goes on alone where nothing is divided
+
+  /// Gives everybody the numbers of one member; there are as many everywhere.
+  /// @throws DataError when a member has failed.
+  virtual void share(std::span<double> numbers, int owner) const = 0;
+};
+
+/// What a run is given besides data and options; passed down by const reference, owned by the
+/// caller, never stored by a stage.
+struct RunContext {
+  std::stop_token stop{};                           ///< asks the run to end
+  std::function<void(const Progress&)> progress{};  ///< told how far it is; may be empty
+  int threads = 1;                                  ///< results do not depend on it
+  std::uint64_t seed = 1;                           ///< of everything random in the run
+  const Team* team = nullptr;                       ///< results do not depend on it
+
+  /// Whether this process makes the result: alone, or the first of its team.
+  bool leads() const { return team == nullptr || team->rank() == 0; }
+
+  /// The same for one process.
+  RunContext alone() const {
+    RunContext context = *this;
+    context.team = nullptr;
+    return context;
+  }
+
+  /// Tells the progress function, if there is one, and honours a stop request.
+  /// @throws Cancelled when an end was asked for.
+  void report(std::string_view activity, double fraction) const {
+    check_stop();
+    if (progress) progress(Progress{activity, fraction});
+  }
+
+  /// @throws Cancelled when an end was asked for.
+  void check_stop() const {
+    if (stop.stop_requested()) throw Cancelled();
+  }
+};
+
+}  // namespace lacuna

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/core/base/types.hpp"
+
+namespace lacuna {
+
+/// The solution of min |R h - c| subject to A h = b, with what is left free around it.
+struct ConstrainedSolution {
+  Vector h;          ///< q
+  Vector variances;  ///< q: diagonal of N (N'R'RN)^-1 N', N spanning the null
+                     ///< space of A; infinite where R and A do not determine h
+};
+
+/// Least squares under linear equality constraints by the null-space method: h = h_p + N z with
+/// h_p the smallest solution of A h = b and z from min |R N z - (c - R h_p)| (Golub and Van
+/// Loan, Matrix Computations, 4th ed., 6.2.3).
+/// @param r any matrix with q columns. @param c as many entries as r has rows.
+/// @param a constraints x q. @param b one entry for each.
+/// @throws ArgumentError when the shapes do not fit.
+ConstrainedSolution constrained_least_squares(const Matrix& r, const Vector& c, const Matrix& a,
+                                              const Vector& b);
+
+/// Whether A h = b has a solution, to rounding.
+bool is_feasible(const Matrix& a, const Vector& b);
+
+}  // namespace lacuna

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "lacuna/core/base/types.hpp"
+
+namespace lacuna {
+
+/// How a signal goes on between its samples: the polynomial through so many samples nearest to
+/// the interval.
+enum class Interpolation : Index {
+  Held = 1,    ///< the last sample holds
+  Linear = 2,  ///< straight lines
+  Cubic = 4,   ///< the error falls as step^4
+};
+
+/// A straight line over a span of time.
+struct SpanLine {
+  double mean = 0.0, slope = 0.0;  ///< mean + slope (2 share - 1)
+
+  double at(double share) const noexcept { return mean + slope * (2.0 * share - 1.0); }
+};
+
+/// One sampled quantity as a function of time: in each sampling interval a polynomial, in
+/// Newton's form, so that a value costs a few operations. Records with fewer samples than the
+/// polynomial wants use what there is. A value; not for use from several threads at once.
+class SampledSignal {
+ public:
+  /// @param time n >= 1, strictly increasing; @param values n.
+  SampledSignal(Vector time, const Eigen::Ref<const Vector>& values,
+                Interpolation interpolation = Interpolation::Cubic);
+
+  /// The polynomial of the interval t_i .. t_{i+1} at t, which may be its end: what a held
+  /// signal is just before it changes.
+  double in_interval(Index interval, double t) const {
+    const Index first = first_of(interval);
+    const double* difference = differences_.data() + first * points_;
+    const double* sample = time_.data() + first;
+    double value = difference[points_ - 1];
+    for (Index k = points_ - 2; k >= 0; --k) value = value * (t - sample[k]) + difference[k];
+    return value;
+  }
+
+  /// The value at t, at a sample that of the interval which begins there; before the first
+  /// sample and after the last one that sample holds. Times that go forward are found at once.
+  double operator()(double t) {
+    const double* begin = time_.data();
+    const Index n = time_.size();
+    t = std::clamp(t, begin[0], begin[n - 1]);
+    if (t < begin[interval_]) interval_ = 0;
+    if (interval_ + 1 < n && begin[interval_ + 1] <= t) ++interval_;
+    if (interval_ + 1 < n && begin[interval_ + 1] <= t)
+      interval_ = std::upper_bound(begin, begin + n, t) - begin - 1;
+    return in_interval(interval_, t);
+  }
+
+  /// Third derivative over 3! in an interval; 0 unless cubic.
+  double third_difference(Index interval) const;
+
+  /// Of a held signal over a span in which it may jump: the line of least squares, which has
+  /// its mean and, unless the line would leave the values of the signal, its first moment.
+  SpanLine held_line(double from, double to);
+
+  const Vector& time() const noexcept { return time_; }
+
+ private:
+  Index first_of(Index interval) const {
+    return std::clamp<Index>(interval - before_, 0, time_.size() - points_);
+  }
+
+  Vector time_;
+  Index points_, before_;
+  Matrix differences_;  ///< points x n, divided: row k of samples i ... i + k
+  Index interval_ = 0;  ///< of the last query
+};
+
+/// Values between samples by the cubic through the four samples nearest to each query.
+/// @param time n >= 1, strictly increasing; @param values n; @param queries inside the record.
+Vector interpolate_cubic(const Vector& time, const Vector& values, const Vector& queries);
+
+/// Integral from the first sample to each sample of the same piecewise cubic, 0 at the first:
+/// exact for cubics, else the error falls as step^4.
+/// @param time n >= 1, strictly increasing; @param values n.
+Vector integrate_cubic(const Vector& time, const Vector& values);
+
+}  // namespace lacuna

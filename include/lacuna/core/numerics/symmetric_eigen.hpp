@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "lacuna/core/base/types.hpp"
+
+namespace lacuna {
+
+/// A V = B V diag(values) with values that rise and V'B V = I.
+struct SymmetricEigen {
+  Vector values;   ///< n
+  Matrix vectors;  ///< n x n, in columns
+};
+
+/// Of a symmetric matrix, B = I; the lower triangle is read.
+SymmetricEigen symmetric_eigen(const Matrix& a);
+
+/// Of a symmetric matrix and one that is positive definite; nothing where it is not, or where
+/// the iteration does not converge.
+std::optional<SymmetricEigen> symmetric_eigen(const Matrix& a, const Matrix& b);
+
+}  // namespace lacuna

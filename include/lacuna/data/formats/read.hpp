@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/roles.hpp"
+#include "lacuna/data/records/table.hpp"
+
+namespace lacuna {
+
+/// Reads one file as a table: text (.csv, .txt, .tsv, ..., also .gz) or NumPy .npy, chosen by
+/// the ending of its name.
+/// @throws FileError when it cannot be opened; DataError naming file, line and column.
+Table read_table(const std::filesystem::path& path);
+
+/// The same with columns called as ColumnRoles::names says.
+Table read_table(const std::filesystem::path& path, const ColumnRoles& roles);
+
+/// Paths with each pattern ("run*.csv") replaced by the files that match it, in the order of
+/// their names. What exists as it is written is no pattern.
+/// @throws DataError when a pattern matches no file or no path is given.
+std::vector<std::string> expand_patterns(const std::vector<std::string>& paths);
+
+/// Reads files (paths or shell-like patterns such as "run*.csv") into one dataset.
+/// All must have the same columns, in any order; the first file sets their order and units.
+/// A pattern stands for the files that match it, in the order of their names.
+/// @throws FileError, DataError as above; DataError when a pattern matches no file.
+Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles = {});
+
+}  // namespace lacuna

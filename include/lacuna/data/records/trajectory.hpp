@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lacuna/core/base/types.hpp"
+
+namespace lacuna {
+
+/// One uninterrupted record: n samples of m states and p inputs at strictly increasing times.
+struct Trajectory {
+  std::string source;  ///< where it comes from, for messages: "run.csv", "run.csv, record 2"
+  Vector time;         ///< n, in the time unit of the dataset
+  Matrix states;       ///< n x m
+  Matrix inputs;       ///< n x p; n x 0 without inputs
+  Matrix derivatives;  ///< n x m, dx/dt at the samples; 0 x 0 when they are not known
+  Matrix marks = {};   ///< n x m, what each sample says of its state (Mark); 0 x 0: its value
+
+  /// Number of samples n.
+  Index samples() const noexcept { return time.size(); }
+
+  /// Whether dx/dt came with the data.
+  bool has_derivatives() const noexcept { return derivatives.size() > 0; }
+
+  /// Time from the first sample to the last; there must be one.
+  double duration() const noexcept { return time[time.size() - 1] - time[0]; }
+};
+
+/// Mean of the sampling steps; at least two samples.
+double mean_step(const Trajectory& trajectory);
+
+/// The common sampling step of a record.
+/// @return nothing when steps differ by more than `tolerance` times the mean step, or when
+/// there
+///   are fewer than two samples.
+std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance = 1e-3);
+
+/// Samples [first, first + count) of a record.
+Trajectory rows_of(const Trajectory& trajectory, Index first, Index count);
+
+/// File that a record comes from: "run.csv" of "run.csv, record 2".
+std::string file_of(const Trajectory& trajectory);
+
+/// Whether a record goes on where another one of the same file ends, as after missing samples:
+/// it begins later, by `longest_gap` at most.
+bool goes_on(const Trajectory& before, const Trajectory& after, double longest_gap);
+
+}  // namespace lacuna

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/records/binding/bound_records.hpp"
+
+namespace lacuna {
+
+/// What a hint is about.
+enum class HintKind {
+  TimeUnit,         ///< time off by a factor
+  ChannelUnit,      ///< a column off by a factor
+  Sign,             ///< a column with the other sign
+  SwappedColumns,   ///< two columns in each other's place
+  UnusedColumn,     ///< a column that the model does not know explains what it lacks
+  Identity,         ///< a column is not the derivative that the model says it is
+  ClosedLoop,       ///< an input is nearly a function of the states
+  Excitation,       ///< hardly any motion
+  Sampling,         ///< too few samples in a period, too few periods
+  NotIdentifiable,  ///< coefficients that the records do not tell apart
+  DiscreteMap,      ///< samples follow from one another by a map, on no path in between
+};
+
+/// "time-unit", "channel-unit", "sign", ...
+std::string to_string(HintKind kind);
+
+/// How far the answer may go where a hint holds.
+enum class Withheld {
+  Nothing,  ///< a remark
+  Names,    ///< no effect may be named: another cause is at hand
+  Claims,   ///< nor may a coefficient be said to be off: nothing moves
+  Answer,   ///< records and model do not fit together, and nothing can be said
+};
+
+/// Something odd about records and model, and what would mend it.
+struct Hint {
+  HintKind kind = HintKind::TimeUnit;
+  std::string message;
+  std::string remedy;
+  Withheld withheld = Withheld::Nothing;
+};
+
+/// When a hint is given.
+struct HintOptions {
+  double slip_remainder = 0.2;
+  double slip_misfit = 0.1;
+  double slip_alike = 1.5;
+  double slip_harm = 0.05;
+  double slip_factor = 30.0;
+  double round_factor = 0.02;
+  double identity_factor = 2.0;
+  double identity_match = 0.9;
+  double column_share = 0.5;
+  double column_own = 0.1;
+  double column_rate = 0.05;
+  double told = 5.0;
+  double feedback = 0.95;
+  double samples_per_period = 8.0;
+  double periods = 2.0;
+  double barely_moving = 3.0;
+  double alike_terms = 0.01;
+
+  void describe(OptionVisitor& visitor);
+};
+
+/// The hint that nothing moves, where each measured channel is white noise (HintOptions::told)
+/// or never changes; it needs no model.
+std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options);
+
+/// A look at records before a model is diagnosed on them.
+///
+/// Rates in short windows of the records are compared with those of the model as it is given.
+/// With y_k measured and f_k of the model the misfit of equation k is
+/// e_k^2 = <(y_k - f_k)^2> / <y_k^2 + f_k^2>: 0 where they agree, 1 where they have nothing to
+/// do with one another (one minus the concordance of Lin, Biometrics 45:255, 1989, about 0).
+/// Slips of the time, of units, signs and columns are undone one by one; the one that takes
+/// nearly all of the misfit away, more than a missing effect could, is the hint.
+/// @param records in the variables of the model.
+/// @param unused the same records with columns that the model does not know as inputs.
+std::vector<Hint> look_at(const OdeModel& model, const BoundRecords& records,
+                          const Dataset& unused, const HintOptions& options);
+
+/// A nominal coefficient and how large the records say that it is.
+struct SaidCoefficient {
+  Index equation = 0;
+  std::string term;
+  double ratio = 1.0;      ///< said over nominal
+  double deviation = 0.0;  ///< standard error of the ratio
+};
+
+/// The slip of a unit or sign that a coefficient gives away after it was fitted: by itself it
+/// does what that slip would do, to HintOptions::round_factor of the logarithm (of 10 for a
+/// sign). Nothing is withheld: the fit has made up for it.
+std::optional<Hint> coefficient_hint(const OdeModel& model, const Dataset& data,
+                                     const SaidCoefficient& said, const HintOptions& options);
+
+/// The most that any of the hints withholds.
+Withheld withheld_by(const std::vector<Hint>& hints);
+
+}  // namespace lacuna

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/diagnose/hypotheses/account.hpp"
+
+namespace lacuna {
+
+/// An account that a hypothesis puts forward.
+struct Proposal {
+  Account account;
+  /// Effects are sought on its baseline before it is judged, not only after it has won.
+  bool search_first = false;
+  /// Least lead over the best account so far, in units of the criterion.
+  double lead = 0.0;
+  /// Why it takes the place of the best account whatever the criterion says; empty: it does
+  /// not.
+  std::string precedence = {};
+};
+
+/// What a hypothesis has to say of records.
+struct Proposals {
+  std::vector<Proposal> accounts;
+  std::vector<Rival> trail;  ///< what it looked at on the way
+};
+
+/// Plug point: one kind of explanation of why a model and records disagree. It proposes
+/// accounts of the records; all are fitted alike and judged by one criterion.
+class Hypothesis : public StageInterface {
+ public:
+  static constexpr std::string_view kKind = "hypothesis";
+
+  /// What a hypothesis changes, in the order in which hypotheses are judged.
+  enum class Phase {
+    Effects,      ///< what is missing under given assumptions
+    Revision,     ///< what else may be in the place of what was found
+    Assumptions,  ///< what is assumed of the records; effects are sought again on top
+    Residual,     ///< what is left when nothing more gets a name
+  };
+
+  Phase phase() const { return do_phase(); }
+
+  /// Among those of one phase the smaller number comes first; equal ones by name.
+  int order() const { return do_order(); }
+
+  /// Accounts that rival the best so far. None where there is no reason to look for one.
+  /// @throws Cancelled, and what fitting throws.
+  Proposals propose(const Problem& problem, const Account& best) const {
+    problem.context.check_stop();
+    return do_propose(problem, best);
+  }
+
+ private:
+  virtual Phase do_phase() const = 0;
+  virtual int do_order() const { return 0; }
+  virtual Proposals do_propose(const Problem& problem, const Account& best) const = 0;
+};
+
+/// Options of a hypothesis that has none: `HypothesisOptions<kInfo>`.
+template <const StageInfo& Info>
+struct HypothesisOptions {
+  static constexpr const StageInfo& kInfo = Info;
+  void describe(OptionVisitor&) {}
+};
+
+/// The hypotheses of lacuna in the order in which they are judged.
+std::vector<Stage<Hypothesis>> standard_hypotheses();
+
+/// The given hypotheses in the order in which they are judged.
+std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses);
+
+}  // namespace lacuna

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/core/base/run_context.hpp"
+#include "lacuna/diagnose/hypotheses/hypothesis.hpp"
+#include "lacuna/diagnose/journey/diagnosis.hpp"
+
+namespace lacuna {
+
+/// Finds what a nominal model lacks: brings it onto the records, lets hypotheses propose
+/// accounts of the disagreement (effects one after another, an input that was not measured,
+/// noise with a memory, identities that do not hold), judges all by one criterion, and measures
+/// the gap that the best one leaves on records that were not used. These may lower the verdict
+/// or withdraw a name, and never choose one.
+/// Before that the records are looked at (look_at()): where a slip of units, signs or columns
+/// is the likelier cause, no effect is named, and where it keeps the model from the records the
+/// hint is all of the answer.
+/// @param data records to find effects in; their states and inputs are those of the model.
+///   Inputs behind those are columns that the model does not know.
+/// @param held_out records to gauge on; when empty the last quarter of each record in `data` is
+///   kept back.
+/// @throws DataError, ArgumentError when the records do not fit the model; Cancelled.
+Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
+                   const DiagnosisOptions& options, const RunContext& context);
+
+}  // namespace lacuna

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/diagnose/hints/hints.hpp"
+#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/journey/gap.hpp"
+#include "lacuna/diagnose/journey/locate.hpp"
+
+namespace lacuna {
+
+/// The answer in one word.
+enum class Verdict {
+  NoDiscrepancy,     ///< the nominal model fits to the noise
+  CoefficientsOnly,  ///< no structure is missing, coefficients are off
+  Explained,         ///< effects named, nothing significant left
+  PartlyExplained,   ///< effects named, significant structure left
+  UnnamedStructure,  ///< significant structure that no candidate explains
+};
+
+/// "no-discrepancy", "coefficients-only", "explained", "partly-explained", "unnamed-structure".
+std::string to_string(Verdict verdict);
+
+/// A nominal coefficient and what the records say of it.
+struct CoefficientChange {
+  Index equation = 0;
+  std::string term;
+  double nominal = 0.0;
+  double estimated = 0.0;
+  double deviation = 0.0;
+  double sigma = 0.0;
+  /// Whether the records tell it; where states are hidden they may tell it with others only,
+  /// and its deviation is none.
+  bool determined = true;
+
+  std::array<double, 2> ci95() const {
+    return {estimated - 1.96 * deviation, estimated + 1.96 * deviation};
+  }
+};
+
+/// What is left over in the end.
+struct Remaining {
+  bool structure = false;
+  double sigma = 0.0;
+  std::vector<Index> equations;            ///< with significant structure
+  std::vector<EquationStructure> details;  ///< one for each of them
+};
+
+/// What a nominal model lacks.
+struct Diagnosis {
+  Verdict verdict = Verdict::NoDiscrepancy;
+  OdeModel nominal;
+  std::vector<Disagreement> disagreement;
+  std::vector<NamedEffect> effects;
+  std::vector<CoefficientChange> coefficient_changes;
+  std::optional<Gap> gap;
+  Remaining remaining;
+  OdeModel augmented;  ///< nominal model with fitted coefficients and effects
+  NoiseModel noise;
+  std::vector<Round> rounds;
+  std::vector<Rival> rivals;  ///< every account that was judged, in order
+  std::vector<std::string> notes;
+  std::optional<Unnamed> unnamed = {};  ///< with the verdict UnnamedStructure
+  std::vector<Hint> hints = {};         ///< what is odd about the records, and its remedy
+};
+
+}  // namespace lacuna

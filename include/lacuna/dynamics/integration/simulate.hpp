@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/dynamics/integration/integrator.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
+
+namespace lacuna {
+
+/// Inputs as a function of time: writes p entries for time t.
+using InputSignal = FunctionRef<void(double t, double* u)>;
+
+/// A model and the signals of its inputs; both outlive it. A record is a signal with
+/// RecordInput.
+struct DrivenModel {
+  const OdeModel& model;
+  InputSignal inputs;
+  /// Increasing times at which an input jumps: steps end there, and begin with the value
+  /// behind the jump. Delayed inputs jump later by their delay.
+  Vector breaks = {};
+};
+
+/// Simulates a model from x0 at the given times; one that has inputs with their signals.
+/// Delayed states are taken from the orbit so far (cubic Hermite polynomials between points at
+/// most a quarter of the shortest delay apart); before the first time they have the value x0.
+/// Delayed inputs are the signal at the earlier time. A map goes one step from each time to the
+/// next, by no integrator.
+/// @throws ArgumentError when x0 does not have m entries or inputs are missing.
+Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
+                  const Vector& times, const RunContext& context = {});
+Solution simulate(const DrivenModel& driven, const Integrator& integrator, const Vector& x0,
+                  const Vector& times, const RunContext& context = {});
+
+/// t0, t0 + h, ... with n entries.
+Vector sample_times(double t0, double h, Index n);
+
+}  // namespace lacuna

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lacuna/core/base/run_context.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/identify/forms_beside/form_options.hpp"
+#include "lacuna/model/equations/term.hpp"
+
+namespace lacuna {
+
+/// A form that a library lacks in one equation, with numbers for its shapes.
+struct MissingForm {
+  Candidate candidate;
+  Vector shapes;
+
+  Expression expression() const;
+};
+
+/// An equation as far as its structure is known: terms of a library and forms beside them.
+struct EquationForms {
+  Index equation = 0;
+  std::vector<Term> terms;
+  std::vector<MissingForm> forms;
+
+  /// Coefficients and shapes.
+  std::size_t parameters() const;
+};
+
+class FormProblem;
+
+/// Which plain forms may take the place of others.
+enum class Plainness {
+  Jump,  ///< sign(w) for tanh(w/width) of a width that hardly a sample sees
+  Any,   ///< sin(x) for sin(x/1.001)
+};
+
+/// What an equation leaves, as far as it is known.
+enum class Remainder {
+  Unknown,
+  Noise,  ///< its trajectories are off by no more than noise: so is what it leaves in the rows
+};
+
+/// The search for forms in the weak form of a dataset, whose rows are white for white noise.
+/// Shapes are fitted by variable projection: for each of their values coefficients are those of
+/// least squares (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Residuals that differ
+/// by less than FormOptions::same (rms) are the same.
+class FormSearch {
+ public:
+  /// @param noise of each state, state units. @param library terms whose rows are made once.
+  FormSearch(const Dataset& data, Vector noise, FormOptions options = {},
+             RunContext context = {}, const std::vector<Term>& library = {});
+  ~FormSearch();
+
+  /// Rows of the weak form; a search needs more of them than terms.
+  Index rows() const;
+
+  /// Fractions with denominators in several variables, found in the implicit form of an
+  /// equation, as further candidates.
+  std::vector<Candidate> fractions(const Scope& scope, Index equation,
+                                   const std::vector<Term>& library) const;
+
+  /// Takes in the candidate that leaves least beside what is there, the plainest of those that
+  /// leave the same, as long as more than noise is left and forms take something away.
+  EquationForms with_missing_forms(EquationForms equation,
+                                   const std::vector<Candidate>& candidates,
+                                   std::size_t most_forms) const;
+
+  /// Looks for a form beside which so many terms and forms may leave that fewer parameters say
+  /// the same: sin(x) for x, x^3, x*y^2, beside what the equation has, beside the constant and
+  /// the variables, and beside terms of a library. @return the equation with the fewest.
+  EquationForms with_fewer_terms(EquationForms equation,
+                                 const std::vector<Candidate>& candidates,
+                                 const std::vector<Term>& library,
+                                 Remainder remainder = Remainder::Unknown) const;
+
+  /// The equation with plain forms in the place of shaped ones that are nearly the same at the
+  /// samples. Nothing where there is none.
+  std::optional<EquationForms> plainer(const EquationForms& equation,
+                                       const std::vector<Candidate>& candidates,
+                                       Plainness kind) const;
+
+  /// The equation with a form of fewer shapes in the place of each that has two or more, the
+  /// one that leaves least. Nothing where no form has as many.
+  std::optional<EquationForms> with_fewer_shapes(
+      const EquationForms& equation, const std::vector<Candidate>& candidates) const;
+
+  /// The equation in the plainer of two writings: with the rest m - f of a term m in the place
+  /// of a form f where less of m stays, c m + d f = (c + d) m - d (m - f); prey*fox/(a+prey)
+  /// for fox and fox/(1+prey/a) that nearly cancel.
+  /// @param coefficients of the terms, then of the forms. @param candidates that may be m - f.
+  EquationForms plainly_written(EquationForms equation, const Vector& coefficients,
+                                const std::vector<Candidate>& candidates) const;
+
+  /// The forms of all equations, each once: what one equation takes from a state another one
+  /// gives to the next. Of those that differ by nothing but shapes, and hardly at the samples,
+  /// the first stands for all: two would say together what none of them says.
+  std::vector<MissingForm> shared_forms(const std::vector<EquationForms>& equations) const;
+
+  /// The equation with its shapes fitted.
+  EquationForms refitted(EquationForms equation) const;
+
+ private:
+  std::unique_ptr<const FormProblem> problem_;
+};
+
+}  // namespace lacuna

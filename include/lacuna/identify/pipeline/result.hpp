@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/base/types.hpp"
+#include "lacuna/identify/pipeline/validation.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
+#include "lacuna/model/invariants/relations.hpp"
+#include "lacuna/regression/stages/refiner.hpp"
+
+namespace lacuna {
+
+/// What became of one candidate term in one equation.
+struct TrailEntry {
+  std::string equation;  ///< name of the state
+  std::string term;
+  bool kept = false;
+  std::string stage = {};  ///< who removed it: "filter abm", "pruner minor-terms"; "" when kept
+  std::string quantity = {};  ///< what was looked at
+  double value = 0.0;         ///< what it was (when kept: the coefficient)
+  double threshold = 0.0;     ///< what it was held against
+  int step = 0;               ///< in which step of the stage, from 1
+};
+
+/// How well one equation fits.
+struct EquationFit {
+  std::string equation;       ///< name of the state
+  bool identity = false;      ///< known without a fit; the numbers below are then 0
+  Index rows = 0;             ///< n
+  double residual_rms = 0.0;  ///< |y - Theta h| / sqrt(n), in the unit of the target
+  double target_rms = 0.0;    ///< |y| / sqrt(n)
+
+  /// rms of the target that measurement noise alone gives, when it can be known.
+  std::optional<double> noise_floor = {};
+
+  /// Residuals of the trajectories over the noise of the record, where they were fitted: 1 when
+  /// nothing but noise is left.
+  std::optional<double> misfit = {};
+
+  /// Whether nothing but noise is left: by the misfit where there is one, else whether the
+  /// residual is not above twice the noise floor; nothing when that is not known.
+  std::optional<bool> fits_to_noise = {};
+
+  bool converged = true;  ///< of the final regression
+  int iterations = 0;
+};
+
+/// A model and how it came about.
+struct IdentificationResult {
+  OdeModel model;
+  Vector noise;                       ///< estimated measurement noise per state, state units;
+                                      ///< empty for a map, whose samples do not show it
+  std::vector<EquationFit> fit;       ///< one per state
+  std::vector<TrailEntry> trail;      ///< every candidate term of every equation
+  std::vector<PathStep> path;         ///< models of each equation, where the refiner made them
+  std::vector<std::string> warnings;  ///< what a user should know: an empty equation, ...
+  /// What the library alone gives, where forms beside it were taken in.
+  std::optional<OdeModel> library_alone = {};
+  /// What the model is worth on samples that it was not fitted to, where that was looked at.
+  std::optional<Validation> validation = {};
+  /// Polynomials that are constant on the data, where they were looked for.
+  std::vector<Relation> relations = {};
+};
+
+}  // namespace lacuna

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/forms/candidate/effect.hpp"
+#include "lacuna/identify/forms_beside/form_options.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
+
+namespace lacuna {
+
+/// Which forms are worth telling where a model does not fit.
+struct AdviceOptions {
+  static constexpr StageInfo kInfo{"advice", "Which forms are told where a model does not fit",
+                                   ""};
+
+  double worth_asking = 1e-3;
+  double most_left = 0.7;
+  int most_forms = 2;
+  FormOptions search = {};  ///< how forms are sought; listed as `forms`
+
+  void describe(OptionVisitor& v) {
+    v.field(
+        {"worth_asking", "",
+         "Residual as a share of the rate (rms) below which an equation is not asked what it "
+         "lacks.",
+         0.0, 1.0},
+        worth_asking);
+    v.field({"most_left", "",
+             "A form that leaves a larger share of the residual (rms) is not what is missing.",
+             0.0, 1.0},
+            most_left);
+    v.field({"most_forms", "", "Forms that are told for one equation at most.", 1.0, 20.0},
+            most_forms);
+  }
+};
+
+/// What to try where a model does not fit: for each of its equations the form that the residual
+/// asks for, if one stands out (FormSearch), else `lacuna diagnose`.
+std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
+                                    const std::vector<Stage<Effect>>& effects,
+                                    const AdviceOptions& options = {},
+                                    const RunContext& context = {});
+
+}  // namespace lacuna

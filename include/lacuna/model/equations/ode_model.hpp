@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/term.hpp"
+
+namespace lacuna {
+
+/// One summand of an equation: coefficient times term.
+struct WeightedTerm {
+  Term term;
+  double coefficient = 0.0;  ///< state unit per time unit and unit of the term, unscaled
+  std::optional<double> standard_error = {};
+  std::optional<std::array<double, 2>> ci95 = {};  ///< 95 % confidence interval, low and high
+  bool fixed = false;                              ///< known: not to be estimated
+};
+
+/// The right-hand side of one state: dx_k/dt = sum_i c_i tau_i, or x_k[n+1] of a map.
+using Equation = std::vector<WeightedTerm>;
+
+/// What the equations of a model give.
+enum class Evolution {
+  Flow,  ///< dx/dt = f(t, x, u)
+  Map,   ///< x[n+1] = f(t[n], x[n], u[n]): the next sample, in state units
+};
+
+/// A channel that is measured as a formula: y = h(t, x, u).
+struct Output {
+  std::string name;  ///< of the column; an identifier
+  std::string unit;
+  Expression formula;
+};
+
+/// What is known of a state at the first sample of each record.
+struct InitialValue {
+  double value = 0.0;                    ///< to start from
+  bool fixed = false;                    ///< known exactly
+  std::optional<double> deviation = {};  ///< one standard deviation, > 0; nothing: not known
+};
+
+class CompiledModel;
+
+/// A system of ordinary differential equations dx/dt = f(t, x, u), or a map
+/// x[n+1] = f(t[n], x[n], u[n]), with what is known of its outputs and its start: a value.
+class OdeModel {
+ public:
+  /// Terms get their canonical names in this model's variables.
+  /// @throws ModelError when there is no state, when names repeat, are not identifiers or are
+  ///   words of the formula language, when the number of equations is not the number of states,
+  ///   when a term stands twice in an equation or uses an unknown name, or when a coefficient
+  ///   is not finite.
+  OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
+           std::vector<Equation> equations, std::string time_unit = "s");
+
+  const std::vector<Quantity>& states() const noexcept { return states_; }
+  const std::vector<Quantity>& inputs() const noexcept { return inputs_; }
+  const std::vector<Equation>& equations() const noexcept { return equations_; }
+  const std::string& time_unit() const noexcept { return time_unit_; }
+  Index dimension() const noexcept { return static_cast<Index>(states_.size()); }
+  Evolution evolution() const noexcept { return evolution_; }
+  bool is_map() const noexcept { return evolution_ == Evolution::Map; }
+
+  /// Channels that are measured as formulas; a column with the name of a state measures it.
+  const std::vector<Output>& outputs() const noexcept { return outputs_; }
+
+  /// What is known of the start, one entry for each state.
+  const std::vector<std::optional<InitialValue>>& initial() const noexcept { return initial_; }
+
+  /// Names in slot order.
+  Variables variables() const;
+
+  /// Number of a state. @throws ModelError listing the states when there is none of that name.
+  Index state_index(const std::string& name) const;
+
+  /// Coefficient of a term (by canonical name) in an equation; 0 when it is not there.
+  /// @throws ArgumentError when there is no such equation.
+  double coefficient(Index equation, const std::string& term) const;
+
+  /// The model with one more summand; a term that is there already gets the sum, and keeps no
+  /// error and no interval, which the sum does not have.
+  /// @throws ArgumentError when there is no such equation; ModelError as the constructor.
+  OdeModel with_term(Index equation, WeightedTerm summand) const;
+
+  /// The model with inputs that go on so between samples, in their order; nothing: not known.
+  /// @throws ArgumentError when there are not as many as inputs.
+  OdeModel with_holds(const std::vector<std::optional<Hold>>& holds) const;
+
+  /// The model with these outputs.
+  /// @throws ModelError for a name that is no identifier or is taken (a state may be called as
+  ///   the output that is just it), for an unknown name in a formula and for a delay.
+  OdeModel with_outputs(std::vector<Output> outputs) const;
+
+  /// The model with this start. @throws ArgumentError when there are not as many entries as
+  /// states; ModelError for a value that is not finite or a deviation that is not above 0.
+  OdeModel with_initial(std::vector<std::optional<InitialValue>> initial) const;
+
+  /// The model with other equations. @throws ModelError as the constructor.
+  OdeModel with_equations(std::vector<Equation> equations) const;
+
+  /// The model with the same right-hand sides as a flow or as a map.
+  /// @throws ModelError for a map with a delay: an earlier sample is a state of its own.
+  OdeModel with_evolution(Evolution evolution) const;
+
+  /// A flat evaluator of f and of its Jacobian.
+  CompiledModel compile() const;
+
+ private:
+  std::vector<Quantity> states_;
+  std::vector<Quantity> inputs_;
+  std::vector<Equation> equations_;
+  std::string time_unit_;
+  std::vector<Output> outputs_;
+  std::vector<std::optional<InitialValue>> initial_;
+  Evolution evolution_ = Evolution::Flow;
+};
+
+/// Says that a task needs a flow. @param task as in "diagnose".
+/// @throws ModelError when the model is a map.
+void check_flow(const OdeModel& model, const std::string& task);
+
+/// What an equation gives: "dx/dt" or "x[n+1]".
+std::string left_hand_side(const std::string& state, Evolution evolution);
+
+/// That of every state.
+std::vector<std::string> left_hand_sides(const std::vector<std::string>& states,
+                                         Evolution evolution);
+
+/// Evaluates f(t, x, u) and its Jacobian without allocation (the Jacobian is compiled by its
+/// first use). Cheap to copy; one per thread.
+class CompiledModel {
+ public:
+  explicit CompiledModel(const OdeModel& model);
+
+  Index dimension() const noexcept { return dimension_; }
+  Index inputs() const noexcept { return input_count_; }
+
+  /// Delayed variables whose values evaluate() needs, in order.
+  const std::vector<DelayedVariable>& delays() const noexcept { return rate_.program.delays(); }
+
+  /// Writes dx/dt, of a map the next state (m entries).
+  /// @param x m states; @param u p inputs (may be null when p is 0);
+  /// @param delayed values of delays() (may be null when there are none).
+  void evaluate(double t, const double* x, const double* u, const double* delayed,
+                double* dxdt);
+
+  /// Writes df_k/dx_j (m x m). Arguments as in evaluate(). Delayed variables are held fixed.
+  /// @throws ArgumentError when the matrix is not m x m.
+  void jacobian(double t, const double* x, const double* u, const double* delayed,
+                Eigen::Ref<Matrix> derivative);
+
+ private:
+  friend class SumBuilder;
+
+  /// Sums of coefficient times value: row r is sum over entries [row_ends[r-1], row_ends[r]).
+  struct Sums {
+    struct Entry {
+      double coefficient;
+      std::size_t value;
+    };
+    Program program;
+    std::vector<Entry> entries;
+    std::vector<std::size_t> row_ends;
+    std::vector<double> values;
+  };
+
+  static Sums compile_rate(const OdeModel& model);
+  static Sums compile_jacobian(const OdeModel& model);
+  void fill_slots(double t, const double* x, const double* u);
+  void fill_delays(const Program& program, const double* delayed);
+  void add_up(Sums& sums, double* out);
+
+  Index dimension_ = 0;
+  Index input_count_ = 0;
+  Sums rate_;
+  std::optional<Sums> jacobian_;
+  std::shared_ptr<const OdeModel> model_;
+  std::vector<double> slots_;
+  std::vector<double> entries_;  ///< of the Jacobian, column by column
+  Program::Workspace workspace_;
+};
+
+/// The state v of an identity dx/dt = v: the equation is another state alone, with the
+/// coefficient 1; nothing where it is none. dx/dt = x is growth, not an identity.
+std::optional<Index> identity_of(const OdeModel& model, Index equation);
+
+/// The state that an output is, where its formula is a state alone.
+std::optional<Index> state_of(const OdeModel& model, const Output& output);
+
+/// Equations for people, one per line: "dx/dt = -y - z", "x[n+1] = 1 - x^2". Numbers are
+/// unrounded unless a number of significant digits is given, so that what is printed is the
+/// model.
+std::string to_text(const OdeModel& model, std::optional<int> significant_digits = {});
+
+}  // namespace lacuna

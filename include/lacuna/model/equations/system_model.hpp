@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/model/equations/ode_model.hpp"
+#include "lacuna/model/equations/parametrised_model.hpp"
+
+namespace lacuna {
+
+/// A number with a name, which may stand anywhere in terms and outputs.
+struct Parameter {
+  std::string name;
+  double value = 0.0;
+  std::string unit = {};
+  bool free = true;                ///< to be estimated
+  std::optional<double> min = {};  ///< smallest admissible value
+  std::optional<double> max = {};  ///< largest admissible value
+  bool per_record = false;         ///< free for each record by itself
+  std::optional<double> standard_error = {};
+  std::optional<std::array<double, 2>> ci95 = {};
+};
+
+/// A model file: equations and outputs in states, inputs and named parameters. A value.
+class SystemModel {
+ public:
+  /// @param symbolic its last inputs are the parameters, in their order.
+  /// @throws ModelError when they are not; for a value that is not finite or not in its range,
+  ///   and a range that is upside down.
+  SystemModel(OdeModel symbolic, std::vector<Parameter> parameters = {});
+
+  const OdeModel& symbolic() const noexcept { return symbolic_; }
+  const std::vector<Parameter>& parameters() const noexcept { return parameters_; }
+
+  /// The inputs without the parameters.
+  std::vector<Quantity> inputs() const;
+
+  /// Whether a term has a factor of parameters alone, which gives its size.
+  bool gives_size(const Expression& term) const;
+
+  /// The same model with numbers for its parameters: a factor of numbers in front of a term
+  /// becomes part of its coefficient, which is fixed where all of them are. Terms without
+  /// parameters stay as they are.
+  OdeModel model() const;
+
+  /// What is to be estimated: coefficients that are not fixed, and free parameters. Fixed
+  /// parameters become numbers. The equation of an identity (dq/dt = v) is exact, and so is the
+  /// coefficient of a term that has a factor of parameters alone, which gives its size already.
+  /// @throws ModelError for a free parameter on which a delay depends.
+  ParametrisedModel parametrised() const;
+
+ private:
+  OdeModel symbolic_;
+  std::vector<Parameter> parameters_;
+};
+
+/// What is wrong with the value and the range of a parameter; empty where nothing is.
+std::string range_problem(const Parameter& parameter);
+
+}  // namespace lacuna

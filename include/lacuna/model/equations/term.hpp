@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lacuna/model/expressions/expression.hpp"
+#include "lacuna/model/expressions/program.hpp"
+
+namespace lacuna {
+
+/// A candidate term tau(t, x, u): a value with a canonical name.
+///
+/// A monomial is recognised in whatever way it was written (`y*x*x`, `x^2*y`) and gets its name
+/// from the order of the variables: "x^2*y"; "1" is the constant. Other terms keep what was
+/// written, in canonical text.
+class Term {
+ public:
+  /// @throws ModelError when the expression uses a name that is not in `variables`.
+  Term(const Expression& expression, const Variables& variables);
+
+  /// Reads a term. @throws ModelError naming the column.
+  static Term parse(std::string_view text, const Variables& variables);
+
+  /// The monomial with one exponent per variable, in slot order (time last).
+  /// @throws ArgumentError when the number of exponents is not variables.count().
+  static Term monomial(const std::vector<int>& exponents, const Variables& variables);
+
+  const std::string& name() const noexcept { return name_; }
+  const Expression& expression() const noexcept { return expression_; }
+
+  /// One exponent per variable (slot order) when the term is a monomial.
+  const std::optional<std::vector<int>>& exponents() const noexcept { return exponents_; }
+
+  friend bool operator==(const Term& a, const Term& b) { return a.name_ == b.name_; }
+
+ private:
+  Expression expression_;
+  std::string name_;
+  std::optional<std::vector<int>> exponents_;
+};
+
+/// Candidate terms over given variables, in the order in which they are tried.
+struct TermLibrary {
+  Variables variables;
+  std::vector<Term> terms;  ///< L, distinct
+
+  Index size() const noexcept { return static_cast<Index>(terms.size()); }
+  std::vector<std::string> names() const;
+
+  /// All L terms in one program.
+  Program compile() const;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/base/types.hpp"
+#include "lacuna/model/expressions/expression.hpp"
+
+namespace lacuna {
+
+/// The variables of a model in their fixed order: states, inputs, then time `t`.
+struct Variables {
+  std::vector<std::string> states;  ///< m
+  std::vector<std::string> inputs;  ///< p
+
+  /// Number of slots: m + p + 1.
+  Index count() const noexcept { return static_cast<Index>(states.size() + inputs.size()) + 1; }
+
+  /// All names in slot order; the last is "t".
+  std::vector<std::string> names() const;
+
+  bool operator==(const Variables&) const = default;
+};
+
+/// A variable as it was a fixed time ago.
+struct DelayedVariable {
+  Index slot = 0;      ///< which variable
+  double delay = 0.0;  ///< time units, >= 0
+
+  bool operator==(const DelayedVariable&) const = default;
+};
+
+/// Expressions compiled to one straight-line program in which every common subexpression is
+/// computed once (x^2*y is x^2 times y, x^2 is x times x).
+///
+/// Arguments are slots: the variables in order, then one slot for each entry of `delays()`.
+/// The program is immutable; each thread brings its own workspace.
+class Program {
+ public:
+  /// Scratch memory of one thread; grows as needed, may be used with any program.
+  struct Workspace {
+    std::vector<double> registers;
+    std::vector<const double*> sources;
+    std::vector<double*> targets;
+  };
+
+  /// @throws ModelError naming a variable that is not in `variables`.
+  Program(std::span<const Expression> outputs, const Variables& variables);
+
+  Index slots() const noexcept { return slot_count_; }  ///< variables and delayed variables
+  Index outputs() const noexcept { return static_cast<Index>(outputs_.size()); }
+
+  /// Instructions that one evaluation takes.
+  Index operations() const noexcept { return static_cast<Index>(instructions_.size()); }
+
+  /// Distinct delayed variables, in the order in which the outputs name them.
+  const std::vector<DelayedVariable>& delays() const noexcept { return delays_; }
+
+  /// All outputs for one state. `slots` has slots() entries, `out` has outputs() entries.
+  void evaluate(const double* slots, double* out, Workspace& workspace) const;
+
+  /// All outputs for many rows at once.
+  /// Rows go through in blocks that stay in cache; each instruction is one loop over the block.
+  /// @param slots rows x slots(); @param out rows x outputs(), other memory than `slots`.
+  /// @throws ArgumentError when shapes do not fit.
+  void evaluate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> out,
+                Workspace& workspace) const;
+
+ private:
+  friend class ProgramBuilder;
+
+  /// Registers: the slots, the constants, then one for each instruction's result.
+  struct Instruction {
+    int target, a, b, c;
+  };
+
+  /// Instructions [begin, end) that all do the same operation.
+  struct Run {
+    Operation operation;
+    std::size_t begin, end;
+  };
+
+  /// An output column and the register it shows.
+  struct Output {
+    Index column;
+    int source;
+  };
+
+  void prepare(Workspace& workspace, Index rows) const;
+  void evaluate_block(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix>& out,
+                      Index first, Index rows, Workspace& workspace) const;
+
+  std::vector<Instruction> instructions_;
+  std::vector<Run> runs_;
+  std::vector<double> constants_;
+  std::vector<DelayedVariable> delays_;
+  std::vector<int> outputs_;
+  std::vector<Output> written_;  ///< outputs that are computed in place
+  std::vector<Output> copied_;   ///< outputs that are slots, constants or shown twice
+  Index slot_count_ = 0;
+  std::size_t register_count_ = 0;
+};
+
+}  // namespace lacuna

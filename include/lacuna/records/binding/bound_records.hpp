@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/data/records/noise.hpp"
+#include "lacuna/records/binding/model_view.hpp"
+#include "lacuna/records/channels/limits.hpp"
+
+namespace lacuna {
+
+/// How one state of a model is known from the records.
+struct Channel {
+  bool measured = true;   ///< or else made from others
+  StateNoise noise = {};  ///< what the samples show of it, and the step of a lattice
+  double repeats = 0.0;   ///< share of the values that are as the one before them
+  double missing = 0.0;   ///< share of the samples that say nothing: blank, or the last value
+  double at_top = 0.0, at_bottom = 0.0;  ///< share of the samples at an end of the channel
+  Limits limits = {};                    ///< its ends, where samples are there
+};
+
+/// Records seen through a model: states and inputs in its order, time in its unit, and how each
+/// state was measured.
+struct BoundRecords {
+  Dataset data;
+  std::vector<Channel> channels;  ///< m
+  std::vector<Matrix> outliers;   ///< per record n x m: marks, with what may be an outlier
+  std::vector<std::string> notes = {};  ///< what is odd about the channels, for people
+};
+
+/// What decides how a channel was measured.
+struct ChannelOptions {
+  double outlying = kOutlyingDeviations;  ///< deviations of the noise that an outlier is off
+  double pile_up = 5.0;                   ///< see visible_limits()
+};
+
+/// Binds records to a model: model_view() and what the samples say of the measurement.
+/// @throws DataError as model_view() and check_dataset().
+BoundRecords bind(const OdeModel& model, const Dataset& data,
+                  const Differentiator& differentiator);
+
+/// What the samples say of the measurement, for records that are in a model's variables already
+/// (joined ones, a part of others): ends of channels, repeated values, outliers.
+/// @throws DataError as check_dataset().
+BoundRecords observed(Dataset data, const ChannelOptions& options = {});
+
+/// Other records of the same channels: as observed(), with the ends that the first ones show.
+/// All marks are in the trajectories, those of possible outliers too.
+Dataset observed_alike(Dataset data, const BoundRecords& records,
+                       const ChannelOptions& options = {});
+
+/// Whether most samples of some measured state are as the one before them: values on a coarse
+/// lattice, whose rounding is not noise that is independent from sample to sample.
+bool mostly_repeats(const BoundRecords& records);
+
+}  // namespace lacuna

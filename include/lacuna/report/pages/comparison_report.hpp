@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/dynamics/attractor/comparison.hpp"
+
+namespace lacuna {
+
+/// Two records, or a model's orbit and a record, beside one another.
+struct ComparisonReport {
+  std::string first, second;  ///< what was compared
+  std::vector<AttractorMeasure> measures;
+
+  /// Whether nothing disagrees, and something agrees.
+  bool agree() const;
+};
+
+/// For people: each measure of both with its interval, and whether they agree.
+std::string format_text(const ComparisonReport& report);
+
+/// JSON text of the format "lacuna.comparison/1".
+std::string format_json(const ComparisonReport& report);
+
+}  // namespace lacuna

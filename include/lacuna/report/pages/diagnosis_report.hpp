@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "lacuna/diagnose/journey/diagnosis.hpp"
+
+namespace lacuna {
+
+/// The answer for people, three to ten lines: verdict, each effect with numbers and units, what
+/// the coefficients say, the gap on records not used, what is left.
+std::string format_text(const Diagnosis& diagnosis);
+
+/// Every account that was judged with the number or the rule that decided, for people.
+std::string format_trail(const Diagnosis& diagnosis);
+
+/// JSON text of the format "lacuna.diagnosis/1".
+std::string format_json(const Diagnosis& diagnosis);
+
+}  // namespace lacuna

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/core/base/stage.hpp"
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+
+namespace lacuna {
+
+/// Whether a model holds on a record that drove it.
+struct SyncVerdict {
+  bool holds = false;
+  bool told = true;                  ///< false: hidden states leave it open whether it holds
+  std::optional<double> until = {};  ///< time up to which it does, where it does not later
+  std::optional<std::string> equation = {};  ///< state whose equation has to be helped most
+  std::string sentence;                      ///< for people
+};
+
+/// When a slave counts as being with the record. docs/decisions.md says what each trades.
+struct SyncVerdictOptions {
+  static constexpr StageInfo kInfo{"sync", "When a model holds on a record that drives it", ""};
+
+  double above_noise = 2.0;
+  double above_response = 1.25;
+  double follows = 0.1;
+  double resolution = 1e-4;
+  int pieces = 40;
+  double least_held = 0.1;
+  double forgotten = 0.01;
+
+  void describe(OptionVisitor& visitor);
+};
+
+/// Judges a synchronisation by the noise of the record: a slave of a complete model is off by
+/// the noise or less.
+///
+/// - The model holds where the root mean square error of no measured state is above its noise
+///   (times `above_noise`), or what is resolved of its spread where that is more. Where the
+///   orbit is locally unstable a slave amplifies noise: an error up to sqrt(noise^2 +
+///   SyncResult::response^2) (times `above_response`) is what a complete model leaves, as long
+///   as the slave `follows` the record.
+/// - It holds up to a time where the error stays below that in pieces of the record for at
+/// least
+///   `least_held` of it, and is above in most pieces from there on.
+/// - Where states are hidden and slaves that begin elsewhere in them are not together, to a
+///   share `forgotten` of their distance, within a quarter of the record, there is no verdict.
+/// - Else the equation is named to which the coupling has to add the largest part of its own
+///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
+///   With hidden states none is named: what one lacks, the coupling adds to another.
+/// @param record that drove the slave, in the states of the model.
+SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
+                  const SyncVerdictOptions& options = {});
+
+}  // namespace lacuna

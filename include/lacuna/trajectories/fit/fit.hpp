@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/base/run_context.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/system_model.hpp"
+
+namespace lacuna {
+
+/// How a model of known structure is fitted.
+struct FitOptions {
+  int restarts = 8;       ///< at most so many other starts where residuals are above the noise
+  double spread = 3.0;    ///< by which factor they differ from the model's numbers
+  Index window = 50;      ///< first samples of a held-out record that give its initial state
+  Index prediction = 10;  ///< samples ahead of the error of prediction
+};
+
+/// A number that was fitted.
+struct FittedNumber {
+  std::string name;       ///< "w: sin(th)" or the name of a parameter
+  std::string unit = {};  ///< of a parameter
+  double start = 0.0;     ///< as given
+  double value = 0.0;     ///< the estimate
+  std::optional<double> standard_error = {};
+  std::optional<std::array<double, 2>> ci95 = {};  ///< nothing where the records do not tell it
+  std::optional<std::string> bound = {};           ///< "min" or "max" where it ended there
+  std::vector<double> per_record = {};             ///< where each record has its own
+};
+
+/// Two numbers whose estimates depend on one another.
+struct FitCorrelation {
+  std::string first, second;
+  double correlation = 0.0;
+};
+
+/// An initial state of one record.
+struct FittedStart {
+  std::string state;
+  double value = 0.0;
+  bool fixed = false;
+  std::optional<double> standard_error = {};  ///< nothing where the record does not tell it
+};
+
+/// How a model meets one channel.
+struct FitQuality {
+  std::string channel, unit;
+  double rmse = 0.0;         ///< free run from the fitted initial state
+  double fit_percent = 0.0;  ///< 100 (1 - |y - model| / |y - mean y|)
+  double noise = 0.0;        ///< what the samples show of their noise; 0: not known
+  double prediction = 0.0;   ///< rms error so many samples ahead
+  double structure = 0.0;    ///< of the residuals: correlation in time, standard deviations
+  bool white = true;         ///< no significant correlation
+  std::vector<double> rmse_per_record = {};
+};
+
+/// Free runs of held-out records: initial states from their first samples, the rest simulated.
+struct FitGap {
+  double before = 0.0, after = 0.0;  ///< rms over the channels of rmse / spread
+  double noise_floor = 0.0;          ///< the same of the noise that the samples show
+  std::vector<std::string> records;
+  std::vector<FitQuality> channels;  ///< with the fitted model
+};
+
+/// Numbers that the records determine only together.
+struct FitCombination {
+  std::vector<std::string> members;
+  std::string message;  ///< "k1 and k4 only as k1*k4"
+};
+
+/// A record beside the free run of the fitted model.
+struct FitRun {
+  std::string record;
+  Vector time;             ///< n
+  Matrix measured, model;  ///< n x channels; NaN where there is no value
+};
+
+/// A model fitted to records.
+struct Fit {
+  SystemModel model;  ///< with estimates and their intervals
+  std::vector<FittedNumber> numbers = {};
+  std::vector<FitCorrelation> correlations = {};       ///< above 0.9
+  std::vector<std::vector<FittedStart>> initial = {};  ///< per record
+  std::vector<std::string> records = {};
+  std::vector<FitQuality> quality = {};
+  std::optional<FitGap> gap = {};
+  std::vector<FitCombination> combinations = {};  ///< empty: all numbers are determined
+  bool converged = true;
+  int starts = 1, agreeing = 1;  ///< from how many starts, how many came to the best
+  Index substeps = 1;            ///< steps of integration in a sampling interval
+  Index prediction = 10;         ///< samples ahead of FitQuality::prediction
+  double degrees_of_freedom = 0.0;
+  std::vector<std::string> notes = {};
+  std::vector<FitRun> runs = {};  ///< one for each record
+};
+
+/// Fits free coefficients and parameters of a model, and the initial states, to records by the
+/// largest likelihood of a free run: the least sum of squares of measured minus model, each
+/// channel divided by the deviation of its residuals. Terms marked fixed, identities (dq/dt =
+/// v) and fixed parameters stay; free parameters stay in their ranges. States need not be
+/// measured. Where residuals are white, intervals are those of the Fisher information; else
+/// they come from gradients of blocks of the records, which are correlated. Numbers that the
+/// records determine in combination only get no interval, and the combination is named.
+/// Same input and seed, same result.
+/// @param data, held_out in the variables of the model, as of read_records().
+/// @throws DataError when nothing is measured, when there are more unknowns than values and
+///   when no free run is finite; ModelError as SystemModel::parametrised(); Cancelled.
+Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
+        const FitOptions& options = {}, const RunContext& context = {});
+
+}  // namespace lacuna

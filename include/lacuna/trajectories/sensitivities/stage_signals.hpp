@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "lacuna/core/numerics/sampled_signal.hpp"
+#include "lacuna/dynamics/integration/butcher_tableau.hpp"
+
+namespace lacuna {
+
+/// How sampling intervals are integrated: equal steps of one explicit method.
+struct StepScheme {
+  const ButcherTableau* tableau = nullptr;
+  Index substeps = 1;
+
+  bool operator==(const StepScheme&) const = default;
+};
+
+/// Signals (inputs, t, delayed variables) at every stage of every step. Steps of sampling
+/// interval i are i * substeps, ...; at the last sample of a trajectory their length is 0.
+struct StageSignals {
+  StepScheme scheme;
+  Vector lengths;              ///< of the steps, N * substeps
+  std::vector<Matrix> stages;  ///< per stage: N * substeps x signals
+};
+
+/// Signals for N samples, all zero.
+StageSignals empty_stage_signals(const StepScheme& scheme, Index samples, Index signals);
+
+/// What was sampled along one trajectory and drives a model.
+struct DrivingSamples {
+  Vector time;                 ///< n
+  Matrix inputs;               ///< n x p
+  Matrix delayed;              ///< n x d: the variables that are delayed, without delay
+  std::vector<double> delays;  ///< d
+  std::vector<Interpolation> signals = {};  ///< of inputs, then delayed; empty: cubic
+};
+
+/// Writes the signals of one trajectory. Before its first sample that sample holds.
+/// @param first its first sample in `signals`.
+void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals);
+
+}  // namespace lacuna

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lacuna/core/base/types.hpp"
+
+namespace lacuna {
+
+/// Measurement noise with a memory: an Ornstein-Uhlenbeck process that is added to a channel.
+struct ColouredNoise {
+  double deviation = 0.0;  ///< standard deviation, unit of the state
+  double time = 0.0;       ///< correlation time, time units
+};
+
+/// What separates a model from a record besides coefficients: noise of the measurement and
+/// disturbances of the dynamics.
+struct NoiseModel {
+  /// Standard deviation of white measurement noise per state; nothing for a state that is not
+  /// measured.
+  std::vector<std::optional<double>> measurement;
+
+  /// Noise with a memory in the measurement per state, where there is some.
+  std::vector<std::optional<ColouredNoise>> coloured;
+
+  /// sqrt of the spectral density of a white disturbance of each equation, state unit per sqrt
+  /// of time unit: the disturbance moves a state by disturbance x sqrt(T) in the time T. 0: the
+  /// equation holds exactly.
+  Vector disturbance;
+
+  Index states() const noexcept { return disturbance.size(); }
+  Index measured() const noexcept;  ///< number of states that are measured
+};
+
+/// A standard deviation of a noise model that is fitted.
+struct NoiseEntry {
+  enum class Kind { Disturbance, White, Coloured } kind = Kind::Disturbance;
+  Index state = 0;
+
+  bool operator==(const NoiseEntry&) const = default;
+};
+
+/// Inverse of the curvature of the deviance over the logarithms of fitted deviations, as far as
+/// it is known: 0 x 0 when it is not.
+struct NoiseCurvature {
+  std::vector<NoiseEntry> entries;
+  Matrix inverse;
+};
+
+}  // namespace lacuna

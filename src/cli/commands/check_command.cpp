@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "command.hpp"
+#include "data_options.hpp"
+#include "lacuna/diagnose/hints/map_hint.hpp"
+#include "lacuna/records/binding/gaps.hpp"
+#include "lacuna/records/binding/read_records.hpp"
+#include "lacuna/report/pages/data_summary.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+struct CheckArguments {
+  DataOptions data;
+  std::optional<std::string> model, json;
+  std::string differentiator = "finite-differences";
+  RunOptions run;
+};
+
+/// Whether every state has a column, or is made from one, and no channel is a formula.
+bool is_all_measured(const OdeModel& model, const Dataset& data) {
+  if (data.states.size() != model.states().size()) return false;
+  for (Index k = 0; k < data.state_count(); ++k)
+    if (is_hidden(data, k)) return false;
+  return true;
+}
+
+/// The records in the variables of a model, with what is odd about the two together.
+DataSummary summary_for(const Session& session, const CheckArguments& options) {
+  const OdeModel model = with_holds(load_flow(*options.model, "check --model"), options.data);
+  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
+  ColumnRoles roles = common_roles(options.data);
+  roles.blanks = Blanks::Mark;
+  const Dataset data =
+      read_records(model, options.data.paths, roles, *differentiator, Columns::All);
+  DataSummary summary = summarise(data, static_cast<Index>(model.inputs().size()));
+  if (!is_all_measured(model, data)) return summary;  // slips are looked for where all is seen
+  const UsableRecords usable = usable_records(data);
+  summary.hints = look_at(model, observed(used_part(model, usable.data)),
+                          unused_part(model, usable.data), HintOptions{});
+  return summary;
+}
+
+int check_command(const Session& session, const CheckArguments& options) {
+  check_outputs(files_read(options.data, options.model ? std::vector{*options.model}
+                                                       : std::vector<std::string>{}),
+                {{"--json", options.json}});
+  const RunContext context = make_context(session, options.run);
+  context.report("reading data", 0.0);
+  DataSummary summary;
+  if (options.model) {
+    summary = summary_for(session, options);
+  } else {
+    const Dataset data = read_data(options.data);
+    summary = summarise(data, data.input_count());
+    if (const std::optional<Hint> hint = map_hint(data)) summary.hints.push_back(*hint);
+  }
+  finish_progress(session, options.run);
+  if (options.json) write_output(session, *options.json, format_json(summary));
+  if (options.json != "-") show(session, format_text(summary));
+  return 0;
+}
+
+}  // namespace
+
+Command declare_check(CLI::App& root) {
+  auto options = std::make_shared<CheckArguments>();
+  CLI::App* app = root.add_subcommand(
+      "check", "Show what would be read: columns, roles, step, noise, what is odd");
+  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      ->required();
+  app->add_option(
+         "--model", options->model,
+         "Model file: says the roles; slips of units, signs and columns are looked for")
+      ->type_name("FILE");
+  declare_column_options(*app, options->data, true);
+  app->add_option("--differentiator", options->differentiator,
+                  "How states without a column are made from those that have one")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app->add_option("--json", options->json, "Write it as JSON; - for standard output")
+      ->type_name("FILE|-");
+  declare_run_options(*app, options->run);
+  return {app, [options](const Session& session) { return check_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/cli/commands/cli.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <stdexcept>
+
+#include "command.hpp"
+#include "core/base/utf8.hpp"
+#include "interrupt.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "memory_limit.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr int kBadInput = 2;
+
+/// After an interrupt a run has so long to end by itself. With 20 ms between two looks at it,
+/// and the time to give gigabytes back, the program is gone within 0.2 s.
+constexpr std::chrono::milliseconds kPatience{100};
+
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return printable(text);
+}
+
+int fail(const CliStreams& streams, const std::string& text) {
+  streams.err << "lacuna: error: " << one_line(text) << "\n";
+  return kBadInput;
+}
+
+void describe_program(CLI::App& app) {
+  app.name("lacuna");
+  app.description(
+      "Finds the equations of a dynamical system in measured data.\n\n"
+      "  lacuna check record.csv\n"
+      "  lacuna identify record.csv --model-out model.json\n"
+      "  lacuna sync model.json other_record.csv\n"
+      "  lacuna diagnose --model nominal.json record.csv\n"
+      "  lacuna simulate model.json --x0 1,0,0 --t-end 100 --dt 0.1 -o orbit.csv");
+  app.footer(
+      "Each command has its own --help. Exit status: 0 done; 1 the numbers do not allow "
+      "an answer; 2 bad arguments, configuration or data; 130 interrupted.");
+  app.set_version_flag("--version", "lacuna " LACUNA_VERSION);
+  app.require_subcommand(1);
+}
+
+/// Names of all commands, or of all options of a command.
+std::vector<std::string> known_words(CLI::App& app, bool options) {
+  std::vector<std::string> words;
+  if (options) {
+    for (const CLI::Option* option : app.get_options()) words.push_back(option->get_name());
+  } else {
+    for (const CLI::App* command : app.get_subcommands({}))
+      words.push_back(command->get_name());
+  }
+  return words;
+}
+
+/// "did you mean ...?" for the first word that was not expected; empty when there is none.
+std::string hint(CLI::App& app, CLI::App& command) {
+  for (const std::string& word : command.remaining(true)) {
+    const bool option = word.rfind("-", 0) == 0;
+    const auto near = nearest_name(word, known_words(option ? command : app, option));
+    if (near) return "'" + word + "': did you mean '" + *near + "'? ";
+    return "'" + word + "' is not known; ";
+  }
+  return "";
+}
+
+/// An empty text is no value; CLI11 takes it for one. @return the option that has it.
+std::optional<std::string> empty_option(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& text : option->results())
+      if (text.empty()) return option->get_name();
+  return std::nullopt;
+}
+
+/// Reads the arguments. @return exit status when there is nothing more to do.
+std::optional<int> parse(CLI::App& app, int argc, const char* const* argv,
+                         const CliStreams& streams) {
+  try {
+    app.parse(argc, argv);
+    const auto empty = empty_option(*app.get_subcommands().front());
+    if (!empty) return std::nullopt;
+    return fail(streams, "command line: " + *empty +
+                             ": the value is empty; give one or leave " + "the option out");
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error, streams.out, streams.err);
+    const auto chosen = app.get_subcommands();
+    CLI::App& command = chosen.empty() ? app : *chosen.front();
+    const std::string name = chosen.empty() ? "lacuna" : "lacuna " + command.get_name();
+    return fail(streams, std::string("command line: ") + error.what() + "; " +
+                             hint(app, command) + "see `" + name + " --help`");
+  }
+}
+
+/// What the run may take, in bytes.
+std::uint64_t memory_of(const CLI::App& command) {
+  const CLI::Option* option = command.get_option_no_throw("--max-memory");
+  return option != nullptr && option->count() > 0 ? option->as<std::uint64_t>()
+                                                  : cli::default_memory();
+}
+
+/// The command with what it works on: "identify record.csv".
+std::string place_of(const CLI::App& command) {
+  std::string place = command.get_name();
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_positional())
+      for (const std::string& text : option->results()) place += " " + text;
+  return place;
+}
+
+int fail_of_memory(const CliStreams& streams, const CLI::App& command) {
+  return fail(streams, place_of(command) + ": not enough memory (" +
+                           std::to_string(memory_of(command) >> 20U) +
+                           " MB); use fewer samples or terms, or raise --max-memory");
+}
+
+/// Runs a command; what goes wrong becomes one line and a status.
+int run_chosen(const cli::Command& command, const cli::Session& session) {
+  const CliStreams& streams = session.streams;
+  const auto interrupted = [&] {
+    streams.err << "lacuna: interrupted; nothing was written\n";
+    return cli::kInterrupted;
+  };
+  try {
+    const cli::MemoryLimit limit(memory_of(*command.app));
+    cli::keep_freed_memory();
+    return command.run(session);
+  } catch (const Cancelled&) {
+    return interrupted();
+  } catch (const Error& error) {
+    // A read that was broken into by an interrupt has failed too.
+    return session.stop.stop_requested() ? interrupted() : fail(streams, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail_of_memory(streams, *command.app);
+  } catch (const std::length_error&) {  // more than any container can hold
+    return fail_of_memory(streams, *command.app);
+  } catch (const std::exception& error) {
+    return fail(streams, place_of(*command.app) + ": " + error.what() +
+                             "; this is an error of lacuna, please report it");
+  }
+}
+
+/// An argument as a shell takes it: in quotes where it has more than letters of file names.
+std::string quoted(const std::string& argument) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_-./,=:+@%").find(c) != std::string_view::npos;
+  };
+  if (!argument.empty() && std::all_of(argument.begin(), argument.end(), plain))
+    return argument;
+  std::string text = "'";
+  for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string command_line(int argc, const char* const* argv) {
+  std::string line = "lacuna";
+  for (int i = 1; i < argc; ++i) line += " " + quoted(argv[i]);
+  return line;
+}
+
+/// The status, unless what was to be shown is lost.
+int with_output_checked(int status, const CliStreams& streams) {
+  streams.out.flush();
+  if (streams.out) return status;
+  return fail(streams,
+              "standard output: the result could not be written in full; check that "
+              "there is space, or give a file (-o, --json)");
+}
+
+/// Parses and runs. @param session without what the arguments and the guard give.
+/// @param patience of the guard against interrupts.
+int run_words(int argc, const char* const* argv, cli::Session session,
+              cli::InterruptGuard::Patience patience) {
+  const CliStreams& streams = session.streams;
+  CLI::App app;
+  describe_program(app);
+  const std::vector<cli::Command> commands = {
+      cli::declare_identify(app),   cli::declare_simulate(app), cli::declare_sync(app),
+      cli::declare_diagnose(app),   cli::declare_fit(app),      cli::declare_model(app),
+      cli::declare_export(app),     cli::declare_check(app),    cli::declare_compare(app),
+      cli::declare_completion(app), cli::declare_list(app),     cli::declare_describe(app)};
+  if (const auto status = parse(app, argc, argv, streams))
+    return with_output_checked(*status, streams);
+
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
+  const auto chosen = std::find_if(commands.begin(), commands.end(),
+                                   [](const auto& command) { return command.app->parsed(); });
+  const cli::InterruptGuard interrupt(patience);
+  session.stop = interrupt.token();
+  session.command_line = command_line(argc, argv);
+  const bool leads = session.team == nullptr || session.team->rank() == 0;
+  const std::string name = chosen->app->get_name();
+  const bool divides = name == "identify" || name == "diagnose";
+  if (!leads && !divides) return 0;
+  return with_output_checked(run_chosen(*chosen, session), streams);
+}
+
+}  // namespace
+
+int run_cli(int argc, const char* const* argv) {
+  try {
+    return run_cli(argc, argv, default_registry());
+  } catch (const std::bad_alloc&) {  // before there is a command
+    return fail({std::cout, std::cerr}, "lacuna: not enough memory to start; raise the limit");
+  }
+}
+
+int run_cli(int argc, const char* const* argv, const Registry& registry) {
+  return run_words(argc, argv, {registry, {std::cout, std::cerr}, {}}, kPatience);
+}
+
+int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams) {
+  return run_words(argc, argv, {registry, streams, {}}, {});
+}
+
+int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams,
+            const Team& team) {
+  return run_words(argc, argv, {registry, streams, {}, {}, &team}, {});
+}
+
+}  // namespace lacuna

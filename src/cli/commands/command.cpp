@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <thread>
+
+#include "core/base/utf8.hpp"
+#include "lacuna/core/base/atomic_file.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "memory_limit.hpp"
+#include "progress_line.hpp"
+#include "terminal.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Digits and nothing else, as strtoull takes "-1" for 2^64 - 1. @return what is wrong.
+std::string check_seed(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && stop == end) return "";
+  return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
+}
+
+/// Bytes of "4G", "500MB", "200k" or plain digits, as digits. @throws CLI::ValidationError.
+std::string bytes_of(std::string text) {
+  constexpr std::string_view kUnits = "kMGT";
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const std::size_t unit = stop == end ? std::string::npos : kUnits.find(*stop);
+  const unsigned shift = stop == end ? 0U : 10U * (static_cast<unsigned>(unit) + 1U);
+  const std::string_view rest(stop == end ? end : stop + 1, end);
+  const bool known =
+      stop == end || (unit != std::string::npos && (rest.empty() || rest == "B"));
+  if (error != std::errc() || !known || value > (std::uint64_t{1} << 62U) >> shift ||
+      value << shift < kLeastMemory)
+    throw CLI::ValidationError("'" + text + "' is not a size from 16M on, such as 500M or 4G");
+  return std::to_string(value << shift);
+}
+
+/// Pipes and devices hold nothing that could be replaced.
+bool is_stream(const fs::path& path) {
+  std::error_code none;
+  const fs::file_status status = fs::status(path, none);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  if (is_stream(a) || is_stream(b)) return false;
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+  return !error && first == fs::weakly_canonical(fs::absolute(b, error), error) && !error;
+}
+
+bool shows_progress(const Session& session, const RunOptions& options) {
+  if (options.progress != "auto") return options.progress == "always";
+  return &session.streams.err == &std::cerr && isatty(STDERR_FILENO) != 0;
+}
+
+}  // namespace
+
+void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,
+                         const std::string& description) {
+  app.add_option(name, bytes, description)->transform(bytes_of, "")->type_name("SIZE");
+}
+
+void declare_run_options(CLI::App& app, RunOptions& options) {
+  app.add_option("--seed", options.seed, "Start of everything random in the run")
+      ->check(check_seed, "whole number", "seed")
+      ->capture_default_str();
+  options.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 64U));
+  app.add_option("--threads", options.threads,
+                 "Threads; the result does not depend on it [default: the machine's cores]")
+      ->check(CLI::Range(1, 1024));
+  options.max_memory = default_memory();
+  declare_size_option(
+      app, "--max-memory", options.max_memory,
+      "Memory that the run may take, e.g. 4G, in bytes [default: three quarters "
+      "of the machine's]");
+  app.add_option("--progress", options.progress,
+                 "Progress on standard error: always, never, auto (where it is a terminal)")
+      ->check(CLI::IsMember({"always", "never", "auto"}))
+      ->capture_default_str();
+}
+
+RunContext make_context(const Session& session, const RunOptions& options) {
+  RunContext context;
+  context.stop = session.stop;
+  context.threads = options.threads;
+  context.seed = options.seed;
+  context.team = session.team;
+  if (!shows_progress(session, options)) return context;
+  std::ostream& err = session.streams.err;
+  context.progress = [&err, line = ProgressLine()](const Progress& progress) mutable {
+    err << "\r\x1b[K" << line.text(progress, std::chrono::steady_clock::now()) << std::flush;
+  };
+  return context;
+}
+
+void finish_progress(const Session& session, const RunOptions& options) {
+  if (shows_progress(session, options)) session.streams.err << "\r\x1b[K" << std::flush;
+}
+
+void write_output(const Session& session, const std::string& path, const std::string& text) {
+  if (path == "-")
+    session.streams.out << text;
+  else
+    write_file_atomically(path, text);
+}
+
+void show(const Session& session, const std::string& text) {
+  const std::string shown = printable(text);
+  session.streams.out << (shows_colour(session.streams.out) ? coloured(shown) : shown);
+}
+
+void check_outputs(const std::vector<std::string>& inputs,
+                   const std::vector<OutputFile>& outputs) {
+  const std::vector<std::string> files = expand_patterns(inputs);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!outputs[i].path) continue;
+    const std::string& path = *outputs[i].path;
+    const std::string place = outputs[i].option + " " + path;
+    for (const std::string& file : files)
+      if (same_file(path, file))
+        throw ConfigError(place, "this would replace '" + file + "', which is read",
+                          "give the result a file of its own");
+    for (std::size_t k = 0; k < i; ++k)
+      if (outputs[k].path && (*outputs[k].path == path || same_file(*outputs[k].path, path)))
+        throw ConfigError(place, outputs[k].option + " goes there too",
+                          "give each result a place of its own");
+  }
+}
+
+OdeModel load_model(const std::string& path) { return load_system(path).model(); }
+
+OdeModel load_flow(const std::string& path, const std::string& command) {
+  OdeModel model = load_model(path);
+  check_flow(model, command);
+  return model;
+}
+
+SystemModel load_system(const std::string& path) {
+  std::error_code unreadable;
+  if (!fs::exists(path, unreadable))
+    for (const TestSystem& system : test_systems())
+      if (system.name == path) return system.model;
+  return read_system(path);
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "lacuna/cli/commands/cli.hpp"
+#include "lacuna/core/base/run_context.hpp"
+#include "lacuna/model/equations/system_model.hpp"
+
+namespace lacuna::cli {
+
+/// What a command works with besides its own options.
+struct Session {
+  const Registry& registry;
+  CliStreams streams;
+  std::stop_token stop;
+  std::string command_line = {};  ///< as a shell would take it, for reports
+  const Team* team = nullptr;     ///< processes among which the work is divided
+};
+
+/// A declared subcommand and what it does when it is chosen; gives the exit status.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int(const Session&)> run;
+};
+
+Command declare_identify(CLI::App& root);
+Command declare_simulate(CLI::App& root);
+Command declare_fit(CLI::App& root);
+Command declare_sync(CLI::App& root);
+Command declare_diagnose(CLI::App& root);
+Command declare_model(CLI::App& root);
+Command declare_export(CLI::App& root);
+Command declare_check(CLI::App& root);
+Command declare_compare(CLI::App& root);
+Command declare_completion(CLI::App& root);
+Command declare_list(CLI::App& root);
+Command declare_describe(CLI::App& root);
+
+/// Options that every computing command has.
+struct RunOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::uint64_t max_memory = 0;  ///< bytes
+  std::string progress = "auto";
+};
+
+void declare_run_options(CLI::App& app, RunOptions& options);
+
+/// An option that is a size in memory: 300MB, 4G or a number of bytes.
+void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,
+                         const std::string& description);
+
+/// The run context of a command, with progress on standard error where that is wanted.
+RunContext make_context(const Session& session, const RunOptions& options);
+
+/// Ends the line that progress was shown on.
+void finish_progress(const Session& session, const RunOptions& options);
+
+/// Writes text to a file, whole or not at all, or to standard output for "-".
+void write_output(const Session& session, const std::string& path, const std::string& text);
+
+/// Shows text for people; nothing in it (a column's name) can act on the terminal.
+void show(const Session& session, const std::string& text);
+
+/// A file that a command is going to write; without a path it is not asked for.
+struct OutputFile {
+  std::string option;
+  std::optional<std::string> path;
+};
+
+/// Keeps apart what is read and what is written.
+/// @throws ConfigError when a file would replace one that is read, two results would go to one
+///   file, or two to standard output.
+void check_outputs(const std::vector<std::string>& inputs,
+                   const std::vector<OutputFile>& outputs);
+
+/// A model file, or a test system by its name when there is no such file.
+OdeModel load_model(const std::string& path);
+
+/// The same for a command that needs a flow. @throws ModelError for a map.
+OdeModel load_flow(const std::string& path, const std::string& command);
+
+/// The same with its parameters.
+SystemModel load_system(const std::string& path);
+
+}  // namespace lacuna::cli

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "data_options.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "lacuna/core/base/file_bytes.hpp"
+#include "lacuna/core/base/options.hpp"
+#include "lacuna/core/base/text.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+/// Finds the first nested differentiator.
+class DifferentiatorFinder final : public OptionVisitor {
+ public:
+  void field(const FieldInfo&, double&) override {}
+  void field(const FieldInfo&, int&) override {}
+  void field(const FieldInfo&, bool&) override {}
+  void field(const FieldInfo&, std::string&) override {}
+  void field(const FieldInfo&, std::optional<double>&) override {}
+  void field(const FieldInfo&, std::optional<int>&) override {}
+  void field(const FieldInfo&, std::vector<std::string>&) override {}
+
+  std::shared_ptr<const Differentiator> found;
+
+ protected:
+  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
+  void nested_stage(const FieldInfo&, std::string_view,
+                    std::shared_ptr<const StageInterface>& stage) override {
+    if (!found) found = std::dynamic_pointer_cast<const Differentiator>(stage);
+  }
+};
+
+std::vector<std::string> list_of(const std::string& text) {
+  return text.empty() ? std::vector<std::string>{} : split_list(text);
+}
+
+ColumnRoles roles_of(const DataOptions& options) {
+  ColumnRoles roles = common_roles(options);
+  roles.states = list_of(options.states);
+  roles.inputs = list_of(options.inputs);
+  roles.derivatives = list_of(options.derivatives);
+  return roles;
+}
+
+void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity>& inputs) {
+  for (const std::string& text : assignments)
+    for (const std::string& part : split_list(text)) {
+      const std::size_t equals = part.find('=');
+      const std::string name(trim(part.substr(0, equals)));
+      const std::string value(equals == std::string::npos
+                                  ? std::string_view{}
+                                  : trim(std::string_view(part).substr(equals + 1)));
+      const auto input =
+          std::find_if(inputs.begin(), inputs.end(),
+                       [&](const Quantity& quantity) { return quantity.name == name; });
+      if (input == inputs.end())
+        throw ConfigError("--hold " + part, "there is no input '" + name + "'",
+                          "name an input, e.g. --hold u=zero");
+      input->hold = hold_named(value);
+      if (!input->hold && value != "auto")
+        throw ConfigError("--hold " + part, "'" + value + "' is not a hold",
+                          "write zero, linear, smooth, switching or auto");
+    }
+}
+
+}  // namespace
+
+void declare_hold_option(CLI::App& app, DataOptions& options) {
+  app.add_option("--hold", options.holds,
+                 "How an input goes on after a sample: u=zero|linear|smooth|switching|auto "
+                 "[default: as in the model, else auto: the records decide]")
+      ->type_name("NAME=HOLD");
+}
+
+void declare_map_option(CLI::App& app, DataOptions& options) {
+  app.add_option("--map", options.names,
+                 "Calls columns (by header or number) what the model or you call them: "
+                 "th=Winkel,u=3")
+      ->type_name("NAME=COLUMN");
+}
+
+void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
+  app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
+      ->type_name("NAME");
+  app.add_option("--time-unit", options.time_unit,
+                 "Unit of the time, where the header has none or a wrong one: ns, us, ms, s, "
+                 "min, h, d")
+      ->type_name("UNIT");
+  app.add_option("--dt", options.step,
+                 "Sampling step, in the time unit of the record; then no column is the time")
+      ->type_name("H");
+  app.add_option("--trajectory", options.trajectory,
+                 "Column that numbers the records in one file")
+      ->type_name("NAME");
+  declare_hold_option(app, options);
+  declare_map_option(app, options);
+  if (!choose_columns) return;
+  app.add_option("--states", options.states,
+                 "State columns [default: all without another role]")
+      ->type_name("a,b,c");
+  app.add_option("--inputs", options.inputs, "Input columns [default: none]")->type_name("u,v");
+  app.add_option("--derivatives", options.derivatives,
+                 "Columns that hold the derivatives, in the order of the states")
+      ->type_name("da,db,dc");
+  app.add_option("--embed", options.embed,
+                 "Only q is measured of a system of order N: its derivatives become the states "
+                 "q_d1, ...; -1 adds the integral. May be given more than once")
+      ->type_name("q=N");
+}
+
+std::vector<std::string> files_read(const DataOptions& options,
+                                    const std::vector<std::string>& others) {
+  std::vector<std::string> files = options.paths;
+  files.insert(files.end(), others.begin(), others.end());
+  return files;
+}
+
+ColumnRoles common_roles(const DataOptions& options) {
+  ColumnRoles roles;
+  roles.time = options.time;
+  roles.time_unit = options.time_unit;
+  roles.step = options.step;
+  roles.trajectory = options.trajectory;
+  for (const std::string& text : options.names)
+    for (const std::string& part : split_list(text)) {
+      const std::size_t equals = part.find('=');
+      if (equals == std::string::npos)
+        throw ConfigError("--map " + part, "this is not NAME=COLUMN",
+                          "write e.g. --map th=Winkel,u=3");
+      roles.names.emplace_back(trim(std::string_view(part).substr(0, equals)),
+                               trim(std::string_view(part).substr(equals + 1)));
+    }
+  return roles;
+}
+
+OdeModel with_holds(const OdeModel& model, const DataOptions& options) {
+  std::vector<Quantity> inputs = model.inputs();
+  set_holds(options.holds, inputs);
+  std::vector<std::optional<Hold>> holds;
+  for (const Quantity& input : inputs) holds.push_back(input.hold);
+  return model.with_holds(holds);
+}
+
+Dataset read_data(const DataOptions& options) {
+  Dataset data = read_dataset(options.paths, roles_of(options));
+  set_holds(options.holds, data.inputs);
+  return data;
+}
+
+ColumnRoles roles_in_pieces(const DataOptions& options) {
+  if (!options.holds.empty())
+    throw ConfigError("--hold", "how inputs go on is not asked of records in pieces",
+                      "leave it out, or leave out --memory");
+  return roles_of(options);
+}
+
+bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
+  constexpr std::uint64_t kCopies =
+      4;  // the file, its table, the records, what is made of them
+  if (memory == 0) return false;
+  std::uint64_t bytes = 0;
+  for (const std::string& path : expand_patterns(options.paths)) {
+    std::error_code none;
+    // Nobody knows how much comes through a pipe.
+    if (path == "-" || std::filesystem::is_fifo(path, none)) return true;
+    const auto size = std::filesystem::file_size(path, none);
+    if (!none) bytes += size * (is_packed(path) ? kUnpackedSize : 1);
+  }
+  return bytes > memory / kCopies;
+}
+
+std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options) {
+  std::vector<EmbeddingOrder> orders;
+  for (const std::string& text : options.embed) {
+    for (const std::string& part : split_list(text)) {
+      const std::size_t equals = part.find('=');
+      const auto order = equals == std::string::npos
+                             ? std::nullopt
+                             : parse_number(trim(std::string_view(part).substr(equals + 1)));
+      if (!order || std::abs(*order) > 10.0 || *order != std::round(*order))
+        throw ConfigError("--embed " + part, "this is not NAME=ORDER",
+                          "write e.g. --embed q=2, with a whole number from -10 to 10");
+      orders.push_back({std::string(trim(part.substr(0, equals))), static_cast<int>(*order)});
+    }
+  }
+  return orders;
+}
+
+Stage<Differentiator> differentiator_of(const StageInterface& stage) {
+  DifferentiatorFinder finder;
+  stage.visit_options(finder);
+  if (!finder.found)
+    throw ConfigError("--embed",
+                      "'" + std::string(stage.info().name) + "' has no differentiator",
+                      "choose a formulation that has one, e.g. --set formulation=strong");
+  return Stage<Differentiator>(finder.found);
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
+#include "lacuna/records/binding/embedding.hpp"
+
+namespace lacuna::cli {
+
+/// Where the data are and what their columns mean; the same options in every command.
+struct DataOptions {
+  std::vector<std::string> paths;
+  std::optional<std::string> time, time_unit, trajectory;
+  std::optional<double> step;
+  std::string states, inputs, derivatives;
+  std::vector<std::string> embed;
+  std::vector<std::string> holds;
+  std::vector<std::string> names;
+};
+
+/// Options that name columns. @param choose_columns whether states, inputs and derivatives can
+/// be chosen, which a command that has a model leaves to the model.
+void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns);
+
+/// The option `--hold`, which the column options have among them.
+void declare_hold_option(CLI::App& app, DataOptions& options);
+
+/// The option `--map`, which the column options have among them.
+void declare_map_option(CLI::App& app, DataOptions& options);
+
+/// Everything that a command reads: its data and `others`.
+std::vector<std::string> files_read(const DataOptions& options,
+                                    const std::vector<std::string>& others);
+
+/// The roles that the options give to columns in every command: time, step, number of the
+/// record.
+ColumnRoles common_roles(const DataOptions& options);
+
+/// The model with the holds of inputs that the options give. @throws ConfigError when one is
+/// not NAME=HOLD with an input of the model.
+OdeModel with_holds(const OdeModel& model, const DataOptions& options);
+
+/// The record that the options describe, as measured.
+Dataset read_data(const DataOptions& options);
+
+/// All roles that the options give to columns, for records that are read in pieces.
+/// @throws ConfigError when the options ask for what is not done there.
+ColumnRoles roles_in_pieces(const DataOptions& options);
+
+/// Whether the files, with what is made of them in memory, take more than so many bytes; never
+/// for 0.
+bool reads_in_pieces(const DataOptions& options, std::uint64_t memory);
+
+/// "q=2" as an embedding. @throws ConfigError when it is not NAME=ORDER.
+std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options);
+
+/// The differentiator inside a stage. @throws ConfigError when it has none.
+Stage<Differentiator> differentiator_of(const StageInterface& stage);
+
+}  // namespace lacuna::cli

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "command.hpp"
+#include "core/base/parts.hpp"
+#include "data_options.hpp"
+#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "lacuna/records/binding/read_records.hpp"
+#include "lacuna/report/pages/data_summary.hpp"
+#include "lacuna/report/pages/diagnosis_report.hpp"
+#include "lacuna/report/pages/fleet_report.hpp"
+#include "lacuna/report/pages/pages.hpp"
+#include "limit_options.hpp"
+#include "report_options.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+struct DiagnoseArguments {
+  std::string model;
+  DataOptions data;
+  std::vector<std::string> held_out;
+  std::vector<std::string> limits;
+  RunOptions run;
+  std::string differentiator = "finite-differences";
+  std::vector<std::string> effects;
+  std::vector<std::string> tolerances;
+  std::optional<std::string> config;
+  std::vector<std::string> assignments;
+  std::optional<int> max_effects;
+  bool fill_gap = false, explain = false, full = false, each = false;
+  std::optional<std::string> json, model_out;
+  ReportOptions report;
+};
+
+/// "w:sin(th)=5%" or "w:sin(th)=0.2": the standard deviation of a nominal coefficient.
+CoefficientPrior parse_tolerance(const OdeModel& model, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::size_t equals = text.rfind('=');
+  if (colon == std::string::npos || equals == std::string::npos || equals < colon)
+    throw ConfigError("--tolerance " + text, "this is not STATE:TERM=DEVIATION",
+                      "write e.g. --tolerance 'w:sin(th)=5%'");
+  const Index equation = model.state_index(text.substr(0, colon));
+  const std::string name =
+      Term::parse(text.substr(colon + 1, equals - colon - 1), model.variables()).name();
+  std::string number = text.substr(equals + 1);
+  const bool relative = !number.empty() && number.back() == '%';
+  if (relative) number.pop_back();
+  const auto value = parse_number(number);
+  if (!value || !(*value > 0.0))
+    throw ConfigError("--tolerance " + text, "the deviation is not a number above 0",
+                      "write e.g. 5% or 0.2");
+  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
+  for (std::size_t j = 0; j < terms.size(); ++j)
+    if (terms[j].term.name() == name)
+      return {{equation, static_cast<Index>(j)},
+              terms[j].coefficient,
+              relative ? 0.01 * *value * std::abs(terms[j].coefficient) : *value};
+  throw ConfigError("--tolerance " + text, "the equation has no term " + name,
+                    "name a term of the nominal model");
+}
+
+DiagnosisOptions make_options(const Session& session, const OdeModel& model,
+                              const DiagnoseArguments& options) {
+  Configuration configuration;
+  if (options.config) configuration.merge_file(*options.config);
+  for (const std::string& assignment : options.assignments) configuration.set(assignment);
+  DiagnosisOptions result = diagnosis_options(configuration, session.registry);
+  if (!options.effects.empty()) result.effects.clear();
+  for (const std::string& name : options.effects)
+    result.effects.push_back(session.registry.make<Effect>(name));
+  if (options.effects.empty()) result.effects = session.registry.make_all<Effect>();
+  for (const std::string& text : options.tolerances)
+    result.tolerances.push_back(parse_tolerance(model, text));
+  if (options.max_effects) result.decision.max_effects = *options.max_effects;
+  result.fill_gap = result.fill_gap || options.fill_gap;
+  return result;
+}
+
+/// A sample that one channel lacks says something of the others.
+ColumnRoles roles_of(const DiagnoseArguments& options) {
+  ColumnRoles roles = common_roles(options.data);
+  roles.blanks = Blanks::Mark;
+  return roles;
+}
+
+Dataset read_held_out(const OdeModel& model, const DiagnoseArguments& options,
+                      const Differentiator& differentiator) {
+  if (options.held_out.empty()) return {};
+  return with_given_limits(
+      read_records(model, options.held_out, roles_of(options), differentiator), options.limits);
+}
+
+/// The model, the records, held-out ones and the configuration.
+std::vector<std::string> inputs_of(const DiagnoseArguments& options) {
+  std::vector<std::string> files = files_read(options.data, options.held_out);
+  files.push_back(options.model);
+  if (options.config) files.push_back(*options.config);
+  return files;
+}
+
+/// What a record says by itself.
+FleetAnswer answer_of(const std::string& file, const OdeModel& model,
+                      const DiagnoseArguments& options, const Session& session,
+                      const RunContext& context) {
+  try {
+    const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
+    const Dataset data = with_given_limits(
+        read_records(model, {file}, roles_of(options), *differentiator, Columns::All),
+        options.limits);
+    return fleet_answer(
+        file, diagnose(model, data, {}, make_options(session, model, options), context));
+  } catch (const Error& error) {
+    return fleet_failure(file, error.what());
+  }
+}
+
+/// Each record by itself; a team divides the records.
+int diagnose_each(const Session& session, const DiagnoseArguments& options) {
+  if (!options.held_out.empty() || options.model_out || options.report.page ||
+      options.report.pictures)
+    throw ConfigError("--each", "the answers are many",
+                      "leave out --holdout, --model-out, --report and --plot");
+  const OdeModel model = with_holds(load_model(options.model), options.data);
+  make_options(session, model, options);  // what is wrong with them is said once
+  const RunContext context = make_context(session, options.run);
+  const std::vector<std::string> files = expand_patterns(options.data.paths);
+  std::vector<std::string> texts(files.size());
+  const OwnParts own = own_parts(files.size(), context);
+  for (std::size_t i = own.first; i < own.end; ++i)
+    texts[i] = answer_of(files[i], model, options, session, context.alone()).json;
+  share_texts(texts, context);
+  if (!context.leads()) return 0;
+  finish_progress(session, options.run);
+  std::vector<FleetAnswer> fleet;
+  for (const std::string& text : texts) fleet.push_back({text});
+  if (options.json) write_output(session, *options.json, format_json(fleet));
+  if (options.json != "-") show(session, format_text(fleet));
+  return 0;
+}
+
+int diagnose_command(const Session& session, const DiagnoseArguments& options) {
+  check_outputs(inputs_of(options),
+                with_report({{"--model-out", options.model_out}, {"--json", options.json}},
+                            options.report));
+  if (options.each) return diagnose_each(session, options);
+  if (session.team != nullptr && session.team->rank() != 0) return 0;  // nothing is divided
+  const OdeModel model = with_holds(load_model(options.model), options.data);
+  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
+  const RunContext context = make_context(session, options.run).alone();
+  context.report("reading data", 0.0);
+  const Dataset data = with_given_limits(
+      read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All),
+      options.limits);
+  const Dataset held_out = read_held_out(model, options, *differentiator);
+  const Diagnosis diagnosis =
+      diagnose(model, data, held_out, make_options(session, model, options), context);
+  finish_progress(session, options.run);
+  if (options.model_out)
+    write_output(session, *options.model_out,
+                 format_model_for(*options.model_out, diagnosis.augmented));
+  if (options.json) write_output(session, *options.json, format_json(diagnosis));
+  write_report(session, options.report, [&] { return diagnosis_page(diagnosis); });
+  if (options.json != "-" && options.model_out != "-" && options.report.page != "-") {
+    show(session, data_line(data, static_cast<Index>(model.inputs().size())) + "\n\n" +
+                      format_text(diagnosis));
+    if (options.full) show(session, "\nAugmented model\n" + to_text(diagnosis.augmented));
+    if (options.explain) show(session, "\n" + format_trail(diagnosis));
+  }
+  return 0;
+}
+
+void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
+  app.add_option("--effect", options.effects, "Try only these effects (see `list effect`)")
+      ->type_name("NAME");
+  app.add_option("--max-effects", options.max_effects, "Name at most so many effects [4]")
+      ->check(CLI::Range(0, 20));
+  app.add_option("--config", options.config,
+                 "JSON file with decision, criterion, hypotheses, effects")
+      ->type_name("FILE");
+  app.add_option("--set", options.assignments,
+                 "One value of the configuration, e.g. decision.significance=4; repeatable "
+                 "(see `describe decision`)")
+      ->type_name("PATH=VALUE");
+  app.add_flag("--explain", options.explain,
+               "Show every account that was judged and the number that decided");
+  app.add_flag("--full", options.full, "Show the augmented model with all its digits too");
+  app.add_flag("--fill-gap", options.fill_gap,
+               "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
+  app.add_option("--tolerance", options.tolerances,
+                 "Standard deviation of a nominal coefficient, e.g. 'w:sin(th)=5%'")
+      ->type_name("STATE:TERM=DEVIATION");
+}
+
+}  // namespace
+
+Command declare_diagnose(CLI::App& root) {
+  auto options = std::make_shared<DiagnoseArguments>();
+  CLI::App* app = root.add_subcommand("diagnose", "Find what a nominal model lacks");
+  app->add_option("--model", options->model, "Nominal model file")->required();
+  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      ->required();
+  app->add_option("--holdout", options->held_out,
+                  "Records to gauge the gap on [default: the last quarter of the data]")
+      ->type_name("DATA");
+  declare_column_options(*app, options->data, false);
+  app->add_option("--limits", options->limits,
+                  "Ends of the range of a channel, beyond which it shows the end; found by "
+                  "themselves where many samples are there")
+      ->type_name("q=LOW:HIGH");
+  app->add_flag("--each", options->each,
+                "Each file by itself: one table of answers, and how often each effect occurs");
+  declare_search_options(*app, *options);
+  app->add_option("--differentiator", options->differentiator,
+                  "How states without a column are made from those that have one")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app->add_option("--model-out", options->model_out, "Write the augmented model")
+      ->type_name("FILE|-");
+  app->add_option("--json", options->json, "Write the diagnosis as JSON; - for standard output")
+      ->type_name("FILE|-");
+  declare_report_options(*app, options->report);
+  // Candidates are fitted side by side; all cores are in use unless told otherwise.
+  options->run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  declare_run_options(*app, options->run);
+  return {app,
+          [options](const Session& session) { return diagnose_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+/// One line of the list.
+struct Line {
+  std::string kind, name, text;
+};
+
+std::vector<Line> all_lines(const Registry& registry) {
+  std::vector<Line> lines;
+  for (const RegistryEntry& entry : registry.entries()) {
+    std::string text(entry.info.summary);
+    if (!entry.unavailable.empty()) text = "unavailable: " + entry.unavailable + ". " + text;
+    lines.push_back({std::string(entry.kind), std::string(entry.info.name), std::move(text)});
+  }
+  for (const Preset& preset : presets())
+    lines.push_back({"preset", preset.name, preset.summary});
+  for (const TestSystem& system : test_systems())
+    lines.push_back({"system", system.name, system.summary});
+  return lines;
+}
+
+void check_kind(const std::vector<Line>& lines, const std::string& kind) {
+  std::vector<std::string> kinds;
+  for (const Line& line : lines)
+    if (kinds.empty() || kinds.back() != line.kind) kinds.push_back(line.kind);
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw ConfigError("list " + kind, "there is no kind of part called '" + kind + "'",
+                      suggestion(kind, kinds));
+}
+
+int list_command(const Session& session, const std::string& kind) {
+  const std::vector<Line> lines = all_lines(session.registry);
+  if (!kind.empty()) check_kind(lines, kind);
+  std::size_t width = 0;
+  for (const Line& line : lines) width = std::max(width, line.name.size() + 2);
+  std::string heading, text;
+  for (const Line& line : lines) {
+    if (!kind.empty() && line.kind != kind) continue;
+    if (line.kind != heading) text += line.kind + "\n";
+    heading = line.kind;
+    text += "  " + line.name + std::string(width - line.name.size(), ' ') + line.text + "\n";
+  }
+  show(session, text);
+  return 0;
+}
+
+}  // namespace
+
+Command declare_list(CLI::App& root) {
+  auto kind = std::make_shared<std::string>();
+  CLI::App* app =
+      root.add_subcommand("list", "Show every part: bases, filters, regressors, ...");
+  app->add_option("KIND", *kind, "Only this kind of part");
+  return {app, [kind](const Session& session) { return list_command(session, *kind); }};
+}
+
+}  // namespace lacuna::cli

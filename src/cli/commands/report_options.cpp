@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "report_options.hpp"
+
+#include <filesystem>
+
+#include "lacuna/core/base/atomic_file.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_pictures(const std::string& folder, const Page& page) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw FileError("--plot " + folder, "the folder cannot be made: " + error.message(),
+                    "name a folder that may be written");
+  for (const Picture& picture : pictures_of(page))
+    write_file_atomically((fs::path(folder) / (picture.name + ".svg")).string(),
+                          stand_alone(picture));
+}
+
+}  // namespace
+
+void declare_report_options(CLI::App& app, ReportOptions& options) {
+  app.add_option("--report", options.page,
+                 "Write the answer with its pictures as one HTML page that needs no network")
+      ->type_name("FILE.html|-");
+  app.add_option("--plot", options.pictures, "Write the pictures of the page as .svg files")
+      ->type_name("FOLDER");
+}
+
+std::vector<OutputFile> with_report(std::vector<OutputFile> others,
+                                    const ReportOptions& options) {
+  others.push_back({"--report", options.page});
+  return others;
+}
+
+void write_report(const Session& session, const ReportOptions& options,
+                  FunctionRef<Page()> make_page) {
+  if (!options.page && !options.pictures) return;
+  Page page = make_page();
+  page.command = session.command_line;
+  if (options.pictures) write_pictures(*options.pictures, page);
+  if (options.page) write_output(session, *options.page, format_html(page));
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/report/pages/page.hpp"
+
+namespace lacuna::cli {
+
+/// Where a page and its pictures go.
+struct ReportOptions {
+  std::optional<std::string> page;      ///< HTML file
+  std::optional<std::string> pictures;  ///< folder
+};
+
+/// The options `--report` and `--plot`.
+void declare_report_options(CLI::App& app, ReportOptions& options);
+
+/// The files that are asked for, with others, for check_outputs().
+std::vector<OutputFile> with_report(std::vector<OutputFile> others,
+                                    const ReportOptions& options);
+
+/// Writes what is asked for; the page is only made then. The folder is made where there is
+/// none.
+void write_report(const Session& session, const ReportOptions& options,
+                  FunctionRef<Page()> make_page);
+
+}  // namespace lacuna::cli

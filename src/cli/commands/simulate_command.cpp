@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "command.hpp"
+#include "data_options.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/data/formats/write.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/model/equations/output_values.hpp"
+#include "lacuna/records/binding/read_records.hpp"
+#include "lacuna/records/channels/shown_holds.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+struct SimulateArguments {
+  std::string model;
+  std::string x0;
+  double t_start = 0.0, t_end = 0.0;
+  std::optional<double> step;
+  std::optional<std::string> output, input_data, input_time;
+  std::vector<std::string> noise;
+  DataOptions data;
+  std::string integrator = "dopri5";
+  RunOptions run;
+};
+
+Vector parse_start(const OdeModel& model, const std::string& text) {
+  const std::vector<std::string> parts = split_list(text);
+  if (static_cast<Index>(parts.size()) != model.dimension())
+    throw ConfigError("--x0 " + text,
+                      std::to_string(parts.size()) + " numbers for " +
+                          std::to_string(model.dimension()) + " states",
+                      "give one number per state, in the order of the model");
+  Vector start(model.dimension());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto number = parse_number(parts[i]);
+    if (!number || !std::isfinite(*number))
+      throw ConfigError("--x0 " + text, "'" + parts[i] + "' is not a number", "give a number");
+    start[static_cast<Index>(i)] = *number;
+  }
+  return start;
+}
+
+/// @param usual step where none is given.
+Vector parse_times(const SimulateArguments& options, double usual) {
+  const double step = options.step.value_or(usual);
+  const double span = options.t_end - options.t_start;
+  if (!(step > 0.0) || !(span > 0.0) || !std::isfinite(span / step))
+    throw ConfigError("--dt, --t-end", "the step and the duration must be above 0",
+                      "give --t-end later than --t-start and --dt above 0");
+  if (span / step > 1e9)
+    throw ConfigError("--dt, --t-end", "this asks for more than 1e9 samples",
+                      "take a longer --dt or an earlier --t-end");
+  const auto steps = static_cast<Index>(std::floor(span / step * (1.0 + 1e-12) + 1e-9));
+  return sample_times(options.t_start, step, steps + 1);
+}
+
+/// The input file in the inputs of the model; its first record is the one.
+Dataset input_records(const OdeModel& model, const SimulateArguments& options) {
+  if (!options.input_data)
+    throw ConfigError("--input-data", "the model has inputs but no record of them is given",
+                      "give a file with a column for each input");
+  ColumnRoles roles = common_roles(options.data);
+  roles.time = options.input_time;
+  return read_inputs(model, *options.input_data, roles);
+}
+
+/// Says where the simulation goes beyond what is known of its inputs.
+void warn_beyond(const Session& session, const SimulateArguments& options,
+                 const Dataset& record) {
+  const Vector& time = record.trajectories.front().time;
+  const double begin = time[0], end = time[time.size() - 1];
+  if (options.t_start < begin)
+    session.streams.err << "lacuna: note: the input record begins at "
+                        << format_number(begin, 6) << "; before that its first value holds\n";
+  if (options.t_end > end)
+    session.streams.err << "lacuna: note: the input record ends at " << format_number(end, 6)
+                        << "; from there on its last value holds\n";
+}
+
+/// What was simulated and the inputs at its times.
+struct Run {
+  Solution orbit;
+  Matrix inputs;  ///< n x p
+};
+
+Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
+  Matrix values(times.size(), count);
+  Vector row(count);
+  for (Index i = 0; i < times.size(); ++i) {
+    inputs(times[i], row.data());
+    values.row(i) = row.transpose();
+  }
+  return values;
+}
+
+Run run(const Session& session, const OdeModel& model, const Integrator& integrator,
+        const SimulateArguments& options, const RunContext& context) {
+  const Vector start = parse_start(model, options.x0);
+  constexpr double kStepOfMaps = 1.0, kNone = 0.0;  // by definition; to be given
+  const Vector times = parse_times(options, model.is_map() ? kStepOfMaps : kNone);
+  if (model.inputs().empty())
+    return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};
+  const Dataset record = input_records(model, options);
+  warn_beyond(session, options, record);
+  const OdeModel driven = with_shown_holds(model, record);
+  RecordInput inputs(record.trajectories.front(), driven.inputs());
+  Solution orbit =
+      simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times, context);
+  return {std::move(orbit),
+          inputs_at(times, inputs, static_cast<Index>(model.inputs().size()))};
+}
+
+/// States and, behind them, the outputs that are called otherwise.
+Dataset as_dataset(const OdeModel& model, Run run) {
+  Solution& orbit = run.orbit;
+  Dataset data;
+  data.time_unit = model.time_unit();
+  data.states = model.states();
+  Trajectory trajectory;
+  trajectory.source = "simulation";
+  trajectory.inputs = Matrix(orbit.time.size(), 0);
+  const Matrix outputs = output_values(model, orbit.time, orbit.states, run.inputs);
+  trajectory.time = std::move(orbit.time);
+  trajectory.states = std::move(orbit.states);
+  for (std::size_t i = 0; i < model.outputs().size(); ++i) {
+    const Output& output = model.outputs()[i];
+    const auto state = state_of(model, output);
+    if (state && model.states()[static_cast<std::size_t>(*state)].name == output.name) continue;
+    data.states.push_back({output.name, output.unit});
+    trajectory.states.conservativeResize(Eigen::NoChange, data.state_count());
+    trajectory.states.rightCols(1) = outputs.col(static_cast<Index>(i));
+  }
+  data.trajectories.push_back(std::move(trajectory));
+  return data;
+}
+
+/// Standard deviations of the noise by column, as NAME=SD gives them.
+Vector parse_noise(const std::vector<std::string>& assignments, const Dataset& data) {
+  Vector sigma = Vector::Zero(data.state_count());
+  for (const std::string& text : split_list(join(assignments, ","))) {
+    const std::size_t equals = text.find('=');
+    const auto column = std::find_if(
+        data.states.begin(), data.states.end(),
+        [&](const Quantity& state) { return state.name == text.substr(0, equals); });
+    const auto number = equals == std::string::npos ? std::optional<double>()
+                                                    : parse_number(text.substr(equals + 1));
+    if (column == data.states.end())
+      throw ConfigError("--noise " + text, "the simulation has no such column",
+                        "name a state or an output, as in x=0.01");
+    if (!number || !std::isfinite(*number) || *number < 0.0)
+      throw ConfigError("--noise " + text, "the standard deviation is no number from 0 on",
+                        "write " + column->name + "=0.01");
+    sigma[column - data.states.begin()] = *number;
+  }
+  return sigma;
+}
+
+/// Adds white noise with a standard deviation for each column.
+void add_noise(const Vector& sigma, std::uint64_t seed, Trajectory& record) {
+  Random random(seed);
+  for (Index k = 0; k < sigma.size(); ++k)
+    for (Index i = 0; sigma[k] > 0.0 && i < record.samples(); ++i)
+      record.states(i, k) += sigma[k] * random.normal();
+}
+
+int simulate_command(const Session& session, const SimulateArguments& options) {
+  std::vector<std::string> inputs{options.model};
+  if (options.input_data) inputs.push_back(*options.input_data);
+  check_outputs(inputs, {{"--output", options.output}});
+  const OdeModel model = with_holds(load_model(options.model), options.data);
+  const auto integrator = session.registry.make<Integrator>(options.integrator);
+  const RunContext context = make_context(session, options.run);
+  Run done = run(session, model, *integrator, options, context);
+  finish_progress(session, options.run);
+  if (done.orbit.status != IntegrationStatus::Completed) {
+    session.streams.err << "lacuna: error: " << done.orbit.message
+                        << "; nothing was written, end earlier or start elsewhere\n";
+    return 1;
+  }
+  Dataset data = as_dataset(model, std::move(done));
+  add_noise(parse_noise(options.noise, data), context.seed, data.trajectories.front());
+  if (options.output)
+    write_csv(*options.output, data);
+  else
+    session.streams.out << format_csv(data);
+  return 0;
+}
+
+void declare_options(CLI::App& app, SimulateArguments& options) {
+  app.add_option("MODEL", options.model, "Model file, or the name of a test system")
+      ->required();
+  app.add_option("--x0", options.x0, "Start: one number per state, in the order of the model")
+      ->type_name("v1,v2,...")
+      ->required();
+  app.add_option("--t-start", options.t_start, "First time, in the model's time unit")
+      ->capture_default_str();
+  app.add_option("--t-end", options.t_end, "Last time, in the model's time unit")->required();
+  app.add_option("--dt", options.step,
+                 "Step of the output, in the model's time unit; of a map, time from one value "
+                 "to the next [default: 1]");
+  app.add_option("-o,--output", options.output, "CSV file [default: standard output]")
+      ->type_name("FILE");
+  app.add_option("--integrator", options.integrator, "Method; see `lacuna list integrator`")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--input-data", options.input_data,
+                 "Record with a column for each input of the model")
+      ->type_name("FILE");
+  app.add_option("--noise", options.noise,
+                 "Standard deviation of white noise that is added to a state or an output")
+      ->type_name("NAME=SD");
+  declare_hold_option(app, options.data);
+  declare_map_option(app, options.data);
+  app.add_option("--time", options.input_time, "Time column of the input record")
+      ->type_name("NAME");
+  declare_run_options(app, options.run);
+}
+
+}  // namespace
+
+Command declare_simulate(CLI::App& root) {
+  auto options = std::make_shared<SimulateArguments>();
+  CLI::App* app = root.add_subcommand("simulate", "Solve a model from a given start");
+  declare_options(*app, *options);
+  return {app,
+          [options](const Session& session) { return simulate_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli

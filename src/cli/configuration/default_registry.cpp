@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/bases/expressions.hpp"
+#include "lacuna/bases/fourier.hpp"
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/cli/configuration/identification_configuration.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/derivatives/savitzky_golay.hpp"
+#include "lacuna/diagnose/hypotheses/broken_identity.hpp"
+#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
+#include "lacuna/diagnose/hypotheses/named_effects.hpp"
+#include "lacuna/diagnose/hypotheses/residual_function.hpp"
+#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "lacuna/diagnose/hypotheses/shared_process.hpp"
+#include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/effects/families.hpp"
+#include "lacuna/regression/filters/abm.hpp"
+#include "lacuna/regression/filters/none.hpp"
+#include "lacuna/regression/filters/svd_filter.hpp"
+#include "lacuna/regression/formulations/integral_form.hpp"
+#include "lacuna/regression/formulations/next_sample.hpp"
+#include "lacuna/regression/formulations/strong_form.hpp"
+#include "lacuna/regression/formulations/weak_form.hpp"
+#include "lacuna/regression/pruners/cross_validation.hpp"
+#include "lacuna/regression/pruners/information_criterion.hpp"
+#include "lacuna/regression/pruners/keep_all.hpp"
+#include "lacuna/regression/pruners/minor_terms.hpp"
+#include "lacuna/regression/pruners/sequential_thresholding.hpp"
+#include "lacuna/solvers/best_subset.hpp"
+#include "lacuna/solvers/elastic_net.hpp"
+#include "lacuna/solvers/ensemble.hpp"
+#include "lacuna/solvers/frols.hpp"
+#include "lacuna/solvers/gls.hpp"
+#include "lacuna/solvers/irls.hpp"
+#include "lacuna/solvers/irls_l1.hpp"
+#include "lacuna/solvers/l1/l1_ceres.hpp"
+#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
+#include "lacuna/solvers/ols.hpp"
+#include "lacuna/solvers/ridge.hpp"
+#include "lacuna/solvers/sr3.hpp"
+#include "lacuna/solvers/stlsq.hpp"
+#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
+
+namespace lacuna {
+namespace {
+
+void add_formulations(Registry& registry) {
+  registry.add<Monomials>();
+  registry.add<Expressions>();
+  registry.add<Fourier>();
+  registry.add<FiniteDifferences>();
+  registry.add<SavitzkyGolay>();
+  registry.add<StrongForm>({.differentiator = FiniteDifferences{}});
+  registry.add<WeakForm>();
+  registry.add<IntegralForm>();
+  registry.add<NextSample>();
+}
+
+void add_selection(Registry& registry) {
+  registry.add<Abm>();
+  registry.add<SvdFilter>();
+  registry.add<NoFilter>();
+  registry.add<MinorTerms>();
+  registry.add<SequentialThresholding>();
+  registry.add<InformationCriterion>();
+  registry.add<CrossValidation>();
+  registry.add<KeepAll>();
+  registry.add<NoRefiner>();
+  registry.add<TrajectorySelection>();
+}
+
+void add_solvers(Registry& registry) {
+  registry.add<CoordinateDescent>();
+  registry.add<CeresL1>();
+  registry.add<NloptL1>();
+  registry.add<Ols>();
+  registry.add<Irls>();
+  registry.add<IrlsL1>({.inner = CoordinateDescent{}});
+  registry.add<Stlsq>();
+  registry.add<Ridge>();
+  registry.add<BestSubset>();
+  registry.add<ElasticNet>();
+  registry.add<Frols>();
+  registry.add<Sr3>();
+  registry.add<Ensemble>();
+  registry.add<Gls>();
+}
+
+void add_integrators(Registry& registry) {
+  registry.add<Rk4>();
+  registry.add<Dopri5>();
+  registry.add<RungeKutta>();
+  registry.add<Dopri8>();
+  registry.add<Dopri87>();
+}
+
+template <const EffectFamily&... Families>
+void add_families(Registry& registry) {
+  (registry.add<FamilyEffect<Families>>(), ...);
+}
+
+void add_effects(Registry& registry) {
+  add_families<kConstantOffset, kLinearTerm, kQuadraticTerm, kCubicTerm, kHigherOrderTerm,
+               kCrossTerm, kFeedthrough, kMissingCoupling, kLeakage, kCubicStiffness,
+               kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
+               kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
+               kSaturatingRate, kExponentialConduction, kPeriodicForcing, kParameterDrift,
+               kTimeTrend, kDelay, kLag, kUnmeasuredInput, kChannelSkew>(registry);
+}
+
+void add_identification(Registry& registry) {
+  registry.add<Rules<FormOptions>>();
+  registry.add<Rules<ValidationOptions>>();
+  registry.add<Rules<RelationOptions>>();
+  registry.add<Rules<AdviceOptions>>();
+  registry.add<Rules<MapHintOptions>>();
+  registry.add<Rules<SyncVerdictOptions>>();
+}
+
+void add_diagnosis(Registry& registry) {
+  registry.add<StandardDecision>();
+  registry.add<ExtendedBic>();
+  registry.add<NamedEffects>();
+  registry.add<OtherChoices>();
+  registry.add<SensorFault>();
+  registry.add<UnmeasuredInput>();
+  registry.add<ColouredNoiseHypothesis>();
+  registry.add<BrokenIdentity>();
+  registry.add<SensorCalibration>();
+  registry.add<InputSkew>();
+  registry.add<InputInterpolation>();
+  registry.add<ResidualFunction>();
+  registry.add<SharedProcess>();
+}
+
+}  // namespace
+
+Registry default_registry() {
+  Registry registry;
+  add_formulations(registry);
+  add_selection(registry);
+  add_solvers(registry);
+  add_integrators(registry);
+  add_effects(registry);
+  add_identification(registry);
+  add_diagnosis(registry);
+  return registry;
+}
+
+}  // namespace lacuna

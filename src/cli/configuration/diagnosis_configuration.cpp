@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+
+#include "lacuna/core/base/text.hpp"
+#include "option_reader.hpp"
+
+namespace lacuna {
+namespace {
+
+const std::vector<std::string> kKeys = {"decision", "criterion", "hypotheses", "effects",
+                                        "fill_gap"};
+
+void check_diagnosis_keys(const Json& root) {
+  for (const auto& [key, value] : root.items())
+    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+      throw ConfigError("$." + key, "a diagnosis has no key '" + key + "'",
+                        suggestion(key, kKeys));
+}
+
+/// The names in a list of the configuration; those of the registry where there is no list.
+std::vector<std::string> names_in(const Json& root, const std::string& key,
+                                  std::vector<std::string> otherwise) {
+  if (!root.contains(key)) return otherwise;
+  const Json& list = root.at(key);
+  const auto is_text = [](const Json& name) { return name.is_string(); };
+  if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text))
+    throw ConfigError("$." + key, list.dump() + " is not a list of names",
+                      "give a list, e.g. " + key + "=[\"" + otherwise.front() + "\"]");
+  return list.get<std::vector<std::string>>();
+}
+
+template <class Interface>
+std::vector<Stage<Interface>> stages(const Registry& registry, const Json& root,
+                                     const std::string& key) {
+  std::vector<Stage<Interface>> result;
+  for (const std::string& name : names_in(root, key, registry.names(Interface::kKind)))
+    result.push_back(registry.make<Interface>(name));
+  return result;
+}
+
+}  // namespace
+
+DiagnosisOptions diagnosis_options(const Configuration& configuration,
+                                   const Registry& registry) {
+  const Json root = Json::parse(configuration.text());
+  check_diagnosis_keys(root);
+  DiagnosisOptions options;
+  options.effects = stages<Effect>(registry, root, "effects");
+  options.hypotheses = stages<Hypothesis>(registry, root, "hypotheses");
+  if (root.contains("criterion"))
+    options.criterion = Stage<Criterion>(std::dynamic_pointer_cast<const Criterion>(read_stage(
+        registry, Criterion::kKind, root.at("criterion"), "$.criterion", *options.criterion)));
+  if (root.contains("decision")) {
+    const auto rules = std::dynamic_pointer_cast<const StandardDecision>(
+        read_stage(registry, DecisionRules::kKind, root.at("decision"), "$.decision",
+                   StandardDecision(options.decision)));
+    options.decision = rules->options();
+  }
+  if (root.contains("fill_gap")) {
+    if (!root.at("fill_gap").is_boolean())
+      throw ConfigError("$.fill_gap", root.at("fill_gap").dump() + " is not true or false",
+                        "give true or false");
+    options.fill_gap = root.at("fill_gap").get<bool>();
+  }
+  return options;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/core/numerics/sampled_signal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lacuna {
+
+SampledSignal::SampledSignal(Vector time, const Eigen::Ref<const Vector>& values,
+                             Interpolation interpolation)
+    : time_(std::move(time)),
+      points_(std::min(static_cast<Index>(interpolation), time_.size())),
+      before_((static_cast<Index>(interpolation) - 1) / 2),
+      differences_(Matrix::Zero(points_, time_.size())) {
+  const Index n = time_.size();
+  Vector order = values;
+  differences_.row(0) = order.transpose();
+  for (Index k = 1; k < points_; ++k) {
+    order = ((order.segment(1, n - k) - order.head(n - k)).array() /
+             (time_.tail(n - k) - time_.head(n - k)).array())
+                .eval();
+    differences_.row(k).head(n - k) = order.transpose();
+  }
+}
+
+double SampledSignal::third_difference(Index interval) const {
+  return points_ == 4 ? differences_(3, first_of(interval)) : 0.0;
+}
+
+SpanLine SampledSignal::held_line(double from, double to) {
+  const Index n = time_.size();
+  if (from < time_[interval_]) interval_ = 0;
+  while (interval_ + 1 < n && time_[interval_ + 1] <= from) ++interval_;
+  SpanLine line;
+  double least = std::numeric_limits<double>::infinity(), most = -least, a = -1.0;
+  for (Index i = interval_; a < 1.0; ++i) {
+    const bool last = i + 1 >= n || time_[i + 1] >= to;
+    const double b = last ? 1.0 : 2.0 * (time_[i + 1] - from) / (to - from) - 1.0;
+    const double value = differences_(0, i);
+    line.mean += 0.5 * value * (b - a);
+    line.slope += 0.75 * value * (b * b - a * a);
+    least = std::min(least, value);
+    most = std::max(most, value);
+    a = b;
+  }
+  const double steepest = std::max(0.0, std::min(line.mean - least, most - line.mean));
+  line.slope = std::clamp(line.slope, -steepest, steepest);
+  return line;
+}
+
+Vector interpolate_cubic(const Vector& time, const Vector& values, const Vector& queries) {
+  SampledSignal cubic(time, values);
+  Vector result(queries.size());
+  for (Index i = 0; i < queries.size(); ++i) result[i] = cubic(queries[i]);
+  return result;
+}
+
+Vector integrate_cubic(const Vector& time, const Vector& values) {
+  // Two Gauss points integrate a cubic exactly.
+  const double gauss = 0.5 / std::sqrt(3.0);
+  const SampledSignal cubic(time, values);
+  Vector result = Vector::Zero(time.size());
+  for (Index i = 0; i + 1 < time.size(); ++i) {
+    const double step = time[i + 1] - time[i];
+    const double middle = time[i] + 0.5 * step;
+    const double sum = cubic.in_interval(i, middle - gauss * step) +
+                       cubic.in_interval(i, middle + gauss * step);
+    result[i + 1] = result[i] + 0.5 * step * sum;
+  }
+  return result;
+}
+
+}  // namespace lacuna

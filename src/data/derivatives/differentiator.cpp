@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/derivatives/differentiator.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "lacuna/core/base/text.hpp"
+
+namespace lacuna {
+namespace {
+
+void check_shapes(const std::string& where, const Vector& time,
+                  const Eigen::Ref<const Matrix>& values, int order) {
+  if (time.size() != values.rows())
+    throw ArgumentError(where,
+                        std::to_string(time.size()) + " times for " +
+                            std::to_string(values.rows()) + " rows of values",
+                        "give one time for each row");
+  if (order < 0)
+    throw ArgumentError(where, "the order of the derivative is " + std::to_string(order),
+                        "give 0 for the signal itself, 1 for its first derivative, ...");
+}
+
+void check_time(const std::string& where, const Vector& time) {
+  for (Index i = 0; i < time.size(); ++i) {
+    const bool forward = i == 0 || time[i] > time[i - 1];
+    if (std::isfinite(time[i]) && forward) continue;
+    throw DataError(where,
+                    "time does not increase at sample " + std::to_string(i + 1) +
+                        " (t = " + format_number(time[i]) + ")",
+                    "sort the record or cut it there");
+  }
+}
+
+void check_values(const std::string& where, const Eigen::Ref<const Matrix>& values) {
+  if (values.allFinite()) return;
+  for (Index column = 0; column < values.cols(); ++column)
+    for (Index row = 0; row < values.rows(); ++row)
+      if (!std::isfinite(values(row, column)))
+        throw DataError(where,
+                        "column " + std::to_string(column + 1) + " is not finite at sample " +
+                            std::to_string(row + 1),
+                        "cut the record there");
+}
+
+}  // namespace
+
+Matrix Differentiator::differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
+                                     int order) const {
+  const std::string where(info().name);
+  check_shapes(where, time, values, order);
+  check_time(where, time);
+  check_values(where, values);
+  return do_differentiate(time, values, order);
+}
+
+Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data,
+                                const std::optional<Vector>& noise) {
+  auto fitted = method->do_fit(data, noise);
+  return fitted ? Stage<Differentiator>(std::move(fitted)) : method;
+}
+
+}  // namespace lacuna

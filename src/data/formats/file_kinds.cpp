@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "file_kinds.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/formats/text_field.hpp"
+
+namespace lacuna {
+namespace {
+
+struct Kind {
+  std::string_view begin;
+  std::string_view what;
+  std::string_view remedy;
+};
+
+constexpr std::string_view kColumns = "save the columns as .csv or NumPy's .npy";
+
+constexpr std::array<Kind, 13> kKinds{
+    {{"MATLAB ", "a damaged MATLAB file", "save it again, or the columns as .csv"},
+     {"\xD0\xCF\x11\xE0", "an old Excel workbook (.xls)", "save the sheet as .csv"},
+     {"TDSm", "a LabVIEW TDMS file", "export it as .lvm or .csv"},
+     {"PAR1", "a Parquet file", kColumns},
+     {"RIFF", "a sound file (WAV)", kColumns},
+     {"%PDF", "a PDF document", "give the file with the numbers"},
+     {"\x89PNG", "a picture (PNG)", "give the file with the numbers"},
+     {"\xFF\xD8\xFF", "a picture (JPEG)", "give the file with the numbers"},
+     {"{\\rtf", "a word processor's document (RTF)", "save it as plain text"},
+     {"<!DOCTYPE", "a web page", "give the file with the numbers"},
+     {"<html", "a web page", "give the file with the numbers"},
+     {"\x7F"
+      "ELF",
+      "a program", "give the file with the numbers"},
+     {"%!PS", "a PostScript document", "give the file with the numbers"}}};
+
+/// A zip archive by what is in it.
+KnownFile zip_kind(std::string_view bytes) {
+  const auto has = [&](std::string_view name) {
+    return bytes.find(name) != std::string_view::npos;
+  };
+  if (has("xl/workbook")) return {"an Excel workbook (.xlsx)", "save the sheet as .csv"};
+  if (has("opendocument.spreadsheet"))
+    return {"a LibreOffice spreadsheet (.ods)", "save the sheet as .csv"};
+  return {"a zip archive", "unpack it and give the file with the numbers"};
+}
+
+/// Whether the name ends in an ending such as .npy, or in that and .gz.
+bool is_named(const std::filesystem::path& path, std::string_view ending) {
+  std::filesystem::path name = path.filename();
+  if (lower_case(name.extension().string()) == ".gz") name = name.stem();
+  return lower_case(name.extension().string()) == ending;
+}
+
+/// Version of a MATLAB file, as the two bytes behind its text say; 0 where it is none.
+int mat_version(std::string_view bytes) {
+  const std::string_view mark = bytes.substr(std::min<std::size_t>(bytes.size(), 124), 4);
+  if (mark == std::string_view("\0\1IM", 4) || mark == std::string_view("\1\0MI", 4)) return 5;
+  if (mark == std::string_view("\0\2IM", 4) || mark == std::string_view("\2\0MI", 4)) return 7;
+  return 0;
+}
+
+}  // namespace
+
+std::optional<KnownFile> known_file(std::string_view bytes) {
+  for (const Kind& kind : kKinds)
+    if (bytes.substr(0, kind.begin.size()) == kind.begin)
+      return KnownFile{std::string(kind.what), std::string(kind.remedy)};
+  if (bytes.substr(0, 4) == "PK\x03\x04") return zip_kind(bytes);
+  return std::nullopt;
+}
+
+FileKind kind_of(const std::filesystem::path& path, std::string_view begin,
+                 const std::string& source) {
+  if (is_named(path, ".npy") || begin.starts_with("\x93NUMPY")) return FileKind::Npy;
+  if (is_named(path, ".npz")) return FileKind::Npz;
+  const int mat = mat_version(begin);
+  if (mat == 7 || begin.starts_with("\x89HDF\r\n\x1a\n")) return FileKind::Hdf5;
+  if (mat == 5) return FileKind::Mat;
+  if (const auto known = known_file(begin))
+    throw DataError(source, "this is " + known->what + ", which cannot be read", known->remedy);
+  return FileKind::Text;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "hdf5.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lacuna/core/base/error.hpp"
+#include "named_arrays.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A number by which HDF5 knows something that is open, closed with this object.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  bool is_open() const noexcept { return id_ >= 0; }
+  hid_t get() const noexcept { return id_; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+[[noreturn]] void fail(const std::string& source) {
+  throw DataError(source, "the HDF5 file is damaged or cut short",
+                  "make or copy the file again, or save the columns as .csv");
+}
+
+/// The file, out of its bytes in memory.
+Handle open_file(std::string_view bytes, const std::string& source) {
+  constexpr std::size_t kIncrement = std::size_t{1} << 20U;  // asked for; it never grows
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(access.get(), kIncrement, 0);
+  H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()), bytes.size());  // is copied
+  // A name that no file has.
+  return {H5Fopen((source + "/in memory").c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
+}
+
+/// The file in its place. Without a lock, which some file systems do not have.
+Handle open_file(const std::filesystem::path& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access.get(), false, true);
+#endif
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
+}
+
+/// Rows and columns of a data set; no columns where it has more dimensions.
+std::pair<hsize_t, hsize_t> extent_of(const Handle& set) {
+  const Handle space(H5Dget_space(set.get()), H5Sclose);
+  const int rank = H5Sget_simple_extent_ndims(space.get());
+  if (rank != 1 && rank != 2) return {0, 0};
+  hsize_t sizes[2] = {0, 1};
+  H5Sget_simple_extent_dims(space.get(), sizes, nullptr);
+  return {sizes[0], sizes[1]};
+}
+
+bool has_real_numbers(const Handle& set) {
+  const Handle type(H5Dget_type(set.get()), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type.get());
+  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
+/// How many rows, or columns, of a data set are packed together; 1 where none are.
+Index packed_together(const Handle& set, bool columns) {
+  const Handle made(H5Dget_create_plist(set.get()), H5Pclose);
+  hsize_t sizes[2] = {1, 1};
+  if (H5Pget_layout(made.get()) != H5D_CHUNKED || H5Pget_chunk(made.get(), 2, sizes) < 1)
+    return 1;
+  return static_cast<Index>(sizes[columns ? 1 : 0]);
+}
+
+/// What is found in a file.
+struct Found {
+  std::vector<ArrayShape> shapes;   ///< of the data sets that are arrays of numbers
+  std::vector<Handle> sets;         ///< these
+  std::vector<std::string> others;  ///< names of data sets that are none
+};
+
+void collect_set(Handle set, const std::string& name, Found& found) {
+  const auto [rows, columns] = extent_of(set);
+  if (columns == 0 || !has_real_numbers(set)) {
+    found.others.push_back(name);
+    return;
+  }
+  found.shapes.push_back({name, static_cast<Index>(rows), static_cast<Index>(columns)});
+  found.sets.push_back(std::move(set));
+}
+
+/// Data sets of a group and of the groups in it.
+void collect_group(const Handle& group, const std::string& before, int depth,
+                   const std::string& source, Found& found) {
+  constexpr int kDeepest = 16;  // links may lead in a circle
+  H5G_info_t info{};
+  if (depth > kDeepest || H5Gget_info(group.get(), &info) < 0) fail(source);
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    char link[1024] = "";
+    if (H5Lget_name_by_idx(group.get(), ".", H5_INDEX_NAME, H5_ITER_INC, i, link, sizeof link,
+                           H5P_DEFAULT) < 0)
+      fail(source);
+    if (link[0] == '#') continue;  // MATLAB's own: contents of cells
+    Handle object(H5Oopen(group.get(), link, H5P_DEFAULT), H5Oclose);
+    const std::string name = before + link;
+    const H5I_type_t kind = object.is_open() ? H5Iget_type(object.get()) : H5I_BADID;
+    if (kind == H5I_GROUP)
+      collect_group(object, name + ".", depth + 1, source, found);
+    else if (kind == H5I_DATASET)
+      collect_set(std::move(object), name, found);
+    else
+      found.others.push_back(name);
+  }
+}
+
+/// The arrays of an open file as rows.
+class ArrayRows {
+ public:
+  ArrayRows(Handle file, std::string source)
+      : file_(std::move(file)), source_(std::move(source)) {
+    if (!file_.is_open()) fail(source_);
+    const Handle root(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose);
+    if (!root.is_open()) fail(source_);
+    collect_group(root, "", 0, source_, found_);
+    all_ = arrange_arrays(found_.shapes, source_);
+    for (const std::string& name : found_.others)
+      all_.table.notes.push_back(source_ + ": the data set '" + name +
+                                 "' is neither a vector nor a matrix of real numbers and is "
+                                 "left out");
+  }
+
+  Index samples() const { return all_.samples; }
+  const Table& columns() const { return all_.table; }
+
+  /// Most samples that are unpacked together.
+  Index together() const {
+    Index most = 1;
+    for (const ArrayPlace& place : all_.places)
+      most = std::max(most, packed_together(found_.sets[place.array], place.in_columns));
+    return most;
+  }
+
+  /// Samples [first, first + count), which must be there.
+  Matrix read(Index first, Index count) const {
+    Matrix values(count, static_cast<Index>(all_.table.columns.size()));
+    for (const ArrayPlace& place : all_.places) {
+      auto block = values.middleCols(place.first_column, place.columns);
+      if (place.in_columns)
+        block = part_of(place, {0, first}, {place.columns, count}).transpose();
+      else
+        block = part_of(place, {first, 0}, {count, place.columns});
+    }
+    return values;
+  }
+
+ private:
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  struct Pair {
+    Index rows = 0, columns = 0;
+  };
+
+  Values part_of(const ArrayPlace& place, Pair first, Pair size) const {
+    const Handle& set = found_.sets[place.array];
+    const Handle space(H5Dget_space(set.get()), H5Sclose);
+    const int rank = H5Sget_simple_extent_ndims(space.get());
+    const hsize_t from[2] = {static_cast<hsize_t>(first.rows),
+                             static_cast<hsize_t>(first.columns)};
+    const hsize_t counts[2] = {static_cast<hsize_t>(size.rows),
+                               static_cast<hsize_t>(size.columns)};
+    const Handle target(H5Screate_simple(rank, counts, nullptr), H5Sclose);
+    Values values(size.rows, size.columns);
+    if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, from, nullptr, counts, nullptr) < 0 ||
+        H5Dread(set.get(), H5T_NATIVE_DOUBLE, target.get(), space.get(), H5P_DEFAULT,
+                values.data()) < 0)
+      fail(source_);
+    return values;
+  }
+
+  Handle file_;
+  std::string source_;
+  Found found_;
+  ArrayTable all_;
+};
+
+class Hdf5Blocks final : public RowBlocks {
+ public:
+  Hdf5Blocks(const std::filesystem::path& path, BlockSizes sizes)
+      : rows_(open_file(path), path.string()) {
+    // A block that is smaller than what is packed together has all of that unpacked.
+    const std::size_t row = rows_.columns().columns.size() * sizeof(double);
+    const auto most = static_cast<Index>(sizes.longest / row);
+    count_ = std::max<Index>(
+        {static_cast<Index>(sizes.block / row), std::min(rows_.together(), most), 1});
+  }
+
+  const Table& columns() const override { return rows_.columns(); }
+
+  bool next(Table& block) override {
+    const Index count = std::min(count_, rows_.samples() - first_);
+    if (count == 0) return false;
+    block.values = rows_.read(first_, count);
+    first_ += count;
+    return true;
+  }
+
+  std::optional<double> share() const override {
+    return static_cast<double>(first_) / static_cast<double>(rows_.samples());
+  }
+
+ private:
+  ArrayRows rows_;
+  Index count_ = 1;  ///< of a block
+  Index first_ = 0;  ///< of the next block
+};
+
+void tell_errors_ourselves() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+}  // namespace
+
+Table parse_hdf5(std::string_view bytes, const std::string& source) {
+  tell_errors_ourselves();
+  const ArrayRows rows(open_file(bytes, source), source);
+  Table table = rows.columns();
+  table.values = rows.read(0, rows.samples());
+  return table;
+}
+
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes sizes) {
+  tell_errors_ourselves();
+  return std::make_unique<Hdf5Blocks>(path, sizes);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "npz.hpp"
+
+#include <zlib.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "lacuna/core/base/error.hpp"
+#include "named_arrays.hpp"
+#include "npy.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 34U;  // of one array: nobody's record
+
+[[noreturn]] void fail(const std::string& source, const std::string& problem) {
+  throw DataError(source, problem, "save it again with numpy.savez, or the columns as .csv");
+}
+
+/// Little-endian number of so many bytes.
+std::size_t number_at(std::string_view bytes, std::size_t at, std::size_t size,
+                      const std::string& source) {
+  if (at + size > bytes.size()) fail(source, "the archive is cut short");
+  std::size_t value = 0;
+  for (std::size_t i = size; i-- > 0;)
+    value = (value << 8U) | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+std::string inflated(std::string_view packed, std::size_t size, const std::string& source) {
+  std::string result(size, '\0');
+  z_stream stream{};
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) fail(source, "the archive cannot be unpacked");
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  const int status = inflate(&stream, Z_FINISH);
+  inflateEnd(&stream);
+  if (status != Z_STREAM_END || stream.avail_out != 0) fail(source, "the archive is damaged");
+  return result;
+}
+
+/// One array of the archive.
+struct Entry {
+  std::string name;
+  std::string bytes;
+};
+
+/// The entry that the central directory lists at `at`, which moves on.
+Entry entry_at(std::string_view bytes, std::size_t& at, const std::string& source) {
+  const auto number = [&](std::size_t place, std::size_t size) {
+    return number_at(bytes, place, size, source);
+  };
+  const std::size_t method = number(at + 10, 2), packed = number(at + 20, 4);
+  const std::size_t size = number(at + 24, 4), name_size = number(at + 28, 2);
+  const std::size_t local = number(at + 42, 4);
+  if (at + 46 + name_size > bytes.size()) fail(source, "the archive is cut short");
+  Entry entry{std::string(bytes.substr(at + 46, name_size)), {}};
+  at += 46 + name_size + number(at + 30, 2) + number(at + 32, 2);
+  const std::size_t begin = local + 30 + number(local + 26, 2) + number(local + 28, 2);
+  if (packed == 0xFFFFFFFFU || size > kMostBytes) fail(source, "an array has more than 4 GB");
+  if (begin > bytes.size() || packed > bytes.size() - begin)
+    fail(source, "the archive is cut short");
+  const std::string_view content = bytes.substr(begin, packed);
+  if (method == 0)
+    entry.bytes = std::string(content);
+  else if (method == 8)
+    entry.bytes = inflated(content, size, source);
+  else
+    fail(source, "the packing of '" + entry.name + "' is not known");
+  return entry;
+}
+
+std::vector<Entry> entries_of(std::string_view bytes, const std::string& source) {
+  const std::size_t end = bytes.rfind("PK\x05\x06");
+  if (end == std::string_view::npos) fail(source, "the archive is cut short");
+  const std::size_t count = number_at(bytes, end + 10, 2, source);
+  std::size_t at = number_at(bytes, end + 16, 4, source);
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (at > bytes.size() || bytes.substr(at, 4) != "PK\x01\x02")
+      fail(source, "the archive is damaged");
+    entries.push_back(entry_at(bytes, at, source));
+  }
+  return entries;
+}
+
+std::string name_of(const std::string& file) {
+  const std::size_t end = file.rfind(".npy");
+  return end == std::string::npos ? file : file.substr(0, end);
+}
+
+}  // namespace
+
+Table parse_npz(std::string_view bytes, const std::string& source) {
+  std::vector<NamedArray> arrays;
+  for (const Entry& entry : entries_of(bytes, source))
+    arrays.push_back(
+        {name_of(entry.name), parse_npy(entry.bytes, source + ", " + entry.name).values});
+  return table_of_arrays(arrays, source);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/formats/read.hpp"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "data/records/same_columns.hpp"
+#include "file_kinds.hpp"
+#include "hdf5.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/file_bytes.hpp"
+#include "lacuna/data/formats/read_text.hpp"
+#include "lacuna/data/formats/text_field.hpp"
+#include "mat.hpp"
+#include "npy.hpp"
+#include "npz.hpp"
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A MATLAB file of version 5 is read by its name, not from memory.
+/// @throws DataError where there is no such name.
+Table read_named_mat(const fs::path& path) {
+  if (path == "-" || lower_case(path.extension().string()) == ".gz")
+    throw DataError(path.string(), "a MATLAB file can be read neither from a pipe nor packed",
+                    "unpack it and give its name");
+  return read_mat(path);
+}
+
+bool is_pattern(const std::string& path) {
+  std::error_code ignored;
+  return path.find_first_of("*?[") != std::string::npos && !fs::exists(path, ignored);
+}
+
+std::vector<std::string> matching_files(const std::string& pattern) {
+  glob_t found{};
+  const std::unique_ptr<glob_t, decltype(&globfree)> guard(&found, &globfree);
+  if (glob(pattern.c_str(), 0, nullptr, &found) != 0 || found.gl_pathc == 0)
+    throw DataError(pattern, "no file matches this pattern",
+                    "check the folder and the names; quote the pattern as it stands");
+  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+}
+
+}  // namespace
+
+std::vector<std::string> expand_patterns(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::vector<std::string> more =
+        is_pattern(path) ? matching_files(path) : std::vector<std::string>{path};
+    std::move(more.begin(), more.end(), std::back_inserter(files));
+  }
+  if (files.empty()) throw DataError("data", "no file is given", "name at least one file");
+  return files;
+}
+
+namespace {
+
+void append(Dataset& data, Dataset more) {
+  std::move(more.trajectories.begin(), more.trajectories.end(),
+            std::back_inserter(data.trajectories));
+  std::move(more.notes.begin(), more.notes.end(), std::back_inserter(data.notes));
+}
+
+}  // namespace
+
+Table read_table(const fs::path& path) {
+  const bool piped = path == "-";
+  const FileBytes content = read_bytes(piped ? fs::path("/dev/stdin") : path);
+  const std::string_view bytes = content.view();
+  const std::string source = piped ? "standard input" : path.string();
+  switch (kind_of(path, bytes, source)) {
+    case FileKind::Npy:
+      return parse_npy(bytes, source);
+    case FileKind::Npz:
+      return parse_npz(bytes, source);
+    case FileKind::Mat:
+      return read_named_mat(path);
+    case FileKind::Hdf5:
+      return parse_hdf5(bytes, source);
+    case FileKind::Text:
+      break;
+  }
+  return parse_text_table(bytes, source);
+}
+
+Table read_table(const fs::path& path, const ColumnRoles& roles) {
+  Table table = read_table(path);
+  for (const auto& [name, column] : roles.names) rename_column(table, name, column);
+  return table;
+}
+
+Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles) {
+  const std::vector<std::string> files = expand_patterns(paths);
+  Table first = read_table(files.front(), roles);
+  Dataset data = assign_roles(first, roles);
+  if (files.size() == 1) return data;
+  const ColumnRoles fixed = fixed_roles(first, roles);
+  first.values.resize(0, 0);  // only its columns are looked at from here on
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const Table table = read_table(files[i], roles);
+    check_same_columns(first, table);
+    Dataset more = assign_roles(table, fixed);
+    check_same_units(data, more, table.source, first.source);
+    append(data, std::move(more));
+  }
+  return data;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/formats/read_text.hpp"
+
+#include "text_rows.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Looked for in so much of the text as shows it.
+TextFormat format_of(std::string_view text, const std::string& source) {
+  for (std::size_t size = TextFormat::kBegin; size < text.size(); size *= 2)
+    if (auto format = find_format(text.substr(0, size), false, source)) return *format;
+  return *find_format(text, true, source);
+}
+
+}  // namespace
+
+Table parse_text_table(std::string_view text, const std::string& source) {
+  TextRows rows(format_of(text, source), source);
+  Table table = rows.columns();
+  rows.read(text, table);
+  return table;
+}
+
+}  // namespace lacuna

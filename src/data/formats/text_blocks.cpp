@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <utility>
+
+#include "lacuna/core/base/error.hpp"
+#include "row_blocks.hpp"
+#include "text_rows.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A text of which a part is in memory.
+class PartOfText {
+ public:
+  PartOfText(std::unique_ptr<OpenedFile> file, BlockSizes sizes)
+      : file_(std::move(file)), sizes_(sizes), text_(std::exchange(file_->begin, {})) {
+    is_all_ = text_.size() < TextFormat::kBegin;
+  }
+
+  const OpenedFile& file() const { return *file_; }
+  const std::string& text() const { return text_; }
+
+  /// Whether nothing comes behind it.
+  bool is_all() const { return is_all_; }
+
+  void drop(std::size_t count) { text_.erase(0, count); }
+
+  /// Adds so many bytes.
+  /// @throws DataError where that is more than a line may have.
+  void add(std::size_t count) {
+    const std::size_t before = text_.size();
+    if (before > sizes_.longest)
+      throw DataError(file_->source,
+                      "a line, or what is in front of the numbers, has more than " +
+                          std::to_string(sizes_.longest >> 10U) + " kB",
+                      "check that it is a record; raise --memory, or leave it out");
+    text_.resize(before + count);
+    const std::size_t added = file_->stream.read({text_.data() + before, count});
+    text_.resize(before + added);
+    is_all_ = added < count;
+  }
+
+ private:
+  std::unique_ptr<OpenedFile> file_;
+  BlockSizes sizes_;
+  std::string text_;
+  bool is_all_ = false;
+};
+
+/// Looked for in so much of the text as shows it.
+TextFormat format_of(PartOfText& part) {
+  while (true) {
+    if (auto format = find_format(part.text(), part.is_all(), part.file().source))
+      return *format;
+    part.add(part.text().size());
+  }
+}
+
+class TextBlocks final : public RowBlocks {
+ public:
+  TextBlocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes)
+      : part_(std::move(file), sizes),
+        block_(sizes.block),
+        rows_(format_of(part_), part_.file().source) {}
+
+  const Table& columns() const override { return rows_.columns(); }
+
+  bool next(Table& block) override {
+    if (has_ended_) return false;
+    std::string_view lines = available();
+    while (lines.empty() && !part_.is_all()) {
+      part_.add(block_);
+      lines = available();
+    }
+    rows_.read(lines, block);
+    has_ended_ = part_.is_all();
+    part_.drop(lines.size());
+    return true;
+  }
+
+  std::optional<double> share() const override { return part_.file().stream.share(); }
+
+ private:
+  /// Whole lines, and the rest where the text has ended.
+  std::string_view available() const {
+    return part_.is_all() ? std::string_view(part_.text())
+                          : whole_lines(part_.text(), rows_.line_end());
+  }
+
+  PartOfText part_;
+  std::size_t block_;
+  TextRows rows_;
+  bool has_ended_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<RowBlocks> text_blocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes) {
+  return std::make_unique<TextBlocks>(std::move(file), sizes);
+}
+
+}  // namespace lacuna

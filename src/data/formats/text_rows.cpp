@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "text_rows.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+#include <vector>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/formats/text_field.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Reads lines of numbers into a table whose columns are known.
+///
+/// Each line is first read by a plain loop over std::from_chars; a line that is anything but
+/// numbers and single delimiters is read again, field by field, with all the exceptions.
+class RowReader {
+ public:
+  /// @param line number of the first line.
+  RowReader(std::string_view lines, const TextLayout& layout, std::size_t line, Table& table)
+      : cursor_(lines.data()),
+        end_(lines.data() + lines.size()),
+        layout_(layout),
+        delimiter_(layout.delimiter),
+        line_end_(layout.line_end),
+        table_(table),
+        columns_(static_cast<Index>(layout.columns())),
+        line_(line) {}
+
+  /// @return number of the line behind the last one.
+  std::size_t read() {
+    const Index bound = count_lines();
+    table_.values.resize(bound, columns_);
+    table_.lines.resize(static_cast<std::size_t>(bound));
+    stride_ = bound;
+    while (cursor_ < end_) {
+      read_line();
+      ++line_;
+    }
+    if (row_ < bound) table_.values.conservativeResize(row_, columns_);
+    table_.lines.resize(static_cast<std::size_t>(row_));
+    return line_;
+  }
+
+ private:
+  Index count_lines() const {
+    const auto ends = std::count(cursor_, end_, line_end_);
+    return ends + (end_ > cursor_ && end_[-1] != line_end_ ? 1 : 0);
+  }
+
+  void read_line() {
+    const char* begin = cursor_;
+    const bool read = delimiter_ == ' ' ? read_numbers<true>() : read_numbers<false>();
+    if (!read) {
+      const char* stop = std::find(begin, end_, line_end_);
+      cursor_ = stop == end_ ? end_ : stop + 1;
+      if (!read_exceptional({begin, static_cast<std::size_t>(stop - begin)})) return;
+    }
+    table_.lines[static_cast<std::size_t>(row_)] = line_;
+    ++row_;
+  }
+
+  /// The plain case; false leaves the line to be read again.
+  template <bool kBlanks>
+  bool read_numbers() {
+    const char* const end = end_;
+    const char delimiter = delimiter_;
+    const char* p = skip_spaces<kBlanks>(cursor_, end);
+    double* value = table_.values.data() + row_;
+    for (Index column = 0; column < columns_; ++column, value += stride_) {
+      if (column > 0) {
+        const char* next = skip_spaces<kBlanks>(p, end);
+        if (kBlanks ? next == p : next == end || *next != delimiter) return false;
+        p = kBlanks ? next : skip_spaces<kBlanks>(next + 1, end);
+      }
+      if (end - p > 1 && *p == '+' && p[1] != '-') ++p;
+      const auto [stop, error] = std::from_chars(p, end, *value);
+      if (error != std::errc()) return false;
+      p = stop;
+    }
+    return finish_line(skip_spaces<kBlanks>(p, end));
+  }
+
+  /// Blanks around numbers; a tab may be the delimiter and is left to the exceptions then.
+  template <bool kBlanks>
+  static const char* skip_spaces(const char* p, const char* end) {
+    while (p < end && (*p == ' ' || (kBlanks && *p == '\t'))) ++p;
+    return p;
+  }
+
+  bool finish_line(const char* p) {
+    if (p < end_ && *p == '\r' && line_end_ == '\n') ++p;
+    if (p < end_ && *p != line_end_) return false;
+    cursor_ = p < end_ ? p + 1 : end_;
+    return true;
+  }
+
+  /// A line with missing values, quotes, decimal commas; false when it is a comment or empty.
+  /// @throws DataError for a ragged line or text.
+  bool read_exceptional(std::string_view line) {
+    const std::string_view content = strip(line);
+    if (content.empty() || content.front() == '#') return false;
+    split_fields(line, delimiter_, fields_);
+    const bool open = layout_.trailing_delimiter && fields_.back().empty();
+    if (open && fields_.size() == layout_.columns() + 1) fields_.pop_back();
+    if (fields_.size() != layout_.columns()) fail_ragged();
+    for (Index column = 0; column < columns_; ++column) {
+      const std::string_view field = fields_[static_cast<std::size_t>(column)];
+      const TextField found = read_field(field);
+      if (found.kind == TextField::Kind::Text) fail_text(field, column);
+      table_.values(row_, column) = found.value;
+    }
+    return true;
+  }
+
+  std::string line_place() const { return table_.source + ":" + std::to_string(line_); }
+
+  [[noreturn]] void fail_ragged() const {
+    const std::size_t shared = std::min(fields_.size(), layout_.columns());
+    throw DataError(line_place() + ":" + std::to_string(shared + 1),
+                    "the line has " + std::to_string(fields_.size()) +
+                        (fields_.size() == 1 ? " field" : " fields") + ", the others have " +
+                        std::to_string(layout_.columns()),
+                    "give every line the same number of fields (an empty one is a missing "
+                    "value) or remove this line");
+  }
+
+  [[noreturn]] void fail_text(std::string_view field, Index column) const {
+    constexpr std::size_t kShown = 40;  // for people
+    const std::string shown(field.substr(0, kShown));
+    const std::string& name = table_.columns[static_cast<std::size_t>(column)].name;
+    throw DataError(
+        line_place() + ":" + std::to_string(column + 1),
+        "'" + shown + "' in column '" + name + "' is not a number",
+        "write a number, leave the field empty when the value is missing, or remove "
+        "a column of text");
+  }
+
+  const char* cursor_;
+  const char* end_;
+  const TextLayout& layout_;
+  char delimiter_;
+  char line_end_;
+  Table& table_;
+  Index columns_;
+  std::size_t line_;
+  Index row_ = 0;
+  Index stride_ = 0;  ///< between the columns of the table
+  std::vector<std::string_view> fields_;
+};
+
+void check_is_text(std::string_view text, const std::string& source) {
+  constexpr std::size_t kLooked = 4096;
+  const std::string_view mark = text.substr(0, 2);
+  if (mark == "\xFF\xFE" || mark == "\xFE\xFF")
+    throw DataError(source, "the text is encoded as UTF-16", "save it as UTF-8 or plain text");
+  if (text.substr(0, kLooked).find('\0') != std::string_view::npos)
+    throw DataError(source, "the file is binary, not text",
+                    "give delimited text (.csv, .txt, .gz) or NumPy's .npy");
+}
+
+std::size_t lines_in(const std::string& header) {
+  return static_cast<std::size_t>(std::count(header.begin(), header.end(), '\n'));
+}
+
+/// Number in the file of a line of what a dialect has made of it; 0 for those in front of it.
+std::size_t line_in_file(std::size_t line, const TextFormat& format) {
+  const std::size_t added = format.dialect ? lines_in(format.dialect->header) : 0;
+  return line - std::min(line, added);
+}
+
+Table columns_of(const TextFormat& format, const std::string& source) {
+  Table table;
+  table.source = source;
+  if (format.layout.note) table.notes.push_back(*format.layout.note);
+  std::optional<std::size_t> header = format.layout.header_line;
+  if (header) header = line_in_file(*header, format);
+  if (header == 0U) header.reset();
+  name_columns(table, format.layout.headers, header);
+  if (!format.dialect) return table;
+  table.notes.insert(table.notes.begin(), source + ": " + format.dialect->note);
+  table.run_column = format.dialect->run_column;
+  return table;
+}
+
+}  // namespace
+
+std::string_view whole_lines(std::string_view text, char line_end) {
+  // A '\r' at the end may be half of a line end.
+  if (line_end == '\r' && text.ends_with('\r')) text.remove_suffix(1);
+  const std::size_t end = text.rfind(line_end);
+  return text.substr(0, end == std::string_view::npos ? 0 : end + 1);
+}
+
+std::optional<TextFormat> find_format(std::string_view begin, bool is_all,
+                                      const std::string& source) {
+  check_is_text(begin, source);
+  const bool is_short = is_all && begin.size() <= TextFormat::kBegin;
+  const std::string_view looked = begin.substr(0, TextFormat::kBegin);
+  TextFormat format{dialect_of(is_short ? begin : whole_lines(looked, '\n')), {}};
+  if (!is_all) begin = whole_lines(begin, line_end_of(begin));
+  std::string plain;
+  if (format.dialect) {
+    TextDialect dialect = *format.dialect;  // which begins anew when rows are read
+    plain = dialect.header + translated(dialect, begin);
+    begin = plain;
+  }
+  try {
+    format.layout = find_layout(begin, source);
+  } catch (const DataError&) {
+    if (is_all) throw;
+    return std::nullopt;
+  }
+  if (!is_all && !shows_layout(begin, format.layout)) return std::nullopt;
+  return format;
+}
+
+TextRows::TextRows(TextFormat format, const std::string& source)
+    : format_(std::move(format)),
+      columns_(columns_of(format_, source)),
+      skipped_(format_.layout.data_begin),
+      line_(line_in_file(format_.layout.data_line, format_)) {}
+
+void TextRows::read(std::string_view lines, Table& table) {
+  std::string plain;
+  if (format_.dialect) {
+    if (skipped_ > 0) plain = format_.dialect->header;
+    plain += translated(*format_.dialect, lines);
+    lines = plain;
+  }
+  lines.remove_prefix(std::exchange(skipped_, 0));
+  line_ = RowReader(lines, format_.layout, line_, table).read();
+}
+
+}  // namespace lacuna

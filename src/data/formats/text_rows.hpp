@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "dialects.hpp"
+#include "lacuna/data/records/table.hpp"
+#include "text_layout.hpp"
+
+namespace lacuna {
+
+/// How a text is read, which its begin shows.
+struct TextFormat {
+  /// So many bytes tell a dialect.
+  static constexpr std::size_t kBegin = std::size_t{1} << 20U;
+
+  std::optional<TextDialect> dialect;
+  TextLayout layout;  ///< of the text, or of what the dialect makes of it
+};
+
+/// The whole lines with which a text begins, up to its last line end.
+std::string_view whole_lines(std::string_view text, char line_end);
+
+/// Finds out how a text is to be read.
+/// @param begin of it, TextFormat::kBegin bytes at least unless it is all.
+/// @param source name for messages.
+/// @return nothing where the answer may be another one with more of the text.
+/// @throws DataError as find_layout(), and where this is no text.
+std::optional<TextFormat> find_format(std::string_view begin, bool is_all,
+                                      const std::string& source);
+
+/// Rows of a text, which may come in blocks: so a file in memory is read, and one that does not
+/// fit into it.
+class TextRows {
+ public:
+  TextRows(TextFormat format, const std::string& source);
+
+  /// The table without rows.
+  const Table& columns() const noexcept { return columns_; }
+
+  char line_end() const noexcept { return format_.layout.line_end; }
+
+  /// Puts the rows of the next lines into a table with these columns, in the place of those
+  /// that are there.
+  /// @param lines whole ones, or the rest of the text; the first ones are those in which the
+  ///   format was found.
+  /// @throws DataError naming source, line and column of a ragged line or of text in a column.
+  void read(std::string_view lines, Table& table);
+
+ private:
+  TextFormat format_;
+  Table columns_;
+  std::size_t skipped_;  ///< bytes in front of the rows
+  std::size_t line_;     ///< number of the next line in the file
+};
+
+}  // namespace lacuna

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/records/noise.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/base/column_kernels.hpp"
+#include "lacuna/core/base/parallel.hpp"
+#include "lacuna/data/records/marks.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr Index kHighestOrder = 14;
+constexpr std::size_t kSamplesOfMedian = std::size_t{1} << 16U;
+/// Fewer differences than this say nothing about a median.
+constexpr std::size_t kFewest = 8;
+
+/// Median absolute value of a standard normal variable.
+constexpr double kNormalMedian = 0.674489750196082;
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The same of many sizes, none of which is below 0: the order of such numbers is that of their
+/// bits, so that the leading ones say among which few the median is; the others need not be
+/// partitioned.
+double median_size(std::vector<double>& sizes) {
+  constexpr std::size_t kMany = 4096;  // a fact of cost: fewer are sooner partitioned
+  if (sizes.size() < kMany) return median(sizes);
+  // Facts of doubles: the sign, and behind it the exponent and four bits of the fraction.
+  constexpr int kSign = 1, kLeading = 15;
+  const auto leading = [](double size) {
+    return std::bit_cast<std::uint64_t>(size) << kSign >> (64 - kLeading);
+  };
+  std::vector<std::uint32_t> counts(std::size_t{1} << kLeading);
+  for (const double size : sizes) ++counts[leading(size)];
+  std::size_t rank = sizes.size() / 2, group = 0;
+  for (; rank >= counts[group]; ++group) rank -= counts[group];
+  std::erase_if(sizes, [&](double size) { return leading(size) != group; });
+  const auto found = sizes.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(sizes.begin(), found, sizes.end());
+  return *found;
+}
+
+/// One state in one record: its differences of rising order, each of unit noise gain.
+class Differences {
+ public:
+  Differences(const Trajectory& trajectory, Index state)
+      : time_(trajectory.time),
+        values_(trajectory.states.col(state)),
+        uniform_(uniform_step(trajectory).has_value()),
+        count_(values_.size()) {
+    const double scale = values_.size() > 0 ? values_.cwiseAbs().maxCoeff() : 0.0;
+    if (scale > 0.0) values_ /= scale;
+    scale_ = scale;
+  }
+
+  /// Goes on to the next order k and adds every `stride`-th |w' x| / |w| to the list.
+  void advance(Index order, Index stride, std::vector<double>& sizes) {
+    count_ = std::max<Index>(count_ - 1, 0);
+    if (uniform_) {
+      // C(2k, k) = C(2k - 2, k - 1) (4 - 2 / k)
+      gain_ *= std::sqrt(4.0 - 2.0 / static_cast<double>(order));
+      difference(values_.data(), count_);
+    }
+    const auto old = static_cast<Index>(sizes.size());
+    const Index more = (count_ + stride - 1) / stride;
+    sizes.resize(static_cast<std::size_t>(old + more));
+    Eigen::Map<Vector> added(sizes.data() + old, more);
+    if (uniform_)
+      added = values_(Eigen::seqN(0, more, stride)).cwiseAbs() * (scale_ / gain_);
+    else
+      for (Index i = 0; i < more; ++i) added[i] = scale_ * std::abs(divided(i * stride, order));
+  }
+
+ private:
+  /// Divided difference of samples i .. i + order with weights of norm 1.
+  double divided(Index i, Index order) const {
+    const double span = (time_[i + order] - time_[i]) / 4.0;  // keeps the products near 1
+    double sum = 0.0, squares = 0.0;
+    for (Index j = i; j <= i + order; ++j) {
+      double product = 1.0;
+      for (Index k = i; k <= i + order; ++k)
+        if (k != j) product *= (time_[j] - time_[k]) / span;
+      sum += values_[j] / product;
+      squares += 1.0 / (product * product);
+    }
+    return sum / std::sqrt(squares);
+  }
+
+  const Vector& time_;
+  Vector values_;  ///< where steps are even: the differences of the present order
+  bool uniform_;
+  double scale_ = 0.0;
+  double gain_ = 1.0;
+  Index count_;  ///< of the differences
+};
+
+/// Orders after the one at which the estimates level off that count: what is left of the signal
+/// goes on falling; much later ones only scatter more.
+constexpr std::size_t kSettling = 3;
+
+/// First estimate that the next one does not fall below noticeably; size() when all fall.
+std::size_t first_level(const std::vector<double>& sigmas) {
+  constexpr double kLevel = 0.93;
+  for (std::size_t k = 0; k + 1 < sigmas.size(); ++k)
+    if (sigmas[k + 1] >= kLevel * sigmas[k]) return k;
+  return sigmas.size();
+}
+
+/// Noise seen by the differences of order 1, 2, ..., as far as the level needs them.
+std::vector<double> noise_by_order(const Dataset& data, Index state) {
+  std::vector<Differences> records;
+  for (const Trajectory& trajectory : data.trajectories)
+    records.emplace_back(trajectory, state);
+  const auto samples = static_cast<std::size_t>(data.samples());
+  const auto stride = static_cast<Index>(1 + samples / kSamplesOfMedian);
+  std::vector<double> sigmas, sizes;
+  for (Index order = 1; order <= kHighestOrder; ++order) {
+    sizes.clear();
+    for (Differences& record : records) record.advance(order, stride, sizes);
+    if (sizes.size() < kFewest) break;
+    sigmas.push_back(median_size(sizes) / kNormalMedian);
+    if (first_level(sigmas) + 1 + kSettling < sigmas.size()) break;
+  }
+  return sigmas;
+}
+
+/// Value at which the estimates level off; nothing when they fall to the end.
+std::optional<double> plateau(const std::vector<double>& sigmas) {
+  const std::size_t first = first_level(sigmas);
+  if (first == sigmas.size()) return std::nullopt;
+  const std::size_t last = std::min(first + 1 + kSettling, sigmas.size() - 1);
+  return *std::min_element(sigmas.begin() + static_cast<std::ptrdiff_t>(first),
+                           sigmas.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+}
+
+double least(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::min_element(values.begin(), values.end());
+}
+
+/// The dataset with every `stride`-th sample.
+Dataset thinned(const Dataset& data, Index state, Index stride) {
+  Dataset result;
+  result.states = {data.states[static_cast<std::size_t>(state)]};
+  for (const Trajectory& record : data.trajectories) {
+    const Index n = (record.samples() + stride - 1) / stride;
+    Trajectory part;
+    part.time = record.time(Eigen::seqN(0, n, stride));
+    part.states = record.states.col(state)(Eigen::seqN(0, n, stride));
+    result.trajectories.push_back(std::move(part));
+  }
+  return result;
+}
+
+/// Noise seen by every second sample, where it is certainly more than every sample sees: the
+/// scatter of a median of n values is about 1.2 / sqrt(n) of it, and differences of one order
+/// more or less move a plateau by a tenth.
+std::optional<double> coloured_level(const Dataset& data, Index state, double sigma) {
+  const double margin =
+      1.2 + 5.0 / std::sqrt(static_cast<double>(std::max<Index>(data.samples(), 1)));
+  const std::optional<double> second = plateau(noise_by_order(thinned(data, state, 2), 0));
+  if (!second || *second < margin * sigma) return std::nullopt;
+  return second;
+}
+
+/// All values of a state that are different, in order.
+std::vector<double> distinct_values(const Dataset& data, Index state) {
+  std::vector<double> values;
+  for (const Trajectory& record : data.trajectories)
+    values.insert(values.end(), record.states.col(state).begin(),
+                  record.states.col(state).end());
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+/// The spacing q of which all differences of values are whole multiples. It is found from the
+/// small gaps and made more exact by the large ones, over which rounded digits matter least.
+std::optional<double> lattice_of(const Dataset& data, Index state) {
+  constexpr double kRounding = 1e-3;        // of a multiple, as a share of q
+  constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
+  const std::vector<double> values = distinct_values(data, state);
+  if (values.size() < kFewest) return std::nullopt;
+  std::vector<double> gaps(values.size() - 1);
+  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
+  std::sort(gaps.begin(), gaps.end());
+  const double smallest = (values.back() - values.front()) / kMostLevels;
+  double spacing = gaps.front();
+  for (std::size_t i = 1; i < gaps.size() && spacing > smallest; ++i) {
+    // Euclid's algorithm on the gaps.
+    double rest = std::abs(std::remainder(gaps[i], spacing));
+    const double limit = kRounding * spacing;
+    if (rest <= limit) spacing = gaps[i] / std::round(gaps[i] / spacing);
+    while (rest > limit) {
+      const double next = std::abs(std::remainder(spacing, rest));
+      spacing = rest;
+      rest = next;
+    }
+  }
+  if (!(spacing > smallest)) return std::nullopt;
+  return spacing;
+}
+
+StateNoise analyse_state(const Dataset& data, Index state) {
+  StateNoise noise;
+  const std::vector<double> sigmas = noise_by_order(data, state);
+  const std::optional<double> level = plateau(sigmas);
+  noise.sigma = level.value_or(least(sigmas));
+  noise.kind = level && *level > 0.0 ? NoiseKind::White : NoiseKind::None;
+  if (level) noise.order = static_cast<Index>(first_level(sigmas)) + 1;
+  noise.lattice = lattice_of(data, state);
+  const double rounding = noise.lattice.value_or(0.0) / std::sqrt(12.0);
+  if (rounding > 0.0 && noise.sigma <= 1.5 * rounding) {
+    noise.sigma = std::max(noise.sigma, rounding);
+    noise.kind = NoiseKind::Quantised;
+  } else if (noise.kind == NoiseKind::White) {
+    if (const auto coloured = coloured_level(data, state, noise.sigma)) {
+      noise.sigma = *coloured;
+      noise.kind = NoiseKind::Coloured;
+    }
+  }
+  std::size_t outliers = 0;
+  for (const Trajectory& record : data.trajectories)
+    outliers += outlying_samples(record, state, noise.sigma).size();
+  noise.outliers =
+      static_cast<double>(outliers) / static_cast<double>(std::max<Index>(data.samples(), 1));
+  return noise;
+}
+
+bool has_marks(const Dataset& data) {
+  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& record) { return record.marks.size() > 0; });
+}
+
+/// One state by those of its samples that are values; records of fewer than two are left out.
+Dataset values_only(const Dataset& data, Index state) {
+  Dataset result;
+  result.states = {data.states[static_cast<std::size_t>(state)]};
+  for (const Trajectory& record : data.trajectories) {
+    Trajectory values = values_of(record, state);
+    if (values.samples() >= 2) result.trajectories.push_back(std::move(values));
+  }
+  return result;
+}
+
+/// x_i minus the straight line between its neighbours; 0 at the ends.
+Vector bends(const Trajectory& record, Index state) {
+  const Vector& t = record.time;
+  const auto x = record.states.col(state);
+  Vector bend = Vector::Zero(record.samples());
+  for (Index i = 1; i + 1 < record.samples(); ++i) {
+    const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+    bend[i] = x[i] - (1.0 - share) * x[i - 1] - share * x[i + 1];
+  }
+  return bend;
+}
+
+/// Each value without the median of those at most three samples away.
+Vector without_local_median(const Vector& values) {
+  constexpr Index kReach = 3;
+  Vector result = values;
+  for (Index i = 0; i < values.size(); ++i) {
+    const Index first = std::max<Index>(0, i - kReach);
+    const Index last = std::min(values.size() - 1, i + kReach);
+    std::vector<double> around(values.begin() + first, values.begin() + last + 1);
+    result[i] -= median(around);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string to_string(NoiseKind kind) {
+  switch (kind) {
+    case NoiseKind::White:
+      return "white";
+    case NoiseKind::Coloured:
+      return "coloured";
+    case NoiseKind::Quantised:
+      return "quantised";
+    default:
+      return "none";
+  }
+}
+
+Vector difference_sizes(const Trajectory& record, Index state, Index order) {
+  Differences differences(record, state);
+  std::vector<double> sizes;
+  for (Index k = 1; k <= order; ++k) {
+    sizes.clear();
+    differences.advance(k, 1, sizes);
+  }
+  return Eigen::Map<const Vector>(sizes.data(), static_cast<Index>(sizes.size()));
+}
+
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma,
+                                    double deviations) {
+  if (!(sigma > 0.0)) sigma = std::numeric_limits<double>::min();
+  return outlying_samples(record, state, Vector::Constant(record.samples(), sigma).eval(),
+                          deviations);
+}
+
+std::vector<Index> outlying_samples(const Trajectory& record, Index state, const Vector& sigma,
+                                    double deviations) {
+  std::vector<Index> outliers;
+  if (record.samples() < static_cast<Index>(kFewest)) return outliers;
+  const Vector deviation =
+      without_local_median(bends(record, state)).cwiseAbs().cwiseQuotient(sigma);
+  std::vector<double> sizes(deviation.begin(), deviation.end());
+  const double limit =
+      deviations * std::max(std::sqrt(1.5), median_size(sizes) / kNormalMedian);
+  for (Index i = 1; i + 1 < deviation.size(); ++i)
+    if (deviation[i] > limit && deviation[i] >= deviation[i - 1] &&
+        deviation[i] >= deviation[i + 1])
+      outliers.push_back(i);
+  return outliers;
+}
+
+std::vector<StateNoise> analyse_noise(const Dataset& data, int threads) {
+  std::vector<StateNoise> noise(static_cast<std::size_t>(data.state_count()));
+  parallel_for(noise.size(), threads, [&](std::size_t k) {
+    const auto state = static_cast<Index>(k);
+    noise[k] = has_marks(data) ? analyse_state(values_only(data, state), 0)
+                               : analyse_state(data, state);
+  });
+  return noise;
+}
+
+Vector estimate_noise(const Dataset& data, int threads) {
+  Vector noise(data.state_count());
+  parallel_for(static_cast<std::size_t>(noise.size()), threads, [&](std::size_t k) {
+    const auto state = static_cast<Index>(k);
+    noise[state] = plateau(has_marks(data) ? noise_by_order(values_only(data, state), 0)
+                                           : noise_by_order(data, state))
+                       .value_or(0.0);
+  });
+  return noise;
+}
+
+}  // namespace lacuna

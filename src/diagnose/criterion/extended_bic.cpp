@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/criterion/extended_bic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+
+void ExtendedBicOptions::describe(OptionVisitor& v) {
+  v.field(
+      {"choice", "", "Weight of the price of choosing; 0 is the plain criterion.", 0.0, 1.0},
+      choice);
+}
+
+double ExtendedBic::do_penalty(const Evidence& evidence) const {
+  return evidence.parameters * std::log(std::max(1.0, evidence.samples)) +
+         2.0 * options().choice * evidence.log_choices;
+}
+
+}  // namespace lacuna

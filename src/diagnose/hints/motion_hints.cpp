@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "motion_hints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/core/numerics/least_squares.hpp"
+#include "lacuna/core/numerics/significance.hpp"
+#include "lacuna/core/numerics/symmetric_eigen.hpp"
+
+namespace lacuna {
+namespace {
+
+/// All values of one column, one record after the other.
+Vector values_of(const Dataset& data, Matrix Trajectory::*block, Index column) {
+  Vector all(data.samples());
+  Index row = 0;
+  for (const Trajectory& record : data.trajectories) {
+    all.segment(row, record.samples()) = (record.*block).col(column);
+    row += record.samples();
+  }
+  return all;
+}
+
+double variance(const Vector& values) {
+  return (values.array() - values.mean()).square().mean();
+}
+
+double known_noise(const Channel& channel) {
+  return channel.noise.kind == NoiseKind::None ? 0.0 : channel.noise.sigma;
+}
+
+/// Share of an input's variance that a linear function of the states has.
+double share_of_states(const Dataset& data, Index input) {
+  const Vector u = values_of(data, &Trajectory::inputs, input);
+  Matrix states(u.size(), data.state_count());
+  for (Index k = 0; k < states.cols(); ++k) {
+    states.col(k) = values_of(data, &Trajectory::states, k);
+    states.col(k).array() -= states.col(k).mean();
+    if (states.col(k).norm() > 0.0) states.col(k).normalize();
+  }
+  const Vector moved = u.array() - u.mean();
+  const Vector rest = moved - states * least_squares(states, moved);
+  return 1.0 - rest.squaredNorm() / moved.squaredNorm();
+}
+
+void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptions& options,
+                     std::vector<Hint>& hints) {
+  for (Index j = 0; j < data.input_count(); ++j) {
+    const std::string& name = model.inputs()[static_cast<std::size_t>(j)].name;
+    const Vector u = values_of(data, &Trajectory::inputs, j);
+    if (variance(u) <= 1e-20 * u.squaredNorm() / static_cast<double>(u.size())) {
+      hints.push_back({HintKind::Excitation,
+                       "the input " + name +
+                           " does not change: what acts on it is not told "
+                           "from a constant",
+                       "use a record in which " + name + " moves"});
+      continue;
+    }
+    const double share = share_of_states(data, j);
+    if (share < options.feedback || share >= 1.0 + 1e-9) continue;
+    hints.push_back(
+        {HintKind::ClosedLoop,
+         "the input " + name + " follows the states (" + format_number(100.0 * share, 3) +
+             " % of it is a linear function of them), as feedback makes it: coefficients of " +
+             name +
+             " and of the states, and effects in either, are told apart by the rest only",
+         "add a known excitation to " + name + ", or move its reference faster"});
+  }
+}
+
+/// Significance of the first autocorrelations of a state together: n r_k^2, summed over lags,
+/// is chi squared for white noise (Box and Pierce, J. Am. Stat. Assoc. 65:1509, 1970). Records
+/// in which the state never changes say nothing.
+double significance_of_motion(const Dataset& data, Index state) {
+  // A fact of the statistic: its distribution knows how many are summed, HintOptions::told
+  // decides.
+  constexpr Index kLags = 20;
+  constexpr double kRounding = 1e-14;  // a fact: what subtracting a mean leaves of a constant
+  double sum = 0.0, freedom = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    const Index n = record.samples();
+    const Vector x = record.states.col(state).array() - record.states.col(state).mean();
+    if (!(x.norm() > kRounding * record.states.col(state).norm())) continue;
+    for (Index lag = 1; lag <= std::min(kLags, n / 4); ++lag) {
+      const double r = x.head(n - lag).dot(x.tail(n - lag)) / x.squaredNorm();
+      sum += static_cast<double>(n) * r * r;
+      ++freedom;
+    }
+  }
+  return freedom > 0.0 ? sigma_of_gain(sum, freedom, 1.0) : 0.0;
+}
+
+/// Whether all that was measured is white noise, or never changes: no model is told from
+/// another one by it.
+bool is_still(const BoundRecords& records, double told) {
+  bool any = false;
+  for (std::size_t k = 0; k < records.channels.size(); ++k) {
+    if (!records.channels[k].measured) continue;
+    if (significance_of_motion(records.data, static_cast<Index>(k)) >= told) return false;
+    any = true;
+  }
+  return any;
+}
+
+void add_state_hints(const OdeModel& model, const BoundRecords& records,
+                     const HintOptions& options, std::vector<Hint>& hints) {
+  double fastest = std::numeric_limits<double>::infinity();
+  Index fast = 0;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const Channel& channel = records.channels[static_cast<std::size_t>(k)];
+    if (!channel.measured) continue;
+    const std::string& name = model.states()[static_cast<std::size_t>(k)].name;
+    const double size = std::sqrt(variance(values_of(records.data, &Trajectory::states, k)));
+    const double noise = known_noise(channel);
+    if (size <= options.barely_moving * noise || size == 0.0) {
+      hints.push_back(
+          {HintKind::Excitation,
+           name + " hardly moves" +
+               (noise > 0.0 ? ": its standard deviation is " + format_number(size / noise, 2) +
+                                  " times that of its noise"
+                            : ""),
+           "use a record with more motion in " + name});
+      continue;
+    }
+    const double steps = steps_in_period(records.data, k, noise);
+    if (steps < fastest) fast = k;
+    fastest = std::min(fastest, steps);
+  }
+  if (!std::isfinite(fastest)) return;
+  const std::string& name = model.states()[static_cast<std::size_t>(fast)].name;
+  if (fastest < options.samples_per_period)
+    hints.push_back({HintKind::Sampling,
+                     "a mean period of " + name + " has " + format_number(fastest, 2) +
+                         " samples: what happens between them is guessed",
+                     "sample at least " + format_number(options.samples_per_period, 2) +
+                         " times in a period"});
+  if (static_cast<double>(longest_record(records.data).samples()) < options.periods * fastest)
+    hints.push_back({HintKind::Sampling,
+                     "the longest record has less than " + format_number(options.periods, 2) +
+                         " mean periods of " + name,
+                     "record for longer"});
+}
+
+/// Terms of an equation whose coefficients the records do not tell apart.
+std::optional<Hint> alike_terms(const OdeModel& model, Index equation, Matrix terms,
+                                double alike) {
+  if (terms.cols() < 2 || !terms.allFinite()) return std::nullopt;
+  for (Index j = 0; j < terms.cols(); ++j) {
+    if (terms.col(j).norm() == 0.0) return std::nullopt;
+    terms.col(j).normalize();
+  }
+  const SymmetricEigen found = symmetric_eigen(terms.transpose() * terms);
+  if (found.values[0] > alike * alike) return std::nullopt;
+  const Vector together = found.vectors.col(0).cwiseAbs();
+  std::vector<std::string> names;
+  for (Index j = 0; j < terms.cols(); ++j)
+    if (together[j] > 0.1 * together.maxCoeff())
+      names.push_back(
+          model.equations()[static_cast<std::size_t>(equation)][static_cast<std::size_t>(j)]
+              .term.name());
+  return Hint{HintKind::NotIdentifiable,
+              "in d" + model.states()[static_cast<std::size_t>(equation)].name +
+                  "/dt the terms " + join(names, ", ") +
+                  " go along: the records do not tell their coefficients apart",
+              "hold one of them, e.g. with --tolerance, or use a record with other motion"};
+}
+
+}  // namespace
+
+double steps_in_period(const Dataset& data, Index state, double sigma) {
+  double differences = 0.0, count = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    const Index n = record.samples() - 1;
+    const auto values = record.states.col(state);
+    differences += (values.tail(n) - values.head(n)).squaredNorm();
+    count += static_cast<double>(n);
+  }
+  const double noise = sigma * sigma;
+  const double power = variance(values_of(data, &Trajectory::states, state)) - noise;
+  const double change = differences / count - 2.0 * noise;
+  if (!(power > 0.0) || !(change > 0.0)) return std::numeric_limits<double>::infinity();
+  return std::numbers::pi / std::asin(std::min(1.0, 0.5 * std::sqrt(change / power)));
+}
+
+std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options) {
+  if (!is_still(records, options.told)) return std::nullopt;
+  return Hint{HintKind::Excitation,
+              "nothing moves: what was measured is white noise, and neither effects nor "
+              "coefficients can be told by it",
+              "use a record with motion", Withheld::Claims};
+}
+
+std::vector<Hint> motion_hints(const OdeModel& model, const BoundRecords& records,
+                               const RateWindows& windows, const HintOptions& options) {
+  if (auto still = stillness(records, options)) return {std::move(*still)};
+  std::vector<Hint> hints;
+  add_input_hints(model, records.data, options, hints);
+  add_state_hints(model, records, options, hints);
+  for (Index k = 0; k < model.dimension(); ++k)
+    if (auto hint = alike_terms(model, k, term_means(model, k, records.data, windows),
+                                options.alike_terms))
+      hints.push_back(std::move(*hint));
+  return hints;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// The nominal model brought onto records under given assumptions.
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/parallel.hpp"
+#include "lacuna/data/records/noise.hpp"
+#include "lacuna/diagnose/hypotheses/problem.hpp"
+#include "lacuna/model/equations/formula_channel.hpp"
+#include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "lacuna/trajectories/smoother/outlier_check.hpp"
+#include "lacuna/trajectories/smoother/unseen_changes.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Passes of a fit that starts from the baseline's, beside which little moves.
+constexpr int kPassesFromBaseline = 8;
+
+JointFitTask joint_fit(const Problem& problem, const Baseline& base) {
+  return {base.records->data, problem.nominal, base.fit_options, problem.context};
+}
+
+std::vector<Matrix> paths_of(const Assimilation& fit) {
+  std::vector<Matrix> paths;
+  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
+  return paths;
+}
+
+/// Where a fit with hidden states may start, beside where the one before it has come: a hidden
+/// state whose equation may be disturbed takes the place of what is missing, and the
+/// coefficients go where they say nothing. From the nominal ones, with the disturbances that
+/// they need and with less.
+std::vector<Assimilation> other_starts(const Baseline& base) {
+  constexpr double kLess = 0.1;
+  Assimilation exact = base.given;
+  exact.noise.disturbance *= kLess;
+  return {base.given, std::move(exact)};
+}
+
+/// The scope of effects: channels that are measured as formulas say nothing that the states do
+/// not, and no effect is a function of them.
+Scope scope_of(const OdeModel& nominal, const Dataset& data, const Assimilation& fit) {
+  Index states = 0;
+  for (const Quantity& state : nominal.states()) states += is_formula_channel(state) ? 0 : 1;
+  std::vector<SpectralLine> lines = spectral_lines(fit, kSpectralLines);
+  const Vector noise = estimate_noise(data);
+  if (states == nominal.dimension()) return make_scope(nominal, data, noise, std::move(lines));
+  const auto count = static_cast<std::ptrdiff_t>(states);
+  const OdeModel own(
+      {nominal.states().begin(), nominal.states().begin() + count}, nominal.inputs(),
+      {nominal.equations().begin(), nominal.equations().begin() + count}, nominal.time_unit());
+  Dataset narrow = data;
+  narrow.states.resize(static_cast<std::size_t>(states));
+  narrow.reconstructed.resize(static_cast<std::size_t>(states));
+  for (Trajectory& record : narrow.trajectories) {
+    record.states = Matrix(record.states.leftCols(states));
+    if (record.marks.size() > 0) record.marks = Matrix(record.marks.leftCols(states));
+  }
+  return make_scope(own, narrow, noise.head(states), std::move(lines));
+}
+
+/// The nominal coefficients fitted. Where states are hidden a large disturbance explains
+/// everything and tells the coefficients nothing; beside a small one they go where they belong.
+Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
+                           const Assimilation& given, const AssimilationOptions& options,
+                           const RunContext& context) {
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const auto fit_from = [&](const Assimilation& start) {
+    return settled(assimilate_from(nominal, data, start, options, quiet), data, options, quiet);
+  };
+  if (options.hidden.empty()) return fit_from(given);
+  constexpr std::array<double, 4> kShares{1.0, 0.1, 0.01, 1e-3};
+  std::array<std::optional<Assimilation>, kShares.size()> fits;
+  parallel_for(kShares.size(), context.threads, [&](std::size_t i) {
+    Assimilation start = given;
+    start.noise.disturbance *= kShares[i];
+    fits[i] = fit_from(start);
+  });
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < fits.size(); ++i)
+    if (fits[i]->deviance < fits[best]->deviance - kUnnoticedDeviance ||
+        !std::isfinite(fits[best]->deviance))
+      best = i;
+  return std::move(*fits[best]);
+}
+
+}  // namespace
+
+Baseline plain_baseline(const Problem& problem) {
+  const auto& [nominal, records, options, context, memory] = problem;
+  context.report("bringing the model onto the records", 0.0);
+  AssimilationOptions as_given;
+  as_given.hidden = hidden_states(nominal, records.data);
+  Assimilation given =
+      assimilate_from_starts(nominal, records.data, records.outliers, as_given, context);
+  OutlierCheck outliers = check_outliers(nominal.states(), given, options.decision.outlying);
+  given.omitted = std::move(outliers.outliers);
+  if (outliers.any_false)
+    given = assimilate_from(nominal, records.data, given, as_given, context);
+  if (!std::isfinite(given.deviance))
+    throw DataError(records.data.trajectories.front().source,
+                    "the model has no finite solution from one sample to the next",
+                    "check that model and record have the same units, above all of time");
+  Baseline base = fitted_baseline(problem, std::move(given), free_coefficients(nominal));
+  base.notes.insert(base.notes.begin(), outliers.notes.begin(), outliers.notes.end());
+  return base;
+}
+
+Baseline fitted_baseline(const Problem& problem, Assimilation given,
+                         std::vector<CoefficientPlace> free) {
+  const auto& [nominal, records, options, context, memory] = problem;
+  const Dataset& data = records.data;
+  context.report("fitting the nominal coefficients", 0.0);
+  AssimilationOptions fit_options;
+  fit_options.free = std::move(free);
+  fit_options.priors = options.tolerances;
+  fit_options.hidden = hidden_states(nominal, data);
+  if (!fit_options.hidden.empty()) {
+    fit_options.held_among = fit_options.free.size();
+    UnseenChanges unseen =
+        unseen_changes(nominal, with_paths_of(data, fit_options.hidden, paths_of(given)),
+                       fit_options.hidden, {fit_options.free, fit_options.priors, {}});
+    fit_options.unseen = std::move(unseen.coefficients);
+    fit_options.units = std::move(unseen.units);
+  }
+  Assimilation fitted = likeliest_fit(nominal, data, given, fit_options, context);
+  fit_options.passes = kPassesFromBaseline;
+  std::vector<std::string> notes;
+  if (!std::isfinite(fitted.deviance)) {
+    notes.push_back(
+        "these records do not tell the nominal coefficients, which are kept as they are");
+    fit_options.free.clear();
+    fitted = given;
+  }
+  BoundRecords known = records;
+  known.data = with_paths_of(std::move(known.data), fit_options.hidden, paths_of(fitted));
+  Scope scope = scope_of(nominal, known.data, fitted);
+  return {std::make_shared<const BoundRecords>(std::move(known)),
+          std::move(given),
+          std::move(fitted),
+          std::move(fit_options),
+          std::move(scope),
+          0.0,
+          std::move(notes)};
+}
+
+Problem alone(const Problem& problem, const RunContext& quiet) {
+  return {problem.nominal, problem.records, problem.options, quiet, problem.memory};
+}
+
+double criterion_of(const Problem& problem, const Baseline& base,
+                    const Explanation& explanation) {
+  return problem.options.criterion->value({explanation.fit.deviance,
+                                           static_cast<double>(base.fit_options.free.size()) +
+                                               base.parameters +
+                                               static_cast<double>(explanation.parameters()),
+                                           static_cast<double>(explanation.fit.used), 0.0});
+}
+
+namespace {
+
+/// The likeliest of the fits from a start and, where states are hidden, from others.
+template <class Fit>
+Explanation likeliest(const Baseline& base, const Assimilation& start, Fit fit) {
+  Explanation best = fit(start);
+  if (base.fit_options.hidden.empty()) return best;
+  for (const Assimilation& other : other_starts(base)) {
+    Explanation next = fit(other);
+    if (next.fit.deviance < best.fit.deviance - kUnnoticedDeviance ||
+        !std::isfinite(best.fit.deviance))
+      best = std::move(next);
+  }
+  return best;
+}
+
+/// A fit that other searches may have done already.
+Explanation remembered(const Problem& problem, const Baseline& base, const Assimilation& start,
+                       const std::vector<FittedEffect>& effects, bool roughly) {
+  const JointFitTask task = joint_fit(problem, base);
+  return problem.memory->fits.explanation(
+      fit_key(roughly ? "rough" : "exact", task, start, effects), [&] {
+        return roughly ? explain_roughly(task, start, effects) : explain(task, start, effects);
+      });
+}
+
+}  // namespace
+
+Explanation explain_on(const Problem& problem, const Baseline& base, const Assimilation& start,
+                       const std::vector<FittedEffect>& effects) {
+  return likeliest(base, start, [&](const Assimilation& from) {
+    return remembered(problem, base, from, effects, false);
+  });
+}
+
+Explanation explain_further_on(const Problem& problem, const Baseline& base,
+                               const Explanation& start) {
+  return remembered(problem, base, start.fit, start.effects, false);
+}
+
+Explanation explain_roughly_on(const Problem& problem, const Baseline& base,
+                               const Assimilation& start,
+                               const std::vector<FittedEffect>& effects) {
+  return likeliest(base, start, [&](const Assimilation& from) {
+    return remembered(problem, base, from, effects, true);
+  });
+}
+
+Explanation with_joint_errors(const Problem& problem, const Baseline& base,
+                              Explanation explanation) {
+  return with_joint_errors(joint_fit(problem, base), std::move(explanation));
+}
+
+}  // namespace lacuna

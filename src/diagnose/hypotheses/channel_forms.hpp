@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What a channel may add to the state that it measures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/diagnose/candidates/explanation.hpp"
+#include "lacuna/forms/candidate/scope.hpp"
+
+namespace lacuna {
+
+/// What one channel may show beside its state, as candidates of place Channel: gain, offset,
+/// drift, lag; a curve in place of a line; another quantity or a tone that it picks up.
+std::vector<Candidate> channel_forms(const Scope& scope, Index state);
+
+/// Whether a form of a channel stands for the whole of the state, so that its coefficient is 1:
+/// what a filter or a curve with an end makes of it, less the state itself.
+bool is_whole(const Candidate& candidate);
+
+/// What such a form is called with its numbers, and the sentence for it.
+struct ChannelName {
+  std::string name, sentence;
+};
+
+/// @param effect of channel_forms().
+ChannelName channel_name(const FittedEffect& effect, const OdeModel& model);
+
+}  // namespace lacuna

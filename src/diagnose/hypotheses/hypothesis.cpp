@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/hypothesis.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "lacuna/diagnose/hypotheses/broken_identity.hpp"
+#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
+#include "lacuna/diagnose/hypotheses/named_effects.hpp"
+#include "lacuna/diagnose/hypotheses/residual_function.hpp"
+#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "lacuna/diagnose/hypotheses/shared_process.hpp"
+#include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+
+namespace lacuna {
+
+std::vector<Stage<Hypothesis>> standard_hypotheses() {
+  return in_order({NamedEffects{}, OtherChoices{}, SensorFault{}, UnmeasuredInput{},
+                   ColouredNoiseHypothesis{}, BrokenIdentity{}, SensorCalibration{},
+                   InputSkew{}, InputInterpolation{}, ResidualFunction{}, SharedProcess{}});
+}
+
+std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {
+  const auto place = [](const Stage<Hypothesis>& h) {
+    return std::tuple(h->phase(), h->order(), h->info().name);
+  };
+  std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  return hypotheses;
+}
+
+}  // namespace lacuna

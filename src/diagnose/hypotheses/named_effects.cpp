@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/named_effects.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "lacuna/trajectories/smoother/window_gap.hpp"
+#include "search.hpp"
+#include "window_refit.hpp"
+
+namespace lacuna {
+
+namespace {
+
+SearchedAccount account_of(const EffectSearch& search, std::shared_ptr<const Baseline> base,
+                           FoundEffects found) {
+  const Problem& problem = search.problem;
+  std::vector<std::string> doubts = rivals_elsewhere(search, found);
+  SearchedAccount result{{.hypothesis = std::string(kNamedEffects.name),
+                          .base = std::move(base),
+                          .explanation = std::move(found.explanation),
+                          .named = std::move(found.named),
+                          .rounds = std::move(found.rounds),
+                          .left = std::move(found.left)},
+                         std::move(found.rivals)};
+  Account& account = result.account;
+  account.doubts = std::move(doubts);
+  if (!account.named.empty() && leaves_structure(account, problem.options.decision))
+    account.refitted = refit_over_windows(problem, *account.base, account.explanation);
+  return result;
+}
+
+/// The account of a search beside the best so far, whose assumptions it shares.
+Proposals proposed(const EffectSearch& search, const Account& best, FoundEffects found,
+                   double lead) {
+  SearchedAccount result = account_of(search, best.base, std::move(found));
+  Proposal proposal{.account = std::move(result.account), .lead = lead};
+  proposal.account.findings = best.findings;
+  proposal.account.notes = best.notes;
+  return {{std::move(proposal)}, std::move(result.rivals)};
+}
+
+/// Candidates with shapes or memory among effects, each once.
+std::vector<Candidate> special_forms(const std::vector<FittedEffect>& effects) {
+  std::vector<Candidate> result;
+  for (const FittedEffect& effect : effects) {
+    const Candidate& candidate = effect.candidate;
+    const bool is_new = std::none_of(result.begin(), result.end(), [&](const Candidate& other) {
+      return are_one_form(other, candidate);
+    });
+    if (candidate.intricacy() > 0 && is_new) result.push_back(candidate);
+  }
+  return result;
+}
+
+/// Searches that may come to other effects than the best account: where something is left,
+/// without each of its special forms; where states are hidden, among all functions of the
+/// arguments that it has, along its path, which is nearer to the truth than the one from which
+/// its forms were chosen.
+std::vector<EffectSearch> other_searches(const EffectSearch& search, const Account& best) {
+  std::vector<EffectSearch> others;
+  if (is_anything_left(best.left, search.problem.options.decision))
+    for (Candidate& doubted : special_forms(best.explanation.effects)) {
+      others.push_back(search);
+      others.back().without.push_back(std::move(doubted));
+    }
+  const bool remembers =
+      best.explanation.fit.model.dimension() > search.problem.nominal.dimension();
+  if (search.base.fit_options.hidden.empty() || remembers) return others;
+  others.push_back(search);
+  others.back().along = &best.explanation;
+  return others;
+}
+
+}  // namespace
+
+SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
+                         const std::vector<Stage<Effect>>& effects) {
+  const EffectSearch search{problem, *base, effects};
+  return account_of(search, std::move(base), search_effects(search));
+}
+
+Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) const {
+  const EffectSearch search{problem, *best.base, problem.options.effects};
+  return proposed(search, best, search_effects(search), 0.0);
+}
+
+Proposals OtherChoices::do_propose(const Problem& problem, const Account& best) const {
+  const DecisionOptions& decision = problem.options.decision;
+  if (best.named.empty()) return {};
+  const EffectSearch search{problem, *best.base, problem.options.effects};
+  std::vector<Rival> trail;
+  std::optional<FoundEffects> most;
+  double least = criterion_of(problem, *best.base, best.explanation);
+  double lead = 0.0;
+  const double gap = window_gap(best.explanation.fit);
+  for (const EffectSearch& other : other_searches(search, best)) {
+    FoundEffects next = search_effects(other);
+    std::move(next.rivals.begin(), next.rivals.end(), std::back_inserter(trail));
+    next.rivals.clear();
+    const bool is_plainer = next.explanation.parameters() < best.explanation.parameters();
+    const double needed = is_plainer ? -decision.undecided : decision.undecided;
+    const double value = criterion_of(problem, *best.base, next.explanation) + needed;
+    if (next.named.empty() || !(value < least)) continue;
+    if (window_gap(next.explanation.fit) > (1.0 + decision.minor) * gap) continue;
+    least = value;
+    lead = needed;
+    most = std::move(next);
+    if (!is_anything_left(most->left, decision)) break;
+  }
+  if (!most) return {{}, std::move(trail)};
+  Proposals result = proposed(search, best, std::move(*most), lead);
+  std::move(result.trail.begin(), result.trail.end(), std::back_inserter(trail));
+  result.trail = std::move(trail);
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/residual_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "function_basis.hpp"
+#include "lacuna/bases/monomials.hpp"
+
+namespace lacuna {
+namespace {
+
+std::vector<Term> monomials_of(const OdeModel& model) {
+  constexpr std::size_t kMost = 35;  // degree 3 in four variables
+  const Variables states{model.variables().states, {}};
+  MonomialsOptions options;
+  std::vector<Term> terms = Monomials(options).library(states).terms;
+  while (terms.size() > kMost && --options.max_degree > 0)
+    terms = Monomials(options).library(states).terms;
+  return terms;
+}
+
+/// Whether an equation has a term already, of its own or as an effect.
+bool stands_in(const Explanation& explanation, Index equation, const Term& term) {
+  const Equation& terms = explanation.fit.model.equations()[static_cast<std::size_t>(equation)];
+  return std::any_of(terms.begin(), terms.end(), [&](const WeightedTerm& summand) {
+    return summand.term.name() == term.name();
+  });
+}
+
+/// Adds to an equation the monomials of the states that it lacks.
+void add_polynomials(const OdeModel& nominal, Index equation, Explanation& explanation) {
+  for (const Term& term : monomials_of(nominal)) {
+    if (stands_in(explanation, equation, term)) continue;
+    Candidate candidate;
+    candidate.argument = candidate.form = term.expression();
+    candidate.equation = equation;
+    explanation.effects.push_back({std::move(candidate), Vector(0), 0.0, 0.0});
+  }
+}
+
+/// Many small terms of which none is of the size of an effect are found only together; those
+/// that are not significant are taken out again. Nothing where the polynomials do not explain
+/// more than they cost.
+std::optional<Explanation> with_polynomials(const Problem& problem, const Account& best) {
+  const DecisionOptions& decision = problem.options.decision;
+  problem.context.report("filling the gap with polynomials", 0.0);
+  Explanation filled = best.explanation;
+  for (const EquationStructure& structure : best.left)
+    if (is_substantial(structure, decision))
+      add_polynomials(problem.nominal, structure.equation, filled);
+  filled = explain_on(problem, *best.base, best.explanation.fit, filled.effects);
+  const auto filling =
+      filled.effects.begin() + static_cast<std::ptrdiff_t>(best.explanation.effects.size());
+  const auto kept =
+      std::remove_if(filling, filled.effects.end(), [&](const FittedEffect& effect) {
+        return std::abs(effect.coefficient) < decision.significance * effect.deviation;
+      });
+  const bool removed = kept != filled.effects.end();
+  filled.effects.erase(kept, filled.effects.end());
+  if (removed) filled = explain_on(problem, *best.base, best.explanation.fit, filled.effects);
+  Account account = best;
+  account.explanation = filled;
+  const Criterion& criterion = *problem.options.criterion;
+  if (!(criterion.value(evidence_of(account)) < criterion.value(evidence_of(best))))
+    return std::nullopt;
+  return filled;
+}
+
+Proposals filled_with_polynomials(const Problem& problem, const Account& best) {
+  if (!problem.options.fill_gap) return {};
+  auto filled = with_polynomials(problem, best);
+  if (!filled) return {};
+  Account account = best;
+  account.explanation = std::move(*filled);
+  update_numbers(account.explanation, account.named);
+  account.notes.push_back(
+      "polynomials fill, as a stop-gap, what the named effects leave; they stand in the "
+      "augmented model and explain nothing");
+  return {{{std::move(account)}}, {}};
+}
+
+double variance_of(const Assimilation& fit, Index equation) {
+  return fit.noise.disturbance[equation] * fit.noise.disturbance[equation];
+}
+
+/// Fits a function to what is left and says how much it explains.
+void fit_function(const Problem& problem, const ScoredFunction& function, Account& account) {
+  const Baseline& base = *account.base;
+  Unnamed& unnamed = *account.unnamed;
+  const bool fill = problem.options.fill_gap;
+  const auto fit = fill ? explain_on : explain_roughly_on;
+  Account filled = account;
+  filled.explanation = fit(problem, base, base.fitted, function.members());
+  const Criterion& criterion = *problem.options.criterion;
+  const double before = variance_of(base.fitted, unnamed.equation);
+  const double worth =
+      criterion.value(evidence_of(account)) - criterion.value(evidence_of(filled));
+  if (!(worth > 0.0) || !(before > 0.0)) return;
+  const double after = variance_of(filled.explanation.fit, unnamed.equation);
+  unnamed.explained = std::clamp(1.0 - after / before, 0.0, 1.0);
+  unnamed.filled = fill;
+  if (fill) account.explanation = std::move(filled.explanation);
+}
+
+/// Of which variables the structure is a function.
+Account described(const Problem& problem, const Account& best) {
+  const Baseline& base = *best.base;
+  const Criterion& criterion = *problem.options.criterion;
+  const auto structure = test_disturbances(base.fitted, problem.context);
+  const Index equation = structure.empty() ? 0 : structure.front().equation;
+  const FunctionScreening screening(base.fitted);
+  const auto present =
+      screening.best_of(present_functions(base.fitted, base.scope, equation), criterion);
+  const auto other = screening.best_of(other_functions(base.scope, equation), criterion);
+  const double now = present ? std::max(present->net, 0.0) : 0.0;
+  const bool is_other = other && other->net > now;
+  Account account = best;
+  account.unnamed = Unnamed{equation, {}, 0.0, false, false, false};
+  account.unnamed->memory = is_other && other->basis.kind == FunctionBasis::Kind::Memory;
+  account.unnamed->periodic = is_other && other->basis.kind == FunctionBasis::Kind::Lines;
+  if (is_other)
+    account.unnamed->variables = other->basis.variables;
+  else if (now > 0.0)
+    account.unnamed->variables = present->basis.variables;
+  if (now > 0.0) fit_function(problem, *present, account);
+  return account;
+}
+
+}  // namespace
+
+Proposals ResidualFunction::do_propose(const Problem& problem, const Account& best) const {
+  if (!leaves_structure(best, problem.options.decision)) return {};
+  if (!best.named.empty()) {
+    Proposals filled = filled_with_polynomials(problem, best);
+    for (Proposal& proposal : filled.accounts) proposal.account.hypothesis = info().name;
+    return filled;
+  }
+  Proposal proposal{described(problem, best)};
+  proposal.account.hypothesis = info().name;
+  proposal.precedence = "describes what is left; explains nothing";
+  return {{std::move(proposal)}, {}};
+}
+
+}  // namespace lacuna

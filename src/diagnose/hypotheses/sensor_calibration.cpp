@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "channel_forms.hpp"
+#include "effect_names.hpp"
+#include "lacuna/core/base/parallel.hpp"
+#include "lacuna/core/numerics/significance.hpp"
+#include "lacuna/diagnose/candidates/screening.hpp"
+#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A channel's form, and effects that act beside it.
+using Start = std::vector<FittedEffect>;
+
+/// A channel with a form, fitted with the nominal coefficients as given.
+struct Fitted {
+  Explanation explanation;
+  std::vector<EquationStructure> left;
+  double criterion = 0.0;
+};
+
+/// The baseline whose coefficients are those that are given.
+Baseline as_given(const Baseline& base) {
+  Baseline given = base;
+  given.fitted = base.given;
+  given.fit_options.free.clear();
+  given.fit_options.priors.clear();
+  return given;
+}
+
+/// Of channels that show a state; those that show a formula have no state of the scope.
+std::vector<Candidate> candidates_of(const Problem& problem, const Baseline& base) {
+  std::vector<Candidate> all;
+  for (Index k = 0; k < base.scope.model.dimension(); ++k) {
+    if (!base.given.noise.measurement[static_cast<std::size_t>(k)]) continue;
+    for (Candidate& candidate : channel_forms(base.scope, k))
+      all.push_back(std::move(candidate));
+    for (const Stage<Effect>& effect : problem.options.effects)
+      for (Candidate& candidate : effect->candidates(base.scope, k))
+        if (candidate.place == Place::Channel) all.push_back(std::move(candidate));
+  }
+  return all;
+}
+
+/// What a channel's form is called: by the effect that proposes it, where one does.
+std::optional<Name> name_of(const Problem& problem, const Baseline& base,
+                            const FittedEffect& effect, const OdeModel& fitted) {
+  if (effect.candidate.families.empty()) {
+    ChannelName own = channel_name(effect, problem.nominal);
+    Name name{std::move(own.name), std::move(own.sentence),
+              "a calibration that is off, a filter in the measuring chain, crosstalk"};
+    for (const ShapeParameter& shape : effect.candidate.shapes)
+      name.parameters.push_back(shape.name);
+    return name;
+  }
+  const NameTable table{problem.options.effects, base.scope, problem.options.decision.naming};
+  std::vector<Name> names = table.names_of(effect, fitted);
+  if (names.empty()) return std::nullopt;
+  return std::move(names.front());
+}
+
+/// rms of what a channel adds, and of the state about its mean.
+struct Size {
+  double added = 0.0, state = 0.0;
+};
+
+Size size_of(const FittedEffect& effect, const Assimilation& fit) {
+  double sum = 0.0, spread = 0.0;
+  for (const LinearisedRecord& record : fit.records) {
+    const Vector form =
+        form_along(effect.candidate,
+                   {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
+                   fit.model.variables(), record);
+    const auto& path = record.path.col(effect.candidate.equation);
+    sum += form.squaredNorm() / static_cast<double>(form.size());
+    spread += (path.array() - path.mean()).square().mean();
+  }
+  const auto count = static_cast<double>(fit.records.size());
+  return {std::abs(effect.coefficient) * std::sqrt(sum / count), std::sqrt(spread / count)};
+}
+
+/// Whether a channel adds as much as an effect does, and more than its samples are rounded:
+/// where a state rests between two values that goes along with the others.
+bool is_sizeable(const FittedEffect& effect, const Assimilation& fit, const Baseline& base,
+                 const DecisionOptions& decision) {
+  const Size size = size_of(effect, fit);
+  const auto k = static_cast<std::size_t>(effect.candidate.equation);
+  const double rounding =
+      base.records->channels[k].noise.lattice.value_or(0.0) / std::sqrt(12.0);
+  return size.added >= decision.effect_size * size.state && size.added > rounding;
+}
+
+/// Told from 0, and the whole of the state where the form stands for it.
+bool is_plausible(const FittedEffect& effect, const DecisionOptions& decision) {
+  if (std::abs(effect.coefficient) < decision.significance * effect.deviation) return false;
+  return !is_whole(effect.candidate) ||
+         std::abs(effect.coefficient - 1.0) < decision.filter_gain;
+}
+
+/// The geometric mean of the ends of each range.
+Vector middle(const std::vector<ShapeParameter>& shapes) {
+  Vector values(static_cast<Index>(shapes.size()));
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    values[static_cast<Index>(s)] = std::sqrt(shapes[s].low * shapes[s].high);
+  return values;
+}
+
+/// The channels that may be it, as they are to be fitted. A filter is one in any case, from the
+/// middle of its range: what it makes of a path that follows the noise says nothing of it. Not
+/// so beside hidden states, of which it would be one more.
+/// @param explained deviance that the best account explains: a channel has to show more than a
+/// minor part of it at first sight.
+std::vector<Start> worth_fitting(const std::vector<ScreenedCandidate>& screened,
+                                 double explained, const Baseline& given,
+                                 const DecisionOptions& decision) {
+  const auto tried = static_cast<double>(screened.size());
+  std::vector<Start> starts;
+  for (const ScreenedCandidate& one : screened) {
+    const double freedom = 1.0 + static_cast<double>(one.shapes.size());
+    if (static_cast<int>(starts.size()) < decision.rough_fits &&
+        sigma_of_gain(one.gain, freedom, tried) >= decision.significance &&
+        one.gain >= decision.worth_fitting * screened.front().gain &&
+        one.gain >= decision.minor * explained)
+      starts.push_back({{one.candidate, one.shapes, one.coefficient, 0.0}});
+  }
+  if (!given.fit_options.hidden.empty()) return starts;
+  for (const ScreenedCandidate& one : screened)
+    if (!one.candidate.memory.empty())
+      starts.push_back({{one.candidate, middle(one.candidate.shapes), 1.0, 0.0}});
+  return starts;
+}
+
+std::vector<std::optional<Explanation>> explain_all(const Problem& problem,
+                                                    const Baseline& given,
+                                                    const std::vector<Start>& starts) {
+  const RunContext& context = problem.context;
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem alone{problem.nominal, problem.records, problem.options, quiet};
+  std::vector<std::optional<Explanation>> found(starts.size());
+  parallel_for(starts.size(), context.threads, [&](std::size_t i) {
+    found[i] = explain_on(alone, given, given.fitted, starts[i]);
+  });
+  return found;
+}
+
+/// The channels that may be it, fitted; the best first.
+std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
+                                    const std::vector<Start>& starts) {
+  const DecisionOptions& decision = problem.options.decision;
+  std::vector<Fitted> fitted;
+  for (std::optional<Explanation>& one : explain_all(problem, given, starts)) {
+    Explanation& found = *one;
+    const FittedEffect& effect = found.effects.front();
+    if (!std::isfinite(found.fit.deviance) || !is_plausible(effect, decision) ||
+        !is_sizeable(effect, found.fit, given, decision) ||
+        !name_of(problem, given, effect, found.fit.model))
+      continue;
+    const double value = criterion_of(problem, given, found);
+    fitted.push_back({std::move(found), {}, value});
+  }
+  std::stable_sort(fitted.begin(), fitted.end(),
+                   [](const Fitted& a, const Fitted& b) { return a.criterion < b.criterion; });
+  return fitted;
+}
+
+/// The best that leaves nothing over.
+std::optional<std::size_t> sound_one(const Problem& problem, std::vector<Fitted>& fitted) {
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    fitted[i].left = test_disturbances(fitted[i].explanation.fit, problem.context);
+    if (std::none_of(fitted[i].left.begin(), fitted[i].left.end(), [&](const auto& left) {
+          return is_substantial(left, problem.options.decision);
+        }))
+      return i;
+  }
+  return std::nullopt;
+}
+
+/// Each of the best channels together with each of the effects of an account, fitted: one fault
+/// bends several equations and may stand behind all effects but one.
+std::vector<Fitted> beside_effects(const Problem& problem, const Baseline& given,
+                                   const Account& best, const std::vector<Fitted>& channels) {
+  const auto most = static_cast<std::size_t>(problem.options.decision.exact_fits);
+  std::vector<Start> starts;
+  for (std::size_t i = 0; i < std::min(most, channels.size()); ++i)
+    for (const FittedEffect& effect : best.explanation.effects)
+      if (effect.candidate.place == Place::Rate && !effect.candidate.is_driven())
+        starts.push_back({channels[i].explanation.effects.front(), effect});
+  return fitted_channels(problem, given, starts);
+}
+
+/// A rival that leaves the other coefficients as given.
+struct Peer {
+  double criterion = std::numeric_limits<double>::infinity();
+  Index parameters = 0;
+};
+
+/// One coefficient changed in the place of the channel: the best of all.
+Peer best_coefficient(const Problem& problem, const Baseline& given, const Explanation& own) {
+  const std::vector<FittedEffect> others(own.effects.begin() + 1, own.effects.end());
+  Peer best{.parameters = own.parameters()};
+  for (const CoefficientPlace& place : free_coefficients(problem.nominal)) {
+    Baseline one = given;
+    one.fit_options.free = {place};
+    const Explanation changed = explain_on(problem, one, given.fitted, others);
+    if (std::isfinite(changed.fit.deviance))
+      best.criterion = std::min(best.criterion, criterion_of(problem, one, changed));
+  }
+  return best;
+}
+
+/// The effects of an account.
+Peer same_effects(const Problem& problem, const Baseline& given, const Account& account) {
+  if (account.explanation.effects.empty()) return {};
+  const Explanation same =
+      explain_on(problem, given, given.fitted, account.explanation.effects);
+  if (!std::isfinite(same.fit.deviance)) return {};
+  return {criterion_of(problem, given, same), same.parameters()};
+}
+
+/// The channel's fault with its numbers and the others that might be it.
+NamedEffect named(const Problem& problem, const Baseline& given,
+                  const std::vector<Fitted>& fitted, std::size_t chosen, double tried) {
+  constexpr std::size_t kAlternatives = 4;
+  const Fitted& own = fitted[chosen];
+  const FittedEffect& effect = own.explanation.effects.front();
+  NamedEffect result;
+  result.equation = effect.candidate.equation;
+  result.place = effect.candidate.place;
+  take_name(effect, *name_of(problem, given, effect, own.explanation.fit.model), result);
+  const double gain = given.fitted.deviance - own.explanation.fit.deviance;
+  result.sigma = sigma_of_gain(gain, 1.0 + static_cast<double>(effect.shapes.size()), tried);
+  const Size size = size_of(effect, own.explanation.fit);
+  result.contribution = size.added / size.state;
+  result.tried = static_cast<Index>(tried);
+  double sum = 0.0;
+  for (const Fitted& other : fitted)
+    sum += std::exp(-0.5 * (other.criterion - fitted.front().criterion));
+  const auto probability = [&](const Fitted& one) {
+    return std::exp(-0.5 * (one.criterion - fitted.front().criterion)) / sum;
+  };
+  result.probability = probability(own);
+  result.gap_closed = share_closed(given.fitted, own.explanation.fit);
+  for (std::size_t i = 0; i < fitted.size() && result.alternatives.size() < kAlternatives;
+       ++i) {
+    if (i == chosen) continue;
+    const FittedEffect& other = fitted[i].explanation.effects.front();
+    const std::string where =
+        problem.nominal.states()[static_cast<std::size_t>(other.candidate.equation)].name;
+    const auto name = name_of(problem, given, other, fitted[i].explanation.fit.model);
+    result.alternatives.push_back(
+        {name->name + " of " + where, term_of(other), probability(fitted[i])});
+  }
+  return result;
+}
+
+/// What an account calls an effect.
+const NamedEffect& name_in(const Account& account, const FittedEffect& effect) {
+  const std::vector<FittedEffect>& effects = account.explanation.effects;
+  const auto found = std::find_if(effects.begin(), effects.end(), [&](const FittedEffect& one) {
+    return are_one_form(one.candidate, effect.candidate);
+  });
+  return account.named[static_cast<std::size_t>(found - effects.begin())];
+}
+
+Account account_of(const Account& best, const Baseline& given, Fitted own, NamedEffect fault) {
+  Account account{.hypothesis = std::string(kSensorCalibration.name),
+                  .base = std::make_shared<const Baseline>(given),
+                  .explanation = std::move(own.explanation),
+                  .named = {std::move(fault)},
+                  .rounds = best.rounds,
+                  .left = std::move(own.left)};
+  for (std::size_t e = 1; e < account.explanation.effects.size(); ++e)
+    account.named.push_back(name_in(best, account.explanation.effects[e]));
+  update_numbers(account.explanation, account.named);
+  account.notes = best.notes;
+  return account;
+}
+
+std::string as_well(const std::string& what) {
+  return "the records do not tell this from another explanation: " + what;
+}
+
+/// Whether an account has something in another place than the channel.
+bool acts_elsewhere(const Account& account, const NamedEffect& fault) {
+  const std::vector<FittedEffect>& effects = account.explanation.effects;
+  return std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+    return effect.candidate.place != Place::Channel ||
+           effect.candidate.equation != fault.equation;
+  });
+}
+
+/// The best account with the channel beside it as an alternative.
+Proposal beside(const Account& best, const NamedEffect& fault, const std::string& term) {
+  Account account = best;
+  std::vector<std::string>& said = acts_elsewhere(best, fault) ? account.doubts : account.notes;
+  said.push_back(as_well(fault.description + " (" + fault.name + ")"));
+  for (NamedEffect& effect : account.named)
+    effect.alternatives.insert(effect.alternatives.begin(),
+                               {fault.name, term, 0.5 * effect.probability});
+  return {.account = std::move(account),
+          .precedence = "a channel explains the records as well"};
+}
+
+/// The channel against its peers: alone where they do worse beyond doubt, first where it is the
+/// plainer one, else an alternative.
+Proposals against_peers(const Problem& problem, const Account& best, const Baseline& given,
+                        Fitted own, NamedEffect fault) {
+  const double undecided = problem.options.decision.undecided;
+  const Peer coefficient = best_coefficient(problem, given, own.explanation);
+  const Peer effects = same_effects(problem, given, best);
+  const std::string term = term_of(own.explanation.effects.front());
+  if (coefficient.criterion < own.criterion + undecided &&
+      coefficient.criterion < effects.criterion + undecided)
+    return {{beside(best, fault, term)}, {}};
+  const bool is_sure = own.criterion + undecided < effects.criterion;
+  const bool is_plainer =
+      own.criterion < effects.criterion && own.explanation.parameters() < effects.parameters;
+  if (!is_sure && !is_plainer) {
+    if (own.criterion > effects.criterion + undecided) return {};
+    return {{beside(best, fault, term)}, {}};
+  }
+  const bool elsewhere = acts_elsewhere(best, fault);
+  Account account = account_of(best, given, std::move(own), std::move(fault));
+  if (is_sure) return {{{.account = std::move(account), .lead = undecided}}, {}};
+  std::vector<std::string>& said = elsewhere ? account.doubts : account.notes;
+  for (const NamedEffect& other : best.named) {
+    said.push_back(as_well(other.description + " (" + other.name + ")"));
+    account.named[0].alternatives.insert(account.named[0].alternatives.begin(),
+                                         {other.name, other.term, 0.0});
+  }
+  return {{{.account = std::move(account),
+            .precedence = "the plainer one of two that explain the records as well"}},
+          {}};
+}
+
+}  // namespace
+
+Proposals SensorCalibration::do_propose(const Problem& problem, const Account& best) const {
+  const DecisionOptions& decision = problem.options.decision;
+  const Baseline given = as_given(*best.base);
+  const double explained = given.fitted.deviance - best.explanation.fit.deviance;
+  problem.context.report("calibrating channels", 0.0);
+  const Screening screening(given.fitted);
+  const double shape_price = problem.options.criterion->penalty(
+      {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
+  const std::vector<ScreenedCandidate> screened =
+      screen(candidates_of(problem, given), screening, {shape_price, decision.worth_shaping},
+             problem.context);
+  std::vector<Fitted> fitted =
+      fitted_channels(problem, given, worth_fitting(screened, explained, given, decision));
+  auto chosen = sound_one(problem, fitted);
+  if (!chosen && best.named.size() > 1) {
+    fitted = beside_effects(problem, given, best, fitted);
+    chosen = sound_one(problem, fitted);
+  }
+  if (!chosen) return {};
+  NamedEffect fault =
+      named(problem, given, fitted, *chosen, static_cast<double>(screened.size()));
+  return against_peers(problem, best, given, std::move(fitted[*chosen]), std::move(fault));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "coefficient_changes.hpp"
+#include "identifiability.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/core/numerics/significance.hpp"
+#include "lacuna/diagnose/criterion/holdout.hpp"
+#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
+#include "lacuna/diagnose/hypotheses/shared_process.hpp"
+#include "lacuna/trajectories/smoother/timing_jitter.hpp"
+#include "reservations.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Whether an effect is free to be another one, or none, in other records.
+bool may_differ(const FittedEffect& effect) {
+  const std::span<const double> shapes(effect.shapes.data(),
+                                       static_cast<std::size_t>(effect.shapes.size()));
+  return effect.candidate.is_driven() ||
+         bind_form(effect.candidate, shapes).variables().contains("t");
+}
+
+std::string list_of_names(const Account& account, const OdeModel& nominal) {
+  std::vector<std::string> names;
+  for (const auto* all : {&account.named, &account.findings})
+    for (const NamedEffect& effect : *all)
+      names.push_back(effect.name + " in " +
+                      nominal.states()[static_cast<std::size_t>(effect.equation)].name);
+  return join(names, ", ");
+}
+
+/// Whether the fit of the coefficients is a significant gain, and of the size of an effect in
+/// some equation.
+bool coefficients_off(const Problem& problem, const Baseline& base) {
+  const double gain = base.given.deviance - base.fitted.deviance;
+  const auto free = static_cast<double>(base.fit_options.free.size()) -
+                    static_cast<double>(base.fitted.held.cols());
+  const DecisionOptions& decision = problem.options.decision;
+  return sigma_of_gain(gain, free, 1.0) >= decision.significance &&
+         largest_rate_change(problem.nominal, base.fitted) >= decision.effect_size;
+}
+
+Verdict verdict_of(const Problem& problem, const Account& account) {
+  const bool left = leaves_structure(account, problem.options.decision);
+  if (!account.named.empty() || !account.findings.empty())
+    return left ? Verdict::PartlyExplained : Verdict::Explained;
+  if (left) return Verdict::UnnamedStructure;
+  return coefficients_off(problem, *account.base) ? Verdict::CoefficientsOnly
+                                                  : Verdict::NoDiscrepancy;
+}
+
+Remaining remaining_of(const Account& account, const DecisionOptions& decision) {
+  Remaining remaining;
+  for (const EquationStructure& structure : account.left) {
+    remaining.sigma = std::max(remaining.sigma, structure.sigma);
+    if (!is_substantial(structure, decision)) continue;
+    remaining.equations.push_back(structure.equation);
+    remaining.details.push_back(structure);
+  }
+  remaining.structure = !remaining.equations.empty();
+  return remaining;
+}
+
+/// Windows that were left out, and noise with a memory.
+void add_notes(const Problem& problem, Diagnosis& result) {
+  if (result.gap && result.gap->diverged > 0)
+    result.notes.push_back(
+        "on the records that were not used, models have no finite solution in " +
+        std::to_string(result.gap->diverged) + " windows; they are left out of the gap");
+  const auto& coloured = result.noise.coloured;
+  if (std::none_of(coloured.begin(), coloured.end(),
+                   [](const auto& channel) { return channel.has_value(); }))
+    return;
+  const std::string channels =
+      channels_with_memory(result.noise, problem.nominal, problem.options.decision.minor);
+  result.notes.push_back(
+      "the measurement noise has a memory" + (channels.empty() ? "" : " (" + channels + ")") +
+      ", which explains the records better than any effect with white noise");
+}
+
+void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis& result) {
+  const DecisionOptions& decision = problem.options.decision;
+  const TimingJitter jitter = timing_jitter(fit);
+  if (jitter.sigma < decision.significance || jitter.share < decision.minor) return;
+  const double steps = jitter.deviation / median_step(problem.records.data);
+  result.notes.push_back(
+      "timing jitter: the noise grows with the rate of the states as if the "
+      "times of the samples scattered by " +
+      format_number(jitter.deviation, 2) + " " + problem.nominal.time_unit() + " (" +
+      format_number(steps, 2) + " sampling steps)");
+}
+
+}  // namespace
+
+Hearing hear_other_records(const Problem& problem, const Account& account,
+                           const std::optional<Gap>& gap) {
+  const std::vector<FittedEffect>& effects = account.explanation.effects;
+  const bool only_assumed = account.named.empty();
+  if ((only_assumed && account.findings.empty()) ||
+      std::any_of(effects.begin(), effects.end(), may_differ))
+    return {};
+  const std::string names = "with " + list_of_names(account, problem.nominal) +
+                            " the model fits the records that were used better and the others ";
+  // With a coefficient in each of two equations a form follows hidden states far.
+  if (account.hypothesis == kSharedProcess.name &&
+      (!gap || stays_open(*gap, problem.options.decision)))
+    return {true, false, names + "not to their noise; a form in two equations gets no name so"};
+  if (!gap)
+    return {false, true,
+            "how far the model is from the records that were not used could not be measured: "
+            "nothing confirms the names"};
+  switch (
+      holdout_verdict({gap->before, gap->after, gap->noise_floor}, problem.options.decision)) {
+    case HoldoutVerdict::Refuted:
+      return {true, false, names + "worse; what fails there gets no name"};
+    case HoldoutVerdict::Little:
+      if (mostly_repeats(*account.base->records))
+        return {true, false,
+                names +
+                    "hardly; most samples repeat the one before (coarse quantisation), and "
+                    "what they show beyond that gets no name"};
+      return {false, true,
+              "most of the gap on the records that were not used stays: the names hold for the "
+              "records that were used, or something else acts in the others"};
+    case HoldoutVerdict::Confirmed:
+      break;
+  }
+  return {};
+}
+
+Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
+                      const Hearing& hearing) {
+  Account& best = judged.best;
+  const Baseline& base = *best.base;
+  const Assimilation& fit = best.explanation.fit;
+  const Verdict verdict = verdict_of(problem, best);
+  const std::vector<std::string> doubts = reservations(problem, best, gap);
+  const bool lower = hearing.lower || (verdict == Verdict::Explained && !doubts.empty());
+  Diagnosis result{
+      .verdict = lower ? Verdict::PartlyExplained : verdict,
+      .nominal = problem.nominal,
+      .disagreement = locate(base.given, problem.context),
+      .effects = std::move(best.named),
+      .coefficient_changes =
+          coefficient_changes(problem.nominal, fit, base.fit_options.free.size()),
+      .gap = std::move(gap),
+      .remaining = remaining_of(best, problem.options.decision),
+      .augmented = verdict == Verdict::NoDiscrepancy ? problem.nominal : with_intervals(fit),
+      .noise = fit.noise,
+      .rounds = std::move(best.rounds),
+      .rivals = std::move(judged.trail),
+      .notes = base.notes,
+      .unnamed = std::move(best.unnamed)};
+  std::move(best.findings.begin(), best.findings.end(), std::back_inserter(result.effects));
+  result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
+  result.remaining.structure = result.remaining.structure || hearing.lower;
+  result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
+  if (!hearing.note.empty()) result.notes.push_back(hearing.note);
+  add_notes(problem, result);
+  result.hints = identifiability_hints(problem, base, fit);
+  if (fit.held.cols() > 0 && !result.effects.empty())
+    result.notes.push_back(
+        "where the records tell coefficients only together, sizes of effects hold for the "
+        "coefficients that are kept");
+  if (!result.remaining.structure) add_jitter_note(problem, fit, result);
+  return result;
+}
+
+}  // namespace lacuna

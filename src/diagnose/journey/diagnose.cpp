@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// The journey: records -> baseline -> accounts -> the best of them -> gap -> answer.
+#include "lacuna/diagnose/journey/diagnose.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "answer.hpp"
+#include "held_inputs.hpp"
+#include "journey.hpp"
+#include "lacuna/diagnose/hints/hints.hpp"
+#include "lacuna/records/binding/gaps.hpp"
+#include "lacuna/records/binding/model_view.hpp"
+#include "lacuna/records/binding/read_records.hpp"
+#include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "output_channels.hpp"
+#include "smoothed_records.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Records to explain and records that choose nothing.
+struct Records {
+  BoundRecords find;
+  Dataset unused;  ///< as `find`, with columns that the model does not know as inputs
+  Dataset check;
+  std::vector<std::string> notes = {};
+};
+
+ChannelOptions channel_options(const DecisionOptions& decision) {
+  return {decision.outlying, decision.pile_up};
+}
+
+/// @throws DataError where no channel ever changes.
+void check_that_something_changes(const BoundRecords& records) {
+  for (std::size_t k = 0; k < records.channels.size(); ++k)
+    for (const Trajectory& record : records.data.trajectories) {
+      const auto& x = record.states.col(static_cast<Index>(k));
+      if (records.channels[k].measured && (x.array() != x[0]).any()) return;
+    }
+  throw DataError(records.data.trajectories.front().source,
+                  "nothing moves: no measured state or output ever changes",
+                  "use a record with motion");
+}
+
+Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
+                 const DecisionOptions& decision) {
+  UsableRecords all = usable_records(data, decision.gaps);
+  const bool split = held_out.trajectories.empty();
+  SplitRecords parts = split ? split_in_time(all.data) : SplitRecords{std::move(all.data), {}};
+  if (!split) {
+    UsableRecords other = usable_records(held_out, decision.gaps);
+    for (const std::string& note : other.notes)
+      all.notes.push_back("held-out records: " + note);
+    parts.check = std::move(other.data);
+  }
+  Dataset unused = unused_part(nominal, parts.find);
+  const auto with_start = [&](Dataset part) {
+    part = used_part(nominal, std::move(part));
+    return with_hidden_paths(nominal, part, hidden_states(nominal, part), given_begin(nominal));
+  };
+  BoundRecords find = observed(with_start(std::move(parts.find)), channel_options(decision));
+  check_that_something_changes(find);
+  all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
+  return {std::move(find), std::move(unused), with_start(std::move(parts.check)),
+          std::move(all.notes)};
+}
+
+/// The gap on records that chose nothing, which the account's assumptions correct like the
+/// others.
+std::optional<Gap> gap_of(const Problem& problem, const Account& account,
+                          const Dataset& check) {
+  const auto& correct = account.base->correct;
+  const Dataset corrected = correct ? correct(check) : check;
+  Gap gap = measure_gap(problem.nominal, account.explanation,
+                        {check, corrected, problem.options.decision.outlying}, problem.context);
+  if (!std::isfinite(gap.before) || !std::isfinite(gap.after)) return std::nullopt;
+  return gap;
+}
+
+/// An account that other records were heard on.
+struct HeardAccount {
+  Judged judged;
+  std::optional<Gap> gap;
+  Hearing hearing = {};                     ///< the last one, which withdraws nothing more
+  std::vector<std::string> withdrawn = {};  ///< what was, and why
+};
+
+HeardAccount heard_on(const Dataset& check, const Problem& problem,
+                      const std::vector<Stage<Hypothesis>>& hypotheses, Judged judged) {
+  HeardAccount heard{settle_account(problem, hypotheses, std::move(judged)), {}};
+  for (;;) {
+    heard.gap = gap_of(problem, heard.judged.best, check);
+    heard.hearing = hear_other_records(problem, heard.judged.best, heard.gap);
+    if (!heard.hearing.withdraw) return heard;
+    heard.withdrawn.push_back(heard.hearing.note);
+    heard.judged.best = without_claims(problem, heard.judged.best);
+    heard.judged = settle_account(problem, hypotheses, std::move(heard.judged));
+  }
+}
+
+/// The answer where records and model do not fit together: nothing but why.
+Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
+  return {.verdict = Verdict::UnnamedStructure,
+          .nominal = nominal,
+          .disagreement = {},
+          .effects = {},
+          .coefficient_changes = {},
+          .gap = {},
+          .remaining = {.structure = true, .sigma = 0.0, .equations = {}, .details = {}},
+          .augmented = nominal,
+          .noise = {},
+          .rounds = {},
+          .rivals = {},
+          .notes = {},
+          .hints = std::move(hints)};
+}
+
+/// Slips that single coefficients give away, where none was seen before.
+void add_coefficient_hints(const Problem& problem, Diagnosis& diagnosis) {
+  if (withheld_by(diagnosis.hints) != Withheld::Nothing) return;
+  const DecisionOptions& decision = problem.options.decision;
+  for (const CoefficientChange& change : diagnosis.coefficient_changes) {
+    if (change.nominal == 0.0 || change.sigma < decision.significance) continue;
+    const SaidCoefficient said{change.equation, change.term, change.estimated / change.nominal,
+                               change.deviation / std::abs(change.nominal)};
+    if (auto hint =
+            coefficient_hint(problem.nominal, problem.records.data, said, decision.hints))
+      diagnosis.hints.push_back(std::move(*hint));
+  }
+}
+
+/// The model with coefficients that are not fitted.
+OdeModel held(const OdeModel& model) {
+  std::vector<Equation> equations = model.equations();
+  for (Equation& equation : equations)
+    for (WeightedTerm& term : equation) term.fixed = true;
+  return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
+}
+
+/// Records that were smoothed, as their noise shows, as they were before.
+void sharpen(const OdeModel& nominal, const DiagnosisOptions& options,
+             const RunContext& context, Records& records) {
+  const auto smoothing = smoothing_of({nominal, records.find, options, context});
+  if (!smoothing) return;
+  const SmoothingOptions& undoing = options.decision.smoothing;
+  records.find = sharpened(*smoothing, std::move(records.find), undoing);
+  records.check = sharpened(*smoothing, std::move(records.check), undoing);
+  records.notes.push_back(note_on(*smoothing));
+}
+
+/// What the records themselves say. Where states are hidden there are no rates to compare.
+std::vector<Hint> hints_on(const OdeModel& nominal, const Records& records,
+                           const HintOptions& options) {
+  if (hidden_states(nominal, records.find.data).empty())
+    return look_at(nominal, records.find, records.unused, options);
+  if (auto still = stillness(records.find, options)) return {std::move(*still)};
+  return {};
+}
+
+/// Hypotheses in the order in which they are judged; none where no effect may be named.
+std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
+                                             const std::vector<Hint>& hints) {
+  if (withheld_by(hints) != Withheld::Nothing) return {};
+  return options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
+}
+
+}  // namespace
+
+Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& held_out,
+                   const DiagnosisOptions& options, const RunContext& context) {
+  check_flow(model, "diagnose");
+  const OdeModel nominal = with_output_channels(model, data);
+  check_is_view(nominal, data);
+  if (!held_out.trajectories.empty()) check_is_view(nominal, held_out);
+  Records records = prepared(nominal, data, held_out, options.decision);
+  std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
+  if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
+  records.check =
+      observed_alike(std::move(records.check), records.find, channel_options(options.decision));
+  const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
+  const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
+  sharpen(known, options, context, records);
+
+  const Problem given{known, records.find, options, context};
+  JudgedModel inputs = judge_holds(given, hypotheses);
+  const Problem problem{*inputs.model, records.find, options, context, given.memory};
+  HeardAccount heard = heard_on(records.check, problem, hypotheses, std::move(inputs.judged));
+  Diagnosis diagnosis =
+      make_answer(problem, std::move(heard.judged), std::move(heard.gap), heard.hearing);
+  diagnosis.notes.insert(diagnosis.notes.end(), heard.withdrawn.begin(), heard.withdrawn.end());
+  diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
+  diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
+  diagnosis.hints.insert(diagnosis.hints.begin(), std::make_move_iterator(hints.begin()),
+                         std::make_move_iterator(hints.end()));
+  add_coefficient_hints(problem, diagnosis);
+  diagnosis.augmented = without_output_channels(diagnosis.augmented, model);
+  return diagnosis;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/journey/gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lacuna/data/records/marks.hpp"
+#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "lacuna/trajectories/smoother/outlier_check.hpp"
+#include "lacuna/trajectories/smoother/window_gap.hpp"
+#include "trajectories/smoother/window_paths.hpp"
+
+namespace lacuna {
+namespace {
+
+/// First sample at which all effects are known: delayed values lie in the record, memories
+/// have forgotten where they began. The first one of all when no window is left.
+Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effects,
+                  const Trajectory& record, Index length) {
+  const LinearisedRecord grid = grid_of(nominal.inputs(), record, record.states);
+  double time = record.time[0];
+  for (const FittedEffect& effect : effects) {
+    const auto known =
+        known_from(effect.candidate,
+                   {effect.shapes.data(), static_cast<std::size_t>(effect.shapes.size())},
+                   nominal.variables(), grid);
+    time = std::max(time, known.value_or(time));
+  }
+  Index first = 0;
+  while (first < record.samples() && record.time[first] < time) ++first;
+  return first + length <= record.samples() ? first : 0;
+}
+
+Vector deviations(const Dataset& data) {
+  std::vector<Matrix> states;
+  for (const Trajectory& record : data.trajectories) states.push_back(record.states);
+  return column_deviations(states);
+}
+
+double noise_floor(const NoiseModel& noise, const Vector& scale) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
+    if (!noise.measurement[k]) continue;
+    const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
+    sum += (*noise.measurement[k] * *noise.measurement[k] + colour * colour) /
+           (scale[static_cast<Index>(k)] * scale[static_cast<Index>(k)]);
+    count += 1.0;
+  }
+  return std::sqrt(sum / count);
+}
+
+/// The model on records, with noise of the kind that was found and without the summands that
+/// the measurement has: these are taken on the path, which moves with them. Marked samples that
+/// are outliers are left out.
+Assimilation without_faults(const Assimilation& found, Dataset& data,
+                            const std::vector<bool>& hidden, double outlying,
+                            const RunContext& context) {
+  AssimilationOptions options;
+  options.coloured = found.noise.coloured;
+  options.hidden = hidden;
+  std::vector<Matrix> marks;
+  for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
+  Assimilation fit = assimilate_from_starts(found.model, data, marks, options, context);
+  OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
+  fit.omitted = std::move(outliers.outliers);
+  if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
+  if (found.channel_terms.empty()) return fit;
+  constexpr int kPasses = 4;  // what a filter of a third of the time scale takes away: 1 %
+  marks = fit.omitted;
+  std::vector<Matrix> given;
+  for (const Trajectory& record : data.trajectories) given.push_back(record.states);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (std::size_t r = 0; r < fit.records.size(); ++r)
+      data.trajectories[r].states = without_channel_terms(
+          given[r], fit.records[r], found.model.variables(), found.channel_terms);
+    fit = assimilate(found.model, data, marks, options, context);
+  }
+  return fit;
+}
+
+/// The noise of a model with fewer states.
+NoiseModel narrowed(NoiseModel noise, Index m) {
+  noise.disturbance.conservativeResize(m);
+  noise.measurement.resize(static_cast<std::size_t>(m));
+  noise.coloured.resize(static_cast<std::size_t>(m));
+  return noise;
+}
+
+/// The nominal model and the one with effects on the same windows.
+struct Comparison {
+  WindowSquares before, after;
+  GapRecord runs = {};
+};
+
+/// The samples that say something; NaN for the others, and for states that nobody measured.
+Matrix said_by(const Trajectory& record, const NoiseModel& noise) {
+  Matrix values = record.states;
+  for (Index k = 0; k < values.cols(); ++k)
+    for (Index i = 0; i < values.rows(); ++i)
+      if (!noise.measurement[static_cast<std::size_t>(k)] ||
+          !says_something(mark_of(record.marks, i, k)))
+        values(i, k) = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
+/// On one record.
+Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
+                      const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
+  const Index m = nominal.dimension();
+  const Matrix omitted = fit.omitted.empty() ? Matrix() : fit.omitted[record];
+  const Matrix own = omitted.size() > 0 ? Matrix(omitted.leftCols(m)) : Matrix();
+  const LinearisedRecord& full = fit.records[record];
+  constexpr double kExact = 1e-4;  // of a deviation: no error of the integration shows
+  const LinearisedRecord bare =
+      linearise(nominal, given, Matrix(full.path.leftCols(m)), kExact * scale.head(m));
+  const NoiseModel noise = narrowed(fit.noise, m);
+  const Matrix& corrected = fit.measured[record];
+  const Matrix after = window_paths(full, {corrected, omitted}, fit.noise, grid);
+  return {window_squares(bare, {given.states, own}, noise, scale, grid),
+          window_squares(full, {corrected, omitted}, fit.noise, scale, grid),
+          // What the measurement adds stands in what the augmented model says of the samples.
+          {given.source, given.time, said_by(given, noise),
+           window_paths(bare, {given.states, own}, noise, grid),
+           after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
+}
+
+std::vector<std::string> sources_of(const Dataset& data) {
+  std::vector<std::string> sources;
+  for (const Trajectory& record : data.trajectories)
+    if (sources.empty() || sources.back() != record.source) sources.push_back(record.source);
+  return sources;
+}
+
+}  // namespace
+
+Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
+                const HeldOutRecords& held_out, const RunContext& context) {
+  context.report("measuring the gap on records not used before", 0.0);
+  std::vector<Matrix> paths;
+  for (const Trajectory& record : held_out.corrected.trajectories)
+    paths.push_back(record.states);
+  AugmentedProblem problem =
+      augment(nominal, held_out.corrected, {}, explanation.effects, paths);
+  const Assimilation fit =
+      without_faults(explanation.fit, problem.data, hidden_states(nominal, held_out.corrected),
+                     held_out.outlying, context);
+  const Vector scale = deviations(problem.data);
+  const Index length = window_samples(fit);
+  Comparison all;
+  std::vector<GapRecord> runs;
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    const Index samples = std::min(length, fit.records[r].samples());
+    const Trajectory& given = held_out.given.trajectories[r];
+    const Index begin =
+        first_known(nominal, explanation.effects, held_out.corrected.trajectories[r], samples);
+    Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
+    all.before.add(one.before);
+    all.after.add(one.after);
+    runs.push_back(std::move(one.runs));
+  }
+  const Vector& time = fit.records.front().time;
+  const double floor = noise_floor(fit.noise, scale);
+  return {
+      "rms of (measured - model) / standard deviation in windows of one mean period, "
+      "initial state fitted",
+      all.before.rms(),
+      all.after.rms(),
+      floor,
+      all.after.above(floor),
+      static_cast<double>(length) * (time[1] - time[0]),
+      sources_of(held_out.given),
+      all.before.diverged + all.after.diverged,
+      std::move(runs)};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/attractor/comparison.hpp"
+
+#include <cmath>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/dynamics/attractor/density_distance.hpp"
+#include "lacuna/dynamics/attractor/extents.hpp"
+#include "lacuna/dynamics/attractor/power_spectrum.hpp"
+#include "lacuna/dynamics/attractor/rosenstein.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A fact of the interval: few blocks, so that each is longer than the attractor's memory;
+/// Student's t pays for their number.
+constexpr Index kParts = 5;
+
+/// A mean with half of its 95 % interval.
+struct Estimate {
+  double mean = 0.0, half = 0.0;
+};
+
+Estimate estimate_of(const std::vector<double>& values) {
+  const Eigen::Map<const Vector> all(values.data(), static_cast<Index>(values.size()));
+  const double n = static_cast<double>(values.size()), mean = all.mean();
+  const double deviation = std::sqrt((all.array() - mean).square().sum() / (n - 1.0));
+  return {mean, student_quantile_975(n - 1.0) * deviation / std::sqrt(n)};
+}
+
+/// The longest record in blocks.
+std::vector<Trajectory> blocks_of(const Dataset& data) {
+  const Trajectory& record = longest_record(data);
+  std::vector<Trajectory> blocks;
+  for (Index i = 0; i < kParts; ++i) {
+    const Index begin = i * record.samples() / kParts;
+    blocks.push_back(rows_of(record, begin, (i + 1) * record.samples() / kParts - begin));
+  }
+  return blocks;
+}
+
+using Blocks = std::vector<Trajectory>;
+using Distance = FunctionRef<double(const Trajectory&, const Trajectory&)>;
+
+/// Distances of neighbouring blocks of one record, and of blocks of different records.
+AttractorMeasure distance_measure(std::string name, const Blocks& a, const Blocks& b,
+                                  Distance distance) {
+  std::vector<double> within, between;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    between.push_back(distance(a[i], b[i]));
+    if (i == 0) continue;
+    within.push_back(distance(a[i - 1], a[i]));
+    within.push_back(distance(b[i - 1], b[i]));
+  }
+  const Estimate own = estimate_of(within), other = estimate_of(between);
+  AttractorMeasure measure{std::move(name), "", own.mean, other.mean, own.half, other.half};
+  measure.agree = other.mean - own.mean <= std::hypot(own.half, other.half);
+  return measure;
+}
+
+/// A measure that may be out of reach of a record; its message then stands in the note.
+template <class Make>
+AttractorMeasure if_possible(const std::string& name, Make make) {
+  try {
+    return make();
+  } catch (const ArgumentError& error) {
+    return {.name = name, .note = error.what()};
+  }
+}
+
+AttractorMeasure compared(std::string name, std::string unit, const Estimate& a,
+                          const Estimate& b) {
+  AttractorMeasure measure{std::move(name), std::move(unit), a.mean, b.mean, a.half, b.half};
+  measure.agree = std::abs(a.mean - b.mean) <= std::hypot(a.half, b.half);
+  return measure;
+}
+
+Estimate exponent_of(const Blocks& blocks) {
+  std::vector<double> exponents;
+  for (const Trajectory& block : blocks)
+    exponents.push_back(rosenstein_divergence(block).exponent);
+  return estimate_of(exponents);
+}
+
+void check_alike(const Dataset& a, const Dataset& b) {
+  bool alike = a.states.size() == b.states.size();
+  for (std::size_t k = 0; alike && k < a.states.size(); ++k)
+    alike = a.states[k].name == b.states[k].name;
+  if (!alike)
+    throw ArgumentError("records to compare", "their states are not the same",
+                        "give both the same columns (--states, --map)");
+}
+
+}  // namespace
+
+std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b) {
+  check_alike(a, b);
+  std::vector<AttractorMeasure> measures;
+  const AttractorExtents first = attractor_extents(a, kParts);
+  const AttractorExtents second = attractor_extents(b, kParts);
+  for (std::size_t k = 0; k < a.states.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    measures.push_back(compared("extent of " + a.states[k].name, a.states[k].unit,
+                                {first.size[i], first.half_width[i]},
+                                {second.size[i], second.half_width[i]}));
+  }
+  const Blocks in_a = blocks_of(a), in_b = blocks_of(b);
+  measures.push_back(if_possible("spectrum", [&] {
+    return distance_measure("spectrum", in_a, in_b, [](const auto& x, const auto& y) {
+      return power_spectrum_distance(x, y, 4);
+    });
+  }));
+  measures.push_back(distance_measure("density", in_a, in_b, [](const auto& x, const auto& y) {
+    return density_distance(x.states, y.states);
+  }));
+  measures.push_back(if_possible("Lyapunov exponent", [&] {
+    return compared("Lyapunov exponent", "1/" + a.time_unit, exponent_of(in_a),
+                    exponent_of(in_b));
+  }));
+  return measures;
+}
+
+}  // namespace lacuna

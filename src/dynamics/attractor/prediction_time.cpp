@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/attractor/prediction_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/records/binding/model_view.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Standard deviation of every state over all trajectories.
+Vector spread_of(const Dataset& record) {
+  const double n = static_cast<double>(record.samples());
+  Vector mean = Vector::Zero(record.state_count());
+  for (const Trajectory& run : record.trajectories)
+    mean += run.states.colwise().sum().transpose() / n;
+  Vector squares = Vector::Zero(mean.size());
+  for (const Trajectory& run : record.trajectories)
+    squares +=
+        (run.states.rowwise() - mean.transpose()).colwise().squaredNorm().transpose() / n;
+  return squares.cwiseSqrt();
+}
+
+/// Free runs of a model from samples of a trajectory.
+class Forecast {
+ public:
+  Forecast(const OdeModel& model, const Integrator& integrator, const Trajectory& run)
+      : model_(model), integrator_(integrator), run_(run) {
+    if (run.inputs.cols() > 0) input_.emplace(run, model.inputs());
+  }
+
+  /// `count` samples from `first` on; fewer when the orbit diverges.
+  Matrix states(Index first, Index count) {
+    const Vector start = run_.states.row(first).transpose();
+    const Vector times = run_.time.segment(first, count);
+    if (input_)
+      return simulate(DrivenModel{model_, *input_, input_->breaks()}, integrator_, start, times)
+          .states;
+    return simulate(model_, integrator_, start, times).states;
+  }
+
+ private:
+  const OdeModel& model_;
+  const Integrator& integrator_;
+  const Trajectory& run_;
+  std::optional<RecordInput> input_;
+};
+
+/// A state that does not move does not count.
+Vector inverse(const Vector& spread) {
+  return spread.unaryExpr([](double size) { return size > 0.0 ? 1.0 / size : 0.0; });
+}
+
+/// Samples a forecast stays within the threshold, from the first on.
+Index good_samples(const Matrix& states, const Eigen::Ref<const Matrix>& truth,
+                   const Vector& spread, double threshold) {
+  const Vector weight = inverse(spread);
+  const double bound = threshold * std::sqrt(static_cast<double>(spread.size()));
+  for (Index i = 0; i < states.rows(); ++i) {
+    const Vector off = (states.row(i) - truth.row(i)).transpose().cwiseProduct(weight);
+    if (!(off.norm() <= bound)) return i;
+  }
+  return states.rows();
+}
+
+/// Runs of growing length, so that a short forecast costs little in a long record.
+Index good_samples_from(Index first, Forecast& forecast, const Trajectory& run,
+                        const Vector& spread, double threshold) {
+  const Index rest = run.samples() - first;
+  for (Index count = 128;; count *= 2) {
+    const Index tried = std::min(count, rest);
+    const Index good = good_samples(forecast.states(first, tried),
+                                    run.states.middleRows(first, tried), spread, threshold);
+    if (good < tried || tried == rest) return good;
+  }
+}
+
+double median_of(std::vector<double> values) {
+  const std::size_t half = values.size() / 2;
+  std::sort(values.begin(), values.end());
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+}  // namespace
+
+PredictionTime valid_prediction_time(const OdeModel& model, const Dataset& record,
+                                     const Integrator& integrator,
+                                     const PredictionOptions& options) {
+  if (!(options.threshold > 0.0) || options.starts < 1)
+    throw ArgumentError("valid_prediction_time", "threshold and starts must be positive", "");
+  const Dataset view = model_view(model, record);
+  const Vector spread = spread_of(view);
+  std::vector<double> times;
+  PredictionTime result;
+  for (const Trajectory& run : view.trajectories) {
+    Forecast forecast(model, integrator, run);
+    for (Index s = 0; s < options.starts; ++s) {
+      const Index first = s * run.samples() / options.starts;
+      const Index good = good_samples_from(first, forecast, run, spread, options.threshold);
+      const Index end = first + good;
+      if (end == run.samples()) ++result.cut_off;
+      times.push_back(run.time[std::min(end, run.samples() - 1)] - run.time[first]);
+    }
+  }
+  result.times = Eigen::Map<const Vector>(times.data(), static_cast<Index>(times.size()));
+  result.median = median_of(std::move(times));
+  return result;
+}
+
+}  // namespace lacuna

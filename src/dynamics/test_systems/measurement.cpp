@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+
+namespace lacuna {
+namespace {
+
+Dataset without_derivatives(Dataset record) {
+  for (Trajectory& trajectory : record.trajectories) trajectory.derivatives.resize(0, 0);
+  return record;
+}
+
+Matrix rates_of(const OdeModel& model, const Solution& orbit) {
+  CompiledModel compiled = model.compile();
+  Matrix rates(orbit.states.rows(), orbit.states.cols());
+  Vector x, rate(model.dimension());
+  for (Index i = 0; i < rates.rows(); ++i) {
+    x = orbit.states.row(i);
+    compiled.evaluate(orbit.time[i], x.data(), nullptr, nullptr, rate.data());
+    rates.row(i) = rate.transpose();
+  }
+  return rates;
+}
+
+void check_sigma(const Dataset& record, const Vector& sigma) {
+  if (sigma.size() == record.state_count() && (sigma.array() >= 0.0).all()) return;
+  throw ArgumentError("add_noise", "sigma is not one number >= 0 per state",
+                      "the record has " + std::to_string(record.state_count()) + " states");
+}
+
+double deviation(const Dataset& record, Index state) {
+  const double n = static_cast<double>(record.samples());
+  double sum = 0.0, squares = 0.0;
+  for (const Trajectory& t : record.trajectories) sum += t.states.col(state).sum();
+  for (const Trajectory& t : record.trajectories)
+    squares += (t.states.col(state).array() - sum / n).square().sum();
+  return std::sqrt(squares / n);
+}
+
+}  // namespace
+
+Dataset record_of(const OdeModel& model, const Integrator& integrator, const Vector& x0,
+                  double h, Index n) {
+  const Solution orbit = simulate(model, integrator, x0, sample_times(0.0, h, n));
+  if (orbit.status != IntegrationStatus::Completed)
+    throw ArgumentError("record_of", orbit.message, "start nearer to the attractor");
+  Dataset record;
+  record.time_unit = model.time_unit();
+  record.states = model.states();
+  const bool has_rates = model.compile().delays().empty();
+  record.trajectories.push_back({"simulation", orbit.time, orbit.states, Matrix(n, 0),
+                                 has_rates ? rates_of(model, orbit) : Matrix()});
+  return record;
+}
+
+Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed) {
+  check_sigma(record, sigma);
+  Dataset noisy = without_derivatives(record);
+  Random random(seed);
+  for (Trajectory& trajectory : noisy.trajectories)
+    for (Index i = 0; i < trajectory.samples(); ++i)
+      for (Index k = 0; k < sigma.size(); ++k)
+        trajectory.states(i, k) += sigma[k] * random.normal();
+  return noisy;
+}
+
+Dataset add_relative_noise(const Dataset& record, double share, std::uint64_t seed) {
+  Vector sigma(record.state_count());
+  for (Index k = 0; k < sigma.size(); ++k) sigma[k] = share * deviation(record, k);
+  return add_noise(record, sigma, seed);
+}
+
+Dataset quantise(const Dataset& record, int bits, double range) {
+  if (bits < 1 || bits > 32 || !(range > 0.0))
+    throw ArgumentError("quantise", "no converter has these bits or this range",
+                        "give 1 to 32 bits and a positive range");
+  const double levels = std::ldexp(1.0, bits), step = 2.0 * range / levels;
+  Dataset digital = without_derivatives(record);
+  for (Trajectory& trajectory : digital.trajectories)
+    for (double& value : trajectory.states.reshaped())
+      value = step * std::clamp(std::round(value / step), -0.5 * levels, 0.5 * levels - 1.0);
+  return digital;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "base_columns.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "lacuna/core/numerics/qr.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Of the square of a column, so much has to be new: less is rounding of a Gram matrix.
+constexpr double kNew = 1e-11;
+
+/// What two coefficients are worth together.
+double worth(double h, double g, double hh, double hg, double gg) {
+  const double determinant = hh * gg - hg * hg;
+  if (!(determinant > 0.0)) return kInfinity;
+  return (h * h * gg - 2.0 * h * g * hg + g * g * hh) / determinant;
+}
+
+}  // namespace
+
+BaseColumns::BaseColumns(const Matrix& columns, const Vector& target) {
+  if (!columns.allFinite()) {
+    left_ = kInfinity;
+    return;
+  }
+  Matrix scaled = columns;
+  for (Index j = 0; j < scaled.cols(); ++j)
+    scaled.col(j) /= std::max(scaled.col(j).norm(), 1e-300);
+  if (scaled.cols() > 0) {
+    const PivotedQr factor(scaled, kNew);
+    basis_ = factor.basis();
+    root_ = factor.inverse_triangle();
+  } else {
+    basis_.resize(target.size(), 0);
+    root_.resize(0, 0);
+  }
+  inverse_ = root_ * root_.transpose();
+  const Vector projected = basis_.transpose() * target;
+  h_ = root_ * projected;
+  rest_ = target - basis_ * projected;
+  rest_ -= basis_ * (basis_.transpose() * rest_);
+  left_ = rest_.squaredNorm();
+}
+
+BaseColumns::Added BaseColumns::added(const Vector& column) const {
+  const double length = column.norm();
+  if (!(length > 0.0) || !std::isfinite(length)) return {{}, 0.0, 0.0, left_};
+  const Vector unit = column / length;
+  const Vector along = basis_.transpose() * unit;
+  Vector fresh = unit - basis_ * along;
+  fresh -= basis_ * (basis_.transpose() * fresh);
+  const double size = fresh.squaredNorm();
+  if (!(size > kNew * kNew)) return {{}, 0.0, 0.0, left_};
+  const double h = fresh.dot(rest_) / size;
+  return {root_ * along, size, h, (rest_ - h * fresh).squaredNorm()};
+}
+
+double BaseColumns::left_with(const Vector& column) const {
+  if (!std::isfinite(left_) || !column.allFinite()) return kInfinity;
+  return added(column).left;
+}
+
+double BaseColumns::left_without_two(const Vector& column) const {
+  if (!std::isfinite(left_) || !column.allFinite()) return kInfinity;
+  const Added more = added(column);
+  if (more.size == 0.0) return kInfinity;
+  const Vector h = h_ - more.h * more.along;
+  const Matrix inverse = inverse_ + more.along * more.along.transpose() / more.size;
+  double least = kInfinity;
+  for (Index i = 0; i < h.size(); ++i)
+    for (Index j = i + 1; j < h.size(); ++j)
+      least = std::min(least, worth(h[i], h[j], inverse(i, i), inverse(i, j), inverse(j, j)));
+  return more.left + least;
+}
+
+}  // namespace lacuna

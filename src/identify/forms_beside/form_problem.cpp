@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include "form_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base_columns.hpp"
+#include "forms/candidate/nelder_mead.hpp"
+#include "lacuna/core/base/parallel.hpp"
+#include "lacuna/core/numerics/qr.hpp"
+#include "lacuna/trajectories/subset_selection/subset_search.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A value of a shape parameter on the unit interval and back.
+double to_unit(const ShapeParameter& shape, double value) {
+  if (shape.logarithmic) return std::log(value / shape.low) / std::log(shape.high / shape.low);
+  return (value - shape.low) / (shape.high - shape.low);
+}
+
+double from_unit(const ShapeParameter& shape, double place) {
+  if (shape.logarithmic) return shape.low * std::pow(shape.high / shape.low, place);
+  return shape.low + place * (shape.high - shape.low);
+}
+
+template <class Function>
+Vector each_shape(const Candidate& candidate, const Vector& values, Function function) {
+  Vector result(values.size());
+  for (Index i = 0; i < values.size(); ++i)
+    result[i] = function(candidate.shapes[static_cast<std::size_t>(i)], values[i]);
+  return result;
+}
+
+/// Whether a candidate is taken in already: with other numbers it would only cancel itself.
+bool has_form(const EquationForms& equation, const Candidate& candidate) {
+  return std::any_of(
+      equation.forms.begin(), equation.forms.end(),
+      [&](const MissingForm& form) { return are_one_form(form.candidate, candidate); });
+}
+
+/// By how much the sum of squares grows without each of the columns, h_i^2 / ((A'A)^-1)_ii.
+/// Nothing where columns depend on one another, to within what squares_left() counts.
+std::optional<Vector> column_losses(const Matrix& columns, const Vector& target) {
+  constexpr double kIndependent = 1e-9;  // well above the rank of squares_left()
+  if (columns.cols() < 2 || columns.rows() < columns.cols() || !columns.allFinite())
+    return std::nullopt;
+  const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
+  const PivotedQr factor(columns * norms.cwiseInverse().asDiagonal(), kIndependent);
+  const Index count = columns.cols();
+  if (factor.rank() < count) return std::nullopt;
+  Vector variances(count);
+  variances(factor.order()) = factor.inverse_triangle().rowwise().squaredNorm();
+  return Vector(factor.solve(target).array().square() / variances.array());
+}
+
+template <class T>
+std::vector<T> without(std::vector<T> list, std::size_t place) {
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
+  return list;
+}
+
+}  // namespace
+
+std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
+  std::vector<Start> starts;
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    for (const Vector& shapes : candidates[c].starts)
+      starts.push_back({{candidates[c], shapes}, c, 0.0});
+  return starts;
+}
+
+void set_left(const Vector& left, std::vector<Start>& starts) {
+  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].left = left[static_cast<Index>(i)];
+}
+
+/// The first so many, each candidate at its best starting point only.
+std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Start& a, const Start& b) { return a.left < b.left; });
+  std::vector<Start> best;
+  for (Start& start : starts) {
+    if (best.size() == count) break;
+    if (std::none_of(best.begin(), best.end(),
+                     [&](const Start& other) { return other.candidate == start.candidate; }))
+      best.push_back(std::move(start));
+  }
+  return best;
+}
+
+double Limit::operator()(const EquationForms& equation) const {
+  const std::size_t now = equation.parameters();
+  return left + (now < parameters ? price * static_cast<double>(parameters - now) : 0.0);
+}
+
+bool Limit::prefers(const Trial& a, const Trial& b) {
+  const std::size_t cost = a.equation.parameters(), other = b.equation.parameters();
+  return cost != other ? cost < other : a.left < b.left;
+}
+
+FormProblem::FormProblem(const Dataset& data, Vector noise, FormOptions options,
+                         RunContext context, const std::vector<Term>& library)
+    : rows_(data, noise, library, context.threads),
+      noise_(std::move(noise)),
+      options_(options),
+      context_(std::move(context)) {}
+
+double FormProblem::noise_left(Index equation) const {
+  constexpr double kResolution = 1e-8;  // of the target
+  return static_cast<double>(rows_.rows()) * noise_[equation] * noise_[equation] +
+         kResolution * kResolution * rows_.target(equation).squaredNorm();
+}
+
+double FormProblem::same_as(double left, double noise) const {
+  const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
+  if (left > options_.mostly_noise * noise)
+    return (1.0 + options_.same) * (1.0 + options_.same) * left;
+  return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
+}
+
+Limit FormProblem::limit_of(const EquationForms& equation, Remainder remainder) const {
+  const Index k = equation.equation;
+  const double now = left(equation);
+  const double noise = std::max(noise_left(k), remainder == Remainder::Noise ? now : 0.0);
+  const auto rows = static_cast<double>(rows_.rows());
+  const bool is_noise = now <= options_.mostly_noise * noise;
+  return {same_as(now, noise), is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
+          equation.parameters()};
+}
+
+Matrix FormProblem::columns(const EquationForms& equation) const {
+  std::vector<Expression> forms;
+  for (const MissingForm& form : equation.forms) forms.push_back(form.expression());
+  Matrix all(rows_.rows(), static_cast<Index>(equation.terms.size() + forms.size()));
+  all << rows_.columns_of(equation.terms), rows_.columns(forms);
+  return all;
+}
+
+double FormProblem::left(const EquationForms& equation) const {
+  return squares_left(columns(equation), rows_.target(equation.equation));
+}
+
+std::vector<Term> FormProblem::linear_terms() const {
+  const Variables& variables = rows_.variables();
+  std::vector<Term> terms{Term(Expression::number(1.0), variables)};
+  for (const std::string& name : variables.names())
+    if (name != "t") terms.emplace_back(Expression::variable(name), variables);
+  return terms;
+}
+
+std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
+                                          const std::vector<Candidate>& candidates) const {
+  constexpr int kRough = 25;
+  std::vector<Start> starts = all_starts(candidates);
+  set_left(rated({{equation}}, starts).col(0), starts);
+  const BaseColumns base(columns(equation), rows_.target(equation.equation));
+  std::vector<Trial> trials;
+  for (const Start& start :
+       best_of(std::move(starts), static_cast<std::size_t>(options_.rough_fits))) {
+    if (has_form(equation, start.form.candidate)) continue;
+    trials.push_back({equation, 0.0});
+    trials.back().equation.forms.push_back(start.form);
+  }
+  const auto fit = [&](std::size_t count, int evaluations) {
+    parallel_for(std::min(count, trials.size()), context_.threads, [&](std::size_t i) {
+      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), evaluations);
+    });
+  };
+  fit(trials.size(), kRough);
+  const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
+  std::stable_sort(trials.begin(), trials.end(), leaves_less);
+  fit(static_cast<std::size_t>(options_.exact_fits), kExact);
+  std::stable_sort(trials.begin(), trials.end(), leaves_less);
+  return trials;
+}
+
+Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
+                           const Limit& limit) const {
+  equation.forms.push_back(form);
+  Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
+  now.equation = equation;
+  if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
+  while (now.left <= limit(now.equation) &&
+         now.equation.terms.size() + now.equation.forms.size() > 1) {
+    Trial next = without_least(now.equation);
+    if (next.left > limit(next.equation) && !next.equation.forms.empty())
+      next.left = polish(next.equation, next.equation.forms.size() - 1, kExact);
+    if (!(next.left <= limit(next.equation))) break;
+    now = std::move(next);
+  }
+  return now;
+}
+
+Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
+                          const Limit& limit) const {
+  EquationForms all = from;
+  all.forms.push_back(form);
+  const Matrix members = columns(all);
+  const Trial none{all, std::numeric_limits<double>::infinity()};
+  if (!members.allFinite()) return none;
+  const Index last = members.cols() - 1;
+  Matrix system(members.rows(), members.cols() + 1);
+  system << members, rows_.target(from.equation);
+  const auto rows = static_cast<double>(rows_.rows());
+  const Matrix triangle = Qr(system).triangle();
+  const Subset subset =
+      best_subset(subset_problem(triangle / std::sqrt(std::max(limit.left, 1e-300) / rows)),
+                  2.0 * std::log(rows), {{last}}, Exchange::Single, context_);
+  if (subset.columns.empty() || subset.columns.back() != last) return none;
+  EquationForms few{from.equation, {}, {}};
+  const auto terms = static_cast<Index>(from.terms.size());
+  for (const Index c : subset.columns) {
+    if (c == last) break;
+    if (c < terms)
+      few.terms.push_back(from.terms[static_cast<std::size_t>(c)]);
+    else
+      few.forms.push_back(from.forms[static_cast<std::size_t>(c - terms)]);
+  }
+  return thinned(std::move(few), form, limit);
+}
+
+bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness kind) const {
+  const Matrix both = rows_.values({a.expression(), b.expression()});
+  const double factor = both.col(0).dot(both.col(1)) / both.col(1).squaredNorm();
+  const Vector scaled = factor * both.col(1);
+  const double size = std::sqrt(scaled.squaredNorm() / static_cast<double>(scaled.size()));
+  if (kind == Plainness::Any) return likeness(a, b) > options_.alike;
+  const double spread = std::sqrt((scaled.array() - scaled.mean()).square().mean());
+  return spread > options_.jump_varies * size &&
+         ((both.col(0) - scaled).array().abs() > options_.jump_far * size)
+                 .cast<double>()
+                 .mean() < options_.jump_samples;
+}
+
+std::optional<MissingForm> FormProblem::rest_of(
+    const Term& term, const MissingForm& form, const std::vector<Candidate>& candidates) const {
+  constexpr double kRounding = 1e-9;
+  if (form.shapes.size() == 0) return std::nullopt;
+  const Matrix both = rows_.values({term.expression(), form.expression()});
+  const Vector rest = both.col(0) - both.col(1);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.shapes.size() != form.candidate.shapes.size() ||
+        !(candidate.argument == form.candidate.argument))
+      continue;
+    const MissingForm other{candidate, form.shapes};
+    const Vector values = rows_.values({other.expression()}).col(0);
+    const Vector off = values * (values.dot(rest) / values.squaredNorm()) - rest;
+    if (off.cwiseAbs().maxCoeff() <= kRounding * both.col(0).cwiseAbs().maxCoeff())
+      return other;
+  }
+  return std::nullopt;
+}
+
+double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
+  Matrix both = rows_.values({a.expression(), b.expression()});
+  both.rowwise() -= both.colwise().mean().eval();
+  return std::abs(both.col(0).dot(both.col(1))) / (both.col(0).norm() * both.col(1).norm());
+}
+
+double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations) const {
+  EquationForms others = equation;
+  others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(place));
+  const BaseColumns base(columns(others), rows_.target(equation.equation));
+  return fit_shapes(base, equation.forms[place], evaluations);
+}
+
+double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
+                               int evaluations) const {
+  const auto left = [&](const Vector& at) {
+    context_.check_stop();
+    form.shapes = each_shape(form.candidate, at, from_unit);
+    const double rest = base.left_with(rows_.columns({form.expression()}).col(0));
+    return std::log(std::max(rest, 1e-300));
+  };
+  if (form.shapes.size() == 0) return base.left_with(rows_.columns({form.expression()}).col(0));
+  const Vector start = each_shape(form.candidate, form.shapes, to_unit);
+  const int most = evaluations * static_cast<int>(start.size() * start.size());
+  return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
+}
+
+Matrix FormProblem::rated(const std::vector<Beside>& equations,
+                          const std::vector<Start>& starts) const {
+  constexpr std::size_t kTogether = 32;  // a fact of the machines: columns in memory at a time
+  std::vector<BaseColumns> bases;
+  for (const auto& [equation, without_two] : equations)
+    bases.emplace_back(columns(equation), rows_.target(equation.equation));
+  Matrix left(static_cast<Index>(starts.size()), static_cast<Index>(equations.size()));
+  const std::size_t chunks = (starts.size() + kTogether - 1) / kTogether;
+  parallel_for(chunks, context_.threads, [&](std::size_t chunk) {
+    context_.check_stop();
+    const std::size_t first = chunk * kTogether;
+    const std::size_t end = std::min(starts.size(), first + kTogether);
+    std::vector<Expression> forms;
+    for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
+    const Matrix added = rows_.columns(forms);
+    for (Index i = 0; i < added.cols(); ++i)
+      for (std::size_t e = 0; e < bases.size(); ++e)
+        left(static_cast<Index>(first) + i, static_cast<Index>(e)) =
+            equations[e].without_two ? bases[e].left_without_two(added.col(i))
+                                     : bases[e].left_with(added.col(i));
+  });
+  return left;
+}
+
+Trial FormProblem::without_least(const EquationForms& equation) const {
+  Trial best{equation, std::numeric_limits<double>::infinity()};
+  const auto members = static_cast<Index>(equation.terms.size() + equation.forms.size());
+  const auto losses = column_losses(columns(equation), rows_.target(equation.equation));
+  for (Index i = 0; i + 1 < members; ++i) {
+    // Where columns depend on one another each is tried.
+    if (losses && (*losses)[i] > losses->head(members - 1).minCoeff()) continue;
+    EquationForms fewer = equation;
+    const auto place = static_cast<std::size_t>(i);
+    if (place < equation.terms.size())
+      fewer.terms = without(equation.terms, place);
+    else
+      fewer.forms = without(equation.forms, place - equation.terms.size());
+    const double without_it = left(fewer);
+    if (without_it < best.left) best = {std::move(fewer), without_it};
+  }
+  return best;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/term.hpp"
+#include "lacuna/regression/formulations/projection.hpp"
+
+namespace lacuna {
+
+/// The weak form of a dataset with its rows at hand, K x columns, so that one form more costs
+/// one column. Rows are whitened: white noise sigma of a state is white noise sigma of its
+/// target (see WeakForm). Test functions are as wide as the noise asks for, and not so wide
+/// that few rows are left.
+class FormRows {
+ public:
+  /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
+  ///   argument makes bends out of jumps.
+  /// @param library terms whose columns are made once.
+  FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library = {},
+           int threads = 1);
+
+  const Variables& variables() const { return variables_; }
+  Index rows() const { return rows_; }  ///< K
+
+  /// K x forms; not finite where a form has no value at a sample.
+  Matrix columns(const std::vector<Expression>& forms) const;
+
+  /// The same of terms.
+  Matrix columns_of(const std::vector<Term>& terms) const;
+
+  Vector target(Index state) const;  ///< K
+
+  /// Samples x forms: the values themselves.
+  Matrix values(const std::vector<Expression>& forms) const;
+
+  /// K x columns: the rows of what is given at the samples.
+  Matrix projected(const Matrix& samples) const;
+
+  /// The smoothed rate of a state at the samples.
+  Vector rate(Index state) const { return rates_.col(state); }
+
+ private:
+  /// Rows of one record.
+  struct Part {
+    Index first = 0, samples = 0;  ///< of the slots
+    Projection projection;
+    SparseRows factor;  ///< L of the whitening, banded
+  };
+
+  /// A state of a record, smoothed, at its place among the samples.
+  void smooth(const Trajectory& record, Index state, double noise, Index first);
+
+  template <class Functional>
+  Matrix projected_by(const Matrix& samples, Functional functional) const;
+
+  Variables variables_;
+  Matrix slots_;   ///< samples x variables, where forms are evaluated
+  Matrix states_;  ///< samples x m, as measured
+  Matrix rates_;   ///< samples x m, smoothed
+  std::vector<Part> parts_;
+  Index rows_ = 0;
+  std::map<std::string, Vector> known_;  ///< columns of the library, by names of terms
+};
+
+/// |y - A h|^2 of the least squares solution; infinite where a column is not finite.
+double squares_left(const Matrix& columns, const Vector& target);
+
+}  // namespace lacuna

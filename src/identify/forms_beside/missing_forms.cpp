@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/forms_beside/missing_forms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "form_problem.hpp"
+#include "lacuna/core/base/parallel.hpp"
+#include "rational_forms.hpp"
+
+namespace lacuna {
+namespace {
+
+bool jumps(const Expression& form) {
+  return form.operation() == Operation::Sign || form.operation() == Operation::Step ||
+         std::any_of(form.operands().begin(), form.operands().end(), jumps);
+}
+
+/// Without a form that is there twice: two that were shaped apart may have become one.
+std::vector<MissingForm> distinct(const std::vector<MissingForm>& forms) {
+  std::vector<MissingForm> result;
+  for (const MissingForm& form : forms)
+    if (std::none_of(result.begin(), result.end(), [&](const MissingForm& other) {
+          return other.expression() == form.expression();
+        }))
+      result.push_back(form);
+  return result;
+}
+
+}  // namespace
+
+Expression MissingForm::expression() const {
+  return bind_form(candidate, {shapes.data(), static_cast<std::size_t>(shapes.size())});
+}
+
+std::size_t EquationForms::parameters() const {
+  std::size_t count = terms.size() + forms.size();
+  for (const MissingForm& form : forms) count += static_cast<std::size_t>(form.shapes.size());
+  return count;
+}
+
+FormSearch::FormSearch(const Dataset& data, Vector noise, FormOptions options,
+                       RunContext context, const std::vector<Term>& library)
+    : problem_(std::make_unique<const FormProblem>(data, std::move(noise), options,
+                                                   std::move(context), library)) {}
+FormSearch::~FormSearch() = default;
+
+Index FormSearch::rows() const { return problem_->rows(); }
+
+std::vector<Candidate> FormSearch::fractions(const Scope& scope, Index equation,
+                                             const std::vector<Term>& library) const {
+  return rational_forms(scope, problem_->all_rows(), {equation, library, {}},
+                        static_cast<std::size_t>(problem_->options().denominators),
+                        problem_->context());
+}
+
+EquationForms FormSearch::with_missing_forms(EquationForms equation,
+                                             const std::vector<Candidate>& candidates,
+                                             std::size_t most_forms) const {
+  const Index k = equation.equation;
+  // A mean of squares of noise is known to sqrt(2 / rows) of it.
+  const double scatter =
+      problem_->options().significance * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
+  double left = problem_->left(equation);
+  while (equation.forms.size() < most_forms &&
+         left > (1.0 + scatter) * problem_->noise_left(k)) {
+    const std::vector<Trial> trials = problem_->with_each(equation, candidates);
+    if (trials.empty()) break;
+    const double same = problem_->same_as(trials.front().left, problem_->noise_left(k));
+    if (!(left > same)) break;
+    const auto plainer = [&](const Trial& a, const Trial& b) {
+      const bool good = a.left <= same, other = b.left <= same;
+      if (good != other) return good;
+      const std::size_t cost = a.equation.parameters(), others = b.equation.parameters();
+      return good && cost != others ? cost < others : a.left < b.left;
+    };
+    equation = refitted(std::min_element(trials.begin(), trials.end(), plainer)->equation);
+    left = problem_->left(equation);
+  }
+  return equation;
+}
+
+EquationForms FormSearch::with_fewer_terms(EquationForms equation,
+                                           const std::vector<Candidate>& candidates,
+                                           const std::vector<Term>& library,
+                                           Remainder remainder) const {
+  const auto tried = static_cast<std::size_t>(problem_->options().thinned);
+  if (equation.terms.size() + equation.forms.size() < 2) return equation;
+  Trial best{equation, problem_->left(equation)};
+  const Limit limit = problem_->limit_of(equation, remainder);
+  const EquationForms linear{equation.equation, problem_->linear_terms(), {}};
+  const EquationForms whole{equation.equation, library, {}};
+  const auto take = [&](const Trial& now) {
+    const bool is_fewer = now.equation.parameters() < equation.parameters();
+    if (std::isfinite(now.left) && is_fewer && Limit::prefers(now, best)) best = now;
+  };
+  std::vector<Start> starts = all_starts(candidates);
+  const std::array<const EquationForms*, 3> bases{&equation, &linear, &whole};
+  const Matrix rated = problem_->rated({{equation, true}, {linear}, {whole}}, starts);
+  for (std::size_t b = 0; b < bases.size(); ++b) {
+    const EquationForms* const from = bases[b];
+    set_left(rated.col(static_cast<Index>(b)), starts);
+    const std::vector<Start> best_starts = best_of(starts, tried);
+    std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
+    parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
+      const MissingForm& form = best_starts[i].form;
+      if (from != &whole) trials[i][0] = problem_->thinned(*from, form, limit);
+      if (from != &linear) trials[i][1] = problem_->chosen(whole, form, limit);
+    });
+    for (const auto& of_start : trials)
+      for (const std::optional<Trial>& trial : of_start)
+        if (trial) take(*trial);
+  }
+  // One form may do the work of some terms, another that of others.
+  if (best.equation.parameters() < equation.parameters())
+    return with_fewer_terms(std::move(best.equation), candidates, library, remainder);
+  return best.equation;
+}
+
+std::optional<EquationForms> FormSearch::plainer(const EquationForms& equation,
+                                                 const std::vector<Candidate>& candidates,
+                                                 Plainness kind) const {
+  EquationForms result = equation;
+  bool changed = false;
+  for (MissingForm& form : result.forms) {
+    if (form.shapes.size() == 0) continue;
+    for (const Candidate& candidate : candidates) {
+      const MissingForm other{candidate, Vector()};
+      if (!candidate.shapes.empty()) continue;
+      if (kind == Plainness::Jump && !jumps(candidate.form)) continue;
+      if (!problem_->alike(form, other, kind)) continue;
+      form = other;
+      changed = true;
+      break;
+    }
+  }
+  if (!changed) return std::nullopt;
+  result.forms = distinct(result.forms);
+  return result;
+}
+
+std::optional<EquationForms> FormSearch::with_fewer_shapes(
+    const EquationForms& equation, const std::vector<Candidate>& candidates) const {
+  EquationForms result = equation;
+  bool changed = false;
+  for (std::size_t f = 0; f < equation.forms.size(); ++f) {
+    const auto shapes = static_cast<std::size_t>(equation.forms[f].shapes.size());
+    if (shapes < 2) continue;
+    std::vector<Candidate> fewer;
+    for (const Candidate& candidate : candidates)
+      if (!candidate.shapes.empty() && candidate.shapes.size() < shapes)
+        fewer.push_back(candidate);
+    EquationForms others = result;
+    others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(f));
+    const std::vector<Trial> trials = problem_->with_each(others, fewer);
+    if (trials.empty()) continue;
+    result.forms[f] = trials.front().equation.forms.back();
+    changed = true;
+  }
+  if (!changed) return std::nullopt;
+  return refitted(std::move(result));
+}
+
+EquationForms FormSearch::plainly_written(EquationForms equation, const Vector& coefficients,
+                                          const std::vector<Candidate>& candidates) const {
+  const auto terms = static_cast<Index>(equation.terms.size());
+  for (std::size_t f = 0; f < equation.forms.size(); ++f)
+    for (Index i = 0; i < terms; ++i) {
+      const double of_term = coefficients[i];
+      const double of_form = coefficients[terms + static_cast<Index>(f)];
+      if (!(std::abs(of_term + of_form) < std::abs(of_term))) continue;
+      const auto& term = equation.terms[static_cast<std::size_t>(i)];
+      if (const auto rest = problem_->rest_of(term, equation.forms[f], candidates)) {
+        equation.forms[f] = *rest;
+        break;
+      }
+    }
+  equation.forms = distinct(equation.forms);
+  return equation;
+}
+
+std::vector<MissingForm> FormSearch::shared_forms(
+    const std::vector<EquationForms>& equations) const {
+  std::vector<MissingForm> result;
+  const auto is_one = [&](const MissingForm& form, const MissingForm& other) {
+    Candidate there = form.candidate;
+    there.equation = other.candidate.equation;
+    return are_one_form(there, other.candidate) && problem_->alike(form, other, Plainness::Any);
+  };
+  for (const EquationForms& equation : equations)
+    for (const MissingForm& form : equation.forms)
+      if (std::none_of(result.begin(), result.end(),
+                       [&](const MissingForm& other) { return is_one(form, other); }))
+        result.push_back(form);
+  return result;
+}
+
+EquationForms FormSearch::refitted(EquationForms equation) const {
+  constexpr int kRounds = 3;
+  const bool alone = equation.forms.size() == 1;
+  for (int round = 0; round < (alone ? 1 : kRounds); ++round)
+    for (std::size_t place = 0; place < equation.forms.size(); ++place)
+      problem_->polish(equation, place, kExact);
+  return equation;
+}
+
+}  // namespace lacuna

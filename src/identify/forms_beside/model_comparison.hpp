@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/identify/pipeline/result.hpp"
+
+namespace lacuna {
+
+/// Whether no equation is known to leave more than noise.
+bool reaches_the_noise(const IdentificationResult& result);
+
+/// Whether all are known to leave no more: an equation that could not be judged is no success.
+bool is_known_to_fit(const IdentificationResult& result);
+
+/// Holds models of one record against each other by what they leave.
+///
+/// Where the samples of a state show no noise (unseen_noise()) a fit takes what it leaves for
+/// noise, so that the misfits of two models have no unit in common: there the residuals of the
+/// rates count.
+class ModelComparison {
+ public:
+  explicit ModelComparison(const Dataset& data, int threads = 1);
+
+  /// Sum over equations of ln(what one model leaves / what another does): of the misfits, or of
+  /// the residuals where not both have a finite one, or none with a unit in common.
+  double excess(const IdentificationResult& of, const IdentificationResult& over) const;
+
+  /// Whether a model fits and another does not, in equations whose noise is seen, or by a share
+  /// `same` less of the rates in the others.
+  bool is_ahead(const IdentificationResult& one, const IdentificationResult& other,
+                double same) const;
+
+ private:
+  double excess_in(std::size_t equation, const IdentificationResult& of,
+                   const IdentificationResult& over) const;
+
+  std::vector<bool> seen_;  ///< whether samples show the noise by which an equation is judged
+};
+
+}  // namespace lacuna

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "lacuna/core/base/run_context.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/identify/forms_beside/missing_forms.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
+
+namespace lacuna {
+
+/// The forms with shapes as the trajectories ask for: all coefficients of the model and all
+/// shapes are fitted to the samples (refine()). As they were where that does not converge.
+/// @param model with the terms of the equations, forms by their expressions.
+std::vector<EquationForms> refined_shapes(const OdeModel& model,
+                                          std::vector<EquationForms> equations,
+                                          const Dataset& data, const RunContext& context);
+
+}  // namespace lacuna

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/hidden_state/identify_hidden.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/identify/hidden_state/sparse_coordinates.hpp"
+#include "lacuna/records/binding/embedding.hpp"
+#include "lacuna/trajectories/refiners/moving_polynomial.hpp"
+#include "lacuna/trajectories/shooting/refine.hpp"
+
+namespace lacuna {
+namespace {
+
+using Exponents = Polynomial::Exponents;
+
+/// A model in which the rate of a measured state is a state.
+struct DerivativeModel {
+  Index of = 0;  ///< the measured state
+  IdentificationResult result;
+};
+
+/// Place of a variable of the embedded model (measured states with the derivative behind its
+/// own, inputs, t) among those of the model with the hidden state last.
+std::vector<std::size_t> places(std::size_t variables, std::size_t states, std::size_t hidden) {
+  std::vector<std::size_t> result(variables);
+  for (std::size_t i = 0; i < variables; ++i) result[i] = i > hidden && i < states ? i - 1 : i;
+  result[hidden] = states - 1;
+  return result;
+}
+
+/// @throws ConfigError when a term is not a monomial.
+HiddenStateModel polynomials_of(const DerivativeModel& found) {
+  const OdeModel& model = found.result.model;
+  const auto variables = static_cast<std::size_t>(model.variables().count());
+  const auto place =
+      places(variables, model.states().size(), static_cast<std::size_t>(found.of) + 1);
+  HiddenStateModel polynomials{std::vector<Polynomial>(model.states().size()),
+                               model.variables().count(), model.dimension() - 1};
+  for (std::size_t k = 0; k < model.equations().size(); ++k)
+    for (const WeightedTerm& summand : model.equations()[k]) {
+      const auto& powers = summand.term.exponents();
+      if (!powers)
+        throw ConfigError("--hidden", "the term " + summand.term.name() + " is no monomial",
+                          "choose a polynomial library (--degree)");
+      Exponents exponents(variables, 0);
+      for (std::size_t i = 0; i < variables; ++i) exponents[place[i]] = (*powers)[i];
+      const double error = summand.standard_error.value_or(0.0);
+      polynomials.rates[place[k]].add(exponents, {summand.coefficient, error * error});
+    }
+  return polynomials;
+}
+
+OdeModel model_of(const HiddenStateModel& polynomials, const Dataset& data,
+                  const std::string& name) {
+  std::vector<Quantity> states = data.states;
+  states.push_back({name, ""});
+  Variables variables;
+  for (const Quantity& state : states) variables.states.push_back(state.name);
+  for (const Quantity& input : data.inputs) variables.inputs.push_back(input.name);
+  std::vector<Equation> equations;
+  for (const Polynomial& rate : polynomials.rates) {
+    Equation& equation = equations.emplace_back();
+    for (const auto& [exponents, coefficient] : rate.terms())
+      equation.push_back({Term::monomial(exponents, variables), coefficient.value});
+  }
+  return OdeModel(std::move(states), data.inputs, std::move(equations), data.time_unit);
+}
+
+/// All coefficients are free but that of the hidden state where it is the rate of a measured
+/// one.
+ParametrisedModel parametrised(OdeModel model, Index of) {
+  const std::string& hidden = model.states().back().name;
+  std::vector<FreeCoefficient> free;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const Equation& equation = model.equations()[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < equation.size(); ++i)
+      if (k != of || equation[i].term.name() != hidden)
+        free.push_back({k, static_cast<Index>(i), {}});
+  }
+  return ParametrisedModel(std::move(model), std::move(free));
+}
+
+/// Residuals below this share of a state's deviation are those of digits and steps.
+constexpr double kClean = 1e-5;
+
+bool is_clean(const Refinement& fit, const ResidualStatistics& residual) {
+  const Vector path = fit.states.col(residual.state);
+  const double squares = (path.array() - path.mean()).square().mean();
+  return residual.rms <= kClean * std::sqrt(squares);
+}
+
+/// Whether nothing but noise is left of a state.
+bool is_explained(const Refinement& fit, const ResidualStatistics& residual) {
+  return residual.is_noise || is_clean(fit, residual);
+}
+
+/// Whether a fit is as good as another one, within what is known of the rms of residuals.
+bool is_as_good(const Refinement& fit, const Refinement& as) {
+  if (fit.status == RefineStatus::Diverged) return false;
+  const double samples = static_cast<double>(fit.states.rows());
+  const double scatter = 4.0 / std::sqrt(2.0 * samples);
+  for (std::size_t q = 0; q < fit.residuals.size(); ++q)
+    if (fit.residuals[q].rms > (1.0 + scatter) * as.residuals[q].rms &&
+        !is_clean(fit, fit.residuals[q]))
+      return false;
+  return true;
+}
+
+/// A model with the hidden state, fitted to what was measured.
+struct HiddenFit {
+  DerivativeModel derivative;
+  Refinement fit;
+  int complexity = 0;
+
+  /// What the better one of two has less of: what is no noise, then terms, or else residuals.
+  std::pair<bool, double> worth() const {
+    bool explained = true;
+    double misfit = 0.0;
+    for (const ResidualStatistics& residual : fit.residuals) {
+      explained = explained && is_explained(fit, residual);
+      misfit = std::max(misfit, residual.rms / std::max(residual.noise, 1e-300));
+    }
+    return {!explained, explained ? complexity : misfit};
+  }
+};
+
+/// The simplest model that does what the model of the derivative does; nothing where that has
+/// no solutions.
+std::optional<HiddenFit> fitted(DerivativeModel derivative, const Dataset& data,
+                                const std::string& name, const RunContext& context) {
+  const auto fit = [&](const HiddenStateModel& model) {
+    return refine(parametrised(model_of(model, data, name), derivative.of), data, {}, context);
+  };
+  const HiddenStateModel plain = without_vanishing(polynomials_of(derivative));
+  const HiddenStateModel sparse = in_sparse_coordinates(plain);
+  Refinement as_found = fit(plain);
+  if (as_found.status == RefineStatus::Diverged) return std::nullopt;
+  if (complexity(sparse) < complexity(plain))
+    if (Refinement simple = fit(sparse); is_as_good(simple, as_found))
+      return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse)};
+  return HiddenFit{std::move(derivative), std::move(as_found), complexity(plain)};
+}
+
+/// The best one of the models that the derivatives of the measured states give.
+std::optional<HiddenFit> best_fit(const Dataset& data, const Pipeline& pipeline,
+                                  const Differentiator& differentiator, const std::string& name,
+                                  const RunContext& context) {
+  std::optional<HiddenFit> best;
+  for (Index k = 0; k < data.state_count(); ++k) {
+    if (data.rate_state(k) || !data.is_measured(k)) continue;
+    const std::string& state = data.states[static_cast<std::size_t>(k)].name;
+    context.report("derivative of " + state, double(k) / double(data.state_count()));
+    std::optional<HiddenFit> found =
+        fitted({k, identify(embed(data, {{state, 2}}, differentiator), pipeline, context)},
+               data, name, context);
+    if (found && (!best || found->worth() < best->worth())) best = std::move(found);
+  }
+  return best;
+}
+
+/// The records with the hidden state along them: what dx_k/dt leaves, x_k smoothed.
+Dataset with_hidden(const Dataset& data, const OdeModel& model, Index of, double noise) {
+  Dataset result = data;
+  const Index m = data.state_count();
+  const Quantity& hidden = model.states().back();
+  result.states.push_back(hidden);
+  result.reconstructed.resize(static_cast<std::size_t>(m), false);
+  result.reconstructed.push_back(true);
+  if (!result.rate_of.empty()) result.rate_of.resize(static_cast<std::size_t>(m) + 1);
+  CompiledModel rates = model.compile();
+  for (Trajectory& record : result.trajectories) {
+    const Vector rate = smooth_by_polynomials(record.time, record.states.col(of), noise).col(1);
+    record.derivatives.resize(0, 0);
+    record.states.conservativeResize(Eigen::NoChange, m + 1);
+    if (record.marks.size() > 0) {
+      record.marks.conservativeResize(Eigen::NoChange, m + 1);
+      record.marks.col(m).setZero();
+    }
+    Vector x(m + 1), f(m + 1), u(record.inputs.cols());
+    for (Index i = 0; i < record.samples(); ++i) {
+      x << record.states.row(i).head(m).transpose(), 0.0;
+      u = record.inputs.row(i).transpose();
+      rates.evaluate(record.time[i], x.data(), u.data(), nullptr, f.data());
+      record.states(i, m) = rate[i] - f[of];
+    }
+  }
+  return result;
+}
+
+/// Numbers of the equations, of the fit that has the last word.
+std::vector<EquationFit> fits_of(const Refinement& fit) {
+  std::vector<EquationFit> result;
+  for (const Quantity& state : fit.model.symbolic().states()) {
+    EquationFit& equation = result.emplace_back();
+    equation.equation = state.name;
+    equation.rows = fit.states.rows();
+    equation.converged = fit.status == RefineStatus::Converged;
+    equation.iterations = fit.iterations;
+  }
+  for (const ResidualStatistics& residual : fit.residuals) {
+    EquationFit& equation = result[static_cast<std::size_t>(residual.state)];
+    equation.misfit = residual.noise > 0.0 ? residual.rms / residual.noise : 0.0;
+    equation.fits_to_noise = is_explained(fit, residual);
+  }
+  return result;
+}
+
+}  // namespace
+
+HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeline,
+                                     const Differentiator& differentiator,
+                                     const std::string& name, const RunContext& context) {
+  for (const auto* quantities : {&data.states, &data.inputs})
+    for (const Quantity& quantity : *quantities)
+      if (quantity.name == name)
+        throw ConfigError("--hidden", "the name '" + name + "' is taken",
+                          "rename that column with --map");
+  std::optional<HiddenFit> found = best_fit(data, pipeline, differentiator, name, context);
+  if (!found)
+    throw DataError("records", "no measured state's rate gives a model that has solutions",
+                    "measure more, or give candidate terms (--terms, --degree)");
+  const Index of = found->derivative.of;
+  const std::string rate = data.states[static_cast<std::size_t>(of)].name;
+  const Refinement& fit = found->fit;
+  IdentificationResult result = std::move(found->derivative.result);
+  const double noise = result.noise[of];
+  result.model = fit.fitted();
+  result.fit = fits_of(fit);
+  result.noise = Vector::Zero(result.model.dimension());
+  for (const ResidualStatistics& residual : fit.residuals)
+    result.noise[residual.state] = residual.rms;
+  result.path.clear();
+  result.warnings.clear();
+  result.warnings.push_back(name + " was not measured: it is what is left of d" + rate +
+                            "/dt, where its coefficient is set to 1; the trail is that of " +
+                            rate + "_d1 = d" + rate + "/dt");
+  if (!fit.message.empty()) result.warnings.push_back("fit with " + name + ": " + fit.message);
+  for (const EquationFit& equation : result.fit)
+    if (!equation.fits_to_noise.value_or(true))
+      result.warnings.push_back(
+          "d" + equation.equation + "/dt: trajectories of the model are off by " +
+          format_number(*equation.misfit, 2) + " times the measurement noise");
+  Dataset along = with_hidden(data, result.model, of, noise);
+  return {std::move(result), std::move(along), rate};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Equations with libraries of their own.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/identify/pipeline/pipeline.hpp"
+
+namespace lacuna {
+
+/// One library for a run, with the terms that each equation may have of it.
+struct EquationLibraries {
+  TermLibrary library;
+  std::vector<TermSet> allowed = {};  ///< of each state; empty: all terms for all
+  std::vector<bool> own = {};         ///< whether the equation's library was named; or empty
+  std::vector<CoefficientConstraint> constraints = {};
+};
+
+/// The library of the basis, widened by the terms that equations and constraints name.
+/// Equations without a library of their own have that of the basis and the terms of their
+/// constraints.
+/// @throws ConfigError for an unknown state, a state named twice, an equation without terms, a
+///   constraint on an identity, constraints that contradict one another; ModelError for a
+///   formula that cannot be read.
+EquationLibraries equation_libraries(TermLibrary basis, const Dataset& data,
+                                     const Pipeline& pipeline);
+
+/// The terms that stand in both sets.
+TermSet common_terms(const TermSet& a, const TermSet& b);
+
+}  // namespace lacuna

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/pipeline/pipeline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "constrained_equations.hpp"
+#include "lacuna/core/base/parallel.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/data/records/noise.hpp"
+#include "refined_result.hpp"
+
+namespace lacuna {
+namespace {
+
+/// What all equations of a run share.
+struct Run {
+  const Dataset& data;
+  const Pipeline& pipeline;
+  const RunContext& context;
+  const TermLibrary& library;
+  const LeastSquaresSystem& system;
+  const FilterResult& filtered;
+  const Vector& noise;  ///< of the states, as the record itself tells it; of a map it does not
+  const EquationLibraries& libraries;
+};
+
+/// What is found out about one equation.
+struct EquationOutcome {
+  Equation equation;
+  EquationFit fit;
+  std::vector<TrailEntry> trail;
+  std::vector<std::string> warnings;
+};
+
+Variables variables_of(const Dataset& data) {
+  Variables variables;
+  for (const Quantity& state : data.states) variables.states.push_back(state.name);
+  for (const Quantity& input : data.inputs) variables.inputs.push_back(input.name);
+  return variables;
+}
+
+std::string stage_name(const StageInterface& stage, std::string_view kind) {
+  return std::string(kind) + " " + std::string(stage.info().name);
+}
+
+/// The fate of every candidate of one equation, in library order.
+class TrailWriter {
+ public:
+  TrailWriter(const Run& run, std::string equation) {
+    for (const Term& term : run.library.terms)
+      entries_.push_back({.equation = equation, .term = term.name()});
+  }
+
+  void removed(const std::vector<Removal>& removals, const std::string& stage) {
+    for (const Removal& removal : removals) {
+      TrailEntry& entry = at(removal.term);
+      entry.stage = stage;
+      entry.quantity = removal.quantity;
+      entry.value = removal.value;
+      entry.threshold = removal.threshold;
+      entry.step = removal.step;
+    }
+  }
+
+  void kept(Index term, double coefficient) {
+    at(term).kept = true;
+    at(term).quantity = "coefficient";
+    at(term).value = coefficient;
+  }
+
+  std::vector<TrailEntry> take() { return std::move(entries_); }
+
+ private:
+  TrailEntry& at(Index term) { return entries_[static_cast<std::size_t>(term)]; }
+  std::vector<TrailEntry> entries_;
+};
+
+/// dx_k/dt = x_j, which needs no fit.
+EquationOutcome identity(const Run& run, Index state, Index rate) {
+  const std::string name = run.data.states[static_cast<std::size_t>(state)].name;
+  const std::string other = run.data.states[static_cast<std::size_t>(rate)].name;
+  EquationOutcome outcome;
+  outcome.equation.push_back({Term::parse(other, run.library.variables), 1.0});
+  outcome.fit.equation = name;
+  outcome.fit.identity = true;
+  outcome.trail.push_back({.equation = name,
+                           .term = other,
+                           .kept = true,
+                           .quantity = "known identity",
+                           .value = 1.0});
+  return outcome;
+}
+
+EquationFit summarise(const Run& run, Index state, const Regression& regression) {
+  const double root_rows = std::sqrt(static_cast<double>(run.system.rows()));
+  EquationFit fit;
+  fit.equation = run.data.states[static_cast<std::size_t>(state)].name;
+  fit.rows = run.system.rows();
+  fit.residual_rms = regression.residual_norm / root_rows;
+  fit.target_rms = run.system.factor().target_norms[state] / root_rows;
+  fit.converged = regression.converged;
+  fit.iterations = regression.iterations;
+  return fit;
+}
+
+/// The terms that are tried in an equation: those that it was given, or what the filter leaves.
+TermSet candidates_of(const Run& run, Index state, TrailWriter& trail) {
+  const auto k = static_cast<std::size_t>(state);
+  const EquationLibraries& libraries = run.libraries;
+  const bool own = !libraries.own.empty() && libraries.own[k];
+  if (!own)
+    trail.removed(run.filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
+  if (libraries.allowed.empty()) return run.filtered.kept;
+  for (Index l = 0; l < run.library.size(); ++l)
+    if (!std::binary_search(libraries.allowed[k].begin(), libraries.allowed[k].end(), l))
+      trail.removed({{.term = l, .quantity = "not in the equation's library"}}, "library");
+  return own ? libraries.allowed[k] : common_terms(run.filtered.kept, libraries.allowed[k]);
+}
+
+/// Variance of each coefficient; empty where there are no rows left to estimate it from.
+Vector coefficient_variances(const Run& run, Index state, const Regression& regression) {
+  const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
+  if (freedom <= 0) return {};
+  const double variance =
+      regression.residual_norm * regression.residual_norm / static_cast<double>(freedom);
+  return variance *
+         run.system.subproblem(state, regression.active).inverse_gram_diagonal().array();
+}
+
+WeightedTerm weighted_term(const Run& run, const Regression& regression,
+                           const Vector& variances, Index position) {
+  const auto place = static_cast<std::size_t>(position);
+  const auto term = static_cast<std::size_t>(regression.active[place]);
+  WeightedTerm summand{run.library.terms[term], regression.coefficients[position]};
+  if (variances.size() == 0 || !std::isfinite(variances[position])) return summand;
+  const double error = std::sqrt(variances[position]);
+  const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
+  const double reach = student_quantile_975(static_cast<double>(freedom)) * error;
+  summand.standard_error = error;
+  summand.ci95 = {summand.coefficient - reach, summand.coefficient + reach};
+  return summand;
+}
+
+void write_equation(const Run& run, Index state, const Regression& regression,
+                    EquationOutcome& outcome, TrailWriter& trail) {
+  const Vector variances = coefficient_variances(run, state, regression);
+  const std::string left =
+      left_hand_side(outcome.fit.equation, run.pipeline.formulation->evolution());
+  for (Index i = 0; i < static_cast<Index>(regression.active.size()); ++i) {
+    outcome.equation.push_back(weighted_term(run, regression, variances, i));
+    const WeightedTerm& summand = outcome.equation.back();
+    trail.kept(regression.active[static_cast<std::size_t>(i)], summand.coefficient);
+    if (variances.size() > 0 && !summand.standard_error)
+      outcome.warnings.push_back(left + ": the data do not determine the coefficient of " +
+                                 summand.term.name());
+  }
+  if (outcome.equation.empty()) outcome.warnings.push_back(left + ": no term was found");
+  if (!regression.converged)
+    outcome.warnings.push_back(left + ": the regression did not converge in " +
+                               std::to_string(regression.iterations) + " iterations");
+}
+
+EquationOutcome fit_equation(const Run& run, Index state) {
+  const Regressor& regressor = *run.pipeline.regressor;
+  const TermPruner& pruner = *run.pipeline.pruner;
+  const std::string name = run.data.states[static_cast<std::size_t>(state)].name;
+  TrailWriter trail(run, name);
+  const PruneResult pruned =
+      pruner.prune(run.system, state, candidates_of(run, state, trail), regressor, run.context);
+  trail.removed(pruned.removed, stage_name(pruner, TermPruner::kKind));
+
+  const Regression regression = regressor.fit(
+      run.system, run.system.subproblem(state, pruned.kept), Effort::Final, run.context);
+  trail.removed(regression.removed, stage_name(regressor, Regressor::kKind));
+
+  EquationOutcome outcome;
+  outcome.fit = summarise(run, state, regression);
+  write_equation(run, state, regression, outcome, trail);
+  outcome.trail = trail.take();
+  return outcome;
+}
+
+EquationOutcome outcome_of(const Run& run, Index state) {
+  const std::optional<Index> rate = run.data.rate_state(state);
+  return rate ? identity(run, state, *rate) : fit_equation(run, state);
+}
+
+/// Holds the residual against what measurement noise alone makes of the target.
+void compare_with_noise(EquationFit& fit, std::vector<std::string>& warnings) {
+  const double noise = fit.noise_floor.value_or(0.0);
+  if (noise <= 0.0) return;
+  fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
+  if (*fit.fits_to_noise) return;
+  warnings.push_back("d" + fit.equation + "/dt: the residual (rms " +
+                     format_number(fit.residual_rms, 3) + ") is " +
+                     format_number(fit.residual_rms / noise, 2) +
+                     " times what measurement noise explains");
+}
+
+void note_noise_floors(const Run& run, IdentificationResult& result) {
+  if (result.model.is_map()) return;
+  const std::optional<Vector> floor =
+      run.pipeline.formulation->target_noise(run.data, result.noise);
+  for (std::size_t k = 0; k < result.fit.size() && floor; ++k)
+    if (!result.fit[k].identity) result.fit[k].noise_floor = (*floor)[static_cast<Index>(k)];
+}
+
+/// Judges every fitted equation, by the noise where it is known.
+void judge_fits(IdentificationResult& result) {
+  constexpr double kPoorFit = 0.1;
+  for (EquationFit& fit : result.fit) {
+    if (fit.identity) continue;
+    compare_with_noise(fit, result.warnings);
+    if (!fit.fits_to_noise && fit.residual_rms > kPoorFit * fit.target_rms)
+      result.warnings.push_back(left_hand_side(fit.equation, result.model.evolution()) +
+                                ": the terms leave " +
+                                format_number(100.0 * fit.residual_rms / fit.target_rms, 2) +
+                                (result.model.is_map() ? " % of the next sample unexplained"
+                                                       : " % of the derivative unexplained"));
+  }
+}
+
+/// Residuals of the equations as a refiner has left them.
+void measure_residuals(const Run& run, IdentificationResult& result) {
+  const double root_rows = std::sqrt(static_cast<double>(run.system.rows()));
+  for (std::size_t k = 0; k < result.fit.size(); ++k) {
+    if (result.fit[k].identity) continue;
+    TermSet active;
+    std::vector<double> values;
+    for (Index l = 0; l < run.library.size(); ++l) {
+      const std::string& term = run.library.terms[static_cast<std::size_t>(l)].name();
+      const double value = result.model.coefficient(static_cast<Index>(k), term);
+      if (value == 0.0) continue;
+      active.push_back(l);
+      values.push_back(value);
+    }
+    const Subproblem problem = run.system.subproblem(static_cast<Index>(k), active);
+    const auto count = static_cast<Index>(values.size());
+    result.fit[k].residual_rms =
+        problem.residual_norm(Eigen::Map<const Vector>(values.data(), count)) / root_rows;
+  }
+}
+
+template <class T>
+void append(std::vector<T>& target, std::vector<T> more) {
+  target.insert(target.end(), std::make_move_iterator(more.begin()),
+                std::make_move_iterator(more.end()));
+}
+
+/// Equations are fitted beside each other, each by one thread.
+std::vector<EquationOutcome> fit_equations(const Run& run) {
+  const auto states = static_cast<std::size_t>(run.data.state_count());
+  std::vector<EquationOutcome> outcomes(states);
+  // A team divides the passes of one equation after the other.
+  if (states == 1 || run.context.threads == 1 || run.context.team != nullptr) {
+    for (std::size_t k = 0; k < states; ++k) {
+      run.context.report("fitting equations",
+                         static_cast<double>(k) / static_cast<double>(states));
+      outcomes[k] = outcome_of(run, static_cast<Index>(k));
+    }
+    return outcomes;
+  }
+  RunContext silent = run.context;
+  silent.progress = nullptr;
+  silent.threads = 1;
+  const Run each{run.data,   run.pipeline, silent,    run.library,
+                 run.system, run.filtered, run.noise, run.libraries};
+  std::mutex reporting;
+  std::size_t done = 0;
+  parallel_for(states, run.context.threads, [&](std::size_t k) {
+    silent.check_stop();
+    outcomes[k] = outcome_of(each, static_cast<Index>(k));
+    const std::lock_guard lock(reporting);
+    run.context.report("fitting equations", double(++done) / double(states));
+  });
+  return outcomes;
+}
+
+IdentificationResult run_equations(const Run& run) {
+  std::vector<EquationOutcome> outcomes = fit_equations(run);
+  std::vector<Equation> equations;
+  for (const EquationOutcome& outcome : outcomes) equations.push_back(outcome.equation);
+  IdentificationResult result{
+      OdeModel(run.data.states, run.data.inputs, std::move(equations), run.data.time_unit)
+          .with_evolution(run.pipeline.formulation->evolution()),
+      run.noise,
+      {},
+      {},
+      {},
+      {}};
+  for (EquationOutcome& outcome : outcomes) {
+    result.fit.push_back(std::move(outcome.fit));
+    append(result.trail, std::move(outcome.trail));
+    append(result.warnings, std::move(outcome.warnings));
+  }
+  satisfy_constraints(run.system, run.libraries, result);
+  if (!run.libraries.constraints.empty()) measure_residuals(run, result);
+  note_noise_floors(run, result);
+  if (!run.context.leads()) return result;
+  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result,
+                    run.context.alone()))
+    measure_residuals(run, result);
+  else
+    judge_fits(result);
+  return result;
+}
+
+std::string excerpt_note(const RecordStream& records) {
+  return "the terms come from all " + std::to_string(records.samples()) +
+         " samples; noise, refinement and verification from " +
+         std::to_string(records.excerpt().samples()) + " of them, spread over the records";
+}
+
+}  // namespace
+
+IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,
+                              const RunContext& context) {
+  const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
+  const Dataset& data =
+      is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
+  if (lacks_input_columns(data))
+    return identify(with_input_columns(*records.in_memory()), pipeline, context);
+  check_dataset(data, context.threads);
+  const EquationLibraries libraries =
+      equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
+  const TermLibrary& library = libraries.library;
+  context.report("reading rows", 0.0);
+  Pipeline fitted = pipeline;
+  if (is_map && pipeline.energy_preserving)
+    throw ConfigError("constraint energy-preserving",
+                      "it is one of rates, which a map has none of",
+                      "leave it out, or identify a flow");
+  const Vector noise = is_map ? Vector() : estimate_noise(data, context.threads);
+  fitted.formulation = fitted_to(pipeline.formulation, data, noise);
+  const LeastSquaresSystem system = fitted.formulation->assemble(records, library, context);
+  context.report("filtering terms", 0.0);
+  const FilterResult filtered = fitted.filter->filter(system, context);
+  IdentificationResult result =
+      run_equations({data, fitted, context, library, system, filtered, noise, libraries});
+  if (records.is_long() && !is_map) result.warnings.push_back(excerpt_note(records));
+  context.report("fitting equations", 1.0);
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Which samples are held out.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/identify/validation/validation_options.hpp"
+
+namespace lacuna {
+
+/// Samples [first, first + count) of a record.
+struct Block {
+  std::size_t record = 0;
+  Index first = 0;
+  Index count = 0;
+};
+
+/// Every so manyth of blocks, counted through all records (ValidationOptions::held_every):
+/// about ValidationOptions::blocks in all where each has room for a window then, and no fewer
+/// than ValidationOptions::fewest_blocks. A record that is shorter than a block is one.
+/// @param window samples.
+std::vector<Block> held_blocks(const Dataset& data, Index window,
+                               const ValidationOptions& options = {});
+
+/// Whole records.
+std::vector<Block> all_blocks(const Dataset& data);
+
+/// No more than so many samples of blocks that are evenly spread; a block that is longer than
+/// that on its own is cut.
+std::vector<Block> limited(const std::vector<Block>& blocks, Index samples);
+
+/// What is left of the records; stretches of fewer than `shortest` samples are dropped.
+/// @param blocks in the order of records and time.
+Dataset without_blocks(const Dataset& data, const std::vector<Block>& blocks, Index shortest);
+
+/// No more than so many samples of records, in stretches as limited() takes them.
+Dataset thinned(const Dataset& data, Index samples);
+
+}  // namespace lacuna

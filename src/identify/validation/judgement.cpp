@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "lacuna/core/base/text.hpp"
+
+namespace lacuna {
+namespace {
+
+/// What a test says of one state.
+enum class Finding {
+  Within,  ///< the error is noise
+  Above,   ///< it is more
+  Hidden,  ///< it may be noise of which the samples show nothing
+  Blind,   ///< there is no motion to be explained beyond the noise
+};
+
+/// The noise with what chance and its estimate add.
+double with_chance(double noise, const PredictionError& state,
+                   const ValidationOptions& options) {
+  return noise * (1.0 + options.noise_slack + options.scatter / std::sqrt(2.0 * state.freedom));
+}
+
+/// Whether errors that are hardly above the noise are no noise because neighbours have them in
+/// common.
+bool has_structure(const PredictionError& state, const ValidationOptions& options) {
+  return state.error >
+             state.noise * (1.0 + options.structure / std::sqrt(2.0 * state.freedom)) &&
+         state.correlation * std::sqrt(state.freedom) > options.scatter;
+}
+
+Finding finding_of(const PredictionError& state, const ValidationOptions& options) {
+  const double most = with_chance(state.noise, state, options);
+  if (!std::isfinite(state.error)) return Finding::Above;
+  const double sure =
+      std::max(state.noise_seen ? most : 0.0, options.resolution * state.motion);
+  if (state.error > std::max(sure, most) || has_structure(state, options))
+    return Finding::Above;
+  if (state.motion <= most) return Finding::Blind;
+  return state.error <= sure ? Finding::Within : Finding::Hidden;
+}
+
+struct Findings {
+  Index within = 0, above = 0, hidden = 0;
+  double share = 0.0;  ///< the largest of those that are above
+};
+
+double freedom_of(const PredictionTest& test) {
+  double freedom = 0.0;
+  for (const PredictionError& state : test.states) freedom += state.freedom;
+  return freedom;
+}
+
+bool says_something(const PredictionTest& test, const ValidationOptions& options) {
+  return freedom_of(test) >= options.least_freedom;
+}
+
+/// Whether a model has no solution in most windows.
+bool is_lost(const PredictionTest& test) {
+  return test.windows > 0 && 2 * test.lost > test.windows;
+}
+
+/// What is found of those states that a test is meant for.
+template <class Predicate>
+Findings findings_of(const PredictionTest& test, const ValidationOptions& options,
+                     Predicate counts) {
+  Findings all;
+  for (const PredictionError& state : test.states) {
+    if (!(state.freedom >= 1.0) || !counts(state)) continue;
+    const Finding finding = finding_of(state, options);
+    all.within += finding == Finding::Within;
+    all.hidden += finding == Finding::Hidden;
+    all.above += finding == Finding::Above;
+    if (finding == Finding::Above) all.share = std::max(all.share, state.share());
+  }
+  return all;
+}
+
+/// Errors of one step beside large noise are no measure of a model, which is there to predict:
+/// their share counts only where there are no windows that say something.
+Findings joined(const Findings& one_step, const std::optional<Findings>& windows) {
+  if (!windows) return one_step;
+  return {one_step.within + windows->within, one_step.above + windows->above,
+          one_step.hidden + windows->hidden, windows->share};
+}
+
+std::string percent(double share) {
+  return format_number(100.0 * share, share < 0.995 ? 2 : 3) + " %";
+}
+
+/// "0.02 % of the motion of x" or "1.02 times the noise of x": the worst state of a test.
+std::string size_of(const PredictionTest& test) {
+  const PredictionError* worst = nullptr;
+  for (const PredictionError& state : test.states)
+    if (state.freedom >= 1.0 && (!worst || state.share() > worst->share())) worst = &state;
+  if (!worst) return "";
+  if (worst->noise_seen && worst->noise > 0.0 && worst->error < 3.0 * worst->noise)
+    return format_number(worst->error / worst->noise, 3) + " times the noise of " +
+           worst->state;
+  return percent(worst->share()) + " of the motion of " + worst->state;
+}
+
+std::string numbers_of(const Validation& validation, const ValidationOptions& options) {
+  std::string text;
+  const auto add = [&](const PredictionTest& test, const std::string& what) {
+    if (!says_something(test, options)) return;
+    const std::string size = size_of(test);
+    if (!size.empty()) text += (text.empty() ? "" : ", ") + what + " " + size;
+  };
+  add(validation.one_step, "one step ahead the error is");
+  add(validation.windows, "over " + format_number(validation.windows.horizon, 3) +
+                              (validation.time_unit.empty() ? "" : " " + validation.time_unit) +
+                              " it is");
+  return text;
+}
+
+void cannot_tell(const std::string& why, Validation& validation) {
+  validation.verdict = ValidationVerdict::CannotTell;
+  validation.sentence = "Cannot tell whether the model holds: " + why + ".";
+}
+
+void judge_numbers(const Findings& found, const ValidationOptions& options,
+                   Validation& validation) {
+  const std::string numbers = numbers_of(validation, options);
+  if (found.above > 0 && found.share > options.wrong_share) {
+    validation.verdict = ValidationVerdict::WrongLibrary;
+    validation.sentence =
+        "Wrong library: these terms cannot describe the record; " + numbers + ".";
+  } else if (found.above > 0) {
+    validation.verdict = ValidationVerdict::Approximation;
+    validation.sentence = "An approximation: " + numbers + ".";
+  } else if (found.within + found.hidden == 0) {
+    cannot_tell("nothing in the samples held out moves beyond their noise", validation);
+  } else if (found.hidden > 0) {
+    cannot_tell("how large the noise of the samples is they do not show; " + numbers,
+                validation);
+  } else if (!validation.given && !validation.refitted) {
+    cannot_tell("no part of the record could be held out; on what was fitted, " + numbers,
+                validation);
+  } else {
+    validation.verdict = ValidationVerdict::FitsToNoise;
+    validation.sentence = "Fits to the noise: " + numbers + ".";
+  }
+}
+
+}  // namespace
+
+void judge(const ValidationOptions& options, Validation& validation) {
+  if (is_lost(validation.one_step) || is_lost(validation.windows)) {
+    validation.verdict = ValidationVerdict::WrongLibrary;
+    validation.sentence = "Wrong library: in most windows the model has no finite solution.";
+    return;
+  }
+  const bool steps = says_something(validation.one_step, options);
+  const bool windows = says_something(validation.windows, options);
+  if (!steps && !windows)
+    return cannot_tell("only " + std::to_string(validation.samples) + " samples are held out",
+                       validation);
+  // What is no noise and not of the model, of solvers, digits and the interpolation between
+  // steps, does not add up: one step shows it, and windows show what the model is off by.
+  const auto any = [](const PredictionError&) { return true; };
+  const auto tells_steps = [&](const PredictionError& state) {
+    return !windows || state.noise_seen || !std::isfinite(state.error);
+  };
+  const Findings none;
+  judge_numbers(joined(steps ? findings_of(validation.one_step, options, tells_steps) : none,
+                       windows ? std::optional(findings_of(validation.windows, options, any))
+                               : std::nullopt),
+                options, validation);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What errors of predictions say of a model.
+#pragma once
+
+#include "lacuna/identify/validation/validate.hpp"
+
+namespace lacuna {
+
+/// Sets verdict and sentence of a validation whose tests have been made.
+void judge(const ValidationOptions& options, Validation& validation);
+
+}  // namespace lacuna

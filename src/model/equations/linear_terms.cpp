@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "linear_terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "lacuna/core/base/error.hpp"
+#include "model/expressions/operations.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kMostTerms = 1000;
+
+/// coefficient x factors / divisors.
+struct Product {
+  double coefficient = 1.0;
+  std::vector<Expression> factors = {}, divisors = {};
+};
+
+using Sum = std::vector<Product>;
+
+Sum scaled(Sum sum, double factor) {
+  for (Product& product : sum) product.coefficient *= factor;
+  return sum;
+}
+
+Sum joined(Sum a, Sum b) {
+  a.insert(a.end(), std::make_move_iterator(b.begin()), std::make_move_iterator(b.end()));
+  return a;
+}
+
+void append(std::vector<Expression>& to, const std::vector<Expression>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+Sum multiplied(const Sum& a, const Sum& b) {
+  if (a.size() * b.size() > kMostTerms)
+    throw ModelError("a product of sums", "it has more than 1000 terms when multiplied out",
+                     "write the terms that are meant");
+  Sum result;
+  for (const Product& left : a)
+    for (const Product& right : b) {
+      Product product = left;
+      product.coefficient *= right.coefficient;
+      append(product.factors, right.factors);
+      append(product.divisors, right.divisors);
+      result.push_back(std::move(product));
+    }
+  return result;
+}
+
+bool is_sum(const Expression& e) {
+  return e.operation() == Operation::Add || e.operation() == Operation::Subtract;
+}
+
+/// (a+b)^1, which says that the sum is to stay together.
+bool is_whole(const Expression& e) {
+  return e.operation() == Operation::Power && is_sum(e.operands()[0]) &&
+         e.operands()[1] == Expression::number(1.0);
+}
+
+Sum expanded(const Expression& e);
+
+/// One over an expression; a sum stays a divisor as a whole.
+Product reciprocal(const Expression& divisor) {
+  const Sum below = expanded(divisor);
+  if (below.size() != 1) return {1.0, {}, {divisor}};
+  return {1.0 / below[0].coefficient, below[0].divisors, below[0].factors};
+}
+
+Sum expanded(const Expression& e) {
+  if (const auto value = constant_value(e)) return {{*value}};
+  const auto operand = [&](std::size_t i) { return e.operands()[i]; };
+  switch (e.operation()) {
+    case Operation::Add:
+      return joined(expanded(operand(0)), expanded(operand(1)));
+    case Operation::Subtract:
+      return joined(expanded(operand(0)), scaled(expanded(operand(1)), -1.0));
+    case Operation::Negate:
+      return scaled(expanded(operand(0)), -1.0);
+    case Operation::Multiply:
+      return multiplied(expanded(operand(0)), expanded(operand(1)));
+    case Operation::Divide:
+      return multiplied(expanded(operand(0)), {reciprocal(operand(1))});
+    case Operation::Power:
+      if (is_whole(e)) return {{1.0, {operand(0)}}};
+      return {{1.0, {e}}};
+    default:
+      return {{1.0, {e}}};
+  }
+}
+
+/// The product of factors; 1 of none.
+Expression product_of(const std::vector<Expression>& factors) {
+  if (factors.empty()) return Expression::number(1.0);
+  Expression product = factors.front();
+  for (std::size_t i = 1; i < factors.size(); ++i) product = product * factors[i];
+  return product;
+}
+
+Term term_of(const Product& product, const Variables& variables) {
+  const Expression above = product_of(product.factors);
+  return Term(product.divisors.empty() ? above : above / product_of(product.divisors),
+              variables);
+}
+
+}  // namespace
+
+Equation linear_terms(const Expression& formula, const Variables& variables) {
+  Equation equation;
+  for (const Product& product : expanded(formula)) {
+    Term term = term_of(product, variables);
+    if (!std::isfinite(product.coefficient))
+      throw ModelError("the coefficient of " + term.name(), "it is not finite",
+                       "look for a division by 0");
+    const auto same = std::find_if(equation.begin(), equation.end(),
+                                   [&](const auto& other) { return other.term == term; });
+    if (same == equation.end())
+      equation.push_back({std::move(term), product.coefficient});
+    else
+      same->coefficient += product.coefficient;
+  }
+  std::erase_if(equation, [](const auto& summand) { return summand.coefficient == 0.0; });
+  return equation;
+}
+
+Expression kept_together(const Expression& term) {
+  if (is_sum(term)) return Expression::make(Operation::Power, {term, Expression::number(1.0)});
+  const bool is_product = term.operation() == Operation::Multiply ||
+                          term.operation() == Operation::Divide ||
+                          term.operation() == Operation::Negate;
+  if (!is_product) return term;
+  std::vector<Expression> operands;
+  for (const Expression& operand : term.operands()) operands.push_back(kept_together(operand));
+  return Expression::make(term.operation(), std::move(operands));
+}
+
+}  // namespace lacuna

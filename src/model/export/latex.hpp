@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "lacuna/model/equations/ode_model.hpp"
+
+namespace lacuna {
+
+/// The equations as an align* environment of amsmath: \dot{x} &= -10\,x + 10\,y.
+std::string export_latex(const OdeModel& model);
+
+}  // namespace lacuna

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/model/files/model_file.hpp"
+
+namespace lacuna {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+std::string dump(const OrderedJson& value) {
+  return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+/// A list with one element per line.
+std::string list_text(const std::vector<std::string>& elements, const std::string& indent) {
+  if (elements.empty()) return "[]";
+  std::string text = "[";
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    text.append(i == 0 ? "\n" : ",\n").append(indent).append(elements[i]);
+  return text.append("]");
+}
+
+std::string quantities_text(const std::vector<Quantity>& quantities) {
+  std::vector<std::string> elements;
+  for (const Quantity& quantity : quantities) {
+    OrderedJson object{{"name", quantity.name}, {"unit", quantity.unit}};
+    if (quantity.hold) object["hold"] = to_string(*quantity.hold);
+    elements.push_back(dump(object));
+  }
+  return list_text(elements, "  ");
+}
+
+/// What is known of a coefficient or a parameter. An error or interval that is not finite says
+/// nothing, and JSON has no way to write it.
+template <class Number>
+void add_errors(const Number& number, OrderedJson& object) {
+  if (number.standard_error && std::isfinite(*number.standard_error))
+    object["stderr"] = *number.standard_error;
+  if (number.ci95 && std::isfinite((*number.ci95)[0]) && std::isfinite((*number.ci95)[1]))
+    object["ci95"] = *number.ci95;
+}
+
+std::string summand_text(const WeightedTerm& summand) {
+  OrderedJson object{{"term", summand.term.name()}, {"coefficient", summand.coefficient}};
+  if (summand.fixed) object["fixed"] = true;
+  add_errors(summand, object);
+  return dump(object);
+}
+
+std::string parameter_text(const Parameter& parameter) {
+  OrderedJson object{{"name", parameter.name}, {"value", parameter.value}};
+  object["unit"] = parameter.unit;
+  object["free"] = parameter.free;
+  if (parameter.min) object["min"] = *parameter.min;
+  if (parameter.max) object["max"] = *parameter.max;
+  if (parameter.per_record) object["per_record"] = true;
+  add_errors(parameter, object);
+  return dump(object);
+}
+
+std::string output_text(const Output& output) {
+  return dump({{"name", output.name},
+               {"expression", output.formula.to_string()},
+               {"unit", output.unit}});
+}
+
+std::string initial_text(const InitialValue& initial) {
+  OrderedJson object{{"value", initial.value}};
+  if (initial.fixed) object["fixed"] = true;
+  if (initial.deviation) object["deviation"] = *initial.deviation;
+  return dump(object);
+}
+
+/// The sections that not every model has.
+std::string further_sections(const SystemModel& system) {
+  const OdeModel& model = system.symbolic();
+  std::string text;
+  std::vector<std::string> parameters, outputs, initial;
+  for (const Parameter& parameter : system.parameters())
+    parameters.push_back(parameter_text(parameter));
+  for (const Output& output : model.outputs()) outputs.push_back(output_text(output));
+  for (std::size_t k = 0; k < model.states().size(); ++k)
+    if (const auto& value = model.initial()[k])
+      initial.push_back(dump(model.states()[k].name) + ": " + initial_text(*value));
+  if (!parameters.empty())
+    text.append(",\n \"parameters\": ").append(list_text(parameters, "  "));
+  if (!outputs.empty()) text.append(",\n \"outputs\": ").append(list_text(outputs, "  "));
+  if (!initial.empty())
+    text.append(",\n \"initial\": {").append(join(initial, ", ")).append("}");
+  return text;
+}
+
+std::string equation_text(const std::string& state, const Equation& equation) {
+  std::vector<std::string> elements;
+  for (const WeightedTerm& summand : equation) elements.push_back(summand_text(summand));
+  std::string text = "{\"state\": ";
+  text.append(dump(state)).append(", \"terms\": ");
+  return text.append(list_text(elements, "    ")).append("}");
+}
+
+}  // namespace
+
+std::string format_model(const SystemModel& system) {
+  const OdeModel& model = system.symbolic();
+  std::vector<std::string> equations;
+  for (std::size_t i = 0; i < model.equations().size(); ++i)
+    equations.push_back(equation_text(model.states()[i].name, model.equations()[i]));
+  std::string text = "{\"format\": \"lacuna.model/1\",\n \"time_unit\": ";
+  text.append(dump(model.time_unit()));
+  if (model.is_map()) text.append(",\n \"time\": \"discrete\"");
+  text.append(",\n \"states\": ").append(quantities_text(model.states()));
+  text.append(",\n \"inputs\": ").append(quantities_text(system.inputs()));
+  text.append(",\n \"equations\": ").append(list_text(equations, "  "));
+  return text.append(further_sections(system)).append("}\n");
+}
+
+}  // namespace lacuna

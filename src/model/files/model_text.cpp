@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <string>
+
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Whether a text can follow a factor and a '*' as it is.
+bool is_product_text(const Expression& e) {
+  switch (e.operation()) {
+    case Operation::Add:
+    case Operation::Subtract:
+      return false;
+    default:
+      return e.to_string().front() != '-';
+  }
+}
+
+/// |c| times the term; factors of 1 are left out.
+std::string magnitude_text(const Expression& e, std::string factor) {
+  if (is_number(e, 1.0)) return factor;
+  const bool reciprocal = e.operation() == Operation::Divide && is_number(e.operands()[0], 1.0);
+  std::string term = e.to_string();
+  if (factor == "1" && is_product_text(e)) return term;
+  if (reciprocal) return factor.append(term, 1);
+  if (factor == "1")
+    factor.clear();
+  else
+    factor += '*';
+  if (is_product_text(e)) return factor.append(term);
+  return factor.append("(").append(term).append(")");
+}
+
+std::string number_text(double value, std::optional<int> significant_digits) {
+  return significant_digits ? format_number(value, *significant_digits) : format_number(value);
+}
+
+std::string right_hand_side(const Equation& equation, std::optional<int> significant_digits) {
+  std::string text;
+  for (const WeightedTerm& summand : equation) {
+    if (summand.coefficient == 0.0) continue;
+    const bool negative = summand.coefficient < 0.0;
+    text += text.empty() ? (negative ? "-" : "") : negative ? " - " : " + ";
+    text += magnitude_text(summand.term.expression(),
+                           number_text(std::abs(summand.coefficient), significant_digits));
+  }
+  if (text.empty()) text += '0';
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const OdeModel& model, std::optional<int> significant_digits) {
+  std::string text;
+  for (std::size_t i = 0; i < model.equations().size(); ++i) {
+    if (i > 0) text += '\n';
+    text.append(left_hand_side(model.states()[i].name, model.evolution())).append(" = ");
+    text += right_hand_side(model.equations()[i], significant_digits);
+  }
+  return text;
+}
+
+}  // namespace lacuna

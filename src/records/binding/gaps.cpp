@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/records/binding/gaps.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/records/marks.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The matrices one below the other.
+Matrix stacked(std::span<const Trajectory> pieces, const Matrix Trajectory::*values) {
+  Index rows = 0;
+  for (const Trajectory& piece : pieces) rows += (piece.*values).rows();
+  Matrix all(rows, (pieces.front().*values).cols());
+  Index row = 0;
+  for (const Trajectory& piece : pieces) {
+    all.middleRows(row, (piece.*values).rows()) = piece.*values;
+    row += (piece.*values).rows();
+  }
+  return all;
+}
+
+Matrix stacked_marks(std::span<const Trajectory> pieces) {
+  const bool any = std::any_of(pieces.begin(), pieces.end(),
+                               [](const Trajectory& piece) { return piece.marks.size() > 0; });
+  if (!any) return {};
+  std::vector<Trajectory> marked(pieces.begin(), pieces.end());
+  for (Trajectory& piece : marked) piece.marks = marks_of(piece);
+  return stacked(marked, &Trajectory::marks);
+}
+
+Vector times_of(std::span<const Trajectory> pieces) {
+  Index samples = 0;
+  for (const Trajectory& piece : pieces) samples += piece.samples();
+  Vector time(samples);
+  Index row = 0;
+  for (const Trajectory& piece : pieces) {
+    time.segment(row, piece.samples()) = piece.time;
+    row += piece.samples();
+  }
+  return time;
+}
+
+Trajectory joined(std::span<const Trajectory> pieces) {
+  if (pieces.size() == 1) return pieces.front();
+  return {file_of(pieces.front()),
+          times_of(pieces),
+          stacked(pieces, &Trajectory::states),
+          stacked(pieces, &Trajectory::inputs),
+          stacked(pieces, &Trajectory::derivatives),
+          stacked_marks(pieces)};
+}
+
+bool belongs_to(const Trajectory& before, const Trajectory& after, double longest_gap) {
+  return before.has_derivatives() == after.has_derivatives() &&
+         goes_on(before, after, longest_gap);
+}
+
+/// Per sample of a record whether no measured state has one that says anything.
+std::vector<bool> blank_samples(const Dataset& data, const Trajectory& record) {
+  std::vector<bool> blank(static_cast<std::size_t>(record.samples()), true);
+  for (Index k = 0; k < data.state_count(); ++k)
+    for (Index i = 0; i < record.samples() && data.is_measured(k); ++i)
+      if (says_something(mark_of(record.marks, i, k)))
+        blank[static_cast<std::size_t>(i)] = false;
+  return blank;
+}
+
+/// The parts of a record between blank stretches of more than `longest` samples; blank ends
+/// belong to no part.
+std::vector<Trajectory> known_parts(const Trajectory& record, const std::vector<bool>& blank,
+                                    double longest) {
+  std::vector<Trajectory> parts;
+  Index begin = -1, last = -1;
+  const auto add = [&] {
+    if (begin >= 0 && last > begin) parts.push_back(rows_of(record, begin, last + 1 - begin));
+    begin = -1;
+  };
+  for (Index i = 0; i < record.samples(); ++i) {
+    if (blank[static_cast<std::size_t>(i)]) continue;
+    if (begin >= 0 && static_cast<double>(i - last) > longest) add();
+    if (begin < 0) begin = i;
+    last = i;
+  }
+  add();
+  return parts;
+}
+
+/// Records without stretches in which no channel shows anything for longer than a model is
+/// carried on.
+Dataset without_blank_stretches(Dataset data, double longest) {
+  std::vector<Trajectory> records;
+  for (const Trajectory& record : data.trajectories) {
+    if (record.marks.size() == 0) {
+      records.push_back(record);
+      continue;
+    }
+    std::vector<Trajectory> parts = known_parts(record, blank_samples(data, record), longest);
+    for (std::size_t i = 0; i < parts.size() && parts.size() > 1; ++i)
+      parts[i].source = file_of(record) + ", record " + std::to_string(records.size() + 1 + i);
+    std::move(parts.begin(), parts.end(), std::back_inserter(records));
+  }
+  data.trajectories = std::move(records);
+  return data;
+}
+
+}  // namespace
+
+Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
+  // Times are not exact multiples of the step: half of one more is still the same gap.
+  const double longest_gap = (options.longest_gap + 0.5) * median_step(data);
+  const std::vector<Trajectory>& pieces = data.trajectories;
+  Dataset result{data.time_unit, data.states,        data.inputs, {},
+                 data.rate_of,   data.reconstructed, data.notes};
+  for (std::size_t first = 0, end = 1; first < pieces.size(); first = end++) {
+    while (end < pieces.size() && belongs_to(pieces[end - 1], pieces[end], longest_gap)) ++end;
+    result.trajectories.push_back(joined({&pieces[first], end - first}));
+  }
+  return result;
+}
+
+UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
+  check_dataset(data);
+  const Dataset known = without_blank_stretches(data, options.longest_gap);
+  if (known.trajectories.empty())
+    throw DataError(data.trajectories.front().source, "no two samples say anything",
+                    "give records with values");
+  UsableRecords result{join_across_gaps(known, options), {}};
+  std::vector<Trajectory>& records = result.data.trajectories;
+  const std::size_t gaps = known.trajectories.size() - records.size();
+  const std::size_t left_out = std::erase_if(records, [&](const Trajectory& record) {
+    return record.samples() < options.shortest_record;
+  });
+  const std::string shortest = std::to_string(options.shortest_record);
+  if (records.empty())
+    throw DataError(data.trajectories.front().source,
+                    "no record has " + shortest + " samples or more in a row",
+                    "give longer records");
+  if (gaps > 0)
+    result.notes.push_back(std::to_string(gaps) + " short gaps in the records are bridged");
+  if (left_out > 0)
+    result.notes.push_back(std::to_string(left_out) + " pieces of less than " + shortest +
+                           " samples were left out");
+  return result;
+}
+
+SplitRecords split_in_time(const Dataset& data) {
+  SplitRecords parts{data, data};
+  parts.find.trajectories.clear();
+  parts.check.trajectories.clear();
+  for (const Trajectory& record : data.trajectories) {
+    const Index kept = record.samples() - record.samples() / 4;
+    parts.find.trajectories.push_back(rows_of(record, 0, kept));
+    Trajectory last = rows_of(record, kept, record.samples() - kept);
+    last.source += last.source.empty() ? "last quarter" : ", last quarter";
+    parts.check.trajectories.push_back(std::move(last));
+  }
+  return parts;
+}
+
+}  // namespace lacuna

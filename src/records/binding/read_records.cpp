@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/records/binding/read_records.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/data/formats/text_field.hpp"
+#include "lacuna/records/binding/time_unit.hpp"
+#include "model_columns.hpp"
+
+namespace lacuna {
+namespace {
+
+std::vector<std::string> columns_of(const Table& table) {
+  std::vector<std::string> names;
+  for (const Quantity& column : table.columns) names.push_back(column.name);
+  return names;
+}
+
+/// The columns in their roles; a time without a unit gets that of the model.
+Dataset assign_roles_for(const OdeModel& model, const Table& table, const ColumnRoles& roles) {
+  Dataset data = assign_roles(table, roles);
+  const ColumnIndices columns = find_columns(table, roles);
+  const bool said =
+      roles.time_unit.has_value() ||
+      (columns.time && !table.columns[static_cast<std::size_t>(*columns.time)].unit.empty());
+  if (!said && !model.time_unit().empty() && model.time_unit() != "1")
+    data.time_unit = model.time_unit();
+  return data;
+}
+
+/// The table with columns called as the states that they measure.
+Table called_as_states(const OdeModel& model, Table table) {
+  const std::vector<std::string> names = as_states(model, columns_of(table));
+  for (std::size_t i = 0; i < names.size(); ++i) table.columns[i].name = names[i];
+  return table;
+}
+
+/// The roles of the columns that a model knows; formula outputs stand behind the states.
+ColumnRoles roles_for(const OdeModel& model, const Table& table, ColumnRoles roles) {
+  const std::vector<std::string> columns = columns_of(table);
+  check_columns(model, columns, table.source);
+  for (const Quantity& state : model.states())
+    if (contains(columns, state.name)) roles.states.push_back(state.name);
+  for (const Output& output : formula_outputs(model)) roles.states.push_back(output.name);
+  for (const Quantity& input : model.inputs()) roles.inputs.push_back(input.name);
+  return roles;
+}
+
+bool may_be_time(const std::string& name) {
+  const std::string lower = lower_case(name);
+  return lower == "t" || lower == "time";
+}
+
+/// Columns of a table that have no role, no missing value and are no time.
+std::vector<std::string> unused_columns(const Table& table, const ColumnRoles& roles) {
+  const std::vector<Index> used = find_columns(table, roles).used();
+  std::vector<std::string> names;
+  for (Index i = 0; i < static_cast<Index>(table.columns.size()); ++i) {
+    const std::string& name = table.columns[static_cast<std::size_t>(i)].name;
+    if (std::find(used.begin(), used.end(), i) == used.end() && !may_be_time(name) &&
+        table.values.col(i).allFinite())
+      names.push_back(name);
+  }
+  return names;
+}
+
+/// The columns that no table uses and all have.
+std::vector<std::string> common_unused(const OdeModel& model, const std::vector<Table>& tables,
+                                       const ColumnRoles& roles) {
+  std::vector<std::string> common =
+      unused_columns(tables.front(), roles_for(model, tables.front(), roles));
+  for (const Table& table : tables) {
+    const std::vector<std::string> here = unused_columns(table, roles_for(model, table, roles));
+    std::erase_if(common, [&](const std::string& name) { return !contains(here, name); });
+  }
+  for (const Output& output : model.outputs())  // a second measurement of a state
+    std::erase(common, output.name);
+  return common;
+}
+
+/// The model with the further inputs of a record, so that they go where inputs go.
+OdeModel with_further_inputs(const OdeModel& model, const Dataset& data) {
+  std::vector<Quantity> inputs = model.inputs();
+  inputs.insert(inputs.end(), data.inputs.begin() + static_cast<Index>(inputs.size()),
+                data.inputs.end());
+  return OdeModel(model.states(), std::move(inputs), model.equations(), model.time_unit())
+      .with_outputs(model.outputs());
+}
+
+Dataset read_one(const OdeModel& model, const Table& table, const ColumnRoles& roles,
+                 const std::vector<std::string>& unused, const Differentiator& differentiator) {
+  ColumnRoles all = roles_for(model, table, roles);
+  all.inputs.insert(all.inputs.end(), unused.begin(), unused.end());
+  const Dataset data = assign_roles_for(model, table, all);
+  if (unused.empty()) return model_view(model, data, differentiator);
+  return model_view(with_further_inputs(model, data), data, differentiator);
+}
+
+void append(Dataset& data, Dataset more) {
+  std::move(more.trajectories.begin(), more.trajectories.end(),
+            std::back_inserter(data.trajectories));
+  std::move(more.notes.begin(), more.notes.end(), std::back_inserter(data.notes));
+}
+
+/// What is hidden in one file and measured in another is measured, with samples missing.
+void mark_made(const std::vector<Dataset>& files, Dataset& all) {
+  for (Index k = 0; k < all.state_count(); ++k) {
+    bool made = false, seen = false;
+    for (const Dataset& file : files) {
+      made = made || (!file.is_measured(k) && !is_hidden(file, k));
+      seen = seen || !is_hidden(file, k);
+    }
+    all.reconstructed[static_cast<std::size_t>(k)] = made || !seen;
+  }
+}
+
+/// Inputs of the model that the records have; check_dataset() and others say when some lack.
+Index used_inputs(const OdeModel& model, const Dataset& data) {
+  return std::min(static_cast<Index>(model.inputs().size()), data.input_count());
+}
+
+}  // namespace
+
+Dataset read_records(const OdeModel& model, const std::vector<std::string>& paths,
+                     const ColumnRoles& roles, const Differentiator& differentiator,
+                     Columns columns) {
+  std::vector<Table> tables;
+  for (const std::string& path : expand_patterns(paths))
+    tables.push_back(called_as_states(model, read_table(path, roles)));
+  std::vector<std::string> unused;
+  if (columns == Columns::All) unused = common_unused(model, tables, roles);
+  std::vector<Dataset> files;
+  for (const Table& table : tables)
+    files.push_back(read_one(model, table, roles, unused, differentiator));
+  Dataset all = files.front();
+  for (std::size_t i = 1; i < files.size(); ++i) append(all, files[i]);
+  mark_made(files, all);
+  return all;
+}
+
+Dataset used_part(const OdeModel& model, Dataset data) {
+  const Index used = used_inputs(model, data);
+  if (used == data.input_count()) return data;
+  data.inputs.resize(static_cast<std::size_t>(used));
+  for (Trajectory& record : data.trajectories)
+    record.inputs = record.inputs.leftCols(used).eval();
+  return data;
+}
+
+Dataset unused_part(const OdeModel& model, const Dataset& data) {
+  const Index used = used_inputs(model, data), rest = data.input_count() - used;
+  Dataset result = data;
+  result.inputs.erase(result.inputs.begin(), result.inputs.begin() + used);
+  for (Trajectory& record : result.trajectories)
+    record.inputs =
+        rest > 0 ? record.inputs.rightCols(rest).eval() : Matrix(record.samples(), 0);
+  return result;
+}
+
+Dataset read_inputs(const OdeModel& model, const std::string& path, const ColumnRoles& roles) {
+  ColumnRoles as_states = roles;
+  for (const Quantity& input : model.inputs()) as_states.states.push_back(input.name);
+  Dataset data =
+      in_time_unit_of(model, assign_roles_for(model, read_table(path, roles), as_states));
+  std::swap(data.inputs, data.states);
+  for (Trajectory& record : data.trajectories) {
+    std::swap(record.inputs, record.states);
+    record.states.resize(record.samples(), 0);
+  }
+  return data;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/records/channels/shown_holds.hpp"
+
+#include <vector>
+
+namespace lacuna {
+
+std::optional<Hold> shown_hold(const Dataset& data, Index input) {
+  bool moves = false, held = true;
+  for (const Trajectory& record : data.trajectories) {
+    const auto values = record.inputs.col(input);
+    if (values.minCoeff() == values.maxCoeff()) continue;
+    moves = true;
+    held = held && shows_hold(values);
+  }
+  if (!moves) return std::nullopt;
+  return held ? Hold::Zero : Hold::Smooth;
+}
+
+OdeModel with_shown_holds(const OdeModel& model, const Dataset& data) {
+  std::vector<std::optional<Hold>> holds;
+  for (const Quantity& input : model.inputs()) {
+    const auto j = static_cast<Index>(holds.size());
+    holds.push_back(input.hold ? input.hold : shown_hold(data, j));
+  }
+  return model.with_holds(holds);
+}
+
+}  // namespace lacuna

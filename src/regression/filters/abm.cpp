@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/regression/filters/abm.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+/// QR of the terms accepted so far, in the coordinates of the system's triangle; grows by
+/// columns.
+class GrowingFactor {
+ public:
+  explicit GrowingFactor(Index terms)
+      : basis_(terms, terms), triangle_(Matrix::Zero(terms, terms)) {}
+
+  /// Smallest singular value of the accepted columns with this one, which stays as a candidate
+  /// behind them until the next call or accept().
+  double smallest_singular_value_with(const Vector& column, const RunContext& context);
+
+  /// Takes the last candidate in.
+  void accept();
+
+ private:
+  void orthogonalise(const Vector& column);
+  double inverse_iteration(Index size, const RunContext& context) const;
+
+  Matrix basis_;     ///< orthonormal columns, `size_` of them
+  Matrix triangle_;  ///< upper triangular, `size_` columns and the candidate's
+  Vector rest_;      ///< what of the candidate is orthogonal to the basis
+  Index size_ = 0;
+};
+
+void GrowingFactor::orthogonalise(const Vector& column) {
+  const auto basis = basis_.leftCols(size_);
+  rest_ = column;
+  triangle_.col(size_).setZero();
+  for (int pass = 0; pass < 2; ++pass) {  // twice is enough for full orthogonality
+    const Vector share = basis.transpose() * rest_;
+    rest_ -= basis * share;
+    triangle_.col(size_).head(size_) += share;
+  }
+  triangle_(size_, size_) = rest_.norm();
+}
+
+double GrowingFactor::smallest_singular_value_with(const Vector& column,
+                                                   const RunContext& context) {
+  orthogonalise(column);
+  if (triangle_(size_, size_) == 0.0) return 0.0;
+  return inverse_iteration(size_ + 1, context);
+}
+
+void GrowingFactor::accept() {
+  basis_.col(size_) = rest_ / triangle_(size_, size_);
+  ++size_;
+}
+
+/// Power iteration on (S'S)^-1; the estimate falls towards the singular value from above.
+double GrowingFactor::inverse_iteration(Index size, const RunContext& context) const {
+  const auto s = triangle_.topLeftCorner(size, size).triangularView<Eigen::Upper>();
+  Vector v = s.solve(Vector::Unit(size, size - 1) + Vector::Constant(size, 1e-3));
+  double sigma = 0.0;
+  for (int iteration = 0; iteration < 200; ++iteration) {
+    context.check_stop();
+    v /= v.norm();
+    const Vector u = s.transpose().solve(v);
+    v = s.solve(u);
+    const double next = 1.0 / u.norm();
+    if (!std::isfinite(next) || !v.allFinite()) return 0.0;
+    if (iteration > 2 && std::abs(next - sigma) <= 1e-6 * next) return next;
+    sigma = next;
+  }
+  return sigma;
+}
+
+Vector column_of(const Factor& factor, Index term, bool unit_norm) {
+  const Vector column = factor.triangle.col(term).head(factor.terms());
+  return unit_norm ? column : Vector(column * factor.column_norms[term]);
+}
+
+}  // namespace
+
+FilterResult Abm::do_filter(const LeastSquaresSystem& system, const RunContext& context) const {
+  const Factor& factor = system.factor();
+  const bool relative = options().tolerances == AbmOptions::Tolerances::Relative;
+  const double eps = options().effective_eps();
+  GrowingFactor accepted(factor.terms());
+  FilterResult result;
+  for (Index j = 0; j < factor.terms(); ++j) {
+    const double sigma =
+        accepted.smallest_singular_value_with(column_of(factor, j, relative), context);
+    const double eigenvalue = sigma * sigma;
+    if (eigenvalue >= eps && sigma > 0.0) {
+      accepted.accept();
+      result.kept.push_back(j);
+    } else {
+      result.removed.push_back(
+          {j, "smallest eigenvalue of E'E", eigenvalue, eps, static_cast<int>(j) + 1});
+    }
+  }
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/regression/filters/svd_filter.hpp"
+
+#include <algorithm>
+
+#include "lacuna/core/numerics/singular_values.hpp"
+
+namespace lacuna {
+namespace {
+
+/// How near to the largest remaining norm a column must be to be taken for its place in the
+/// order.
+constexpr double kAlike = 0.5;
+
+/// Column-pivoted Gram-Schmidt; the first column of nearly the largest norm is the pivot.
+TermSet pivots(Matrix rows) {
+  TermSet chosen;
+  for (Index step = 0; step < rows.rows(); ++step) {
+    const Vector norms = rows.colwise().norm().transpose();
+    const double bound = kAlike * norms.maxCoeff();
+    Index pivot = 0;
+    while (norms[pivot] < bound) ++pivot;
+    chosen.push_back(pivot);
+    const Vector direction = rows.col(pivot) / norms[pivot];
+    // Once is enough: rows are orthonormal, so that some column of norm 1/sqrt(n) is left and
+    // nothing cancels.
+    rows -= direction * (direction.transpose() * rows);
+    rows.col(pivot).setZero();
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+TermSet terms_with_norm(const Factor& factor) {
+  TermSet terms;
+  for (Index j = 0; j < factor.terms(); ++j)
+    if (factor.column_norms[j] > 0.0) terms.push_back(j);
+  return terms;
+}
+
+}  // namespace
+
+FilterResult SvdFilter::do_filter(const LeastSquaresSystem& system,
+                                  const RunContext& context) const {
+  context.check_stop();
+  const Factor& factor = system.factor();
+  const TermSet terms = terms_with_norm(factor);
+  FilterResult result;
+  Vector singular = Vector::Zero(0);
+  if (!terms.empty()) {
+    const Matrix columns = factor.triangle.topRows(factor.terms())(Eigen::all, terms);
+    const SingularValues svd = singular_values(columns);
+    singular = svd.values / svd.values[0];
+    const Index rank = (singular.array() > options().tolerance).count();
+    const Matrix leading = svd.right.leftCols(rank).transpose();
+    for (const Index position : pivots(leading))
+      result.kept.push_back(terms[static_cast<std::size_t>(position)]);
+  }
+  auto next = singular.size() - 1;
+  for (Index j = 0; j < factor.terms(); ++j) {
+    if (std::binary_search(result.kept.begin(), result.kept.end(), j)) continue;
+    const bool zero = factor.column_norms[j] == 0.0;
+    const double value = zero ? 0.0 : singular[next--];
+    result.removed.push_back({j, "relative singular value", value, options().tolerance, 1});
+  }
+  return result;
+}
+
+}  // namespace lacuna

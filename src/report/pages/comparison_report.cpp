@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/comparison_report.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "readable.hpp"
+#include "text_table.hpp"
+
+namespace lacuna {
+namespace {
+
+std::string verdict_of(const AttractorMeasure& measure) {
+  if (!measure.agree) return "not judged: " + measure.note;
+  return *measure.agree ? "pass" : "FAIL";
+}
+
+}  // namespace
+
+bool ComparisonReport::agree() const {
+  const auto is = [](bool wanted) {
+    return [wanted](const AttractorMeasure& measure) { return measure.agree == wanted; };
+  };
+  return std::none_of(measures.begin(), measures.end(), is(false)) &&
+         std::any_of(measures.begin(), measures.end(), is(true));
+}
+
+std::string format_text(const ComparisonReport& report) {
+  std::vector<std::vector<std::string>> rows{{"measure", report.first, report.second, ""}};
+  for (const AttractorMeasure& measure : report.measures) {
+    const bool known = measure.agree.has_value();
+    rows.push_back({with_unit(measure.name, measure.unit),
+                    known ? with_error(measure.first, measure.first_half) : "-",
+                    known ? with_error(measure.second, measure.second_half) : "-",
+                    verdict_of(measure)});
+  }
+  const std::string verdict = report.agree() ? "They agree: one attractor as far as these tell."
+                                             : "They do not agree in all measures.";
+  return verdict + "\n\n" + text_table(rows) +
+         "\nNumbers are means of five blocks +- 95 %. Spectrum and density are Hellinger's "
+         "distances:\nblocks of one record to one another, then blocks of different records.\n";
+}
+
+std::string format_json(const ComparisonReport& report) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"format", "lacuna.comparison/1"},
+            {"first", report.first},
+            {"second", report.second},
+            {"agree", report.agree()},
+            {"measures", Json::array()}};
+  for (const AttractorMeasure& m : report.measures)
+    json["measures"].push_back(
+        {{"name", m.name},
+         {"unit", m.unit},
+         {"first", m.first},
+         {"first_ci95", {m.first - m.first_half, m.first + m.first_half}},
+         {"second", m.second},
+         {"second_ci95", {m.second - m.second_half, m.second + m.second_half}},
+         {"agree", m.agree ? Json(*m.agree) : Json()},
+         {"note", m.note}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lacuna

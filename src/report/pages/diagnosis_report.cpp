@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/diagnosis_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "diagnosis_sentences.hpp"
+#include "lacuna/model/files/model_file.hpp"
+
+namespace lacuna {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Location& place) {
+  Json json;
+  if (place.frequency) {
+    json["frequency"] = *place.frequency;
+  } else {
+    json["variable"] = place.variable;
+    json["range"] = {place.low, place.high};
+  }
+  json["sigma"] = place.sigma;
+  return json;
+}
+
+Json disagreement_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Disagreement& entry : diagnosis.disagreement) {
+    Json json{{"equation", state_name(diagnosis, entry.equation)},
+              {"rms", entry.rms},
+              {"noise_floor", entry.noise_floor},
+              {"sigma", entry.sigma},
+              {"share", entry.share},
+              {"relative", entry.relative},
+              {"where", Json::array()}};
+    for (const Location& place : entry.where) json["where"].push_back(to_json(place));
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
+  Json json{{"equation", state_name(diagnosis, effect.equation)},
+            {"name", effect.name},
+            {"description", effect.description},
+            {"cause", effect.cause},
+            {"term", effect.term},
+            {"coefficient", effect.coefficient},
+            {"ci95", effect.ci95()},
+            {"parameters", Json::object()},
+            {"sigma", effect.sigma},
+            {"gap_closed", effect.gap_closed},
+            {"contribution", effect.contribution},
+            {"probability", effect.probability},
+            {"alternatives", Json::array()}};
+  for (const NamedParameter& parameter : effect.parameters)
+    json["parameters"][parameter.name] = parameter.value;
+  for (const Alternative& other : effect.alternatives)
+    json["alternatives"].push_back(
+        {{"name", other.name}, {"term", other.term}, {"probability", other.probability}});
+  return json;
+}
+
+Json changes_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const CoefficientChange& change : diagnosis.coefficient_changes) {
+    list.push_back({{"equation", state_name(diagnosis, change.equation)},
+                    {"term", change.term},
+                    {"nominal", change.nominal},
+                    {"estimated", change.estimated},
+                    {"ci95", change.ci95()},
+                    {"sigma", change.sigma}});
+    if (!change.determined) list.back()["ci95"] = nullptr;
+  }
+  return list;
+}
+
+Json gap_json(const Gap& gap) {
+  return {{"metric", gap.metric},           {"before", gap.before}, {"after", gap.after},
+          {"noise_floor", gap.noise_floor}, {"ratio", gap.ratio()}, {"window", gap.window},
+          {"records", gap.records}};
+}
+
+Json remaining_json(const Diagnosis& diagnosis) {
+  Json json{{"structure", diagnosis.remaining.structure},
+            {"sigma", diagnosis.remaining.sigma},
+            {"equations", Json::array()}};
+  for (const Index equation : diagnosis.remaining.equations)
+    json["equations"].push_back(state_name(diagnosis, equation));
+  return json;
+}
+
+Json noise_json(const Diagnosis& diagnosis) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < diagnosis.noise.measurement.size(); ++k) {
+    const auto& white = diagnosis.noise.measurement[k];
+    if (white && k < diagnosis.nominal.states().size())
+      json[diagnosis.nominal.states()[k].name] = *white;
+  }
+  return json;
+}
+
+Json rounds_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Round& round : diagnosis.rounds)
+    list.push_back({{"tried", round.tried},
+                    {"best", round.best},
+                    {"sigma", round.sigma},
+                    {"accepted", round.accepted}});
+  return list;
+}
+
+Json rivals_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Rival& rival : diagnosis.rivals)
+    list.push_back({{"hypothesis", rival.hypothesis},
+                    {"account", rival.account},
+                    {"criterion", rival.criterion ? Json(*rival.criterion) : Json()},
+                    {"taken", rival.taken},
+                    {"quantity", rival.quantity},
+                    {"value", rival.value},
+                    {"threshold", rival.threshold},
+                    {"rule", rival.rule}});
+  return list;
+}
+
+Json hints_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const Hint& hint : diagnosis.hints)
+    list.push_back(
+        {{"kind", to_string(hint.kind)}, {"message", hint.message}, {"remedy", hint.remedy}});
+  return list;
+}
+
+Json unnamed_json(const Diagnosis& diagnosis) {
+  if (!diagnosis.unnamed) return {};
+  const Unnamed& unnamed = *diagnosis.unnamed;
+  return {{"equation", state_name(diagnosis, unnamed.equation)},
+          {"variables", unnamed.variables},
+          {"explained", unnamed.explained},
+          {"memory", unnamed.memory},
+          {"periodic", unnamed.periodic},
+          {"stop_gap", unnamed.filled}};
+}
+
+}  // namespace
+
+std::string format_json(const Diagnosis& diagnosis) {
+  Json json{{"format", "lacuna.diagnosis/1"},
+            {"verdict", to_string(diagnosis.verdict)},
+            {"hints", hints_json(diagnosis)},
+            {"disagreement", disagreement_json(diagnosis)},
+            {"effects", Json::array()}};
+  for (const NamedEffect& effect : diagnosis.effects)
+    json["effects"].push_back(to_json(diagnosis, effect));
+  json["coefficient_changes"] = changes_json(diagnosis);
+  json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
+  json["remaining"] = remaining_json(diagnosis);
+  json["unnamed"] = unnamed_json(diagnosis);
+  json["augmented_model"] = Json::parse(format_model(diagnosis.augmented));
+  json["noise"] = noise_json(diagnosis);
+  json["rounds"] = rounds_json(diagnosis);
+  json["rivals"] = rivals_json(diagnosis);
+  json["notes"] = diagnosis.notes;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lacuna

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "diagnosis_sentences.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <numbers>
+
+#include "lacuna/core/base/text.hpp"
+#include "readable.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Coefficients further off than this are told of.
+constexpr double kTold = 3.0;
+
+constexpr double kInterval = 1.96;  // standard errors of half a 95 % interval
+
+const Quantity& state_of(const Diagnosis& diagnosis, Index equation) {
+  return diagnosis.nominal.states()[static_cast<std::size_t>(equation)];
+}
+
+std::string rate_unit_of(const Diagnosis& diagnosis, Index equation) {
+  return rate_unit(state_of(diagnosis, equation).unit, diagnosis.nominal.time_unit());
+}
+
+/// A share of something, where less than a thousandth says no more than that.
+std::string share_of(double share) { return share < 1e-3 ? "less than 0.1 %" : percent(share); }
+
+/// A number of a formula for people: a parameter to the digits that its error allows.
+std::string readable_number(const std::string& text,
+                            const std::vector<NamedParameter>& parameters) {
+  const std::optional<double> value = parse_number(text);
+  if (!value || text.size() <= 6) return text;
+  if (*value == std::numbers::pi) return "pi";
+  for (const NamedParameter& parameter : parameters)
+    if (parameter.deviation && std::abs(parameter.value) == *value)
+      return format_number(*value, digits_of(*value, kInterval * *parameter.deviation));
+  return format_number(*value, 4);
+}
+
+std::string hint_sentence(const Hint& hint) {
+  return "Hint (" + to_string(hint.kind) + "): " + hint.message + ". Remedy: " + hint.remedy +
+         ".";
+}
+
+std::string headline(const Diagnosis& diagnosis) {
+  if (withheld_by(diagnosis.hints) == Withheld::Answer)
+    return "No effect is sought: the records and the model do not fit together.";
+  switch (diagnosis.verdict) {
+    case Verdict::NoDiscrepancy:
+      return "No discrepancy: the model fits the records to their noise.";
+    case Verdict::CoefficientsOnly:
+      return "No structure is missing; coefficients are off.";
+    case Verdict::Explained:
+      return "Explained: what is missing has a name, nothing significant is left.";
+    case Verdict::PartlyExplained:
+      return "Partly explained: effects are named, but significant structure is left.";
+    case Verdict::UnnamedStructure:
+      if (withheld_by(diagnosis.hints) != Withheld::Nothing)
+        return "Something is missing; no effect is named, the hint comes first.";
+      return "Something is missing that no known effect explains.";
+  }
+  return "";
+}
+
+using Sentences = std::vector<std::string>;
+
+void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
+  const bool acts = effect.place == Place::Rate;
+  const std::string unit = acts ? rate_unit_of(diagnosis, effect.equation)
+                                : state_of(diagnosis, effect.equation).unit;
+  out.push_back((acts ? "Equation " : "Channel ") + state_name(diagnosis, effect.equation) +
+                ": " + effect.description + " (" + effect.name + "), " +
+                with_error(effect.coefficient, kInterval * effect.deviation) +
+                (unit.empty() ? "" : " " + unit) + " * " +
+                readable_formula(effect.term, effect.parameters) + ", explains " +
+                share_of(effect.gap_closed) + " of the disagreement (" +
+                format_number(effect.sigma, 3) + " sigma).");
+  for (const Alternative& other : effect.alternatives)
+    if (other.probability >= 0.01 && other.term != effect.term)
+      out.push_back((other.probability > effect.probability
+                         ? "  By likelihood alone it would be "
+                         : "  It might also be ") +
+                    other.name + " " + readable_formula(other.term, {}) + " (probability " +
+                    percent(other.probability) + ").");
+}
+
+void tell_changes(const Diagnosis& diagnosis, Sentences& out) {
+  constexpr int kMost = 4;
+  int written = 0;
+  for (const CoefficientChange& change : diagnosis.coefficient_changes) {
+    if (change.sigma < kTold || written == kMost) break;
+    if (std::abs(change.estimated - change.nominal) < 1e-3 * std::abs(change.nominal)) continue;
+    ++written;
+    out.push_back("Equation " + state_name(diagnosis, change.equation) +
+                  ": the coefficient of " + change.term + " is " +
+                  with_error(change.estimated, kInterval * change.deviation) + ", not " +
+                  format_number(change.nominal, 6) + " (" + format_number(change.sigma, 3) +
+                  " sigma).");
+  }
+}
+
+/// Where the nominal model and the records disagree most, in a state or input.
+std::string main_place(const Diagnosis& diagnosis, Index equation) {
+  for (const Disagreement& entry : diagnosis.disagreement)
+    if (entry.equation == equation)
+      for (const Location& place : entry.where)
+        if (!place.frequency)
+          return ", mostly where " + place.variable + " is in " + format_number(place.low, 3) +
+                 " .. " + format_number(place.high, 3);
+  return "";
+}
+
+void tell_remaining(const Diagnosis& diagnosis, Sentences& out) {
+  for (const EquationStructure& left : diagnosis.remaining.details)
+    out.push_back("Equation " + state_of(diagnosis, left.equation).name + ": a rate of " +
+                  format_number(left.rms, 3) + " " + rate_unit_of(diagnosis, left.equation) +
+                  " rms (" + percent(left.relative) + " of its rate of change) is unexplained" +
+                  (diagnosis.effects.empty() ? main_place(diagnosis, left.equation) : "") +
+                  ".");
+}
+
+void tell_unnamed(const Diagnosis& diagnosis, const Unnamed& unnamed, Sentences& out) {
+  std::string text =
+      "Equation " + state_of(diagnosis, unnamed.equation).name + ": what is missing ";
+  if (unnamed.variables.empty())
+    text += "is no function of the variables that was found";
+  else if (unnamed.periodic)
+    text += "is periodic in time";
+  else
+    text += std::string("depends on ") + (unnamed.memory ? "earlier values of " : "") +
+            join(unnamed.variables, " and ");
+  if (unnamed.explained > 0.0)
+    text += "; a curve explains " + percent(unnamed.explained) + " of it";
+  out.push_back(text + ".");
+  if (unnamed.filled)
+    out.push_back(
+        "A spline stands in the augmented model as a stop-gap: it describes the "
+        "records and explains nothing.");
+}
+
+std::string gap_sentence(const Gap& gap) {
+  const std::string before = percent(gap.before), after = percent(gap.after);
+  const std::string change =
+      before == after
+          ? "stays at " + after
+          : (gap.after < gap.before ? "falls from " : "rises from ") + before + " to " + after;
+  return "On records not used (" + join(gap.records, ", ") + ") the gap " + change +
+         " (noise floor " + percent(gap.noise_floor) + ").";
+}
+
+}  // namespace
+
+const std::string& state_name(const Diagnosis& diagnosis, Index equation) {
+  return state_of(diagnosis, equation).name;
+}
+
+std::string readable_formula(const std::string& formula,
+                             const std::vector<NamedParameter>& parameters) {
+  std::string result;
+  const auto is_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+  };
+  for (std::size_t i = 0; i < formula.size();) {
+    std::size_t end = i;
+    while (end < formula.size() &&
+           (is_word(formula[end]) ||
+            (end > i && (formula[end] == '-' || formula[end] == '+') &&
+             formula[end - 1] == 'e' && std::isdigit(static_cast<unsigned char>(formula[i])))))
+      ++end;
+    const std::string word = formula.substr(i, std::max<std::size_t>(end - i, 1));
+    result += std::isdigit(static_cast<unsigned char>(word.front())) != 0
+                  ? readable_number(word, parameters)
+                  : word;
+    i += word.size();
+  }
+  return result;
+}
+
+DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
+  DiagnosisSentences all;
+  for (const Hint& hint : diagnosis.hints) all.hints.push_back(hint_sentence(hint));
+  all.headline = headline(diagnosis);
+  for (const NamedEffect& effect : diagnosis.effects)
+    tell_effect(diagnosis, effect, all.findings);
+  if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
+    tell_changes(diagnosis, all.findings);
+  if (diagnosis.remaining.structure) tell_remaining(diagnosis, all.findings);
+  if (diagnosis.unnamed) tell_unnamed(diagnosis, *diagnosis.unnamed, all.findings);
+  if (diagnosis.gap) all.findings.push_back(gap_sentence(*diagnosis.gap));
+  for (const std::string& note : diagnosis.notes) all.notes.push_back(note + ".");
+  return all;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/report/pages/mathml.hpp"
+#include "lacuna/report/pages/pages.hpp"
+#include "readable.hpp"
+#include "run_figures.hpp"
+
+namespace lacuna {
+namespace {
+
+std::vector<GapRecord> runs_of(const Fit& fit) {
+  std::vector<GapRecord> runs;
+  for (const FitRun& run : fit.runs)
+    runs.push_back(
+        {run.record, run.time, run.measured, Matrix(), run.model, 0, run.time.size()});
+  return runs;
+}
+
+PageSection numbers_section(const Fit& fit) {
+  std::vector<std::vector<std::string>> rows;
+  for (const FittedNumber& number : fit.numbers)
+    rows.push_back({number.name, format_number(number.start, 5), format_number(number.value, 6),
+                    number.ci95 ? "[" + format_number((*number.ci95)[0], 5) + ", " +
+                                      format_number((*number.ci95)[1], 5) + "]"
+                    : number.bound ? "at the " + *number.bound + " of its range"
+                                   : "not determined by itself",
+                    number.unit});
+  std::vector<std::string> sentences;
+  for (const FitCombination& combination : fit.combinations)
+    sentences.push_back(combination.message);
+  return {"Numbers", table({"number", "start", "estimate", "95 % interval", "unit"}, rows) +
+                         bullets(sentences)};
+}
+
+}  // namespace
+
+Page fit_page(const Fit& fit) {
+  Page page;
+  page.title = "Fit of " + (fit.records.empty() ? "a model" : short_name(fit.records.front()));
+  bool white = true;
+  for (const FitQuality& quality : fit.quality) {
+    white = white && quality.white;
+    page.facts.push_back({"Fit of " + quality.channel,
+                          format_number(quality.fit_percent, 4) + " %",
+                          "free run, rmse " + format_number(quality.rmse, 4) +
+                              (quality.unit.empty() ? "" : " " + quality.unit)});
+  }
+  page.headline = !fit.converged ? "The fit did not converge."
+                  : !white
+                      ? "The numbers are fitted; the model leaves structure in the records."
+                      : "The numbers are fitted, and what is left is noise.";
+  page.tone = !fit.converged ? Tone::Bad : white ? Tone::Good : Tone::Doubtful;
+  page.findings = fit.notes;
+  page.equations = equations_mathml(fit.model.model());
+  page.sections.push_back(numbers_section(fit));
+  const std::vector<GapRecord> runs = runs_of(fit);
+  if (runs.empty()) return page;
+  std::vector<Quantity> channels;
+  Vector noise(static_cast<Index>(fit.quality.size()));
+  for (std::size_t c = 0; c < fit.quality.size(); ++c) {
+    channels.push_back({fit.quality[c].channel, fit.quality[c].unit});
+    noise[static_cast<Index>(c)] = fit.quality[c].noise;
+  }
+  const RunView view{runs, channels, fit.model.symbolic().time_unit(), noise, "", "free run"};
+  page.sections.push_back({"Record and free run", {}, comparison_pictures(view)});
+  page.sections.push_back({"What the free run is off", {}, deviation_pictures(view)});
+  return page;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/fit_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/model/files/model_file.hpp"
+
+namespace lacuna {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no way to write what is not finite.
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+template <class Value>
+Json optional_json(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json numbers_json(const Fit& fit) {
+  Json list = Json::array();
+  for (const FittedNumber& number : fit.numbers) {
+    Json entry{{"name", number.name},
+               {"unit", number.unit},
+               {"start", number.start},
+               {"value", number_json(number.value)},
+               {"stderr", optional_json(number.standard_error)},
+               {"ci95", optional_json(number.ci95)}};
+    if (number.bound) entry["bound"] = *number.bound;
+    if (!number.per_record.empty()) entry["per_record"] = number.per_record;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json initial_json(const Fit& fit) {
+  Json records = Json::array();
+  for (std::size_t r = 0; r < fit.initial.size(); ++r) {
+    Json states = Json::object();
+    for (const FittedStart& start : fit.initial[r]) {
+      states[start.state] = {{"value", number_json(start.value)}};
+      if (start.fixed)
+        states[start.state]["fixed"] = true;
+      else
+        states[start.state]["stderr"] = optional_json(start.standard_error);
+    }
+    records.push_back({{"record", fit.records[r]}, {"states", std::move(states)}});
+  }
+  return records;
+}
+
+Json quality_json(const std::vector<FitQuality>& channels, Index ahead) {
+  Json list = Json::array();
+  for (const FitQuality& quality : channels)
+    list.push_back({{"channel", quality.channel},
+                    {"unit", quality.unit},
+                    {"rmse", number_json(quality.rmse)},
+                    {"rmse_per_record", quality.rmse_per_record},
+                    {"fit_percent", number_json(quality.fit_percent)},
+                    {"noise", quality.noise},
+                    {"k_step", {{"steps", ahead}, {"rmse", number_json(quality.prediction)}}},
+                    {"white", quality.white},
+                    {"structure_sigma", number_json(quality.structure)}});
+  return list;
+}
+
+Json gap_json(const Fit& fit) {
+  if (!fit.gap) return nullptr;
+  const FitGap& gap = *fit.gap;
+  Json json{{"metric",
+             "root mean square over the channels of rmse / standard deviation, free run from "
+             "initial states fitted to the first samples"},
+            {"before", number_json(gap.before)},
+            {"after", number_json(gap.after)},
+            {"noise_floor", number_json(gap.noise_floor)},
+            {"ratio", number_json(gap.after / gap.before)},
+            {"records", gap.records},
+            {"channels", quality_json(gap.channels, fit.prediction)}};
+  return json;
+}
+
+Json hints_json(const Fit& fit) {
+  Json list = Json::array();
+  for (const FitCombination& combination : fit.combinations)
+    list.push_back(
+        {{"kind", "not-identifiable"},
+         {"message", combination.message},
+         {"remedy", "mark one of them as fixed, or measure more of what they act on"}});
+  return list;
+}
+
+std::size_t name_width(const Fit& fit) {
+  std::size_t width = 4;
+  for (const FittedNumber& number : fit.numbers) width = std::max(width, number.name.size());
+  return width;
+}
+
+std::string interval_text(const FittedNumber& number) {
+  if (number.bound) return "at the " + *number.bound + " of its range";
+  if (!number.per_record.empty()) return "own in each record";
+  if (!number.ci95) return "not determined by itself";
+  return "+- " + format_number(((*number.ci95)[1] - (*number.ci95)[0]) / 2.0, 2) + "  [" +
+         format_number((*number.ci95)[0], 5) + ", " + format_number((*number.ci95)[1], 5) + "]";
+}
+
+void write_numbers(const Fit& fit, std::ostringstream& out) {
+  const std::size_t width = name_width(fit);
+  out << "Numbers (95 % intervals)\n";
+  for (const FittedNumber& number : fit.numbers)
+    out << "  " << padded(number.name, width) << "  "
+        << padded(format_number(number.value, 6), 11) << "  " << interval_text(number)
+        << (number.unit.empty() ? "" : "  " + number.unit) << "\n";
+  for (const FitCorrelation& pair : fit.correlations)
+    out << "  " << pair.first << " and " << pair.second
+        << " are correlated: " << format_number(pair.correlation, 3) << "\n";
+}
+
+void write_quality(const std::string& title, const std::vector<FitQuality>& channels,
+                   Index ahead, std::ostringstream& out) {
+  out << title << "\n";
+  for (const FitQuality& quality : channels)
+    out << "  " << quality.channel << ": rmse " << format_number(quality.rmse, 4)
+        << (quality.unit.empty() ? "" : " " + quality.unit) << ", fit "
+        << format_number(quality.fit_percent, 4) << " %, " << ahead << " samples ahead "
+        << format_number(quality.prediction, 4)
+        << (quality.noise > 0.0 ? ", noise " + format_number(quality.noise, 3) : "")
+        << (quality.white ? ", residuals white" : ", residuals correlated") << "\n";
+}
+
+}  // namespace
+
+std::string format_json(const Fit& fit) {
+  Json json;
+  json["format"] = "lacuna.fit/1";
+  json["model"] = Json::parse(format_model(fit.model));
+  json["parameters"] = numbers_json(fit);
+  json["correlations"] = Json::array();
+  for (const FitCorrelation& pair : fit.correlations)
+    json["correlations"].push_back(
+        {{"first", pair.first}, {"second", pair.second}, {"correlation", pair.correlation}});
+  json["initial"] = initial_json(fit);
+  json["fit"] = quality_json(fit.quality, fit.prediction);
+  json["gap"] = gap_json(fit);
+  json["identifiable"] = fit.combinations.empty();
+  json["combinations"] = Json::array();
+  for (const FitCombination& combination : fit.combinations)
+    json["combinations"].push_back(
+        {{"members", combination.members}, {"message", combination.message}});
+  json["converged"] = fit.converged;
+  json["searches"] = {{"starts", fit.starts}, {"agreeing", fit.agreeing}};
+  json["substeps"] = fit.substeps;
+  json["hints"] = hints_json(fit);
+  json["notes"] = fit.notes;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string format_text(const Fit& fit) {
+  std::ostringstream out;
+  out << to_text(fit.model.symbolic(), 5) << "\n\n";
+  write_numbers(fit, out);
+  for (const FitCombination& combination : fit.combinations)
+    out << "Not identifiable: " << combination.message << "\n";
+  for (std::size_t r = 0; r < fit.initial.size(); ++r) {
+    out << (r == 0 ? "Initial states\n" : "") << "  " << fit.records[r] << ":";
+    for (const FittedStart& start : fit.initial[r])
+      out << " " << start.state << " " << format_number(start.value, 5)
+          << (start.fixed            ? " (fixed)"
+              : start.standard_error ? " +- " + format_number(1.96 * *start.standard_error, 2)
+                                     : " (not determined)");
+    out << "\n";
+  }
+  write_quality("Free run", fit.quality, fit.prediction, out);
+  if (fit.gap) {
+    write_quality("Free run of held-out records", fit.gap->channels, fit.prediction, out);
+    out << "  gap " << format_number(fit.gap->before, 3) << " -> "
+        << format_number(fit.gap->after, 3) << " of the spread, noise floor "
+        << format_number(fit.gap->noise_floor, 3) << "\n";
+  }
+  for (const std::string& note : fit.notes) out << "Note: " << note << "\n";
+  return out.str();
+}
+
+}  // namespace lacuna

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "relation_text.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "lacuna/core/base/text.hpp"
+#include "readable.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The plainest number within three errors: 1 for 1.0015 +- 0.0009.
+std::string plainest(double value, double error) {
+  constexpr int kDigits = 9;
+  constexpr double kErrors = 3.0;
+  for (int digits = 1; digits < kDigits; ++digits) {
+    const std::string text = format_number(value, digits);
+    const std::optional<double> number = parse_number(text);
+    if (number && std::abs(*number - value) <= kErrors * error) return text;
+  }
+  return format_number(value, kDigits);
+}
+
+/// "+ ", "- 0.5*" before a monomial; nothing but a sign where the coefficient is 1.
+std::string factor_text(const RelationTerm& term, bool first) {
+  std::string text = term.coefficient < 0.0 ? "- " : first ? "" : "+ ";
+  if (first && !text.empty()) text = "-";
+  const double size = std::abs(term.coefficient);
+  const std::string number = plainest(size, term.error);
+  return number == "1" ? text : text + number + "*";
+}
+
+}  // namespace
+
+std::string relation_text(const Relation& relation) {
+  std::string text;
+  for (const RelationTerm& term : relation.terms)
+    text += (text.empty() ? "" : " ") + factor_text(term, text.empty()) + term.term;
+  return text + " = " + with_error(relation.value, relation.scatter);
+}
+
+std::string relation_sentence(const Relation& relation) {
+  const std::string holds = relation_text(relation) + " on these data: ";
+  std::string names;
+  for (const RelationTerm& term : relation.terms)
+    names += (names.empty() ? "" : ", ") + term.term;
+  return holds + names + " and a constant cannot be told apart";
+}
+
+}  // namespace lacuna

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "lacuna/model/invariants/relations.hpp"
+
+namespace lacuna {
+
+/// "x^2 + y^2 = 4.00 +- 0.01".
+std::string relation_text(const Relation& relation);
+
+/// The same with what follows for an identification: "... on these data: x^2, y^2 and a
+/// constant cannot be told apart".
+std::string relation_sentence(const Relation& relation);
+
+}  // namespace lacuna

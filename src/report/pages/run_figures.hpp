@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/diagnose/journey/gap.hpp"
+#include "lacuna/report/plot/figure.hpp"
+
+namespace lacuna {
+
+/// Records with the models that ran in their windows, and what is needed to tell of them.
+struct RunView {
+  const std::vector<GapRecord>& runs;
+  std::vector<Quantity> states;
+  std::string time_unit;
+  Vector noise;  ///< m: standard deviation of the measurement; 0 where it is not known
+  std::string before = "nominal model";
+  std::string after = "model";
+};
+
+/// Measured values beside the models over some windows of the longest record, one picture for
+/// each state.
+std::vector<Picture> comparison_pictures(const RunView& view);
+
+/// What models are off over the whole of the longest record, with the noise as a band.
+std::vector<Picture> deviation_pictures(const RunView& view);
+
+/// Power spectra of what models are off; nothing where the record is short or not uniform.
+std::vector<Picture> spectrum_pictures(const RunView& view);
+
+/// Orbit of measured values and model: in space where there are three states, in the plane of
+/// two; nothing for one.
+std::vector<Picture> orbit_pictures(const RunView& view);
+
+/// Root mean square of what the model is off (after, or before) over that of each state's
+/// deviation from its mean, over all records and states.
+double relative_misfit(const std::vector<GapRecord>& runs, bool before);
+
+}  // namespace lacuna

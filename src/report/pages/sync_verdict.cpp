@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/sync_verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/trajectories/smoother/window_gap.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A synchronisation beside what errors are held against.
+struct Case {
+  const Dataset& record;
+  const SyncResult& result;
+  Vector floor;  ///< m: noise and what the slave makes of it, or what is resolved where that is
+                 ///< more; 0: not measured
+  Vector spread;  ///< m
+  const SyncVerdictOptions& options;
+};
+
+/// Slave minus record of one trajectory, as far as it went.
+Matrix errors_of(const Case& c, std::size_t r) {
+  const Matrix& slave = c.result.states[r];
+  return slave - c.record.trajectories[r].states.topRows(slave.rows());
+}
+
+double rms(const Eigen::Ref<const Vector>& values) {
+  return std::sqrt(values.squaredNorm() /
+                   static_cast<double>(std::max<Index>(values.size(), 1)));
+}
+
+Case case_of(const Dataset& record, const SyncResult& result,
+             const SyncVerdictOptions& options) {
+  std::vector<Matrix> states;
+  for (const Trajectory& run : record.trajectories) states.push_back(run.states);
+  const Vector spread = column_deviations(states);
+  Vector floor = result.noise;
+  for (Index k = 0; k < floor.size(); ++k)
+    if (result.response[k] < options.follows * spread[k])
+      floor[k] = std::max(floor[k], options.above_response / options.above_noise *
+                                        std::hypot(result.noise[k], result.response[k]));
+  floor = floor.cwiseMax(options.resolution * spread);
+  for (Index k = 0; k < floor.size(); ++k)
+    if (!record.is_measured(k)) floor[k] = 0.0;
+  return {record, result, floor, spread, options};
+}
+
+/// State with the largest ratio of the error to its floor, and that ratio.
+struct Worst {
+  Index state = 0;
+  double ratio = 0.0;
+};
+
+Worst worst_in(const Case& c, const Matrix& errors) {
+  Worst worst;
+  for (Index k = 0; k < errors.cols(); ++k) {
+    if (!(c.floor[k] > 0.0)) continue;
+    const double ratio = rms(errors.col(k)) / c.floor[k];
+    if (ratio > worst.ratio) worst = {k, ratio};
+  }
+  return worst;
+}
+
+/// Over the last three quarters of all records: the slave has to come to the record first.
+Worst worst_of(const Case& c) {
+  std::vector<Matrix> late;
+  Index rows = 0;
+  for (std::size_t r = 0; r < c.result.states.size(); ++r) {
+    const Matrix errors = errors_of(c, r);
+    late.push_back(errors.bottomRows(errors.rows() - errors.rows() / 4));
+    rows += late.back().rows();
+  }
+  Matrix all(rows, c.floor.size());
+  Index begin = 0;
+  for (const Matrix& errors : late) {
+    all.middleRows(begin, errors.rows()) = errors;
+    begin += errors.rows();
+  }
+  return worst_in(c, all);
+}
+
+/// The time from which on most pieces of the first record are off, where it held long enough.
+std::optional<double> holds_until(const Case& c) {
+  const Matrix errors = errors_of(c, 0);
+  const Trajectory& run = c.record.trajectories.front();
+  const Index pieces = std::min<Index>(c.options.pieces, errors.rows() / 20);
+  if (pieces < 10) return std::nullopt;
+  std::vector<bool> off;
+  for (Index p = 0; p < pieces; ++p) {
+    const Index begin = p * errors.rows() / pieces, end = (p + 1) * errors.rows() / pieces;
+    off.push_back(worst_in(c, errors.middleRows(begin, end - begin)).ratio >=
+                  c.options.above_noise);
+  }
+  const auto first = std::find(off.begin(), off.end(), true);
+  const auto held = static_cast<double>(first - off.begin());
+  if (first == off.end() || held < c.options.least_held * static_cast<double>(pieces))
+    return std::nullopt;
+  const auto bad = std::count(first, off.end(), true);
+  if (2 * bad <= off.end() - first) return std::nullopt;
+  return run.time[(first - off.begin()) * errors.rows() / pieces];
+}
+
+/// Rate that the coupling adds to an equation beyond what noise makes, over its own rate.
+double help(const Case& c, Index k) {
+  double added = 0.0, own = 0.0;
+  const Matrix& coupling = c.result.coupling;
+  const double noise = coupling.row(k).cwiseProduct(c.result.noise.transpose()).norm();
+  for (std::size_t r = 0; r < c.result.states.size(); ++r) {
+    const Matrix errors = errors_of(c, r);
+    const Matrix& slave = c.result.states[r];
+    const Vector& time = c.record.trajectories[r].time;
+    for (Index n = 1; n < errors.rows(); ++n) {
+      const double rate = (slave(n, k) - slave(n - 1, k)) / (time[n] - time[n - 1]);
+      const double pull = coupling.row(k).dot(errors.row(n));
+      added += pull * pull - noise * noise;
+      own += rate * rate;
+    }
+  }
+  return own > 0.0 ? added / own : 0.0;
+}
+
+std::optional<Index> helped_most(const OdeModel& model, const Case& c) {
+  std::optional<Index> most;
+  if (c.result.conditional_exponent) return most;
+  double largest = 0.0;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    if (identity_of(model, k)) continue;
+    const double own = help(c, k);
+    if (own <= largest) continue;
+    largest = own;
+    most = k;
+  }
+  return most;
+}
+
+/// "1.1 times the noise", or "0.02 % of the spread of x" where no noise is seen.
+std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
+  const double noise = c.result.noise[worst.state], floor = c.floor[worst.state];
+  if (noise >= floor) return format_number(worst.ratio, 2) + " times the noise";
+  if (noise > 0.0 && floor > c.options.resolution * c.spread[worst.state])
+    return format_number(worst.ratio * floor / noise, 2) +
+           " times the noise, which this orbit amplifies to " +
+           format_number(std::hypot(1.0, c.result.response[worst.state] / noise), 2) + " times";
+  const double share = worst.ratio * c.floor[worst.state] / c.spread[worst.state];
+  return format_number(100.0 * share, 2) + " % of the spread of " +
+         model.states()[static_cast<std::size_t>(worst.state)].name;
+}
+
+/// Whether slaves that begin elsewhere in hidden states are together soon enough.
+bool tells_hidden(const Trajectory& first, const SyncResult& result,
+                  const SyncVerdictOptions& options) {
+  if (!result.conditional_exponent) return true;
+  const double quarter = 0.25 * (first.time[first.samples() - 1] - first.time[0]);
+  return *result.conditional_exponent * quarter <= std::log(options.forgotten);
+}
+
+}  // namespace
+
+void SyncVerdictOptions::describe(OptionVisitor& v) {
+  v.field(
+      {"above_noise", "",
+       "A model holds below so many times the noise: what a complete model can leave, twice.",
+       1.0, 100.0},
+      above_noise);
+  v.field({"above_response", "",
+           "Or below so many times what noise and the slave's response to it make together, "
+           "which are known to some per cent.",
+           1.0, 100.0},
+          above_response);
+  v.field(
+      {"follows", "",
+       "As long as that response is below this share of a state's spread: a slave that noise "
+       "drives further off has lost the record, whatever the model is.",
+       0.0, 1.0},
+      follows);
+  v.field({"resolution", "",
+           "Share of a state's spread that the interpolation of a record and the steps between "
+           "its samples may leave, half of it.",
+           0.0, 1.0},
+          resolution);
+  v.field({"pieces", "", "Of a record, to tell when a model ceases to hold.", 10, 10000},
+          pieces);
+  v.field({"least_held", "", "Share of a record that `holds up to` needs.", 0.0, 1.0},
+          least_held);
+  v.field({"forgotten", "",
+           "Share of their distance that slaves which begin elsewhere in hidden states may be "
+           "apart after a quarter of the record; else the record does not tell these states, "
+           "and there is no verdict.",
+           0.0, 1.0},
+          forgotten);
+}
+
+SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
+                  const SyncVerdictOptions& options) {
+  if (result.status != IntegrationStatus::Completed)
+    return {.sentence = "Does not hold: " + result.message + "."};
+  if (!tells_hidden(record.trajectories.front(), result, options))
+    return {.told = false,
+            .sentence =
+                "Cannot tell: slaves that begin elsewhere in hidden states do not come "
+                "together (conditional Lyapunov exponent " +
+                format_number(*result.conditional_exponent, 2) + " 1/" + record.time_unit +
+                "); try a stronger --coupling, or measure one of them."};
+  const Case c = case_of(record, result, options);
+  const Worst worst = worst_of(c);
+  const std::string size = "the error is " + size_of(model, c, worst);
+  if (result.settled && worst.ratio < options.above_noise)
+    return {.holds = true, .sentence = "Holds: " + size + "."};
+  SyncVerdict verdict;
+  const auto most = helped_most(model, c);
+  if (most) verdict.equation = model.states()[static_cast<std::size_t>(*most)].name;
+  verdict.until = holds_until(c);
+  const std::string where = verdict.equation ? "equation " + *verdict.equation : "";
+  if (verdict.until)
+    verdict.sentence = "Holds up to " + format_number(*verdict.until, 4) + " " +
+                       record.time_unit + "; from there on " + size +
+                       (where.empty() ? "." : ", " + where + ".");
+  else
+    verdict.sentence = "Does not hold" + (where.empty() ? "" : ": " + where) + "; " + size +
+                       " (see `lacuna diagnose`).";
+  return verdict;
+}
+
+}  // namespace lacuna

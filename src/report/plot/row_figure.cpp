@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/report/plot/figure.hpp"
+#include "lacuna/report/plot/scale.hpp"
+#include "svg.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr double kRow = 24.0, kFirstRow = 30.0, kAxis = 46.0;
+constexpr std::size_t kLabel = 48, kNote = 26;
+
+struct RowFrame {
+  Scale scale;
+  double left = 0.0, right = 0.0;
+
+  double at(double value) const { return left + scale.part(value) * (right - left); }
+};
+
+/// All values and ends of intervals, and the zero that bars begin at.
+Vector values_of(const RowFigure& figure) {
+  std::vector<double> values{0.0};
+  for (const Row& row : figure.rows) {
+    values.push_back(row.value);
+    values.push_back(row.low.value_or(row.value));
+    values.push_back(row.high.value_or(row.value));
+  }
+  return Eigen::Map<const Vector>(values.data(), static_cast<Index>(values.size()));
+}
+
+RowFrame frame_of(const RowFigure& figure) {
+  double label = 40.0, note = 20.0;
+  for (const Row& row : figure.rows) {
+    label = std::max(label, svg::width_of(svg::shortened(row.label, kLabel)));
+    note = std::max(note, svg::width_of(svg::shortened(row.note, kNote)));
+  }
+  const Vector values = values_of(figure);
+  return {scale_of({&values}), label + 16.0, svg::kWidth - note - 18.0};
+}
+
+Markup bar(const Row& row, const RowFrame& frame, double middle) {
+  const double zero = frame.at(0.0), end = frame.at(std::isfinite(row.value) ? row.value : 0.0);
+  return empty_element("rect", {{"x", svg::pixels(std::min(zero, end))},
+                                {"y", svg::pixels(middle - 7.0)},
+                                {"width", svg::pixels(std::max(1.0, std::abs(end - zero)))},
+                                {"height", "14"},
+                                {"class", row.marked ? "bar marked" : "bar"}});
+}
+
+Markup interval(const Row& row, const RowFrame& frame, double middle) {
+  const std::string kind = row.marked ? "whisker marked" : "whisker";
+  Markup all;
+  if (row.low && row.high) {
+    const double low = frame.at(*row.low), high = frame.at(*row.high);
+    all += svg::line(low, middle, high, middle, kind);
+    all += svg::line(low, middle - 4.0, low, middle + 4.0, kind);
+    all += svg::line(high, middle - 4.0, high, middle + 4.0, kind);
+  }
+  return all + empty_element("circle", {{"cx", svg::pixels(frame.at(row.value))},
+                                        {"cy", svg::pixels(middle)},
+                                        {"r", "4"},
+                                        {"class", row.marked ? "dot marked" : "dot"}});
+}
+
+Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, double middle) {
+  Markup all = element("title", Markup::text(row.label + ": " + format_number(row.value, 6) +
+                                             (row.note.empty() ? "" : ", " + row.note)));
+  all += svg::label(frame.left - 10.0, middle + 4.0, svg::shortened(row.label, kLabel), "end");
+  all += figure.intervals ? interval(row, frame, middle) : bar(row, frame, middle);
+  all += svg::label(frame.right + 8.0, middle + 4.0, svg::shortened(row.note, kNote), "start",
+                    "tick");
+  return element("g", {{"class", "row"}}, all);
+}
+
+}  // namespace
+
+Picture draw(const RowFigure& figure) {
+  const RowFrame frame = frame_of(figure);
+  const double bottom = kFirstRow + kRow * static_cast<double>(figure.rows.size());
+  Markup content = svg::label(8.0, 16.0, svg::shortened(figure.title, 100), "start", "title");
+  const int count = static_cast<int>((frame.right - frame.left) / 70.0);
+  for (const Tick& tick : ticks_of(frame.scale, std::clamp(count, 2, 8))) {
+    const double x = frame.at(tick.value);
+    content += svg::line(x, kFirstRow, x, bottom, tick.value == 0.0 ? "zero" : "grid");
+    content += svg::label(x, bottom + 16.0, tick.label, "middle", "tick");
+  }
+  content += svg::label((frame.left + frame.right) / 2.0, bottom + 36.0,
+                        svg::shortened(figure.x_label, 80), "middle", "axis");
+  for (std::size_t r = 0; r < figure.rows.size(); ++r)
+    content += row_of(figure, figure.rows[r], frame,
+                      kFirstRow + kRow * (static_cast<double>(r) + 0.5));
+  return {figure.name, figure.title,
+          svg::drawing(figure.title, "rows", svg::kWidth, bottom + kAxis, content)};
+}
+
+}  // namespace lacuna

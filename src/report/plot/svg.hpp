@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What all figures are drawn with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/report/plot/figure.hpp"
+#include "lacuna/report/plot/scale.hpp"
+
+namespace lacuna::svg {
+
+/// How wide a figure is, in pixels.
+inline constexpr double kWidth = 760.0;
+
+/// Pixels to a tenth, "12.5".
+std::string pixels(double value);
+
+/// "measured", "before", "model", "other": class of a curve.
+std::string class_of(Curve curve);
+
+/// Text at a place. @param anchor start, middle, end.
+Markup label(double x, double y, const std::string& text, const std::string& anchor = "start",
+             const std::string& kind = "label");
+
+/// The text, or its beginning and "..." where it has more than `most` characters.
+std::string shortened(const std::string& text, std::size_t most);
+
+/// Pixels that a text takes at the size of labels, about.
+double width_of(const std::string& text);
+
+/// A straight line of a class.
+Markup line(double x1, double y1, double x2, double y2, const std::string& kind);
+
+/// An entry of the legend.
+struct Key {
+  std::string label;
+  std::string kind;  ///< class of the curve
+  std::size_t number = 0;
+};
+
+/// The legend from `left` on, in as many lines as it needs.
+struct Legend {
+  Markup markup;
+  double height = 0.0;
+};
+Legend legend(const std::vector<Key>& keys, double left, double right, double top);
+
+/// The whole: <svg> of that size with a title for those who cannot see it.
+Markup drawing(const std::string& title, const std::string& kind, double width, double height,
+               const Markup& content);
+
+}  // namespace lacuna::svg

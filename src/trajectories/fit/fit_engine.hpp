@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The model beside the records: paths, residuals and their derivatives.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "channels.hpp"
+#include "fit_records.hpp"
+#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/trajectories/sensitivities/step_maps.hpp"
+
+namespace lacuna {
+
+/// Model and records with what is computed once from them. One object per thread.
+struct FitEngine {
+  ParametrisedModel model;
+  FitRecords records;
+  Rates rates;
+  Channels channels;
+  StageSignals signals;
+  Vector sigma;  ///< c: deviation by which residuals are divided
+
+  Index states() const noexcept { return rates.dimension(); }    ///< m
+  Index parameters() const noexcept { return rates.columns(); }  ///< P
+  Index count() const noexcept { return channels.count(); }      ///< c
+};
+
+FitEngine fit_engine(const ParametrisedModel& model, FitRecords records);
+
+/// Integrates every sampling interval by so many steps of the Runge-Kutta method of order 4.
+void set_substeps(FitEngine& engine, Index substeps);
+
+/// What is estimated.
+struct FitPoint {
+  Matrix parameters;  ///< R x P: a parameter that records share is the same in all rows
+  Matrix starts;      ///< R x m
+};
+
+/// What a point gives.
+struct FitPath {
+  Matrix states;               ///< N x m, before each sample is looked at
+  Matrix residuals;            ///< N x c: measured - model, 0 where there is no value
+  std::vector<Matrix> stages;  ///< per stage: states where f was evaluated, steps x m
+  double cost = 0.0;           ///< sum of (residual / sigma)^2; infinite where a path diverges
+};
+
+/// How much of each residual is added to each state behind a sample: N x (m c), column
+/// c m + k; empty: the model runs freely.
+using Gains = Matrix;
+
+/// The model along the records: x_{n+1} = F(x_n + K_n (y_n - h(x_n))).
+FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains);
+
+/// Calls `visit(n, rows, residual)` at every sample of a record with the derivatives of the c
+/// whitened model values by [initial states, parameters] and the whitened residuals; gains do
+/// not change with them.
+void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path,
+                   const Gains& gains, Index record,
+                   FunctionRef<void(Index, const Matrix&, const Vector&)> visit);
+
+/// Sizes of the disturbances that a filter allows for.
+struct Disturbances {
+  Vector scale;      ///< m: spread of each state; 0: its equation is exact
+  double share = 0;  ///< what disturbs a state in one time scale, as a share of its spread
+};
+
+/// The gains of the extended Kalman filter along its own path (Anderson and Moore, Optimal
+/// Filtering (1979), Ch. 8); initial states are known. Q = (share scale)^2 / time scale.
+/// @param path receives the states of the filter.
+Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances& disturbances,
+                   FitPath& path);
+
+/// Errors of prediction so many samples ahead, from states of a filter that were corrected by
+/// all samples before: N x c, at every `ahead`-th sample, 0 elsewhere and where there is none.
+/// @param compared receives how many values each channel has, c.
+Matrix prediction_errors(FitEngine& engine, const FitPoint& point, const Gains& gains,
+                         Index ahead, Vector& compared);
+
+}  // namespace lacuna

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Errors of fitted numbers.
+#pragma once
+
+#include "fit_solver.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
+
+namespace lacuna {
+
+/// What is known of the numbers of a fit.
+struct FitErrors {
+  Matrix covariance;           ///< G x G of the global parameters; 0 where nothing is said
+  std::vector<bool> known;     ///< G: whether a number has an error
+  std::vector<bool> at_bound;  ///< G
+  Matrix starts;               ///< R x (m + locals): standard errors; NaN where there is none
+  std::vector<FitCombination> combinations;
+  Matrix open;  ///< G x d: directions of which nothing is known, as shares of the numbers
+};
+
+/// @param white whether the residuals are white; else gradients of blocks give the covariance:
+///   (J'J)^-1 (sum_b g_b g_b') (J'J)^-1 (Liang and Zeger, Biometrika 73:13-22, 1986).
+FitErrors errors_of(FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum& minimum,
+                    bool white);
+
+/// The same minimum as near as can be to where the numbers started, in the directions of which
+/// nothing is known: they are as they were, or changed by the least shares.
+FitMinimum nearest_minimum(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum minimum,
+                           const Matrix& open, const RunContext& context);
+
+}  // namespace lacuna

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "fit_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lacuna/core/numerics/significance.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Residuals beyond so many standard deviations of chance have something in common.
+constexpr double kStructure = 4.0;
+
+/// Sums over the samples of one channel that count.
+struct Sums {
+  double count = 0.0, squares = 0.0, values = 0.0, value_squares = 0.0;
+
+  double rms() const { return std::sqrt(squares / std::max(1.0, count)); }
+  double spread_squares() const {
+    return value_squares - values * values / std::max(1.0, count);
+  }
+};
+
+Sums sums_of(const FitEngine& engine, const FitPath& path, Index channel, Index record,
+             Index skip) {
+  Sums sums;
+  for (Index n = engine.records.first(record) + skip; n < engine.records.end(record); ++n) {
+    if (engine.records.valid(n, channel) == 0.0) continue;
+    const double residual = path.residuals(n, channel),
+                 value = engine.records.values(n, channel);
+    ++sums.count;
+    sums.squares += residual * residual;
+    sums.values += value;
+    sums.value_squares += value * value;
+  }
+  return sums;
+}
+
+void add(Sums& all, const Sums& more) {
+  all.count += more.count;
+  all.squares += more.squares;
+  all.values += more.values;
+  all.value_squares += more.value_squares;
+}
+
+Vector prediction_rms(FitEngine& engine, const FitPoint& point, const FitPath& path,
+                      Index ahead) {
+  constexpr double kShare = 0.1;
+  FitPath filtered;
+  const Gains gains =
+      filter_gains(engine, point, disturbances_of(engine, path, kShare), filtered);
+  Vector compared;
+  const Matrix errors = prediction_errors(engine, point, gains, ahead, compared);
+  return errors.colwise().norm().transpose().array() / compared.array().max(1.0).sqrt();
+}
+
+/// The first samples of each record.
+Dataset heads_of(Dataset data, Index samples) {
+  for (Trajectory& record : data.trajectories)
+    record = rows_of(record, 0, std::min(samples, record.samples()));
+  return data;
+}
+
+/// Initial states of held-out records: those that meet the first samples best. What these do
+/// not tell is as it was in the records of the fit.
+Matrix starts_for(const ParametrisedModel& model, const Matrix& parameters, const Dataset& data,
+                  const Matrix& usual, Index window) {
+  FitEngine engine = fit_engine(model, fit_records(model, heads_of(data, window)));
+  FitUnknowns unknowns = fit_unknowns(model, {});
+  unknowns.global.clear();
+  FitPoint point{parameters, engine.records.starts};
+  for (Index k = 0; k < engine.states(); ++k) {
+    auto& initial = unknowns.initial[static_cast<std::size_t>(k)];
+    if (initial) continue;
+    if (engine.records.guessed[static_cast<std::size_t>(k)]) {
+      point.starts.col(k).setConstant(usual(k, 0));
+      if (usual(k, 1) > 0.0) initial = InitialValue{usual(k, 0), false, 3.0 * usual(k, 1)};
+    }
+  }
+  return minimise(engine, unknowns, point, {}, 60, {}).point.starts;
+}
+
+/// Free runs of held-out records with given numbers.
+struct HeldOut {
+  std::vector<FitQuality> quality;
+  double size = 0.0, noise = 0.0;
+};
+
+HeldOut held_out_with(const ParametrisedModel& model, const Vector& values, const Dataset& data,
+                      const Matrix& usual, const FitOptions& options) {
+  FitEngine engine = fit_engine(model, fit_records(model, data));
+  set_substeps(engine, 4);
+  const Matrix parameters = values.transpose().replicate(engine.records.records(), 1);
+  const FitPoint point{parameters, starts_for(model, parameters, data, usual, options.window)};
+  const FitPath path = follow(engine, point, {});
+  HeldOut found{quality_of(engine, point, path, options.prediction, options.window)};
+  double squares = 0.0, noise = 0.0;
+  for (std::size_t c = 0; c < found.quality.size(); ++c) {
+    const double spread = std::max(engine.records.channels[c].spread, 1e-300);
+    squares += std::pow(found.quality[c].rmse / spread, 2);
+    noise += std::pow(found.quality[c].noise / spread, 2);
+  }
+  const auto count = static_cast<double>(found.quality.size());
+  found.size = std::sqrt(squares / count);
+  found.noise = std::sqrt(noise / count);
+  return found;
+}
+
+}  // namespace
+
+double correlation_sigma(const FitEngine& engine, const Matrix& residuals, Index channel) {
+  constexpr Index kMostLags = 20;
+  const double count = engine.records.valid.col(channel).sum();
+  const double power = residuals.col(channel).squaredNorm();
+  const auto lags = std::min(kMostLags, static_cast<Index>(count) / 5);
+  if (lags < 1 || !(power > 0.0) || !std::isfinite(power)) return 0.0;
+  double sum = 0.0;
+  for (Index lag = 1; lag <= lags; ++lag) {
+    double product = 0.0;
+    for (Index r = 0; r < engine.records.records(); ++r) {
+      const Index first = engine.records.first(r);
+      const Index n = engine.records.end(r) - first - lag;
+      if (n > 0)
+        product += residuals.col(channel).segment(first, n).dot(
+            residuals.col(channel).segment(first + lag, n));
+    }
+    const double correlation = product / power;
+    sum += correlation * correlation / std::max(1.0, count - static_cast<double>(lag));
+  }
+  const double statistic = count * (count + 2.0) * sum;
+  return sigma_of_log_probability(log_chi_squared_tail(statistic, static_cast<double>(lags)));
+}
+
+bool are_white(const FitEngine& engine, const Matrix& residuals) {
+  for (Index c = 0; c < residuals.cols(); ++c)
+    if (correlation_sigma(engine, residuals, c) >= kStructure) return false;
+  return true;
+}
+
+std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
+                                   const FitPath& path, Index ahead, Index skip) {
+  const Vector prediction = prediction_rms(engine, point, path, ahead);
+  std::vector<FitQuality> found;
+  for (Index c = 0; c < engine.count(); ++c) {
+    const FitChannel& channel = engine.records.channels[static_cast<std::size_t>(c)];
+    FitQuality quality{.channel = channel.name,
+                       .unit = channel.unit,
+                       .noise = channel.noise,
+                       .prediction = prediction[c],
+                       .structure = correlation_sigma(engine, path.residuals, c)};
+    Sums all;
+    for (Index r = 0; r < engine.records.records(); ++r) {
+      const Sums sums = sums_of(engine, path, c, r, skip);
+      quality.rmse_per_record.push_back(sums.rms());
+      add(all, sums);
+    }
+    quality.rmse = all.rms();
+    const double spread = all.spread_squares();
+    quality.fit_percent = spread > 0.0 ? 100.0 * (1.0 - std::sqrt(all.squares / spread)) : 0.0;
+    quality.white = quality.structure < kStructure;
+    found.push_back(std::move(quality));
+  }
+  return found;
+}
+
+FitGap gap_of(const ParametrisedModel& model, const FitPoint& fitted, const Dataset& held_out,
+              const Matrix& usual, const FitOptions& options) {
+  HeldOut after = held_out_with(model, fitted.parameters.colwise().mean().transpose(), held_out,
+                                usual, options);
+  FitGap gap{.before = held_out_with(model, model.values(), held_out, usual, options).size,
+             .after = after.size,
+             .noise_floor = after.noise,
+             .records = {},
+             .channels = std::move(after.quality)};
+  for (const Trajectory& record : held_out.trajectories) gap.records.push_back(record.source);
+  return gap;
+}
+
+}  // namespace lacuna

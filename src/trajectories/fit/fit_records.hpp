@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/parametrised_model.hpp"
+#include "trajectories/shooting/shooting_record.hpp"
+
+namespace lacuna {
+
+/// A quantity that is compared with the record.
+struct FitChannel {
+  std::string name, unit;
+  Expression formula;
+  double noise = 0.0;   ///< what the samples show of it; 0 where it cannot be told
+  double spread = 1.0;  ///< standard deviation of the samples
+};
+
+/// Records as a fit sees them, one behind the other: N samples in R records.
+struct FitRecords {
+  ShootingRecord series;             ///< times, inputs and the measured states
+  std::vector<std::string> sources;  ///< R
+  std::vector<FitChannel> channels;  ///< c
+  Matrix values;                     ///< N x c
+  Matrix valid;                      ///< N x c: 1 where a sample is a value, else 0
+  Matrix starts;                     ///< R x m: first guess of the initial states
+  std::vector<bool> guessed;         ///< m: whether the records say nothing of that guess
+  Vector scale;                      ///< m: spread of a state where it is known, else 0
+  double time_scale = 1.0;           ///< spread of the channels over that of their rates
+
+  Index records() const noexcept { return series.trajectories(); }
+  Index samples() const noexcept { return series.samples(); }
+  Index first(Index record) const { return series.begins[static_cast<std::size_t>(record)]; }
+  Index end(Index record) const { return series.begins[static_cast<std::size_t>(record) + 1]; }
+};
+
+/// @param view records in the variables of the model, as of model_view().
+/// @throws DataError when nothing is measured.
+FitRecords fit_records(const ParametrisedModel& model, const Dataset& view);
+
+}  // namespace lacuna

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "fit_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "fit_quality.hpp"
+#include "lacuna/core/base/random.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Shares of their spread by which states are disturbed in one time scale, one after another.
+constexpr std::array<double, 6> kShares = {3.0, 1.0, 0.3, 0.1, 0.03, 0.01};
+
+double spread_of(const Vector& values) {
+  return std::sqrt((values.array() - values.mean()).square().mean());
+}
+
+/// Steps so fine that halving them changes the residuals by little beside their deviations:
+/// `small` in all samples together.
+void choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
+                     double small) {
+  constexpr Index kMost = 32;
+  Index substeps = engine.signals.scheme.substeps;
+  FitPath coarse = follow(engine, point, gains);
+  while (substeps < kMost) {
+    set_substeps(engine, 2 * substeps);
+    FitPath fine = follow(engine, point, gains);
+    const Matrix change =
+        (fine.residuals - coarse.residuals) * engine.sigma.cwiseInverse().asDiagonal();
+    if (change.norm() < small) return set_substeps(engine, substeps);
+    substeps *= 2;
+    coarse = std::move(fine);
+  }
+}
+
+/// Fits with filters of falling disturbance, then the free run.
+FitMinimum continued(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
+                     const FitSearchOptions& options, const RunContext& context) {
+  constexpr int kRounds = 2, kIterations = 8;
+  const double samples = std::sqrt(engine.records.valid.sum());
+  FitPath path = follow(engine, point, {});
+  for (std::size_t level = options.first_level; level < kShares.size(); ++level)
+    for (int round = 0; round < kRounds; ++round) {
+      const double share = kShares[level];
+      context.check_stop();
+      const Disturbances disturbances = disturbances_of(engine, path, share);
+      FitPath filtered;
+      const Gains gains = filter_gains(engine, point, disturbances, filtered);
+      if (!gains.allFinite() || !std::isfinite(filtered.cost)) continue;
+      if (level == options.first_level) choose_substeps(engine, point, gains, 0.1 * samples);
+      FitMinimum found = minimise(engine, unknowns, point, gains, kIterations, context);
+      if (!std::isfinite(found.path.cost)) continue;
+      point = std::move(found.point);
+      path = std::move(found.path);
+    }
+  return minimise(engine, unknowns, point, {}, options.most_iterations, context);
+}
+
+/// The minimum with steps so fine that they shift no number by much of its error.
+FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
+                    const FitSearchOptions& options, const RunContext& context) {
+  constexpr double kSmall = 0.2;
+  const Index before = engine.signals.scheme.substeps;
+  choose_substeps(engine, found.point, {}, kSmall);
+  if (engine.signals.scheme.substeps == before) return found;
+  return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
+}
+
+/// Residuals of several channels count by their size; a few rounds settle it.
+FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
+                      const FitSearchOptions& options, const RunContext& context) {
+  constexpr int kRounds = 5;
+  constexpr double kSettled = 0.01;
+  for (int round = 0; round < kRounds && std::isfinite(found.path.cost); ++round) {
+    const Vector rms = residual_rms(engine, unknowns, found.path);
+    const Vector sigma = rms.cwiseMax(1e-9 * engine.sigma);
+    const double change = (sigma.array() / engine.sigma.array()).log().abs().maxCoeff();
+    engine.sigma = sigma;
+    if (round > 0 && change < kSettled) break;
+    found = minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
+  }
+  return found;
+}
+
+/// Another start: parameters off by a random factor, hidden states anywhere.
+FitPoint other_start(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
+                     double spread, Random& random) {
+  for (Index p = 0; p < point.parameters.cols(); ++p) {
+    const double factor = std::exp(std::log(spread) * random.uniform(-1.0, 1.0));
+    point.parameters.col(p) = (factor * point.parameters.col(p))
+                                  .cwiseMax(unknowns.lower[p])
+                                  .cwiseMin(unknowns.upper[p]);
+  }
+  const FitPath path = follow(engine, point, {});
+  const Vector scale = disturbances_of(engine, path, 1.0).scale;
+  for (Index k = 0; k < engine.states(); ++k)
+    if (engine.records.guessed[static_cast<std::size_t>(k)])
+      for (Index r = 0; r < point.starts.rows(); ++r)
+        point.starts(r, k) = scale[k] * random.normal();
+  return point;
+}
+
+/// The start with hidden states one spread from it all at once: levels and concentrations are
+/// all positive. Nothing where no state is guessed.
+std::optional<FitPoint> raised(FitEngine& engine, FitPoint point, double sign) {
+  const Vector scale = disturbances_of(engine, follow(engine, point, {}), 1.0).scale;
+  bool any = false;
+  for (Index k = 0; k < engine.states(); ++k) {
+    if (!engine.records.guessed[static_cast<std::size_t>(k)]) continue;
+    point.starts.col(k).array() += sign * scale[k];
+    any = true;
+  }
+  return any ? std::optional(std::move(point)) : std::nullopt;
+}
+
+double cost_of(const FitUnknowns& unknowns, const FitMinimum& minimum) {
+  return total_cost(unknowns, minimum.point, minimum.path);
+}
+
+/// Residuals over the noise that the samples show, the largest of all channels; infinite where
+/// the noise is not known.
+double excess(const FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum& found) {
+  if (!std::isfinite(found.path.cost)) return std::numeric_limits<double>::infinity();
+  const Vector rms = residual_rms(engine, unknowns, found.path);
+  double most = 0.0;
+  for (std::size_t c = 0; c < engine.records.channels.size(); ++c) {
+    const double noise = engine.records.channels[c].noise;
+    const double size = rms[static_cast<Index>(c)];
+    most = std::max(
+        most, noise > 0.0 ? size / noise : size / (1e-4 * engine.records.channels[c].spread));
+  }
+  return most;
+}
+
+/// How far parameters are from others, as shares of these.
+double distance(const FitPoint& a, const FitPoint& b) {
+  return ((a.parameters - b.parameters).array() / (b.parameters.array().abs() + 1e-300))
+      .abs()
+      .min(1e6)
+      .sum();
+}
+
+/// A point with the signs of the start: parameters that changed theirs, and all initial states,
+/// turned round. It is the same fit where a model looks the same upside down.
+FitPoint mirrored(FitPoint point, const FitPoint& start) {
+  for (Index i = 0; i < point.parameters.size(); ++i) {
+    double& value = point.parameters.data()[i];
+    if (value * start.parameters.data()[i] < 0.0) value = -value;
+  }
+  point.starts = -point.starts;
+  return point;
+}
+
+bool changed_a_sign(const FitPoint& a, const FitPoint& b) {
+  return (a.parameters.array() * b.parameters.array() < 0.0).any();
+}
+
+}  // namespace
+
+Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
+  const double all = engine.records.valid.sum();
+  const double share = degrees_of_freedom(engine, unknowns) / std::max(1.0, all);
+  Vector rms(path.residuals.cols());
+  for (Index c = 0; c < rms.size(); ++c)
+    rms[c] = path.residuals.col(c).norm() /
+             std::sqrt(std::max(1.0, share * engine.records.valid.col(c).sum()));
+  return rms;
+}
+
+Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, double share) {
+  const Index m = engine.states();
+  Disturbances found{Vector::Zero(m), share};
+  double logs = 0.0, known = 0.0;
+  for (Index k = 0; k < m; ++k) {
+    double& scale = found.scale[k];
+    scale = engine.records.scale[k];
+    if (scale == 0.0 && path.states.col(k).allFinite()) scale = spread_of(path.states.col(k));
+    if (scale > 0.0 && std::isfinite(scale)) {
+      logs += std::log(scale);
+      ++known;
+    }
+  }
+  const double typical = known > 0.0 ? std::exp(logs / known) : 1.0;
+  for (Index k = 0; k < m; ++k) {
+    if (!(found.scale[k] > 0.0) || !std::isfinite(found.scale[k])) found.scale[k] = typical;
+    if (identity_of(engine.model.symbolic(), k)) found.scale[k] = 0.0;
+  }
+  return found;
+}
+
+namespace {
+
+FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
+                              const FitPoint& start, const FitSearchOptions& options,
+                              const RunContext& context) {
+  constexpr double kAlike = 1.01, kSame = 1.0001;
+  constexpr int kEnough = 4;
+  constexpr double kCheap = 2e4;  // entries of the rows, below which all starts are tried
+  const bool cheap = static_cast<double>(engine.states() + engine.parameters()) *
+                         static_cast<double>(engine.records.samples()) <
+                     kCheap;
+  FitSearch search{continued(engine, unknowns, start, options, context)};
+  const auto take = [&](FitMinimum found) {
+    ++search.starts;
+    search.best.path = follow(engine, search.best.point, {});  // steps may be finer by now
+    const double before = cost_of(unknowns, search.best), now = cost_of(unknowns, found);
+    if (now < before / kAlike)
+      search.agreeing = 1;
+    else if (now < before * kAlike)
+      ++search.agreeing;
+    // Of equal minima (a model that may change a sign everywhere) the one nearest to the start.
+    const bool nearer = distance(found.point, start) < distance(search.best.point, start);
+    if (now < before / kSame || (now < before * kSame && nearer))
+      search.best = std::move(found);
+  };
+  // Hidden states have minima that are good and wrong; there the residuals must be white.
+  const bool guessed = raised(engine, start, 1.0).has_value();
+  const auto good = [&] {
+    return excess(engine, unknowns, search.best) <= options.good &&
+           (!guessed || are_white(engine, search.best.path.residuals));
+  };
+  if (good() && !changed_a_sign(search.best.point, start)) return search;
+  take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
+  FitUnknowns only_starts = unknowns;
+  only_starts.global.clear();
+  for (const double sign : {1.0, -1.0})
+    if (const auto other = raised(engine, start, sign); other && !good()) {
+      const FitMinimum begun =
+          minimise(engine, only_starts, *other, {}, options.most_iterations, context);
+      take(minimise(engine, unknowns, begun.point, {}, options.most_iterations, context));
+    }
+  Random random(context.seed);
+  for (int i = 0; i < options.restarts; ++i) {
+    const bool sure =
+        !cheap && search.agreeing >= kEnough && std::isfinite(cost_of(unknowns, search.best));
+    if (sure || good()) break;
+    context.report("trying other starts",
+                   static_cast<double>(i) / static_cast<double>(options.restarts));
+    FitSearchOptions other = options;  // some with less disturbance from the first on
+    other.first_level = static_cast<std::size_t>(2 * (i % 3));
+    const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;
+    take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
+                   other, context));
+  }
+  if (changed_a_sign(search.best.point, start))
+    take(minimise(engine, unknowns, mirrored(search.best.point, start), {},
+                  options.most_iterations, context));
+  return search;
+}
+
+}  // namespace
+
+FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                     const FitSearchOptions& options, const RunContext& context) {
+  FitSearch search = from_several_starts(engine, unknowns, start, options, context);
+  search.best = reweighted(engine, unknowns, std::move(search.best), options, context);
+  search.best = polished(engine, unknowns, std::move(search.best), options, context);
+  search.best = reweighted(engine, unknowns, std::move(search.best), options, context);
+  return search;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Least squares of the residuals over parameters and initial states.
+#pragma once
+
+#include <vector>
+
+#include "fit_engine.hpp"
+#include "lacuna/core/base/run_context.hpp"
+
+namespace lacuna {
+
+/// Which numbers are estimated, and what is known of them.
+struct FitUnknowns {
+  std::vector<Index> local;   ///< parameters that each record has for itself
+  std::vector<Index> global;  ///< all others
+  std::vector<std::optional<InitialValue>> initial;  ///< m
+  Vector lower, upper;                               ///< P, infinite where there is none
+};
+
+FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> local);
+
+/// The problem linearised at a point.
+struct FitLinear {
+  /// R of [initial states, local, global parameters | residual] of each record.
+  std::vector<Matrix> records;
+  Matrix reduced;  ///< R of the global parameters | residual, all records, others eliminated
+
+  /// Gradients by the global parameters of blocks of neighbouring samples, G x blocks; initial
+  /// states and local parameters eliminated.
+  Matrix gradients;
+};
+
+/// @param with_gradients whether `gradients` are wanted (a second pass).
+FitLinear linearise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& point,
+                    const FitPath& path, const Gains& gains, bool with_gradients = false);
+
+/// Where a minimisation ended.
+struct FitMinimum {
+  FitPoint point;
+  FitPath path;
+  bool converged = false;
+  int iterations = 0;
+};
+
+/// Cost of a path with what is known of the initial states.
+double total_cost(const FitUnknowns& unknowns, const FitPoint& point, const FitPath& path);
+
+/// Values less unknowns; at least 1.
+double degrees_of_freedom(const FitEngine& engine, const FitUnknowns& unknowns);
+
+/// Minimises the cost by the method of Levenberg and Marquardt, parameters kept in their ranges
+/// by an active set. A decrease below 1e-5 of the cost per degree of freedom (1 moves a
+/// parameter by one standard error) ends it.
+FitMinimum minimise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                    const Gains& gains, int most_iterations, const RunContext& context);
+
+}  // namespace lacuna

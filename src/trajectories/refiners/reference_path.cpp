@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "reference_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/base/parallel.hpp"
+#include "lacuna/data/records/noise.hpp"
+#include "lacuna/trajectories/refiners/moving_polynomial.hpp"
+#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Samples that are outliers take the value of the straight line between their neighbours.
+Vector without_outliers(const Trajectory& record, Index state, const Vector& noise) {
+  Vector values = record.states.col(state);
+  const Vector& t = record.time;
+  for (const Index i : outlying_samples(record, state, noise)) {
+    const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+    values[i] = (1.0 - share) * values[i - 1] + share * values[i + 1];
+  }
+  return values;
+}
+
+void place_path(PathRecord& record, const Matrix& states, const Program& program) {
+  Matrix values(states.rows(), states.cols() + record.samples.inputs.cols());
+  values << states, record.samples.inputs;
+  const Matrix variables = node_slots(record.samples.time, values, record.stride());
+  const Index width = variables.cols();
+  record.time = variables.col(width - 1);
+  record.slots.resize(variables.rows(), program.slots());
+  record.slots.leftCols(width) = variables;
+  record.slots.rightCols(program.slots() - width) =
+      delayed_slots(variables, record.stride(), program.delays());
+}
+
+Matrix weights_of(const Trajectory& record, const Dataset& data, const Matrix& noise,
+                  int threads) {
+  Matrix weights = Matrix::Zero(record.samples(), record.states.cols());
+  parallel_for(data.states.size(), threads, [&](std::size_t state) {
+    const auto k = static_cast<Index>(state);
+    if (!data.is_measured(k)) return;
+    weights.col(k) = noise.col(k).cwiseInverse();
+    for (const Index i : outlying_samples(record, k, noise.col(k))) weights(i, k) = 0.0;
+  });
+  return weights;
+}
+
+}  // namespace
+
+Matrix smoothed_states(const Trajectory& record, const Dataset& data, const Matrix& noise,
+                       int threads) {
+  Matrix smooth = record.states;
+  std::vector<Matrix> fits(static_cast<std::size_t>(smooth.cols()));
+  parallel_for(fits.size(), threads, [&](std::size_t state) {
+    const auto k = static_cast<Index>(state);
+    if (!data.is_measured(k)) return;
+    const Vector sigma = noise.col(k);
+    fits[state] = smooth_by_polynomials(record.time, without_outliers(record, k, sigma), sigma);
+    smooth.col(k) = fits[state].col(0);
+  });
+  for (Index k = 0; k < smooth.cols(); ++k) {
+    const std::optional<Index> rate = data.rate_state(k);
+    const Matrix& fit = fits[static_cast<std::size_t>(k)];
+    if (rate && !data.is_measured(*rate) && fit.size() > 0) smooth.col(*rate) = fit.col(1);
+  }
+  return smooth;
+}
+
+std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix>& noise,
+                                   const Program& program, int threads) {
+  std::vector<PathRecord> paths(data.trajectories.size());
+  // Several records go side by side, the states of a single one.
+  const int within = paths.size() == 1 ? threads : 1;
+  parallel_for(paths.size(), threads, [&](std::size_t r) {
+    const Trajectory& record = data.trajectories[r];
+    paths[r] = {record, weights_of(record, data, noise[r], within), 1, {}, {}};
+    place_path(paths[r], smoothed_states(record, data, noise[r], within), program);
+  });
+  return paths;
+}
+
+void set_substeps(PathRecord& record, Index substeps, const Program& program) {
+  const Matrix states = record.slots(Eigen::seqN(0, record.samples.samples(), record.stride()),
+                                     Eigen::seqN(0, record.samples.states.cols()));
+  record.substeps = substeps;
+  place_path(record, states, program);
+}
+
+}  // namespace lacuna

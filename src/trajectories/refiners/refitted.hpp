@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "lacuna/core/base/run_context.hpp"
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
+
+namespace lacuna {
+
+/// The dataset without states that were computed from others.
+Dataset measured_part(const Dataset& data);
+
+/// The coefficients of a model that does not fit to the noise, by refine(): what it leaves is
+/// correlated over time, so that the length of windows, and errors, have to come from the
+/// record and not from its noise. Identities of the dataset stay.
+/// @return nothing where the refinement did not converge.
+std::optional<OdeModel> refitted(const OdeModel& model, const Dataset& data,
+                                 const RunContext& context);
+
+}  // namespace lacuna

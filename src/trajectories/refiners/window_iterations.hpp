@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "window_search.hpp"
+
+namespace lacuna {
+
+/// Moves of the path below this share of sigma do not change any test.
+inline constexpr double kSmallMove = 0.3;
+
+/// Where Newton's iteration for one structure ends; more iterations do not help where these do
+/// not.
+struct NewtonLimits {
+  double move = kSmallMove;  ///< of the path, in units of sigma
+  int iterations = 4;
+};
+
+/// The columns of a fit that have a coefficient.
+std::vector<Index> present_columns(const WindowFit& fit);
+
+/// The problem of a fit's triangle with rows of unit variance.
+SubsetProblem problem_of(const WindowFit& fit);
+
+/// Whether a constraint names a coefficient.
+bool is_constrained(const WindowSearch& search, const Coefficient& column);
+
+/// Gives a fit the coefficients of its subset. @return them as values of all candidates.
+Vector solve_subset(const SubsetProblem& problem, WindowSearch& search);
+
+/// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
+double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext& context);
+
+/// Chooses among all candidates and settles, in turn, until nothing changes.
+void converge(const SearchTask& task, WindowSearch& search, const RunContext& context);
+
+/// Takes down how well the path fits.
+void summarise(WindowSearch& search);
+
+}  // namespace lacuna

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "window_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "lacuna/regression/formulations/weak_form.hpp"
+#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "move_path.hpp"
+#include "refitted.hpp"
+#include "trajectories/subset_selection/candidate_screening.hpp"
+#include "window_iterations.hpp"
+#include "window_resolution.hpp"
+
+namespace lacuna {
+namespace {
+
+Vector noise_or_floor(const Dataset& data, const std::vector<StateNoise>& noise) {
+  Vector sigma = rounding_floor(data);
+  for (Index k = 0; k < sigma.size(); ++k)
+    sigma[k] = std::max(sigma[k], noise[static_cast<std::size_t>(k)].sigma);
+  return sigma;
+}
+
+/// What constraints may ask for has to be there.
+void add_constrained(const SearchTask& task, std::vector<Coefficient>& columns) {
+  if (task.constraints.empty()) return;
+  for (const auto& [equation, term] : constrained_coefficients(task.constraints))
+    columns.push_back({equation, term});
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+}
+
+/// Coefficients of what is no column are 0.
+void drop_others(WindowFit& fit) {
+  Matrix kept = Matrix::Zero(fit.coefficients.rows(), fit.coefficients.cols());
+  for (const Coefficient& column : fit.columns)
+    kept(column.equation, column.term) = fit.coefficients(column.equation, column.term);
+  fit.coefficients = std::move(kept);
+  fit.subset = present_columns(fit);
+}
+
+/// Fits windows of so many samples.
+void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coefficients,
+                 Index samples, const RunContext& context) {
+  constexpr int kPasses = 5;
+  // Residuals beyond so many sigma are not noise of a normal distribution in any record.
+  constexpr double kOutlier = 7.0;
+  search.path.windows = windows_of(search.path.records, samples, search.most);
+  search.fit = WindowFit();
+  search.fit.coefficients = coefficients;
+  search.fit.samples = samples;
+  search.fit.columns =
+      is_wide(task) ? screen_candidates(task, search, context).plausible : task.candidates;
+  add_constrained(task, search.fit.columns);
+  drop_others(search.fit);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    converge(task, search, context);
+    const bool quieter = learn_noise(task, search);
+    const bool finer = refine_steps(task, search, context);
+    if (!quieter && !finer) break;
+  }
+  mask_beyond(search.path, kOutlier * std::sqrt(std::max(1.0, search.fit.misfit)));
+}
+
+/// Samples that are fitted in all.
+Index most_samples(const SearchTask& task) {
+  constexpr Index kMostValues = 200000;
+  return std::min(kMostSamples, kMostValues / task.equations.dimension());
+}
+
+/// Samples that a choice among many candidates takes: four for each candidate of an equation,
+/// and values enough to tell terms from noise.
+Index samples_of_a_choice(const SearchTask& task) {
+  constexpr Index kValues = 30000, kOfCandidate = 4;
+  return std::min(most_samples(task), std::max(kValues / task.equations.dimension(),
+                                               kOfCandidate * task.equations.library.size()));
+}
+
+/// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
+/// so short that terms do not show yet a straight line fits; what they leave is no measure.
+bool acceptable(const WindowFit& before, const WindowFit& after) {
+  if (after.rows == 0) return false;
+  if (after.settled && after.subset.size() > before.subset.size() && after.scale > before.scale)
+    return true;
+  if (!after.settled && before.settled) return false;
+  const double scatter =
+      4.0 * std::sqrt(2.0 / static_cast<double>(std::max<Index>(1, after.rows)));
+  return after.misfit <= before.misfit * (1.0 + scatter) + scatter;
+}
+
+/// The terms left when the least valuable ones go as long as chi squared stays below a limit;
+/// each equation keeps its last one, and constraints their coefficients.
+std::vector<Index> simplest(const WindowSearch& search, const SubsetProblem& problem,
+                            double limit) {
+  const WindowFit& fit = search.fit;
+  std::vector<Index> subset = fit.subset;
+  const auto equation = [&](Index c) {
+    return fit.columns[static_cast<std::size_t>(c)].equation;
+  };
+  for (;;) {
+    Vector losses = losses_of(fit_subset(problem, subset));
+    for (std::size_t i = 0; i < subset.size(); ++i)
+      if (std::count_if(subset.begin(), subset.end(),
+                        [&](Index c) { return equation(c) == equation(subset[i]); }) == 1 ||
+          is_constrained(search, fit.columns[static_cast<std::size_t>(subset[i])]))
+        losses[static_cast<Index>(i)] = std::numeric_limits<double>::infinity();
+    Index least = 0;
+    losses.minCoeff(&least);
+    std::vector<Index> smaller = subset;
+    smaller.erase(smaller.begin() + least);
+    if (!std::isfinite(losses[least]) || fit_subset(problem, smaller).residual > limit)
+      return subset;
+    subset = std::move(smaller);
+  }
+}
+
+Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
+  return linearise(search.rates, search.path, {search.fit.coefficients, search.fit.columns},
+                   search.folding, context);
+}
+
+}  // namespace
+
+Index first_window(const Dataset& data, int threads) {
+  const TestFunction function = choose_test_function(measured_part(data), {}, threads);
+  const Trajectory& record = data.trajectories.front();
+  constexpr Index kFewest = 8;
+  return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
+}
+
+SearchTask search_task(Dataset data, const StructureTask& structure,
+                       std::vector<StateNoise> noise, const TrajectorySelectionOptions& options,
+                       int threads) {
+  const auto& [library, allowed, constraints] = structure;
+  SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise,
+                                              options.growing_noise, threads);
+  for (std::size_t k = 0; k < noise.size(); ++k)
+    if (sample_noise.growth[k]) noise[k].sigma = sample_noise.rms[static_cast<Index>(k)];
+  SearchTask task{std::move(data),  {library, library.compile(), {}}, {},
+                  std::move(noise), std::move(sample_noise),          options.price,
+                  constraints};
+  for (Index k = 0; k < task.data.state_count(); ++k) {
+    task.equations.exact.push_back(task.data.rate_state(k));
+    if (task.equations.exact.back()) continue;
+    TermSet terms(static_cast<std::size_t>(library.size()));
+    std::iota(terms.begin(), terms.end(), Index{0});
+    if (!allowed.empty()) terms = allowed[static_cast<std::size_t>(k)];
+    for (const Index l : terms) task.candidates.push_back({k, l});
+  }
+  return task;
+}
+
+WindowSearch prepared_search(const SearchTask& task, const RunContext& context) {
+  WindowedPath path{make_paths(task.data, task.sample_noise.deviations, task.equations.program,
+                               context.threads),
+                    {}};
+  return {.rates = WindowRates(task.equations),
+          .path = std::move(path),
+          .sigma = task.sample_noise.rms,
+          .floor = rounding_floor(task.data),
+          .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
+          .shortest = std::min(first_window(task.data, context.threads),
+                               longest_record(task.data).samples()),
+          .constraints = task.constraints};
+}
+
+WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
+                   const RunContext& context) {
+  if (longest_record(task.data).samples() >= 4)
+    fit_windows(task, prepared, coefficients, prepared.shortest, context);
+  return prepared;
+}
+
+bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  const Index samples = 2 * search.fit.samples;
+  if (search.limited || samples > longest_record(task.data).samples()) return false;
+  // Fewer windows do not stand for a record.
+  constexpr Index kFewestWindows = 16;
+  if (is_wide(task) && samples * kFewestWindows > search.most) return false;
+  WindowSearch longer = search;
+  fit_windows(task, longer, search.fit.coefficients, samples, context);
+  search.limited = !acceptable(search.fit, longer.fit);
+  if (!search.limited) search = std::move(longer);
+  return !search.limited;
+}
+
+void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  if (search.most >= std::min(most_samples(task), task.data.samples())) return;
+  WindowSearch all = search;
+  all.most = most_samples(task);
+  fit_windows(task, all, search.fit.coefficients, search.fit.samples, context);
+  all.limited = search.limited;
+  if (acceptable(search.fit, all.fit)) search = std::move(all);
+}
+
+/// A path that moves by a thousandth of sigma leaves the coefficients where they are.
+void finish(WindowSearch& search, const RunContext& context) {
+  search.path.windows = windows_of(search.path.records, search.fit.samples, search.most);
+  settle(search, {.move = 1e-3, .iterations = 8}, context);
+  summarise(search);
+}
+
+void simplify(const SearchTask& task, WindowSearch& search, double slack,
+              const RunContext& context) {
+  if (search.fit.subset.empty() || task.price) return;
+  const Linearisation linearised = linearise_all(search, context);
+  if (!linearised.triangle.allFinite()) return;
+  const WindowFit found = search.fit;
+  WindowFit& fit = search.fit;
+  fit.triangle = linearised.triangle;
+  const SubsetProblem problem = problem_of(fit);
+  const double limit = std::pow(1.0 + slack, 2) * fit_subset(problem, fit.subset).residual;
+  fit.subset = simplest(search, problem, limit);
+  fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
+  move_path(search.rates, linearised, solve_subset(problem, search), search.path, context);
+  finish(search, context);
+  fit.sigma = found.sigma;  // the noise is what it was
+  fit.triangle = linearise_all(search, context).triangle;
+  if (!fit.coefficients.allFinite() || !fit.triangle.allFinite()) fit = found;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+
+#include "deflated_columns.hpp"
+#include "lacuna/core/numerics/qr.hpp"
+
+namespace lacuna {
+
+SubsetProblem subset_problem(const Matrix& triangle) {
+  const Index q = triangle.cols() - 1;
+  SubsetProblem problem{triangle, triangle.leftCols(q).colwise().norm()};
+  for (Index j = 0; j < q; ++j)
+    if (problem.norms[j] > 0.0) problem.scaled.col(j) /= problem.norms[j];
+  return problem;
+}
+
+SubsetFit fit_subset(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  const Matrix& scaled = problem.scaled;
+  const auto k = static_cast<Index>(subset.size());
+  Matrix part(scaled.rows(), k + 1);
+  for (Index i = 0; i < k; ++i) part.col(i) = scaled.col(subset[static_cast<std::size_t>(i)]);
+  part.col(k) = scaled.col(problem.columns());
+  const Matrix r = Qr(part).triangle();
+  SubsetFit fit;
+  const auto triangle = r.topLeftCorner(k, k).triangularView<Eigen::Upper>();
+  fit.inverse = triangle.solve(Matrix::Identity(k, k));
+  fit.solution = fit.inverse * r.col(k).head(k);
+  fit.residual = k < r.rows() ? r(k, k) * r(k, k) : 0.0;
+  return fit;
+}
+
+Vector losses_of(const SubsetFit& fit) {
+  return fit.solution.array().square() / fit.inverse.rowwise().squaredNorm().array();
+}
+
+Vector gains_of(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  Vector result = deflate(problem, subset).gains();
+  for (const Index j : subset) result[j] = 0.0;
+  return result;
+}
+
+Vector solution_of(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  Vector h = fit_subset(problem, subset).solution;
+  for (Index i = 0; i < h.size(); ++i)
+    h[i] /= problem.norms[subset[static_cast<std::size_t>(i)]];
+  return h;
+}
+
+Vector variances_of(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  Vector variances = fit_subset(problem, subset).inverse.rowwise().squaredNorm();
+  for (Index i = 0; i < variances.size(); ++i) {
+    const double norm = problem.norms[subset[static_cast<std::size_t>(i)]];
+    variances[i] /= norm * norm;
+  }
+  return variances;
+}
+
+}  // namespace lacuna

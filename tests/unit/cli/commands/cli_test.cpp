@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/cli/commands/cli.hpp"
+
+#include "unit/cli/commands/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::run_command;
+
+TEST(Cli, HelpGoesToStandardOutput) {
+  const auto result = run_command({"--help"});
+  EXPECT_EQ(result.status, 0);
+  for (const char* command : {"identify", "simulate", "sync", "list", "describe"})
+    EXPECT_THAT(result.out, HasSubstr(command));
+  EXPECT_THAT(run_command({"identify", "--help"}).out, HasSubstr("--derivatives"));
+}
+
+TEST(Cli, VersionIsTold) {
+  const auto result = run_command({"--version"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out.rfind("lacuna ", 0), 0u) << result.out;
+}
+
+TEST(Cli, BadArgumentsAreOneLineAndStatus2) {
+  expect_failure(run_command({}), 2, {"command line", "--help"});
+  expect_failure(run_command({"identfy"}), 2, {"identfy", "identify"});
+  expect_failure(run_command({"identify"}), 2, {"DATA", "lacuna identify --help"});
+  expect_failure(run_command({"identify", "a.csv", "--degre", "3"}), 2,
+                 {"--degre", "--degree"});
+  expect_failure(run_command({"identify", "a.csv", "--degree", "three"}), 2, {"three"});
+  expect_failure(run_command({"identify", "a.csv", "--threads", "0"}), 2, {"--threads"});
+}
+
+TEST(Cli, PartsOfOnesOwnAreThere) {
+  Registry registry;
+  const auto result = run_command({"list"}, registry);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out.find("\n  monomials "), std::string::npos);
+  EXPECT_THAT(run_command({"list"}).out, HasSubstr("\n  monomials "));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What all commands share: progress, output files, models by file or name.
+#include "unit/cli/commands/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::Records;
+using testing::run_command;
+
+TEST(Command, ShowsProgressWhereItIsWanted) {
+  const Records records;
+  EXPECT_EQ(run_command({"identify", records.rossler()}).err, "");
+  EXPECT_EQ(run_command({"identify", records.rossler(), "--progress", "never"}).err, "");
+  EXPECT_THAT(run_command({"identify", records.rossler(), "--progress", "always"}).err,
+              HasSubstr("fitting equations: 33 %"));
+  expect_failure(run_command({"identify", records.rossler(), "--progress", "often"}), 2,
+                 {"--progress"});
+}
+
+TEST(Command, LeavesNoFileBehindThatItCannotFinish) {
+  const Records records;
+  const auto before = records.folder().count();
+  expect_failure(run_command({"identify", records.rossler(), "--json",
+                              records.folder().file("no_such_folder/r.json")}),
+                 2, {"no_such_folder"});
+  EXPECT_EQ(records.folder().count(), before);
+}
+
+TEST(Command, TakesModelsByFileOrName) {
+  const Records records;
+  EXPECT_EQ(run_command({"sync", "rossler", records.rossler()}).status, 0);
+  EXPECT_EQ(run_command({"sync", records.oscillator_model(), records.oscillator()}).status, 0);
+  expect_failure(run_command({"sync", "no_such_model", records.rossler()}), 2,
+                 {"no_such_model"});
+}
+
+}  // namespace
+}  // namespace lacuna

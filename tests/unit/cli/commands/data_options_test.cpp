@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "unit/cli/commands/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::CommandResult;
+using testing::run_command;
+using testing::TemporaryFolder;
+
+/// dx/dt = -x, one record with every kind of column, two records one after the other.
+std::string record() {
+  std::string text = "run,when,x,dx,u\n";
+  for (int run = 1; run <= 2; ++run)
+    for (int i = 0; i < 60; ++i) {
+      const double t = 0.05 * i;
+      const double x = run * std::exp(-t);
+      text += std::to_string(run) + "," + std::to_string(t) + "," + std::to_string(x) + "," +
+              std::to_string(-x) + "," + std::to_string(std::sin(3.0 * t)) + "\n";
+    }
+  return text;
+}
+
+nlohmann::json identify(const std::vector<std::string>& options) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments = {"identify", folder.write("d.csv", record()), "--json",
+                                        "-"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const CommandResult result = run_command(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  return nlohmann::json::parse(result.out);
+}
+
+TEST(DataOptions, GiveColumnsTheirRoles) {
+  const auto result = identify({"--time", "when", "--trajectory", "run", "--states", "x",
+                                "--derivatives", "dx", "--inputs", "u", "--degree", "1"});
+  EXPECT_EQ(result["model"]["states"][0]["name"], "x");
+  EXPECT_EQ(result["model"]["inputs"][0]["name"], "u");
+  EXPECT_EQ(result["fit"][0]["rows"], 120);
+  const auto term = result["model"]["equations"][0]["terms"][0];
+  EXPECT_EQ(term["term"], "x");
+  EXPECT_NEAR(term["coefficient"].get<double>(), -1.0, 1e-4);
+}
+
+TEST(DataOptions, MapCallsColumnsByOtherNames) {
+  const auto result = identify({"--map", "q=x,time_of_day=when", "--time", "time_of_day",
+                                "--trajectory", "run", "--states", "q", "--degree", "1"});
+  EXPECT_EQ(result["model"]["states"][0]["name"], "q");
+}
+
+TEST(DataOptions, AStepReplacesTheTimeColumn) {
+  const auto result =
+      identify({"--dt", "0.1", "--trajectory", "run", "--states", "x", "--degree", "1"});
+  EXPECT_NEAR(result["model"]["equations"][0]["terms"][0]["coefficient"].get<double>(), -0.5,
+              1e-3);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "unit/cli/commands/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::run_command;
+
+TEST(ListCommand, ShowsEveryPart) {
+  const std::string out = run_command({"list"}).out;
+  const Registry registry = default_registry();
+  for (const RegistryEntry& entry : registry.entries())
+    EXPECT_THAT(out, HasSubstr("  " + std::string(entry.info.name) + " "));
+  for (const char* name : {"algorithm1", "robust", "sindy", "lorenz", "tl072"})
+    EXPECT_THAT(out, HasSubstr("  " + std::string(name) + " "));
+}
+
+TEST(ListCommand, ShowsOneKind) {
+  const std::string out = run_command({"list", "pruner"}).out;
+  EXPECT_THAT(out, HasSubstr("minor-terms"));
+  EXPECT_EQ(out.find("stlsq"), std::string::npos);
+  EXPECT_THAT(run_command({"list", "system"}).out, HasSubstr("rossler"));
+}
+
+TEST(ListCommand, UnknownKindsAreNamed) {
+  expect_failure(run_command({"list", "prunner"}), 2, {"list prunner", "pruner"});
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/formats/read_text.hpp"
+#include "unit/cli/commands/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::Records;
+using testing::run_command;
+using testing::TemporaryFolder;
+
+TEST(SimulateCommand, WritesTheOrbitAsCsv) {
+  const auto result = run_command(
+      {"simulate", "van-der-pol", "--x0", "0.5,-1", "--t-end", "0.3", "--dt", "0.1"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 5) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("\n0,0.5,-1\n"));
+  EXPECT_THAT(result.out, HasSubstr("\n0.3"));
+}
+
+TEST(SimulateCommand, AgreesAcrossIntegrators) {
+  const auto orbit = [](const std::string& name) {
+    const auto result = run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "0.02",
+                                     "--dt", "0.01", "--integrator", name});
+    return result.out.substr(result.out.rfind('\n', result.out.size() - 2), 12);
+  };
+  EXPECT_EQ(orbit("dopri5"), orbit("dopri87"));
+}
+
+TEST(SimulateCommand, DrivesModelsWithARecordOfTheirInputs) {
+  const Records records;
+  const auto result =
+      run_command({"simulate", records.oscillator_model(), "--x0", "1,0.333333333", "--t-end",
+                   "5", "--dt", "5", "--input-data", records.oscillator()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const double x = std::stod(result.out.substr(result.out.find("\n5,") + 3));
+  EXPECT_NEAR(x, std::cos(10.0) + std::sin(5.0) / 3.0, 1e-4);
+}
+
+TEST(SimulateCommand, OutputsStandBehindTheStates) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "m.ode", "input u\nstate x\nparam k = 2\ndx/dt = -x\ny = k*abs(x)+u [V]\nx = x\n");
+  const std::string inputs = records.folder().write("u.csv", "t,u\n0,5\n1,5\n2,5\n");
+  const auto result = run_command(
+      {"simulate", model, "--x0", "-3", "--t-end", "1", "--dt", "1", "--input-data", inputs});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("t [s],x,y [V]\n0,-3,11\n"));
+}
+
+TEST(SimulateCommand, InputsThatAreMissingAreAskedFor) {
+  const Records records;
+  expect_failure(run_command({"simulate", records.oscillator_model(), "--x0", "1,0", "--t-end",
+                              "1", "--dt", "0.1"}),
+                 2, {"--input-data", "each input"});
+}
+
+TEST(SimulateCommand, DivergenceIsStatus1AndWritesNothing) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "grow.json", R"({"format": "lacuna.model/1", "time_unit": "s", "states": [{"name": "x"}],
+          "inputs": [], "equations": [{"state": "x", "terms": [{"term": "x^2",
+          "coefficient": 1.0}]}]})");
+  const std::string out = records.folder().file("orbit.csv");
+  expect_failure(
+      run_command({"simulate", model, "--x0", "1", "--t-end", "3", "--dt", "0.1", "-o", out}),
+      1, {"t = ", "nothing was written"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(SimulateCommand, BadStartsAndTimesAreNamed) {
+  expect_failure(
+      run_command({"simulate", "lorenz", "--x0", "1,1", "--t-end", "1", "--dt", "1"}), 2,
+      {"--x0 1,1", "2 numbers for 3 states"});
+  expect_failure(
+      run_command({"simulate", "lorenz", "--x0", "1,1,a", "--t-end", "1", "--dt", "1"}), 2,
+      {"'a' is not a number"});
+  expect_failure(
+      run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt", "0"}), 2,
+      {"--dt", "above 0"});
+  expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt",
+                              "0.1", "--integrator", "rk5"}),
+                 2, {"rk5", "rk4"});
+}
+
+TEST(SimulateCommand, AddsNoiseOfTheGivenSize) {
+  const auto columns = [](const std::string& noise) {
+    std::vector<std::string> words{"simulate", "lorenz", "--x0", "1,1,1",
+                                   "--t-end",  "20",     "--dt", "0.01"};
+    if (!noise.empty()) words.insert(words.end(), {"--noise", "y=0.5", "--seed", noise});
+    const auto result = run_command(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return parse_text_table(result.out, "orbit").values;
+  };
+  const Matrix clean = columns(""), noisy = columns("7");
+  EXPECT_EQ(clean.col(1), noisy.col(1));
+  const Vector added = noisy.col(2) - clean.col(2);
+  EXPECT_NEAR(added.mean(), 0.0, 0.05);
+  EXPECT_NEAR(std::sqrt(added.squaredNorm() / double(added.size())), 0.5, 0.03);
+  EXPECT_EQ(noisy, columns("7"));
+  EXPECT_NE(noisy, columns("8"));
+  const std::vector<std::string> start{"simulate", "lorenz", "--x0", "1,1,1",  "--t-end",
+                                       "1",        "--dt",   "0.1",  "--noise"};
+  for (const auto& [noise, part] : std::vector<std::pair<std::string, std::string>>{
+           {"q=1", "no such column"}, {"x=-1", "x=0.01"}, {"x", "x=0.01"}}) {
+    std::vector<std::string> words = start;
+    words.push_back(noise);
+    expect_failure(run_command(words), 2, {"--noise " + noise, part});
+  }
+}
+
+TEST(SimulateCommand, IteratesMapsOneStepASample) {
+  const TemporaryFolder folder;
+  const std::string model = folder.write("m.ode", "x[n+1] = 2*x - x*y\ny[n+1] = x\n");
+  const auto result = run_command({"simulate", model, "--x0", "0.5,0.5", "--t-end", "2"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\n0,0.5,0.5\n1,0.75,0.5\n2,1.125,0.75\n"));
+  expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "2"}), 2,
+                 {"--dt"});
+}
+
+}  // namespace
+}  // namespace lacuna

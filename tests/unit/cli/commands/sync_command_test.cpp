@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "unit/cli/commands/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_failure;
+using ::testing::HasSubstr;
+using testing::Records;
+using testing::run_command;
+
+TEST(SyncCommand, MeasuresTheTruthAgainstItsOwnOrbit) {
+  const Records records;
+  const auto result =
+      run_command({"sync", "rossler", records.rossler(), "--coupling", "x=1", "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["format"], "lacuna.sync/1");
+  EXPECT_LT(json["relative"].get<double>(), 1e-4);
+  EXPECT_EQ(json["coupling"][0][0], 1.0);
+  EXPECT_EQ(json["coupling"][1][1], 0.0);
+  EXPECT_EQ(json["coupling_source"], "given");
+}
+
+TEST(SyncCommand, StatesTheCouplingItTookFromTheRecord) {
+  const Records records;
+  const auto result = run_command({"sync", "rossler", records.rossler()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("from the record's own time scale"));
+}
+
+TEST(SyncCommand, ReconstructsAStateThatIsADerivative) {
+  const Records records;
+  const auto result =
+      run_command({"sync", records.oscillator_model(), records.oscillator(), "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["states"], (std::vector<std::string>{"x", "v"}));
+  EXPECT_LT(json["relative"].get<double>(), 1e-3);
+}
+
+TEST(SyncCommand, LeavesOutPiecesBetweenMissingValuesThatAreTooShort) {
+  const Records records;
+  std::string text = "t,x\n";
+  for (int i = 0; i <= 400; ++i)
+    text += std::to_string(0.05 * i) + "," +
+            (i == 3 || i == 200 ? "" : std::to_string(std::sin(0.05 * i))) + "\n";
+  const std::string record = records.folder().write("x.csv", text);
+  const std::string model = records.folder().write("m.ode", "dx/dt = cos(t)\n");
+  const auto outcome = run_command({"sync", model, record});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Note: 1 pieces of less than 4 samples were left out\n"));
+}
+
+TEST(SyncCommand, AStateThatNobodyMeasuredGoesAlone) {
+  const Records records;
+  std::string text = "t,x\n";
+  for (int i = 0; i <= 400; ++i)
+    text += std::to_string(0.05 * i) + "," + std::to_string(std::sin(0.05 * i)) + "\n";
+  const std::string record = records.folder().write("x.csv", text);
+  const std::string model =
+      records.folder().write("m.ode", "dx/dt = cos(t)\ndz/dt = x - 0.5*z\n");
+  const auto outcome = run_command({"sync", model, record, "--json", "-"});
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NEAR(json["conditional_exponent"].get<double>(), -0.5, 1e-3);
+  EXPECT_EQ(json["coupling"][1][1], 0.0);
+  EXPECT_THAT(run_command({"sync", model, record}).out,
+              HasSubstr("slaves that begin elsewhere part by -0.5 1/s"));
+}
+
+TEST(SyncCommand, AnOutputThatIsAFormulaIsStatus2) {
+  const Records records;
+  const std::string record = records.folder().write("y.csv", "t,y\n0,1\n1,2\n2,3\n3,1\n");
+  const std::string model = records.folder().write("m.ode", "dx/dt = -x\ny = x^2\n");
+  expect_failure(run_command({"sync", model, record}), 2, {"y.csv", "output 'y'", "formula"});
+}
+
+TEST(SyncCommand, DivergenceIsStatus1) {
+  const Records records;
+  const auto result =
+      run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-50,y=-50,z=-50"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("--coupling"));
+  EXPECT_THAT(result.out, HasSubstr("t = "));
+}
+
+TEST(SyncCommand, BadCouplingsAreNamed) {
+  const Records records;
+  for (const char* bad : {"x", "x=strong", "q=1"})
+    expect_failure(run_command({"sync", "rossler", records.rossler(), "--coupling", bad}), 2,
+                   {});
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/cli/configuration/configuration.hpp"
+
+#include "lacuna/bases/expressions.hpp"
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/regression/formulations/strong_form.hpp"
+#include "lacuna/regression/pruners/minor_terms.hpp"
+#include "lacuna/report/pages/stage_json.hpp"
+#include "lacuna/solvers/irls_l1.hpp"
+#include "lacuna/solvers/l1/l1_nlopt.hpp"
+#include "lacuna/solvers/stlsq.hpp"
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_error;
+
+Pipeline build(const std::string& json) {
+  Configuration configuration;
+  configuration.merge_text(json, "test");
+  return configuration.build(default_registry());
+}
+
+Pipeline build_set(const std::vector<std::string>& assignments) {
+  Configuration configuration;
+  for (const std::string& assignment : assignments) configuration.set(assignment);
+  return configuration.build(default_registry());
+}
+
+template <class Concrete, class Interface>
+const auto& options(const Stage<Interface>& stage) {
+  return dynamic_cast<const Concrete&>(*stage).options();
+}
+
+std::optional<int> difference_order(const Pipeline& pipeline) {
+  return options<FiniteDifferences>(options<StrongForm>(pipeline.formulation).differentiator)
+      .order;
+}
+
+TEST(Configuration, EmptyIsAlgorithm1) {
+  EXPECT_EQ(build("{}").filter->info().name, "abm");
+  EXPECT_EQ(build("{}").pruner->info().name, "minor-terms");
+}
+
+TEST(Configuration, AFormattedPipelineGivesItselfBack) {
+  for (const char* preset : {"algorithm1", "paper", "sindy", "robust"}) {
+    const std::string whole =
+        format_pipeline(build(std::string(R"({"preset": ")") + preset + "\"}"));
+    EXPECT_EQ(format_pipeline(build(whole)), whole);
+  }
+}
+
+TEST(Configuration, OptionsWithoutATypeChangeThoseOfThePreset) {
+  const Pipeline pipeline = build(R"({"tolerances": "paper", "pruner": {"eta": 0.5}})");
+  EXPECT_EQ(options<MinorTerms>(pipeline.pruner).eta, 0.5);
+  EXPECT_EQ(options<MinorTerms>(pipeline.pruner).tolerances,
+            MinorTermsOptions::Tolerances::Paper);
+}
+
+TEST(Configuration, AnotherTypeStartsAtItsDefaults) {
+  const Pipeline pipeline = build(R"({"regressor": {"type": "stlsq", "threshold": 0.25}})");
+  EXPECT_EQ(options<Stlsq>(pipeline.regressor).threshold, 0.25);
+  EXPECT_EQ(options<Stlsq>(pipeline.regressor).max_iterations, StlsqOptions{}.max_iterations);
+}
+
+TEST(Configuration, AStageMayBeJustItsName) {
+  EXPECT_EQ(build(R"({"regressor": "irls"})").regressor->info().name, "irls");
+  const Pipeline nested = build(R"({"formulation": {"differentiator": "savitzky-golay"}})");
+  EXPECT_EQ(options<StrongForm>(nested.formulation).differentiator->info().name,
+            "savitzky-golay");
+}
+
+TEST(Configuration, ABackEndIsThereOrRefusedWithTheReason) {
+  const char* json = R"({"regressor": {"type": "irls-l1", "inner": "nlopt"}})";
+  if (NloptL1::unavailable().empty())
+    EXPECT_EQ(options<IrlsL1>(build(json).regressor).inner->info().name, "nlopt");
+  else
+    expect_error<ConfigError>([&] { build(json); }, "$.regressor.inner", "built without NLopt",
+                              "choose");
+}
+
+TEST(Configuration, NestedStagesAreOverriddenLikeOthers) {
+  EXPECT_EQ(difference_order(build(R"({"formulation": {"differentiator": {"order": 6}}})")), 6);
+  EXPECT_EQ(difference_order(build(R"({"differentiator": {"order": 8}})")), 8);
+  const Pipeline smooth = build(R"({"differentiator": "savitzky-golay"})");
+  EXPECT_EQ(options<StrongForm>(smooth.formulation).differentiator->info().name,
+            "savitzky-golay");
+}
+
+TEST(Configuration, SetWritesOneValue) {
+  EXPECT_EQ(difference_order(build_set({"formulation.differentiator.order=6"})), 6);
+  EXPECT_EQ(build_set({"regressor.type=stlsq"}).regressor->info().name, "stlsq");
+  const Pipeline pipeline = build_set({"regressor=stlsq", "regressor.threshold=0.05"});
+  EXPECT_EQ(options<Stlsq>(pipeline.regressor).threshold, 0.05);
+  const Pipeline other_way = build_set({"regressor.threshold=0.05", "regressor=stlsq"});
+  EXPECT_EQ(options<Stlsq>(other_way.regressor).threshold, 0.05);
+  EXPECT_EQ(build_set({"preset=sindy"}).filter->info().name, "none");
+}
+
+TEST(Configuration, WhatIsSaidLaterWins) {
+  EXPECT_EQ(difference_order(build_set({"differentiator.order=6", "differentiator.order=8"})),
+            8);
+  const Pipeline pipeline = build_set({"regressor=irls", "regressor.delta=2", "regressor=ols"});
+  EXPECT_EQ(pipeline.regressor->info().name, "ols");
+}
+
+TEST(Configuration, DegreeAndTermsChooseTheBasis) {
+  Configuration configuration;
+  configuration.set("basis.min_degree=1");
+  configuration.set_degree(2);
+  const auto monomials = configuration.build(default_registry()).basis;
+  EXPECT_EQ(options<Monomials>(monomials).max_degree, 2);
+  EXPECT_EQ(options<Monomials>(monomials).min_degree, 1);
+  configuration.set_terms("max(x,y), 1");
+  const auto terms = configuration.build(default_registry()).basis;
+  EXPECT_EQ(options<Expressions>(terms).terms, (std::vector<std::string>{"max(x,y)", "1"}));
+}
+
+TEST(Configuration, RemembersWhatWasAsked) {
+  Configuration configuration;
+  EXPECT_EQ(configuration.text(), "{}");
+  configuration.set("regressor.threshold=0.05");
+  const Configuration copy = configuration;
+  EXPECT_EQ(copy.text(), R"({"regressor":{"threshold":0.05}})");
+}
+
+TEST(Configuration, UnknownKeysNameThePathAndTheNearest) {
+  expect_error<ConfigError>([] { build(R"({"regresor": "ols"})"); }, "$.regresor", "regresor",
+                            "regressor");
+  expect_error<ConfigError>([] { build(R"({"regressor": {"type": "stlsq", "treshold": 1}})"); },
+                            "$.regressor.treshold", "treshold", "threshold");
+  expect_error<ConfigError>([] { build(R"({"differentiator": {"ordre": 4}})"); },
+                            "$.formulation.differentiator.ordre", "ordre", "order");
+  expect_error<ConfigError>([] { build(R"({"regressor": {"type": "lasso"}})"); }, "$.regressor",
+                            "lasso", "known are");
+  expect_error<ConfigError>([] { build(R"({"preset": "sindi"})"); }, "$.preset", "sindi",
+                            "sindy");
+  expect_error<ConfigError>([] { build(R"({"tolerances": "papers"})"); }, "$.tolerances",
+                            "papers", "paper");
+}
+
+TEST(Configuration, WrongTypesAndRangesNameThePath) {
+  expect_error<ConfigError>([] { build(R"({"basis": {"max_degree": "three"}})"); },
+                            "$.basis.max_degree", "three", "whole number");
+  expect_error<ConfigError>([] { build(R"({"basis": {"max_degree": 2.5}})"); },
+                            "$.basis.max_degree", "2.5", "whole number");
+  expect_error<ConfigError>([] { build(R"({"basis": {"max_degree": 1000}})"); },
+                            "$.basis.max_degree", "out of range", "between");
+  expect_error<ConfigError>([] { build(R"({"regressor": 3})"); }, "$.regressor", "3", "type");
+  expect_error<ConfigError>([] { build(R"({"preset": 3})"); }, "$.preset", "3", "text");
+  expect_error<ConfigError>([] { build(R"({"pruner": {"criterion": "best"}})"); },
+                            "$.pruner.criterion", "best", "residual");
+}
+
+TEST(Configuration, SyntaxErrorsNameLineAndColumn) {
+  Configuration configuration;
+  expect_error<ConfigError>([&] { configuration.merge_text("{\n  \"a\": ]\n}", "c.json"); },
+                            "c.json:2:8", "not JSON", "brackets");
+  expect_error<ConfigError>([&] { configuration.merge_text("[1]", "c.json"); }, "c.json: $",
+                            "JSON object", "preset");
+}
+
+TEST(Configuration, AssignmentsNeedAPathAndAValue) {
+  Configuration configuration;
+  expect_error<ConfigError>([&] { configuration.set("regressor"); }, "--set regressor",
+                            "PATH=VALUE", "--set");
+  EXPECT_THROW(configuration.set("=3"), ConfigError);
+}
+
+TEST(Configuration, ReadsFiles) {
+  const testing::TemporaryFolder folder;
+  Configuration configuration;
+  configuration.merge_file(folder.write("c.json", R"({"regressor": "irls"})"));
+  EXPECT_EQ(configuration.build(default_registry()).regressor->info().name, "irls");
+  EXPECT_THROW(configuration.merge_file(folder.file("absent.json")), FileError);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/cli/configuration/variants.hpp"
+
+#include <algorithm>
+
+#include "lacuna/solvers/irls_l1.hpp"
+#include "support/expect_error.hpp"
+
+namespace lacuna {
+namespace {
+
+const StageVariant* find(const std::vector<StageVariant>& all, const std::string& label) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const auto& variant) { return variant.label == label; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+TEST(Variants, PlainPartsAppearOnceUnderTheirName) {
+  const auto all = variants(default_registry(), "filter");
+  EXPECT_EQ(all.size(), default_registry().names("filter").size());
+  ASSERT_NE(find(all, "abm"), nullptr);
+  EXPECT_EQ(find(all, "abm")->stage->info().name, "abm");
+}
+
+TEST(Variants, NestedStagesAppearOncePerRegisteredInnerStage) {
+  const Registry registry = default_registry();
+  const auto all = variants(registry, "regressor");
+  for (const std::string& inner : registry.names("l1-solver")) {
+    const StageVariant* variant = find(all, "irls-l1[" + inner + "]");
+    ASSERT_NE(variant, nullptr) << inner;
+    if (!variant->unavailable.empty()) continue;
+    const auto& stage = dynamic_cast<const IrlsL1&>(*variant->stage);
+    EXPECT_EQ(stage.options().inner->info().name, inner);
+  }
+  EXPECT_EQ(find(all, "irls-l1"), nullptr);
+}
+
+TEST(Variants, HaveAStageUnlessTheySayWhyNot) {
+  for (const std::string& kind : default_registry().kinds())
+    for (const auto& variant : variants(default_registry(), kind))
+      EXPECT_EQ(variant.stage == nullptr, !variant.unavailable.empty()) << variant.label;
+}
+
+TEST(Variants, UnknownKindSuggestsTheNearest) {
+  testing::expect_error<ConfigError>([] { variants(default_registry(), "prunner"); },
+                                     "registry", "prunner", "pruner");
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/core/numerics/sampled_signal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+Vector stretched_grid(Index n, double end) {
+  return end * Vector::LinSpaced(n, 0.0, 1.0).array().pow(1.3);
+}
+
+double largest(const Vector& values) { return values.cwiseAbs().maxCoeff(); }
+
+TEST(InterpolateCubic, IsExactForCubics) {
+  const Vector time = stretched_grid(12, 3.0);
+  const Vector values = time.array().cube() - 2.0 * time.array().square() + 0.5;
+  const Vector queries = Vector::LinSpaced(50, 0.0, time[11]);
+  const Vector expected = queries.array().cube() - 2.0 * queries.array().square() + 0.5;
+  EXPECT_LT(largest(interpolate_cubic(time, values, queries) - expected), 1e-12);
+}
+
+TEST(InterpolateCubic, GivesTheSamplesAtTheSamples) {
+  const Vector time = stretched_grid(9, 2.0);
+  const Vector values = Vector::Random(9);
+  EXPECT_LT(largest(interpolate_cubic(time, values, time) - values), 1e-14);
+}
+
+TEST(InterpolateCubic, ShortRecordsUseWhatThereIs) {
+  const Vector time = Vector::LinSpaced(2, 0.0, 1.0);
+  const Vector values = Vector::LinSpaced(2, 3.0, 5.0);
+  EXPECT_NEAR(interpolate_cubic(time, values, Vector::Constant(1, 0.25))[0], 3.5, 1e-15);
+}
+
+TEST(SampledSignal, ALinearSignalGoesInStraightLines) {
+  SampledSignal signal(Vector{{0.0, 1.0, 3.0}}, Vector{{0.0, 2.0, 0.0}}, Interpolation::Linear);
+  EXPECT_DOUBLE_EQ(signal(0.25), 0.5);
+  EXPECT_DOUBLE_EQ(signal(2.5), 0.5);
+  EXPECT_DOUBLE_EQ(signal(1.0), 2.0);
+}
+
+TEST(SampledSignal, AHeldSignalChangesAtItsSamples) {
+  SampledSignal signal(Vector{{0.0, 1.0, 3.0}}, Vector{{5.0, 6.0, 7.0}}, Interpolation::Held);
+  EXPECT_EQ(signal(0.999), 5.0);
+  EXPECT_EQ(signal(1.0), 6.0);
+  EXPECT_EQ(signal.in_interval(0, 1.0), 5.0) << "just before it changes";
+  EXPECT_EQ(signal(3.0), 7.0);
+}
+
+TEST(SampledSignal, EndsHoldOutsideOfTheRecord) {
+  for (const auto interpolation :
+       {Interpolation::Held, Interpolation::Linear, Interpolation::Cubic}) {
+    SampledSignal signal(stretched_grid(6, 2.0), Vector::LinSpaced(6, 1.0, 2.0), interpolation);
+    EXPECT_NEAR(signal(9.0), 2.0, 1e-14);
+    EXPECT_NEAR(signal(-1.0), 1.0, 1e-14) << "and time may go back";
+  }
+}
+
+TEST(SampledSignal, ThirdDifferenceIsTheCoefficientOfTheCube) {
+  const Vector time = stretched_grid(9, 2.0);
+  const Vector cube = 4.0 * time.array().cube() - time.array().square();
+  EXPECT_NEAR(SampledSignal(time, cube).third_difference(5), 4.0, 1e-9);
+  EXPECT_EQ(SampledSignal(time, cube, Interpolation::Linear).third_difference(5), 0.0);
+}
+
+TEST(IntegrateCubic, IsExactForCubics) {
+  const Vector time = stretched_grid(10, 2.0);
+  const Vector values = 4.0 * time.array().cube() - 3.0 * time.array().square();
+  const Vector expected = time.array().pow(4) - time.array().cube();
+  EXPECT_LT(largest(integrate_cubic(time, values) - expected), 1e-13);
+}
+
+TEST(IntegrateCubic, HasOrderFour) {
+  const auto error = [](Index n) {
+    const Vector time = Vector::LinSpaced(n, 0.0, 3.0);
+    return largest(integrate_cubic(time, time.array().cos().matrix()) -
+                   time.array().sin().matrix());
+  };
+  EXPECT_NEAR(std::log2(error(41) / error(81)), 4.0, 0.4);
+}
+
+TEST(IntegrateCubic, StartsAtZero) {
+  EXPECT_EQ(integrate_cubic(Vector::Ones(1), Vector::Ones(1)), Vector::Zero(1));
+}
+
+TEST(SampledSignal, TheLineOfAHeldSignalHasItsMeanAndMoment) {
+  SampledSignal signal(Vector{{0.0, 1.0, 2.0, 3.0}}, Vector{{0.0, 1.0, 0.0, 5.0}},
+                       Interpolation::Held);
+  // 1 on the middle half of the span.
+  const SpanLine even = signal.held_line(0.5, 2.5);
+  EXPECT_DOUBLE_EQ(even.mean, 0.5);
+  EXPECT_NEAR(even.slope, 0.0, 1e-15);
+  // Least squares on a fine grid for a jump in the first tenth.
+  const SpanLine line = signal.held_line(1.9, 2.9);
+  EXPECT_NEAR(line.mean, 0.1, 1e-15);
+  EXPECT_NEAR(line.slope, -0.1, 1e-15) << "no value below 0: -0.27 would be the best line";
+  EXPECT_DOUBLE_EQ(signal.held_line(-2.0, -1.0).mean, 0.0) << "before the record";
+  EXPECT_DOUBLE_EQ(signal.held_line(4.0, 5.0).mean, 5.0) << "behind it";
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The samples say in their README what is in them.
+#include "data/formats/hdf5.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/formats/read.hpp"
+
+namespace lacuna {
+namespace {
+
+const std::filesystem::path kSamples = LACUNA_SOURCE_DIR "/tests/unit/data/samples";
+
+double time_at(Index i) { return 0.02 * static_cast<double>(i); }
+
+/// Whether the library was built without the reader, which it says then.
+bool is_absent() {
+  if (HAS_HDF5) return false;
+  EXPECT_THROW(read_table(kSamples / "groups.h5"), DataError);
+  return true;
+}
+
+TEST(Hdf5, DataSetsAreColumns) {
+  if (is_absent()) return;
+  const Table table = read_table(kSamples / "groups.h5");
+  std::vector<std::string> names;
+  for (const Quantity& column : table.columns) names.push_back(column.name);
+  ASSERT_THAT(names, ::testing::UnorderedElementsAre("count", "signals_th", "signals_w", "t",
+                                                     "xy1", "xy2"));
+  const auto column = [&](std::string_view name) {
+    return table.values.col(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  for (Index i = 0; i < 50; ++i) {
+    EXPECT_EQ(column("count")[i], static_cast<double>(i));
+    EXPECT_NEAR(column("t")[i], time_at(i), 1e-15);
+    EXPECT_NEAR(column("signals_th")[i], std::sin(5.0 * time_at(i)), 1e-7);
+    EXPECT_NEAR(column("signals_w")[i], std::cos(5.0 * time_at(i)), 1e-15);
+    EXPECT_NEAR(column("xy1")[i], std::sin(5.0 * time_at(i)), 1e-15);
+  }
+  EXPECT_THAT(table.notes, ::testing::Contains(::testing::HasSubstr("'run.name'")));
+  EXPECT_THAT(table.notes, ::testing::Contains(::testing::HasSubstr("'run.signals.broken'")));
+}
+
+TEST(Hdf5, IsWhatMatlabWritesToday) {
+  if (is_absent()) return;
+  const Table table = read_table(kSamples / "arrays_v73.mat");
+  ASSERT_EQ(table.columns.size(), 4u);
+  EXPECT_EQ(table.columns[0].name, "run_u");
+  EXPECT_EQ(table.columns[2].name, "x1");
+  for (Index i = 0; i < 50; ++i) {
+    EXPECT_EQ(table.values(i, 0), std::round(100.0 * std::sin(5.0 * time_at(i))));
+    EXPECT_NEAR(table.values(i, 3), std::cos(5.0 * time_at(i)), 1e-15);
+  }
+}
+
+TEST(Hdf5, BlocksAreTheWhole) {
+  for (const char* name : {"groups.h5", "arrays_v73.mat"})
+    for (const std::size_t size : {std::size_t{1}, std::size_t{500}, std::size_t{1} << 20U}) {
+      if (is_absent()) return;
+      const Table whole = read_table(kSamples / name);
+      const auto blocks = hdf5_blocks(kSamples / name, {size, size});
+      EXPECT_EQ(blocks->columns().headers, whole.headers);
+      EXPECT_EQ(blocks->columns().notes, whole.notes);
+      Table block = blocks->columns();
+      Index rows = 0;
+      for (; blocks->next(block); rows += block.values.rows())
+        EXPECT_EQ(block.values, whole.values.middleRows(rows, block.values.rows())) << name;
+      EXPECT_EQ(rows, whole.values.rows());
+      EXPECT_EQ(blocks->share(), 1.0);
+    }
+}
+
+TEST(Hdf5, DamageIsTold) {
+  if (is_absent()) return;
+  std::ifstream file(kSamples / "groups.h5", std::ios::binary);
+  const std::string good{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THROW(parse_hdf5("", "a.h5"), DataError);
+  for (std::size_t size = 0; size + 512 < good.size(); size += 1024)
+    EXPECT_THROW(parse_hdf5(good.substr(0, size), "a.h5"), DataError) << size;
+}
+
+}  // namespace
+}  // namespace lacuna

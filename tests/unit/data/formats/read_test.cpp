@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/formats/read.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "data/formats/npy.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/file_bytes.hpp"
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_error;
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+
+const std::string kRun = "t [s],x [V],y [V]\n0,1,2\n1,3,4\n2,5,6\n";
+
+TEST(ReadTable, ReadsTextAndGzipAlike) {
+  const TemporaryFolder folder;
+  const Table plain = read_table(folder.write("a.csv", kRun));
+  const Table packed =
+      read_table(folder.write("a.csv.gz", gzip(kRun.substr(0, 20)) + gzip(kRun.substr(20))));
+  EXPECT_EQ(plain.values, packed.values);
+  EXPECT_EQ(plain.columns, packed.columns);
+  EXPECT_EQ(plain.source, folder.file("a.csv"));
+}
+
+TEST(ReadTable, ReadsNpyByItsEnding) {
+  const TemporaryFolder folder;
+  const Matrix values = Matrix::Random(5, 3);
+  write_npy(folder.file("a.npy"), values);
+  EXPECT_EQ(read_table(folder.file("a.npy")).values, values);
+  const std::string path = folder.write("b.npy.gz", gzip(folder.read("a.npy")));
+  EXPECT_EQ(read_table(path).values, values);
+}
+
+TEST(ReadTable, NamesFilesItCannotRead) {
+  const TemporaryFolder folder;
+  const std::string matlab = folder.write("a.mat", "MATLAB 5.0 MAT-file, made by hand");
+  expect_error<DataError>([&] { read_table(matlab); }, matlab, "MATLAB file", ".csv");
+  const std::string hdf = folder.write("a.h5", "\x89HDF\r\n\x1a\n");
+  expect_error<DataError>([&] { read_table(hdf); }, hdf, "HDF5 file", ".csv");
+  const std::string tdms = folder.write("a.tdms", "TDSm1234");
+  expect_error<DataError>([&] { read_table(tdms); }, tdms, "LabVIEW TDMS file", ".lvm");
+  expect_error<FileError>([&] { read_table(folder.file("b.csv")); }, folder.file("b.csv"),
+                          "cannot be read", "check the name");
+  const std::string empty = folder.write("empty.csv", "");
+  expect_error<DataError>([&] { read_table(empty); }, empty, "the file is empty", "header");
+}
+
+TEST(ReadDataset, JoinsFilesAndPatternsInOrder) {
+  const TemporaryFolder folder;
+  folder.write("run2.csv", kRun);
+  folder.write("run1.csv", kRun);
+  folder.write("other.csv", kRun);
+  const Dataset data = read_dataset({folder.file("other.csv"), folder.file("run*.csv")});
+  ASSERT_EQ(data.trajectories.size(), 3u);
+  EXPECT_EQ(data.trajectories[0].source, folder.file("other.csv"));
+  EXPECT_EQ(data.trajectories[1].source, folder.file("run1.csv"));
+  EXPECT_EQ(data.trajectories[2].source, folder.file("run2.csv"));
+  EXPECT_EQ(data.samples(), 9);
+}
+
+TEST(ReadDataset, AFileMayBeNamedLikeAPattern) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_dataset({folder.write("run[1].csv", kRun)}).samples(), 3);
+}
+
+TEST(ReadDataset, ColumnsMayStandInAnotherOrder) {
+  const TemporaryFolder folder;
+  const Dataset data =
+      read_dataset({folder.write("a.csv", kRun),
+                    folder.write("b.csv", "y [V],x [V],t [s]\n2,1,0\n4,3,1\n")});
+  EXPECT_EQ(data.trajectories[1].states, data.trajectories[0].states.topRows(2));
+}
+
+TEST(ReadDataset, ColumnsAreCalledAsTheRolesSay) {
+  const testing::TemporaryFolder place;
+  const std::string path = place.write("a.csv", "Zeit,Winkel,Drehzahl\n0,1,2\n1,3,4\n2,5,6\n");
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"w", "Drehzahl"}};
+  roles.states = {"w"};
+  const Dataset data = read_dataset({path}, roles);
+  ASSERT_EQ(data.states.size(), 1u);
+  EXPECT_EQ(data.states[0].name, "w");
+  EXPECT_EQ(data.trajectories[0].states(2, 0), 6.0);
+  EXPECT_EQ(data.trajectories[0].time[2], 2.0);
+}
+
+TEST(ReadDataset, RefusesOtherColumns) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a.csv", kRun);
+  const std::string b = folder.write("b.csv", "t,x\n0,1\n1,2\n");
+  const std::string c = folder.write("c.csv", "t [s],x [V],y [mV]\n0,1,2\n1,2,3\n");
+  const std::string d = folder.write("d.csv", "t [ms],x [V],y [V]\n0,1,2\n1,2,3\n");
+  expect_error<DataError>(
+      [&] {
+        read_dataset({a, b});
+      },
+      b, "its columns (t, x) are not those of " + a + " (t, x, y)", "same columns");
+  expect_error<DataError>(
+      [&] {
+        read_dataset({a, c});
+      },
+      c, "the unit of 'y' is mV, in " + a, "same unit");
+  expect_error<DataError>(
+      [&] {
+        read_dataset({a, d});
+      },
+      d, "the unit of 'time' is ms", "same unit");
+}
+
+TEST(ReadDataset, RefusesAPatternWithoutFiles) {
+  expect_error<DataError>([] { read_dataset({"/nowhere/run*.csv"}); }, "/nowhere/run*.csv",
+                          "no file matches", "check the folder");
+  expect_error<DataError>([] { read_dataset({}); }, "data", "no file", "at least one");
+}
+
+TEST(ReadDataset, KeepsTheNotesOfEveryFile) {
+  const TemporaryFolder folder;
+  const std::string gap = "t [s],x [V],y [V]\n0,1,2\n1,3,4\n2,,6\n3,1,1\n4,1,1\n";
+  const Dataset data = read_dataset({folder.write("a.csv", gap), folder.write("b.csv", gap)});
+  ASSERT_EQ(data.notes.size(), 2u);
+  EXPECT_THAT(data.notes[1], HasSubstr("b.csv:4:2: value of 'x' missing"));
+  EXPECT_EQ(data.trajectories.size(), 4u);
+}
+
+TEST(ReadDataset, ReadsMeasuredRecords) {
+  const char* folder = std::getenv("LACUNA_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "LACUNA_DATA is not set";
+  const std::string base = folder;
+  const Dataset emps = read_dataset({base + "/emps/emps_train.csv.gz"},
+                                    {.time = "t", .states = {"q"}, .inputs = {"F"}});
+  EXPECT_EQ(emps.samples(), 24841);
+  EXPECT_EQ(emps.inputs, (std::vector<Quantity>{{"F", "N"}}));
+  EXPECT_EQ(emps.trajectories.size(), 1u);
+  const Dataset silverbox = read_dataset({base + "/silverbox/silverbox_snls80mv.csv.gz"});
+  EXPECT_EQ(silverbox.samples(), 131072);
+  const Dataset chaos =
+      read_dataset({base + "/chaos70/train/Lorenz.csv.gz"}, {.trajectory = "trajectory"});
+  EXPECT_EQ(chaos.trajectories.size(), 5u);
+}
+
+}  // namespace
+}  // namespace lacuna

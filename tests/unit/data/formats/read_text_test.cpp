@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/formats/read_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "support/expect_error.hpp"
+#include "unit/data/formats/mutate.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::expect_error;
+
+Table parse(const std::string& text) { return parse_text_table(text, "a.csv"); }
+
+Matrix matrix_2x3(double a, double b, double c, double d, double e, double f) {
+  Matrix values(2, 3);
+  values << a, b, c, d, e, f;
+  return values;
+}
+
+TEST(ReadText, ReadsEveryDelimiter) {
+  const Matrix expected = matrix_2x3(0, 1.5, -2, 0.1, 2e-3, 3);
+  for (const std::string separator : {",", ";", "\t", " ", " , ", "   "}) {
+    const std::string text =
+        join(std::vector<std::string>{"0", "1.5", "-2"}, separator) + "\n" +
+        join(std::vector<std::string>{"0.1", "2e-3", "+3"}, separator) + "\n";
+    EXPECT_EQ(parse(text).values, expected) << "separator '" << separator << "'";
+  }
+}
+
+TEST(ReadText, LineEndsMakeNoDifference) {
+  const Matrix expected = matrix_2x3(0, 1, 2, 3, 4, 5);
+  for (const std::string text :
+       {"t,x,y\n0,1,2\n3,4,5\n", "t,x,y\r\n0,1,2\r\n3,4,5\r\n", "t,x,y\r0,1,2\r3,4,5\r",
+        "t,x,y\n0,1,2\n3,4,5", "t,x,y\r\n0,1,2\r\n3,4,5", "\xEF\xBB\xBFt,x,y\n0,1,2\n3,4,5\n"})
+    EXPECT_EQ(parse(text).values, expected) << text;
+}
+
+TEST(ReadText, KnowsTheLineOfEveryRow) {
+  const Table table = parse("# c\nt,x\n0,1\n\n# c\n1,2\n  # c\n2,3\n");
+  EXPECT_THAT(table.lines, ElementsAre(3, 6, 8));
+  EXPECT_EQ(table.values.rows(), 3);
+}
+
+TEST(ReadText, MissingValuesAreNaN) {
+  const Table table = parse("t,x,y\n0,,2\n3,NaN,\n6,na,8\n");
+  EXPECT_TRUE(std::isnan(table.values(0, 1)));
+  EXPECT_EQ(table.values(0, 2), 2.0);
+  EXPECT_TRUE(std::isnan(table.values(1, 1)));
+  EXPECT_TRUE(std::isnan(table.values(1, 2)));
+  EXPECT_TRUE(std::isnan(table.values(2, 1)));
+}
+
+TEST(ReadText, ReadsDecimalCommasAndQuotes) {
+  EXPECT_EQ(parse("t;x;y\n0;1,5;2\n\"3\";4;5,25\n").values, matrix_2x3(0, 1.5, 2, 3, 4, 5.25));
+  EXPECT_EQ(parse("\"t\",\"x\",\"y\"\n\"0\",\"1,5\",2\n3,4,5\n").values,
+            matrix_2x3(0, 1.5, 2, 3, 4, 5));
+}
+
+TEST(ReadText, ReadsLinesThatEndInADelimiter) {
+  for (const std::string text : {"t,x,y,\n0,1,2,\n3,4,5,\n", "t,x,y\r\n0,1,2,\r\n3,4,5,\r\n",
+                                 "t\tx\ty\n0\t1\t2\t\n3\t4\t5\t\n"})
+    EXPECT_EQ(parse(text).values, matrix_2x3(0, 1, 2, 3, 4, 5)) << text;
+}
+
+TEST(ReadText, NamesColumnsWithoutAHeader) {
+  const Table table = parse("0,1\n1,2\n");
+  EXPECT_EQ(table.columns[0].name, "c1");
+  EXPECT_EQ(table.columns[1].name, "c2");
+}
+
+TEST(ReadText, ReadsNumbersToTheLastBit) {
+  const Table table = parse("0.1,1.7976931348623157e308,4.9e-324,1e-999\n");
+  EXPECT_EQ(table.values(0, 0), 0.1);
+  EXPECT_EQ(table.values(0, 1), std::numeric_limits<double>::max());
+  EXPECT_EQ(table.values(0, 2), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(table.values(0, 3), 0.0);
+}
+
+TEST(ReadText, RefusesRaggedLines) {
+  expect_error<DataError>([] { parse("t,x\n0,1\n1,2,3\n"); }, "a.csv:3:3",
+                          "the line has 3 fields, the others have 2", "remove this line");
+  expect_error<DataError>([] { parse("t,x\n0,1\n1,2\n\n2\n"); }, "a.csv:5:2",
+                          "the line has 1 field, the others have 2", "same number of fields");
+  expect_error<DataError>([] { parse("0 1\n1 2 3\n"); }, "a.csv:2:3", "the line has 3 fields",
+                          "same number");
+}
+
+TEST(ReadText, RefusesTextInAColumn) {
+  expect_error<DataError>([] { parse("t,x\n0,1\n1,abc\n"); }, "a.csv:3:2",
+                          "'abc' in column 'x' is not a number", "leave the field empty");
+  expect_error<DataError>([] { parse("t,x\n0,1\n12:30,2\n"); }, "a.csv:3:1", "'12:30'",
+                          "number");
+  expect_error<DataError>([] { parse("t,x\n0,1\nt,x\n1,2\n"); }, "a.csv:3:1", "'t'", "number");
+}
+
+TEST(ReadText, RefusesDuplicateNames) {
+  expect_error<DataError>([] { parse("# c\nt,x,x\n0,1,2\n"); }, "a.csv:2:3",
+                          "columns 2 and 3 are both named 'x'", "name of its own");
+}
+
+TEST(ReadText, RefusesWhatIsNoText) {
+  expect_error<DataError>([] { parse(std::string("t,x\n0,\0\n", 8)); }, "a.csv", "binary",
+                          ".npy");
+  expect_error<DataError>([] { parse(std::string("\xFF\xFEt\0", 4)); }, "a.csv", "UTF-16",
+                          "UTF-8");
+}
+
+/// A mutated text either parses into a table of the right shape or is refused.
+void parse_mutated(const std::string& text) {
+  try {
+    const Table table = parse(text);
+    ASSERT_EQ(table.values.cols(), static_cast<Index>(table.columns.size()));
+    ASSERT_EQ(table.values.rows(), static_cast<Index>(table.lines.size()));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where().substr(0, 5), "a.csv") << error.what();
+    EXPECT_FALSE(error.remedy().empty()) << error.what();
+  }
+}
+
+TEST(ReadText, MutatedFilesParseOrAreRefused) {
+  const std::string valid =
+      "Model,DSO\n# comment\nt [s],Ch 1 [V],\"y, "
+      "z\"\n0,1.5,-2e3\n0.1,,3\n0.2,nan,4\r\n0.3,5,6\n";
+  Random random(11);
+  for (int i = 0; i < 20000; ++i)
+    parse_mutated(
+        testing::mutated(valid, ",;\t \n\r#\"'[]()0123456789+-.eEinfa\0\xFF", random));
+}
+
+}  // namespace
+}  // namespace lacuna

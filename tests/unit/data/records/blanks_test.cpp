@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "data/records/blanks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "lacuna/data/records/marks.hpp"
+#include "lacuna/data/records/roles.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr double kBlank = std::numeric_limits<double>::quiet_NaN();
+
+Table with_blanks() {
+  Table table;
+  table.source = "run.csv";
+  table.columns = {{"t", ""}, {"x", ""}, {"u", ""}};
+  table.values =
+      Matrix{{0.0, kBlank, 1.0}, {1.0, 2.0, 1.0},    {2.0, kBlank, 1.0}, {3.0, kBlank, 1.0},
+             {4.0, 8.0, kBlank}, {5.0, kBlank, 1.0}, {6.0, 7.0, 1.0}};
+  table.headers = {"t", "x", "u"};
+  return table;
+}
+
+TEST(FillBlanks, GoesStraightFromValueToValue) {
+  const FilledTable filled = fill_blanks(with_blanks(), {1});
+  const Vector x = filled.table.values.col(1);
+  EXPECT_TRUE(x.isApprox(Vector{{2.0, 2.0, 4.0, 6.0, 8.0, 7.5, 7.0}}));
+  const double missing = number_of(Mark::Missing);
+  EXPECT_EQ(filled.marks.col(0), (Vector{{missing, 0.0, missing, missing, 0.0, missing, 0.0}}));
+  EXPECT_TRUE(std::isnan(filled.table.values(4, 2))) << "only the columns that are asked for";
+}
+
+TEST(FillBlanks, WithoutBlanksOrValuesThereIsNothingToFill) {
+  Table table = with_blanks();
+  table.values.col(1).setOnes();
+  EXPECT_EQ(fill_blanks(table, {1}).marks.size(), 0);
+  table.values.col(1).setConstant(kBlank);
+  EXPECT_TRUE(fill_blanks(table, {1}).table.values.col(1).array().isNaN().all());
+}
+
+TEST(AssignRoles, ChannelsWithRatesOfTheirOwnKeepTheRowsThatAllHave) {
+  Table table;
+  table.source = "rates.csv";
+  table.columns = {{"t", "s"}, {"x", ""}, {"y", ""}};
+  table.values.resize(50, 3);
+  for (Index i = 0; i < 50; ++i) {
+    const double t = 0.1 * static_cast<double>(i);
+    table.values.row(i) << t, 2.0 * t, i % 5 == 0 ? 3.0 * t : kBlank;
+    table.lines.push_back(static_cast<std::size_t>(i) + 2);
+  }
+  const Dataset data = assign_roles(table, {});
+  ASSERT_EQ(data.trajectories.size(), 1u);
+  EXPECT_EQ(data.trajectories[0].samples(), 10);
+  EXPECT_DOUBLE_EQ(data.trajectories[0].states(3, 1), 4.5);
+  EXPECT_EQ(common_rows(table, {0, 2})->lines[2], 12u);
+  EXPECT_FALSE(common_rows(table, {0, 1})) << "nothing is blank there";
+}
+
+TEST(AssignRoles, AStateThatIsBlankIsMarkedAndAnInputCuts) {
+  ColumnRoles roles;
+  roles.inputs = {"u"};
+  roles.blanks = Blanks::Mark;
+  const Dataset data = assign_roles(with_blanks(), roles);
+  ASSERT_EQ(data.trajectories.size(), 2u) << "row 4 has no input";
+  EXPECT_EQ(data.trajectories[0].samples(), 4);
+  EXPECT_EQ(mark_of(data.trajectories[0].marks, 3, 0), Mark::Missing);
+  EXPECT_EQ(mark_of(data.trajectories[1].marks, 0, 0), Mark::Missing);
+  EXPECT_EQ(mark_of(data.trajectories[1].marks, 1, 0), Mark::Value);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/records/dataset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "lacuna/core/base/error.hpp"
+#include "support/expect_error.hpp"
+
+namespace lacuna {
+namespace {
+
+Dataset sample() {
+  Trajectory record;
+  record.source = "a.csv";
+  record.time = Vector::LinSpaced(4, 0.0, 3.0);
+  record.states = Matrix::Random(4, 2);
+  record.inputs = Matrix::Random(4, 1);
+  Dataset data;
+  data.states = {{"x", "V"}, {"y", "V"}};
+  data.inputs = {{"u", "V"}};
+  data.trajectories = {record, record};
+  return data;
+}
+
+void expect_refused(const Dataset& data, const std::string& where, const std::string& problem,
+                    const std::string& remedy) {
+  testing::expect_error<DataError>([&] { check_dataset(data); }, where, problem, remedy);
+}
+
+TEST(Dataset, CountsSamplesAndKnowsItsDerivatives) {
+  Dataset data = sample();
+  EXPECT_NO_THROW(check_dataset(data));
+  EXPECT_EQ(data.samples(), 8);
+  EXPECT_FALSE(data.has_derivatives());
+  data.trajectories[0].derivatives = Matrix::Zero(4, 2);
+  EXPECT_FALSE(data.has_derivatives());
+  data.trajectories[1].derivatives = Matrix::Zero(4, 2);
+  EXPECT_TRUE(data.has_derivatives());
+  EXPECT_NO_THROW(check_dataset(data));
+  EXPECT_FALSE(Dataset{}.has_derivatives());
+}
+
+TEST(Dataset, KnowsWhichStateIsARate) {
+  Dataset data = sample();
+  EXPECT_FALSE(data.rate_state(0));
+  data.rate_of = {Index{1}, std::nullopt};
+  EXPECT_EQ(data.rate_state(0), Index{1});
+  EXPECT_FALSE(data.rate_state(1));
+  EXPECT_NO_THROW(check_dataset(data));
+}
+
+TEST(CheckDataset, RefusesBadNames) {
+  Dataset data = sample();
+  data.states[1].name = "x";
+  expect_refused(data, "dataset", "the name 'x' is used twice", "name of its own");
+  data.states[1].name = "u";
+  expect_refused(data, "dataset", "the name 'u' is used twice", "name of its own");
+  data.states[1].name = "Ch 1";
+  expect_refused(data, "dataset", "'Ch 1' is not a name", "letters, digits");
+  data.states[1].name = "t";
+  expect_refused(data, "dataset", "'t' has a meaning", "another name");
+}
+
+TEST(CheckDataset, RefusesWhatIsEmpty) {
+  Dataset data = sample();
+  data.trajectories.clear();
+  expect_refused(data, "dataset", "there is no record", "at least one");
+  data.states.clear();
+  expect_refused(data, "dataset", "there is no state", "at least one");
+}
+
+TEST(CheckDataset, RefusesShapesThatDoNotFit) {
+  Dataset data = sample();
+  data.trajectories[1].source.clear();
+  data.trajectories[1].states = Matrix::Zero(3, 2);
+  expect_refused(data, "record 2", "the states are 3 x 2, expected 4 x 2", "each sample");
+  data = sample();
+  data.trajectories[0].inputs = Matrix::Zero(4, 0);
+  expect_refused(data, "a.csv", "the inputs are 4 x 0, expected 4 x 1", "each name");
+  data = sample();
+  data.trajectories[0].derivatives = Matrix::Zero(4, 1);
+  expect_refused(data, "a.csv", "the derivatives are 4 x 1, expected 4 x 2", "each name");
+}
+
+TEST(CheckDataset, RefusesValuesThatAreNotFinite) {
+  Dataset data = sample();
+  data.trajectories[0].states(2, 1) = std::numeric_limits<double>::quiet_NaN();
+  expect_refused(data, "a.csv, row 3", "state 'y' is nan", "remove the row");
+  data = sample();
+  data.trajectories[0].inputs(0, 0) = std::numeric_limits<double>::infinity();
+  expect_refused(data, "a.csv, row 1", "input 'u' is inf", "remove the row");
+}
+
+TEST(CheckDataset, RefusesTimesThatDoNotRise) {
+  Dataset data = sample();
+  data.trajectories[0].time[2] = 1.0;
+  expect_refused(data, "a.csv, row 3", "the time 1 is not later", "sort the samples");
+  data.trajectories[0].time.resize(1);
+  expect_refused(data, "a.csv", "has 1 of the 2 samples", "longer");
+}
+
+TEST(CheckDataset, FormAndValuesAreItsParts) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Dataset values = sample();
+  values.trajectories[1].derivatives = Matrix::Constant(4, 2, nan);
+  EXPECT_NO_THROW(check_form(values));
+  testing::expect_error<DataError>([&] { check_finite(values); }, "a.csv, row 1",
+                                   "derivative of 'x' is nan", "remove the row");
+  Dataset form = sample();
+  form.trajectories[0].time[3] = nan;
+  EXPECT_NO_THROW(check_finite(form));
+  testing::expect_error<DataError>([&] { check_form(form); }, "a.csv, row 4", "the time nan",
+                                   "sort the samples");
+}
+
+TEST(CheckDataset, RefusesRatesOfStatesThatDoNotExist) {
+  Dataset data = sample();
+  data.rate_of = {Index{2}, std::nullopt};
+  expect_refused(data, "dataset", "names state 2", "from 0 to 1");
+  data.rate_of = {std::nullopt};
+  expect_refused(data, "dataset", "1 entries for 2 states", "each state");
+}
+
+TEST(MedianStep, IsThatOfAllRecords) {
+  Dataset data;
+  data.trajectories.resize(2);
+  data.trajectories[0].time = Vector{{0.0, 5.0}};
+  data.trajectories[1].time = Vector{{0.0, 1.0, 2.0, 4.0, 6.0}};
+  EXPECT_DOUBLE_EQ(median_step(data), 2.0);
+}
+
+TEST(InputColumns, AreMadeWhereThereIsNoInput) {
+  Dataset data = sample();
+  EXPECT_FALSE(lacks_input_columns(data));
+  data.inputs.clear();
+  for (Trajectory& record : data.trajectories) record.inputs.resize(0, 0);
+  EXPECT_TRUE(lacks_input_columns(data));
+  const Dataset complete = with_input_columns(data);
+  EXPECT_FALSE(lacks_input_columns(complete));
+  for (const Trajectory& record : complete.trajectories) {
+    EXPECT_EQ(record.inputs.rows(), record.samples());
+    EXPECT_EQ(record.inputs.cols(), 0);
+  }
+}
+
+TEST(InputColumns, AreNotMadeUpForAnInputThatIsMissing) {
+  Dataset data = sample();
+  for (Trajectory& record : data.trajectories) record.inputs.resize(0, 0);
+  EXPECT_FALSE(lacks_input_columns(data));
+  EXPECT_THROW(check_dataset(with_input_columns(data)), DataError);
+}
+
+TEST(LongestRecord, IsTheFirstOfThoseWithMostSamples) {
+  Dataset data;
+  for (const Index samples : {3, 5, 5, 2}) {
+    Trajectory record;
+    record.time = Vector::LinSpaced(samples, 0.0, 1.0);
+    data.trajectories.push_back(record);
+  }
+  EXPECT_EQ(&longest_record(data), &data.trajectories[1]);
+}
+
+}  // namespace
+}  // namespace lacuna

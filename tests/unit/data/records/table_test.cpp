@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/data/records/table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/names.hpp"
+#include "support/expect_error.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::expect_error;
+using ::testing::IsEmpty;
+
+Table named(const std::vector<Quantity>& headers) {
+  Table table;
+  table.source = "a.csv";
+  name_columns(table, headers, 3);
+  return table;
+}
+
+TEST(ToIdentifier, ConvertsWhatPeopleWrite) {
+  EXPECT_EQ(to_identifier("Ch 1"), "Ch_1");
+  EXPECT_EQ(to_identifier("x-axis"), "x_axis");
+  EXPECT_EQ(to_identifier("  motor / speed  "), "motor_speed");
+  EXPECT_EQ(to_identifier("2nd"), "c_2nd");
+  EXPECT_EQ(to_identifier("\xCF\x86"), "phi");
+  EXPECT_EQ(to_identifier("\xCE\xA9 1"), "Omega_1");
+  EXPECT_EQ(to_identifier("%!"), "");
+}
+
+TEST(ToIdentifier, GivesIdentifiersOrNothing) {
+  for (const char* text : {"\xCF", "\xFF\xFE", "a\x01", "_", "9", "\xC3\xA4\xC3\xB6"}) {
+    const std::string name = to_identifier(text);
+    EXPECT_TRUE(name.empty() || is_identifier(name)) << name;
+  }
+}
+
+TEST(SplitHeader, FindsTheUnit) {
+  EXPECT_EQ(split_header(" x [V] "), (Quantity{"x", "V"}));
+  EXPECT_EQ(split_header("Ch 1 (V)"), (Quantity{"Ch 1", "V"}));
+  EXPECT_EQ(split_header("w[rad/s]"), (Quantity{"w", "rad/s"}));
+  EXPECT_EQ(split_header("x"), (Quantity{"x", ""}));
+  EXPECT_EQ(split_header("a) b]"), (Quantity{"a) b]", ""}));
+}
+
+TEST(NameColumns, KeepsGoodNamesWithoutANote) {
+  const Table table = named({{"t", "s"}, {"x", "V"}});
+  EXPECT_THAT(table.columns, ElementsAre(Quantity{"t", "s"}, Quantity{"x", "V"}));
+  EXPECT_THAT(table.notes, IsEmpty());
+}
+
+TEST(NameColumns, NotesWhatItChanges) {
+  const Table table = named({{"t", ""}, {"Ch 1", "V"}, {"sin", ""}, {"", ""}});
+  EXPECT_EQ(table.columns[1].name, "Ch_1");
+  EXPECT_EQ(table.columns[2].name, "sin_");
+  EXPECT_EQ(table.columns[3].name, "c4");
+  EXPECT_THAT(table.headers, ElementsAre("t", "Ch 1", "sin", ""));
+  EXPECT_THAT(table.notes, ElementsAre("a.csv:3:2: column 'Ch 1' is called 'Ch_1'",
+                                       "a.csv:3:3: column 'sin' is called 'sin_'"));
+}
+
+TEST(NameColumns, RefusesDuplicates) {
+  expect_error<DataError>(
+      [] {
+        named({{"t", ""}, {"x", ""}, {"x", "V"}});
+      },
+      "a.csv:3:3", "columns 2 and 3 are both named 'x'", "name of its own");
+  expect_error<DataError>(
+      [] {
+        named({{"V+", ""}, {"V-", ""}});
+      },
+      "a.csv:3:2", "both named 'V'", "name of its own");
+}
+
+TEST(RenameColumn, FindsColumnsByNameHeaderAndNumber) {
+  Table table = named({{"Zeit", "s"}, {"Winkel (roh)", "rad"}, {"u", "V"}});
+  rename_column(table, "t", "Zeit");
+  rename_column(table, "th", "Winkel (roh)");
+  rename_column(table, "force", "3");
+  EXPECT_EQ(table.columns[0].name, "t");
+  EXPECT_EQ(table.columns[1].name, "th");
+  EXPECT_EQ(table.columns[2].name, "force");
+  EXPECT_EQ(table.columns[2].unit, "V");
+}
+
+TEST(RenameColumn, RefusesWhatIsNotThereAndNamesThatAreTaken) {
+  Table table = named({{"t", "s"}, {"Winkel", "rad"}});
+  const auto renamed = [&](const std::string& name, const std::string& column) {
+    return [&table, name, column] { rename_column(table, name, column); };
+  };
+  expect_error<DataError>(renamed("th", "Winkle"), "a.csv", "no column 'Winkle'", "Winkel");
+  expect_error<DataError>(renamed("th", "3"), "a.csv", "no column '3'", "");
+  expect_error<DataError>(renamed("th", "1.5"), "a.csv", "no column '1.5'", "");
+  expect_error<DataError>(renamed("t", "Winkel"), "a.csv", "another column", "name");
+  expect_error<DataError>(renamed("2x", "Winkel"), "a.csv", "cannot be the name", "letters");
+}
+
+TEST(Place, NamesLineOrRow) {
+  Table table;
+  table.source = "a.csv";
+  table.lines = {7, 9};
+  EXPECT_EQ(place(table, 1, 2), "a.csv:9:3");
+  table.lines.clear();
+  EXPECT_EQ(place(table, 1, 2), "a.csv, row 2, column 3");
+}
+
+}  // namespace
+}  // namespace lacuna

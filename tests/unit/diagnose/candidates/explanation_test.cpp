@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/candidates/explanation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+TEST(Explanation, FitsCoefficientAndShapesJointly) {
+  const Dataset data = support::hidden_record(
+      [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.002);
+  const Assimilation base = support::assimilated(data);
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{support::stop_candidate(0.0), Vector::Constant(1, -0.1), -2.0}});
+  EXPECT_LT(found.fit.deviance, base.deviance - 100.0);
+  EXPECT_NEAR(found.effects[0].shapes[0], -0.2, 0.02);
+  EXPECT_NEAR(found.effects[0].coefficient, -3.0, 0.1);
+  EXPECT_GT(found.effects[0].deviation, 0.0);
+  EXPECT_EQ(found.parameters(), 2);
+  EXPECT_NEAR(found.fit.model.coefficient(1, "v"), -0.2, 0.01);
+}
+
+TEST(Explanation, MemoryBecomesAStateOfTheModel) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01);
+  const Assimilation base = support::assimilated(data);
+  Candidate lag = support::plain_candidate("lagged-F");
+  lag.memory = {{"lagged", parse_expression("(F-lagged)/tau"), parse_expression("F")}};
+  lag.shapes = {{"tau", "s", 1e-3, 10.0, true}};
+  const AugmentedProblem problem =
+      augment(support::oscillator(), data, base.free, {{lag, Vector::Constant(1, 0.5), 1.0}},
+              {data.trajectories[0].states});
+  EXPECT_EQ(problem.model.dimension(), 3);
+  EXPECT_EQ(problem.model.states()[2].name, "lagged");
+  EXPECT_FALSE(problem.data.is_measured(2));
+  EXPECT_TRUE(problem.data.is_measured(1));
+  ASSERT_EQ(problem.effect_places.size(), 1u);
+  EXPECT_EQ(problem.effect_places[0], (CoefficientPlace{1, 3}));
+}
+
+TEST(Explanation, SensorsMayHaveSummandsToo) {
+  Dataset data = support::hidden_record(support::nothing, 0.005);
+  data.trajectories[0].states.col(0).array() += 0.1;
+  const Assimilation base = support::assimilated(data);
+  Candidate offset = support::plain_candidate("1");
+  offset.place = Place::Channel;
+  offset.equation = 0;
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{offset, Vector(0), 0.0}});
+  EXPECT_NEAR(found.effects[0].coefficient, 0.1, 0.005);
+}
+
+}  // namespace
+}  // namespace lacuna

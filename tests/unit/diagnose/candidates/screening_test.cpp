@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/candidates/screening.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+TEST(Screening, TheHiddenTermGainsMost) {
+  const Assimilation fit =
+      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
+  const Screening screening(fit);
+  const auto found =
+      screen({support::plain_candidate("q^3"), support::plain_candidate("sign(v)"),
+              support::plain_candidate("v^3"), support::plain_candidate("1")},
+             screening, ScreeningOptions{}, RunContext{});
+  EXPECT_EQ(found.front().candidate.form, parse_expression("sign(v)"));
+  EXPECT_NEAR(found.front().coefficient, -0.3, 0.03);
+  EXPECT_GT(found.front().gain, 50.0);
+}
+
+TEST(Screening, WhatIsKnownIsNotScreenedAgain) {
+  const Assimilation fit =
+      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
+  const Screening screening(fit);
+  const std::vector<Candidate> few{support::plain_candidate("q^3"),
+                                   support::stop_candidate(0.0)};
+  std::vector<Candidate> more = few;
+  more.push_back(support::plain_candidate("sign(v)"));
+  const auto expect_same = [](const ScreenedCandidate& a, const ScreenedCandidate& b) {
+    EXPECT_EQ(a.candidate.form, b.candidate.form);
+    EXPECT_NEAR(a.gain, b.gain, 1e-9 * b.gain);
+    EXPECT_NEAR(a.coefficient, b.coefficient, 1e-9 * std::abs(b.coefficient));
+    EXPECT_EQ(a.tried, b.tried);
+    EXPECT_EQ(a.shapes.size(), b.shapes.size());
+  };
+  ScreeningMemory memory;
+  screen(few, screening, {}, RunContext{}, &memory);
+  const auto expected = screen(more, screening, {}, RunContext{});
+  const auto found = screen(more, screening, {}, RunContext{}, &memory);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) expect_same(found[i], expected[i]);
+  const Assimilation other =
+      support::assimilated(support::hidden_record(support::nothing, 0.01));
+  EXPECT_NE(screening.key(), Screening(other).key());
+  const auto apart = screen(few, Screening(other), {}, RunContext{}, &memory);
+  const auto alone = screen(few, Screening(other), {}, RunContext{});
+  for (std::size_t i = 0; i < apart.size(); ++i) expect_same(apart[i], alone[i]);
+}
+
+TEST(ScreeningMemory, GivesWhatItKept) {
+  ScreeningMemory memory;
+  ScreenedCandidate one{support::plain_candidate("1"), Vector(0), 0.0, 0.0, 0};
+  EXPECT_FALSE(memory.recall("a", one));
+  memory.keep("a", {one.candidate, Vector::Constant(1, 2.0), 3.0, 4.0, 5});
+  EXPECT_FALSE(memory.recall("b", one));
+  ASSERT_TRUE(memory.recall("a", one));
+  EXPECT_EQ(one.shapes, Vector::Constant(1, 2.0));
+  EXPECT_EQ(one.coefficient, 3.0);
+  EXPECT_EQ(one.gain, 4.0);
+  EXPECT_EQ(one.tried, 5);
+}
+
+TEST(Screening, NominalTermsGainNothing) {
+  const Assimilation fit =
+      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
+  const Screening screening(fit);
+  EXPECT_LT(screening.score(support::plain_candidate("2*v"), {}).gain, 1e-3);
+}
+
+TEST(Screening, ScoresOfACompleteModelAreChiSquared) {
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const Screening screening(fit);
+  for (const std::string form : {"q^3", "sign(v)", "q*v", "1", "t*q", "F^2"})
+    EXPECT_LT(screening.score(support::plain_candidate(form), {}).gain, 12.0) << form;
+}
+
+TEST(Screening, SearchesShapes) {
+  const Assimilation fit = support::assimilated(support::hidden_record(
+      [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.005));
+  const Screening screening(fit);
+  ScreenedCandidate found = screening.at_starts(support::stop_candidate(0.1));
+  const double before = found.gain;
+  screening.polish(found);
+  EXPECT_GT(found.gain, before);
+  EXPECT_NEAR(found.shapes[0], -0.2, 0.1);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/criterion/effect_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/trajectories/smoother/disturbance_test.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+Matrix gram_of(const Matrix& parts) {
+  return parts.transpose() * parts / static_cast<double>(parts.rows());
+}
+
+TEST(EffectParts, OfWhichLittleIsLeftCancel) {
+  Matrix parts(4, 3);
+  parts << 1.0, -0.9, 5.0,  //
+      -1.0, 0.9, 5.0,       //
+      1.0, -0.9, -5.0,      //
+      -1.0, 0.9, -5.0;
+  const Cancellation found = largest_cancellation({{"a", "b", "c"}, 1, gram_of(parts)});
+  EXPECT_NEAR(found.left, 0.1, 1e-12);
+  EXPECT_EQ(found.terms, (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(EffectParts, ThreeMayCancelThoughNoTwoDo) {
+  Matrix parts(2, 3);
+  parts << 1.0, 1.0, -2.0, 1.0, -1.0, 0.0;
+  const Cancellation found = largest_cancellation({{"a", "b", "c"}, 1, gram_of(parts)});
+  EXPECT_NEAR(found.left, 0.0, 1e-12);
+  EXPECT_EQ(found.terms.size(), 3u);
+}
+
+TEST(EffectParts, AnEffectHasToBeAmongThem) {
+  Matrix parts(2, 3);
+  parts << 1.0, 2.0, -2.0, -1.0, 2.0, -2.0;
+  const Cancellation found = largest_cancellation({{"a", "b", "c"}, 1, gram_of(parts)});
+  EXPECT_GT(found.left, 0.3) << "what two nominal terms do to each other is no effect's";
+  EXPECT_EQ(largest_cancellation({{"a"}, 1, Matrix::Ones(1, 1)}).left, 1.0);
+}
+
+TEST(EffectParts, AreTheEffectsAndWhatTheCoefficientsChangedBy) {
+  const Dataset data = support::hidden_record(support::dry_friction, 0.001, 3);
+  const Assimilation base = support::assimilated(data);
+  const FittedEffect effect{support::plain_candidate("v^2"), Vector(0), 0.5};
+  const AddedParts parts = added_parts({{effect}, base}, support::oscillator(), 1);
+  ASSERT_EQ(parts.terms.front(), "v^2");
+  EXPECT_EQ(parts.effects, 1);
+  EXPECT_EQ(parts.terms.size(), 1 + support::oscillator().equations()[1].size());
+  const auto v = base.records[0].slots.col(1).array();
+  EXPECT_NEAR(parts.gram(0, 0), 0.25 * v.pow(4).mean(), 1e-9);
+  const double more =
+      base.model.coefficient(1, "q") - support::oscillator().coefficient(1, "q");
+  const auto q = base.records[0].slots.col(0).array();
+  const auto place = std::find(parts.terms.begin(), parts.terms.end(), "the change of q");
+  ASSERT_NE(place, parts.terms.end());
+  const Index j = place - parts.terms.begin();
+  EXPECT_NEAR(parts.gram(j, j), more * more * q.square().mean(), 1e-9);
+}
+
+TEST(EffectParts, CoefficientsMoveOutOfScale) {
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const auto moved_from = [&](double factor, const DecisionOptions& decision = {}) {
+    const OdeModel model = support::oscillator();
+    std::vector<Equation> equations = model.equations();
+    for (WeightedTerm& summand : equations[1])
+      if (summand.term.name() == "q") summand.coefficient *= factor;
+    const OdeModel given{model.states(), model.inputs(), equations, model.time_unit()};
+    return moved_coefficients(fit, given, fit.free.size(), decision);
+  };
+  EXPECT_TRUE(moved_from(1.0).empty());
+  ASSERT_EQ(moved_from(-1.0).size(), 1u);
+  EXPECT_TRUE(moved_from(-1.0)[0].changes_sign());
+  EXPECT_EQ(moved_from(-1.0)[0].term, "q");
+  EXPECT_TRUE(moved_from(-20.0).empty()) << "a minor part of what was given";
+  ASSERT_EQ(moved_from(0.09).size(), 1u);
+  EXPECT_FALSE(moved_from(0.09)[0].changes_sign());
+  EXPECT_TRUE(moved_from(0.11).empty());
+  EXPECT_TRUE(moved_from(-1.0, {.significance = 1e6}).empty()) << "not told from 0";
+}
+
+TEST(EffectParts, ExplanationsAreApartByWhatTheyAddAlongThePath) {
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const auto with = [&](const std::string& form, double coefficient) {
+    return Explanation{{{support::plain_candidate(form), Vector(0), coefficient, 0.0}}, fit};
+  };
+  const OdeModel nominal = support::oscillator();
+  const auto v = fit.records[0].slots.col(1).array();
+  const double rms = std::sqrt(v.square().mean()) / rate_rms(fit)[1];
+  EXPECT_NEAR(apart(with("v", 0.5), with("v", 0.2), nominal, 1), 0.3 * rms, 1e-9);
+  EXPECT_EQ(apart(with("v", 0.5), with("clip(v,-100,100)", 0.5), nominal, 1), 0.0);
+  Explanation remembers = with("v", 0.5);
+  remembers.effects[0].candidate.memory = {MemoryState{}};
+  EXPECT_TRUE(std::isinf(apart(remembers, with("v", 0.5), nominal, 1)));
+}
+
+TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const auto& slots = fit.records[0].slots;
+  FittedEffect stop{support::stop_candidate(0.0), Vector::Constant(1, -0.1), 3.0};
+  const double deepest = -0.1 - slots.col(0).minCoeff();
+  const double expected =
+      static_cast<double>((slots.col(0).array() < -0.1 - 0.01 * deepest).count()) /
+      static_cast<double>(slots.rows());
+  EXPECT_NEAR(acting_share(stop, fit, 0.01), expected, 1e-12);
+  EXPECT_GT(expected, 0.1);
+  EXPECT_LT(expected, 0.9);
+}
+
+}  // namespace
+}  // namespace lacuna

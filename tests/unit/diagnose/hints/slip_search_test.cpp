@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/hints/slip_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "support/driven_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+const OdeModel kSearched = support::oscillator();  // q, v; F
+
+double friction(double, double, double v) { return v > 0.0 ? -0.5 : 0.5; }
+
+/// What is found in a record to which something was done; `q`, `v`, `F` and time may be scaled.
+std::optional<FoundSlip> found(double time, double q, double v, double force,
+                               const support::Hidden& hidden = friction) {
+  Dataset data = support::hidden_record(hidden, 0.01);
+  Trajectory& record = data.trajectories[0];
+  record.time *= time;
+  record.states.col(0) *= q;
+  record.states.col(1) *= v;
+  record.inputs *= force;
+  const BoundRecords records = observed(std::move(data));
+  return find_slip(kSearched, records.data, rate_windows(records), {});
+}
+
+TEST(Misfit, IsZeroOneOrTwo) {
+  const Matrix y = Vector{{1.0, -1.0, 2.0, -2.0}};
+  const Matrix z = Vector{{1.0, 1.0, 2.0, 2.0}};
+  EXPECT_LT(misfit(y, y)[0], 1e-12);
+  EXPECT_DOUBLE_EQ(misfit(y, z)[0], 1.0) << "nothing to do with one another";
+  EXPECT_DOUBLE_EQ(misfit(y, -y)[0], 2.0);
+  EXPECT_NEAR(misfit(y, 3.0 * y)[0], 4.0 / 10.0, 1e-12);
+  Matrix lost = y;
+  lost(2, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_DOUBLE_EQ(misfit(y, lost)[0], 2.0) << "a quarter is not finite";
+}
+
+TEST(FindSlip, FindsNoneWhereAnEffectIsMissing) {
+  EXPECT_FALSE(found(1.0, 1.0, 1.0, 1.0));
+  EXPECT_FALSE(found(1.0, 1.0, 1.0, 1.0, support::nothing));
+  EXPECT_FALSE(found(1.0, 1.0, 1.0, 1.0, [](double, double q, double) { return -30 * q; }))
+      << "a spring 8.5 times too soft is no unit";
+}
+
+TEST(FindSlip, FindsTheUnitOfTheTime) {
+  const auto slip = found(1000.0, 1.0, 1.0, 1.0);
+  ASSERT_TRUE(slip);
+  EXPECT_EQ(slip->slip.kind, HintKind::TimeUnit);
+  EXPECT_DOUBLE_EQ(slip->slip.correction, 1e-3);
+  EXPECT_GT(slip->before.minCoeff(), 0.9);
+  EXPECT_LT(slip->after[0], 2e-3);
+  EXPECT_TRUE(slip->others.empty());
+  EXPECT_FALSE(found(14.0, 1.0, 1.0, 1.0)) << "no unit is 14 times another";
+}
+
+TEST(FindSlip, FindsTheUnitOfAChannel) {
+  const auto one = found(1.0, 180.0 / std::numbers::pi, 1.0, 1.0);
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->slip.kind, HintKind::ChannelUnit);
+  EXPECT_EQ(one->slip.channels, std::vector<Index>{0});
+  EXPECT_DOUBLE_EQ(one->slip.correction, std::numbers::pi / 180.0);
+  const auto input = found(1.0, 1.0, 1.0, 0.001, support::nothing);
+  ASSERT_TRUE(input) << "or q and v, which are more";
+  EXPECT_EQ(input->slip.channels, std::vector<Index>{2});
+  EXPECT_DOUBLE_EQ(input->slip.correction, 1000.0);
+  EXPECT_FALSE(found(1.0, 1.0, 1.0, 1.0 / 7.6, support::nothing)) << "no unit";
+}
+
+TEST(FindSlip, FindsSignsAndColumns) {
+  const auto sign = found(1.0, 1.0, -1.0, 1.0);
+  ASSERT_TRUE(sign);
+  EXPECT_EQ(sign->slip.kind, HintKind::Sign);
+  EXPECT_EQ(sign->slip.channels, std::vector<Index>{1});
+  Dataset data = support::hidden_record(friction, 0.01);
+  data.trajectories[0].states.col(0).swap(data.trajectories[0].states.col(1));
+  const BoundRecords records = observed(std::move(data));
+  const auto swapped = find_slip(kSearched, records.data, rate_windows(records), {});
+  ASSERT_TRUE(swapped);
+  EXPECT_EQ(swapped->slip.kind, HintKind::SwappedColumns);
+}
+
+TEST(FindSlip, ListsWhatIsNotToldApart) {
+  // x' = u alone, and x a hundred times too small.
+  const Variables variables{{"x"}, {"u"}};
+  const OdeModel integrator({{"x", ""}}, {{"u", ""}}, {{{Term::parse("u", variables), 1.0}}});
+  Dataset data;
+  data.states = {{"x", ""}};
+  data.inputs = {{"u", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(801, 0.0, 40.0);
+  record.states = 0.01 * record.time.array().sin().matrix();
+  record.inputs = record.time.array().cos().matrix();
+  data.trajectories = {record};
+  const BoundRecords records = observed(std::move(data));
+  const auto slip = find_slip(integrator, records.data, rate_windows(records), {});
+  ASSERT_TRUE(slip);
+  EXPECT_EQ(slip->slip.kind, HintKind::TimeUnit);
+  ASSERT_EQ(slip->others.size(), 2u) << "x or u";
+  EXPECT_DOUBLE_EQ(slip->others[0].correction * slip->others[1].correction, 1.0);
+}
+
+}  // namespace
+}  // namespace lacuna

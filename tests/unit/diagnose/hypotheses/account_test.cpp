@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/account.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/diagnose/criterion/extended_bic.hpp"
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+/// An account of nothing, with an effect that has one shape.
+Account made_by_hand() {
+  const Assimilation fit{.model = support::oscillator()};
+  Baseline base{{}, fit, fit, {}, support::oscillator_scope()};
+  base.fit_options.free = {{1, 0}, {1, 1}};
+  base.parameters = 4.0;
+  return {"made",
+          std::make_shared<const Baseline>(std::move(base)),
+          {{{support::stop_candidate(0.0), Vector::Zero(1), 1.0, 0.1}}, fit},
+          {}};
+}
+
+TEST(Account, EvidenceCountsEveryParameterAndEveryChoice) {
+  Account account = made_by_hand();
+  account.explanation.fit.deviance = 100.0;
+  account.explanation.fit.used = 50;
+  account.named = {{.tried = 20}, {.tried = 0}};
+  const Evidence evidence = evidence_of(account);
+  EXPECT_EQ(evidence.deviance, 100.0);
+  EXPECT_EQ(evidence.parameters, 8.0) << "2 coefficients, 4 assumptions, a form with a shape";
+  EXPECT_EQ(evidence.samples, 50.0);
+  EXPECT_DOUBLE_EQ(evidence.log_choices, std::log(20.0));
+  EXPECT_DOUBLE_EQ(Stage<Criterion>(ExtendedBic{})->value(evidence),
+                   100.0 + 8.0 * std::log(50.0) + 2.0 * std::log(20.0));
+}
+
+TEST(Account, StructureIsSubstantialFromBothThresholdsOn) {
+  const EquationStructure structure{.sigma = 3.5, .relative = 0.01};
+  DecisionOptions decision;
+  EXPECT_TRUE(is_substantial(structure, decision));
+  decision.significance = 3.5;
+  decision.effect_size = 0.01;
+  EXPECT_TRUE(is_substantial(structure, decision)) << "on the thresholds";
+  decision.significance = 3.6;
+  EXPECT_FALSE(is_substantial(structure, decision));
+  decision = {.effect_size = 0.011};
+  EXPECT_FALSE(is_substantial(structure, decision));
+  Account account = made_by_hand();
+  account.left = {{.sigma = 1.0, .relative = 1.0}, structure};
+  EXPECT_TRUE(leaves_structure(account, {})) << "one equation is enough";
+  EXPECT_FALSE(leaves_structure(account, decision));
+}
+
+TEST(Account, TheBareOneIsTheBaselineWithWhatItLeaves) {
+  const support::Asked asked = support::asked(support::ripple);
+  const Account bare = asked.bare();
+  EXPECT_TRUE(bare.named.empty() && bare.explanation.effects.empty());
+  EXPECT_EQ(bare.explanation.fit.deviance, bare.base->fitted.deviance);
+  EXPECT_TRUE(leaves_structure(bare, asked.options.decision));
+  EXPECT_EQ(evidence_of(bare).parameters, 3.0) << "q, v and F";
+  EXPECT_FALSE(leaves_structure(support::asked(support::nothing).bare(), {}));
+}
+
+TEST(Account, MostIsTheShareOfTheVarianceThatIsAsked) {
+  support::Asked asked = support::asked(support::ripple);
+  Account account = asked.bare();
+  account.explanation.fit.noise.disturbance *= std::sqrt(0.45);
+  EXPECT_FALSE(closes_most(account, asked.problem())) << "nothing is named";
+  account.named = {{.equation = 1, .name = "something"}};
+  EXPECT_TRUE(closes_most(account, asked.problem())) << "0.55 of the variance go";
+  asked.options.decision.major = 0.6;
+  EXPECT_FALSE(closes_most(account, asked.problem()));
+  asked.options.decision.minor = 1.1;
+  EXPECT_TRUE(closes_most(account, asked.problem())) << "the gap in windows is as it was";
+}
+
+TEST(Account, NumbersOfTheFitComeIntoTheNames) {
+  FittedEffect effect{support::stop_candidate(0.0), Vector::Constant(1, 0.25), -2.0, 0.125,
+                      Vector::Constant(1, 0.5)};
+  std::vector<NamedEffect> named = {{.parameters = {{"edge", "m", 0.0, {}}}}};
+  update_numbers({{effect}, {.model = support::oscillator()}}, named);
+  EXPECT_EQ(named[0].term, "min(q-0.25,0)");
+  EXPECT_EQ(named[0].coefficient, -2.0);
+  EXPECT_EQ(named[0].deviation, 0.125);
+  EXPECT_EQ(named[0].parameters[0].value, 0.25);
+  EXPECT_EQ(named[0].parameters[0].deviation, 0.5);
+  effect.shape_deviations[0] = 0.0;
+  update_numbers({{effect}, {.model = support::oscillator()}}, named);
+  EXPECT_FALSE(named[0].parameters[0].deviation) << "at an end of its range";
+}
+
+}  // namespace
+}  // namespace lacuna

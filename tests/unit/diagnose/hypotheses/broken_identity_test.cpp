@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/broken_identity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/asked.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A complete model whose sensor of v has an offset and a gain.
+support::Asked with_sensor(double offset, double gain) {
+  Dataset data = support::hidden_record(support::nothing, 0.005);
+  auto v = data.trajectories.front().states.col(1).array();
+  v = offset + gain * v;
+  return {.records = observed(data)};
+}
+
+TEST(BrokenIdentity, AGainIsTheIdentitysCoefficient) {
+  const support::Asked asked = with_sensor(0.0, 1.25);
+  Account best = asked.bare();
+  best.findings = {{.name = "an assumption"}};
+  const Proposals made = BrokenIdentity().propose(asked.problem(), best);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  EXPECT_EQ(made.accounts[0].account.findings.size(), 1u)
+      << "what the baseline assumes already";
+  EXPECT_TRUE(made.accounts[0].search_first);
+  const Baseline& base = *made.accounts[0].account.base;
+  EXPECT_EQ(base.fit_options.free.size(), 4u) << "q, v, F and the identity's v";
+  EXPECT_EQ(base.fit_options.free.back(), (CoefficientPlace{0, 0}));
+  EXPECT_EQ(base.parameters, 1.0) << "the variance of its disturbance";
+  EXPECT_NEAR(base.fitted.model.coefficient(0, "v"), 1.0 / 1.25, 0.01);
+  EXPECT_NEAR(base.fitted.model.coefficient(1, "q"), -4.0 * 1.25, 0.05);
+  ASSERT_FALSE(base.notes.empty());
+  EXPECT_NE(base.notes.back().find("contradict an identity"), std::string::npos);
+}
+
+TEST(BrokenIdentity, WithoutReasonToDoubtItSaysHowFarTheNoiseIsInflated) {
+  support::Asked asked = support::asked(support::nothing, 0.005);
+  const Account bare = asked.bare();
+  const Proposals made = BrokenIdentity().propose(asked.problem(), bare);
+  EXPECT_TRUE(made.accounts.empty());
+  ASSERT_EQ(made.trail.size(), 1u);
+  EXPECT_EQ(made.trail[0].quantity, "inflation of the noise");
+  EXPECT_NEAR(made.trail[0].value, 1.0, 0.1) << "white noise is what neighbours show";
+  EXPECT_EQ(made.trail[0].threshold, asked.options.decision.noise_inflation);
+  asked.options.decision.noise_inflation = 0.5;
+  const Proposals doubted = BrokenIdentity().propose(asked.problem(), bare);
+  EXPECT_TRUE(doubted.accounts.empty());
+  ASSERT_EQ(doubted.trail.size(), 1u);
+  EXPECT_EQ(doubted.trail[0].quantity, "equations disturbed") << "doubted, and found to hold";
+}
+
+TEST(BrokenIdentity, OfAStateThatWasNotMeasuredAnIdentityIsTheDefinition) {
+  Dataset data = with_sensor(0.0, 1.25).records.data;
+  data.reconstructed = {false, true};
+  const support::Asked asked{.records = observed(data)};
+  Account best = asked.bare();
+  ASSERT_FALSE(best.base->given.noise.measurement[1]);
+  const Proposals made = BrokenIdentity().propose(asked.problem(), best);
+  EXPECT_TRUE(made.accounts.empty() && made.trail.empty());
+}
+
+}  // namespace
+}  // namespace lacuna

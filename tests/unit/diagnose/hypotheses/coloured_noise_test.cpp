@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A complete model whose sensor of q has noise of the deviation 0.1 over 0.6 s besides:
+/// x_i+1 = d x_i + sqrt(1 - d^2) e with d = exp(-0.02 s / 0.6 s).
+support::Asked with_memory() {
+  constexpr double kDeviation = 0.1, kTime = 0.6;
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  Random random(11);
+  const double decay = std::exp(-0.02 / kTime);
+  double noise = kDeviation * random.normal();
+  for (double& q : data.trajectories.front().states.col(0)) {
+    q += noise;
+    noise = decay * noise + std::sqrt(1.0 - decay * decay) * kDeviation * random.normal();
+  }
+  return {.records = observed(data)};
+}
+
+TEST(ColouredNoise, FindsDeviationAndTimeOfTheNoise) {
+  const support::Asked asked = with_memory();
+  Account best = asked.bare();
+  best.named = {{.equation = 1, .name = "a guess"}};  // what has a name may be noise
+  best.findings = {{.name = "an assumption"}};
+  const Proposals made = ColouredNoiseHypothesis().propose(asked.problem(), best);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Account& account = made.accounts.front().account;
+  EXPECT_EQ(account.hypothesis, "coloured-noise");
+  EXPECT_EQ(account.findings.size(), 1u) << "what its baseline assumes already";
+  const auto& found = account.base->fitted.noise.coloured[0];
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->deviation, 0.1, 0.035);
+  EXPECT_GT(found->time, 0.3);
+  EXPECT_LT(found->time, 1.2);
+  EXPECT_NEAR(*account.base->fitted.noise.measurement[0], 0.01, 0.003);
+  EXPECT_EQ(account.base->parameters, 4.0) << "deviation and time of two channels";
+  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+}
+
+TEST(ColouredNoise, IsNotAskedForWhereNothingIsLeft) {
+  const support::Asked asked = support::asked(support::nothing);
+  const Proposals made = ColouredNoiseHypothesis().propose(asked.problem(), asked.bare());
+  EXPECT_TRUE(made.accounts.empty() && made.trail.empty());
+}
+
+TEST(ColouredNoise, DeclinesWithItsNumberWhereTheDynamicsExplainMore) {
+  const support::Asked asked = support::asked(support::ripple);
+  const Problem problem = asked.problem();
+  const Account bare = asked.bare();
+  EXPECT_EQ(ColouredNoiseHypothesis().propose(problem, bare).accounts.size(), 1u)
+      << "it is judged against the best account, not against none";
+  Account best = bare;
+  best.explanation = explain_on(problem, *best.base, best.base->fitted,
+                                {{support::plain_candidate("sin(6*q)"), Vector(0), 0.0, 0.0}});
+  best.named = {{.equation = 1, .name = "ripple"}};
+  const Proposals made = ColouredNoiseHypothesis().propose(problem, best);
+  EXPECT_TRUE(made.accounts.empty());
+  ASSERT_EQ(made.trail.size(), 1u);
+  EXPECT_FALSE(made.trail[0].taken);
+  EXPECT_GT(made.trail[0].value, made.trail[0].threshold);
+  EXPECT_DOUBLE_EQ(made.trail[0].threshold, asked.options.criterion->value(evidence_of(best)));
+}
+
+TEST(ColouredNoise, ChannelsAreToldFromTheShareThatIsAsked) {
+  NoiseModel noise;
+  noise.measurement = {0.1, 0.2};
+  noise.coloured = {ColouredNoise{0.04, 3.0}, ColouredNoise{0.15, 4.0}};
+  const OdeModel model = support::oscillator();
+  EXPECT_EQ(channels_with_memory(noise, model, 0.5), "v 0.15 m/s over 4 s");
+  EXPECT_EQ(channels_with_memory(noise, model, 0.3), "q 0.04 m over 3 s, v 0.15 m/s over 4 s");
+  EXPECT_EQ(channels_with_memory(noise, model, 0.8), "");
+  noise.coloured[1].reset();
+  EXPECT_EQ(channels_with_memory(noise, model, 0.1), "q 0.04 m over 3 s");
+}
+
+}  // namespace
+}  // namespace lacuna

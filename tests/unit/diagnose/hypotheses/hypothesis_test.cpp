@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/hypothesis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+using Phase = Hypothesis::Phase;
+
+std::vector<std::string> names_of(const std::vector<Stage<Hypothesis>>& hypotheses) {
+  std::vector<std::string> names;
+  for (const Stage<Hypothesis>& one : hypotheses) names.emplace_back(one->info().name);
+  return names;
+}
+
+TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
+  EXPECT_EQ(names_of(standard_hypotheses()),
+            (std::vector<std::string>{
+                "named-effects", "other-choices", "sensor-fault", "sensor-calibration",
+                "shared-process", "unmeasured-input", "coloured-noise", "broken-identity",
+                "input-interpolation", "input-skew", "residual-function"}));
+}
+
+TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {
+  std::vector<Stage<Hypothesis>> turned = standard_hypotheses();
+  std::reverse(turned.begin(), turned.end());
+  EXPECT_EQ(names_of(in_order(turned)), names_of(standard_hypotheses()));
+}
+
+TEST(HypothesisOrder, EveryPhaseHasSomebody) {
+  for (const Phase phase :
+       {Phase::Effects, Phase::Revision, Phase::Assumptions, Phase::Residual}) {
+    const auto all = standard_hypotheses();
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(),
+                            [&](const auto& one) { return one->phase() == phase; }));
+  }
+}
+
+}  // namespace
+}  // namespace lacuna

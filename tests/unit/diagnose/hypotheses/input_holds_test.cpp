@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/input_holds.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+#include "support/held_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+ChosenHolds chosen(const Dataset& data) {
+  const support::Asked asked{.records = observed(data)};
+  return choose_holds(asked.problem());
+}
+
+std::optional<Hold> hold_of(const ChosenHolds& chosen) { return chosen.model.inputs()[0].hold; }
+
+class TrueHold : public ::testing::TestWithParam<Hold> {};
+
+TEST_P(TrueHold, IsTheMostLikelyOne) {
+  const ChosenHolds found = chosen(support::held_record(GetParam(), 2e-4));
+  ASSERT_TRUE(hold_of(found).has_value());
+  EXPECT_EQ(to_string(*hold_of(found)), to_string(GetParam()));
+  EXPECT_EQ(found.trail.size(), 4U);
+  EXPECT_THAT(notes_on_holds(found.model, found.open), ::testing::SizeIs(1));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TrueHold,
+                         ::testing::Values(Hold::Zero, Hold::Linear, Hold::Switching),
+                         [](const auto& hold) { return to_string(hold.param); });
+
+TEST(InputHolds, ASmoothInputStaysSmooth) {
+  const ChosenHolds found = chosen(support::hidden_record(support::nothing, 0.01));
+  EXPECT_EQ(hold_of(found), Hold::Smooth);
+  EXPECT_TRUE(notes_on_holds(found.model, found.open).empty());
+}
+
+TEST(InputHolds, OfADenseInputLinesAndSwitchesAreNotAsked) {
+  support::Asked asked{.records = observed(support::hidden_record(support::nothing, 0.01))};
+  EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(2));
+  asked.options.decision.dense_input = 0.0;
+  EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(4)) << "none is dense";
+}
+
+/// On a sine of 20 samples a period the slope changes by 2 sin(pi/20) = 0.31 of itself.
+TEST(InputHolds, DensityIsTheChangeOfTheSlope) {
+  support::Asked asked{.records = observed(support::held_record(Hold::Zero, 1e-3))};
+  auto input = asked.records.data.trajectories.front().inputs.col(0);
+  for (Index i = 0; i < input.size(); ++i)
+    input[i] = std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 20.0);
+  for (const auto& [limit, asked_holds] : {std::pair{0.30, 4u}, {0.33, 2u}}) {
+    asked.options.decision.dense_input = limit;
+    EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(asked_holds)) << limit;
+  }
+}
+
+TEST(InputHolds, WhatIsMissingDoesNotChangeThem) {
+  const auto friction = [](double v) { return -0.3 * std::tanh(v / 0.01); };
+  EXPECT_EQ(hold_of(chosen(support::held_record(Hold::Zero, 2e-3, 9, friction))), Hold::Zero);
+}
+
+TEST(InputHolds, WhatTheModelSaysIsNotAsked) {
+  support::Asked asked{.records = observed(support::held_record(Hold::Zero, 1e-3))};
+  asked.nominal = asked.nominal.with_holds({Hold::Linear});
+  const ChosenHolds found = choose_holds(asked.problem());
+  EXPECT_EQ(hold_of(found), Hold::Linear);
+  EXPECT_TRUE(found.trail.empty());
+}
+
+TEST(InputHolds, AnInputThatStandsStillHasNone) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories.front().inputs.setConstant(0.3);
+  EXPECT_EQ(hold_of(chosen(data)), std::nullopt);
+}
+
+TEST(InputHolds, AreNotDoubtedWithoutEffects) {
+  const support::Asked asked{.records = observed(support::held_record(Hold::Zero, 2e-3))};
+  Account account = asked.bare();
+  account.left = {{.equation = 1, .sigma = 10.0, .relative = 0.1}};
+  EXPECT_TRUE(rival_holds(asked.problem(), {{0, Hold::Smooth, 0.1}}, account).empty());
+}
+
+/// Dry friction beside a force that is held.
+class HoldsBesideFriction : public ::testing::Test {
+ protected:
+  /// The friction that is found under a hold.
+  Account account_under(Hold hold, const std::string& friction = "tanh(v/0.01)") {
+    asked_.nominal = asked_.nominal.with_holds({hold});
+    Account account = asked_.bare();
+    account.explanation =
+        explain_on(asked_.problem(), *account.base, account.base->fitted,
+                   {{support::plain_candidate(friction), Vector(0), -0.3, 0.0}});
+    return account;
+  }
+
+  support::Asked asked_{
+      .records = observed(support::held_record(
+          Hold::Zero, 2e-3, 9, [](double v) { return -0.3 * std::tanh(v / 0.01); }))};
+};
+
+TEST_F(HoldsBesideFriction, AreJudgedAnew) {
+  const auto rivals_under = [&](Hold hold) {
+    const Account account = account_under(hold);
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, 1e9}}, account);
+  };
+  const auto rivals = rivals_under(Hold::Smooth);
+  ASSERT_FALSE(rivals.empty()) << "the held force fits better";
+  EXPECT_EQ(rivals.front().inputs()[0].hold, Hold::Zero);
+  EXPECT_TRUE(rivals_under(Hold::Zero).empty());
+}
+
+/// With a friction that is not quite the true one.
+TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
+  const Account account = account_under(Hold::Zero, "tanh(v/0.03)");
+  const double explained = account.base->fitted.deviance - account.explanation.fit.deviance;
+  ASSERT_GT(explained, 100.0);
+  const auto rivals_with = [&](double lead) {
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, lead}}, account);
+  };
+  ASSERT_EQ(rivals_with(0.99 * explained).size(), 1u);
+  EXPECT_EQ(rivals_with(0.99 * explained).front().inputs()[0].hold, Hold::Linear);
+  EXPECT_TRUE(rivals_with(1.01 * explained).empty());
+}
+
+TEST_F(HoldsBesideFriction, AreSettledWhereNothingDisturbsTheModel) {
+  const Account account = account_under(Hold::Zero);
+  EXPECT_TRUE(rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, account).empty());
+}
+
+}  // namespace
+}  // namespace lacuna

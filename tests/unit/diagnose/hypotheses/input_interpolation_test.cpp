@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Inputs that were recorded seldom and put on lines: the curve through what was recorded.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "lacuna/diagnose/hypotheses/input_holds.hpp"
+#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/records/channels/interpolated.hpp"
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+/// hidden_record() with every tenth sample of its force, and lines between.
+Dataset seldom(Dataset data, Index each = 10) {
+  for (Trajectory& record : data.trajectories) {
+    const Vector force = record.inputs.col(0);
+    for (Index i = 0; i < force.size(); ++i) {
+      const Index knot = i - i % each, next = std::min<Index>(knot + each, force.size() - 1);
+      const double share = static_cast<double>(i - knot) / static_cast<double>(each);
+      record.inputs(i, 0) = (1.0 - share) * force[knot] + share * force[next];
+    }
+  }
+  return data;
+}
+
+TEST(InputInterpolation, PutsTheInputOnTheCurveThroughWhatWasRecorded) {
+  const Dataset smooth = support::hidden_record(support::nothing, 1e-3);
+  const support::Asked asked{.records = observed(seldom(smooth))};
+  ASSERT_TRUE(is_interpolated(asked.records.data, 0));
+  const Account best = asked.bare();
+  ASSERT_TRUE(leaves_structure(best, asked.options.decision)) << "the error of the lines";
+  const auto accounts = InputInterpolation{}.propose(asked.problem(), best).accounts;
+  ASSERT_EQ(accounts.size(), 1u);
+  const Account& account = accounts[0].account;
+  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+  ASSERT_EQ(account.base->notes.size(), 1u);
+  const Trajectory other = account.base->correct(seldom(smooth)).trajectories[0];
+  const auto error = [&](const Trajectory& record) {
+    return (record.inputs - smooth.trajectories[0].inputs).cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(error(other), 0.1 * error(seldom(smooth).trajectories[0]));
+}
+
+TEST(InputInterpolation, NothingIsProposedOfInputsThatWereRecordedOften) {
+  const support::Asked asked{.records =
+                                 observed(support::hidden_record(support::dry_friction, 1e-3))};
+  ASSERT_FALSE(is_interpolated(asked.records.data, 0));
+  EXPECT_TRUE(InputInterpolation{}.propose(asked.problem(), asked.bare()).accounts.empty());
+}
+
+TEST(InputInterpolation, LinesDoNotJump) {
+  const support::Asked asked{
+      .records = observed(seldom(support::hidden_record(support::nothing, 1e-3)))};
+  const ChosenHolds chosen = choose_holds(asked.problem());
+  EXPECT_EQ(chosen.model.inputs()[0].hold, Hold::Smooth);
+}
+
+TEST(InputInterpolation, LeavesTheEffectThatIsThere) {
+  Configuration configuration;
+  configuration.set("effects=[\"coulomb-friction\",\"delay\",\"lag\",\"linear-term\"]");
+  const Diagnosis found = diagnose(
+      support::oscillator(), seldom(support::hidden_record(support::dry_friction, 2e-3)),
+      seldom(support::hidden_record(support::dry_friction, 2e-3, 4, -0.7)),
+      diagnosis_options(configuration, default_registry()), RunContext{});
+  EXPECT_EQ(found.verdict, Verdict::Explained);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].name, "coulomb-friction");
+}
+
+}  // namespace
+}  // namespace lacuna

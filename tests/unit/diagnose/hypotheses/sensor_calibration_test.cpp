@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/families.hpp"
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A complete model whose sensor of a state shows something else.
+template <class Show>
+support::Asked with_sensor(Index state, Show show) {
+  Dataset data = support::hidden_record(support::nothing, 0.005);
+  Trajectory& record = data.trajectories.front();
+  for (Index i = 0; i < record.samples(); ++i)
+    record.states(i, state) = show(record.states(i, state), record.time[i]);
+  return {.records = observed(data)};
+}
+
+Proposals proposed(const support::Asked& asked) {
+  return SensorCalibration().propose(asked.problem(), asked.bare());
+}
+
+void expect_fault(const support::Asked& asked, const std::string& name, Index state,
+                  double coefficient, double tolerance) {
+  const Proposals made = proposed(asked);
+  ASSERT_EQ(made.accounts.size(), 1u) << name;
+  const Account& account = made.accounts[0].account;
+  ASSERT_EQ(account.named.size(), 1u);
+  EXPECT_EQ(account.named[0].name, name);
+  EXPECT_EQ(account.named[0].equation, state);
+  EXPECT_NEAR(account.named[0].coefficient, coefficient, tolerance);
+  EXPECT_EQ(account.base->fit_options.free.size(), 0u) << "the model is as given";
+  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+}
+
+TEST(SensorCalibration, FindsGainOffsetAndDrift) {
+  expect_fault(with_sensor(1, [](double v, double) { return 1.05 * v; }), "sensor-gain", 1,
+               0.05, 0.005);
+  expect_fault(with_sensor(0, [](double q, double) { return q - 0.1; }), "sensor-offset", 0,
+               -0.1, 0.01);
+  expect_fault(with_sensor(1, [](double v, double t) { return v + 0.02 * t; }), "sensor-drift",
+               1, 0.02, 0.002);
+}
+
+TEST(SensorCalibration, FindsAFilterOfTheSensor) {
+  const double tau = 0.1;
+  Dataset data = support::hidden_record(support::nothing, 0.0);
+  Matrix& states = data.trajectories.front().states;
+  Random random(5);
+  double shown = states(0, 1), before = shown;
+  const double h = 0.02, decay = std::exp(-h / tau);
+  for (Index i = 0; i < states.rows(); ++i) {
+    // exact for a line from sample to sample
+    const double now = states(i, 1), slope = (now - before) / h;
+    if (i > 0) shown = now - slope * tau + decay * (shown - before + slope * tau);
+    before = now;
+    states(i, 0) += 0.005 * random.normal();
+    states(i, 1) = shown + 0.01 * random.normal();
+  }
+  const support::Asked asked{.records = observed(data)};
+  expect_fault(asked, "sensor-lag", 1, 1.0, 0.05);
+  const Proposals made = proposed(asked);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  ASSERT_EQ(made.accounts[0].account.named[0].parameters.size(), 1u);
+  EXPECT_NEAR(made.accounts[0].account.named[0].parameters[0].value, tau, 0.01);
+}
+
+TEST(SensorCalibration, FindsCurvesAndWhatAChannelPicksUp) {
+  expect_fault(with_sensor(0, [](double q, double) { return q + 0.05 * q * q; }), "sensor-gain",
+               0, 0.05, 0.005);
+  expect_fault(with_sensor(0, [](double q, double) { return 2.0 * std::tanh(q / 2.0); }),
+               "sensor-gain", 0, 1.0, 0.1);
+  expect_fault(with_sensor(1, [](double v, double t) { return v + 0.05 * std::sin(9.0 * t); }),
+               "sensor-offset", 1, 0.05, 0.005);
+  Dataset data = support::hidden_record(support::nothing, 0.005);
+  Matrix& states = data.trajectories.front().states;
+  states.col(1) += 0.1 * states.col(0);
+  expect_fault({.records = observed(data)}, "sensor-offset", 1, 0.1, 0.01);
+}
+
+TEST(SensorCalibration, HasNothingToSayOfAGoodModel) {
+  const Proposals made = proposed(support::asked(support::nothing, 0.005));
+  EXPECT_TRUE(made.accounts.empty());
+}
+
+TEST(SensorCalibration, WhatLeavesStructureIsNoSensor) {
+  EXPECT_TRUE(proposed(support::asked(support::ripple, 0.005)).accounts.empty());
+}
+
+TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
+  support::Asked asked = support::asked([](double, double, double) { return 0.4; }, 0.005);
+  Account best = asked.bare();
+  // the best account so far has the force
+  Candidate force{.form = Expression::number(1.0),
+                  .argument = Expression::number(1.0),
+                  .starts = {Vector()},
+                  .equation = 1};
+  best.explanation =
+      explain_on(asked.problem(), *best.base, best.base->fitted, {{force, Vector(), 0.4, 0.0}});
+  best.named = {{.equation = 1, .name = "constant-offset", .probability = 0.9}};
+  const Proposals made = SensorCalibration().propose(asked.problem(), best);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Account& account = made.accounts[0].account;
+  EXPECT_FALSE(made.accounts[0].precedence.empty());
+  EXPECT_EQ(account.doubts.size(), 1u) << "neither is told from the other";
+  ASSERT_EQ(account.named.size(), 1u);
+  EXPECT_EQ(account.named[0].name, "constant-offset") << "the dynamics lead";
+  ASSERT_FALSE(account.named[0].alternatives.empty());
+  EXPECT_EQ(account.named[0].alternatives[0].name, "sensor-offset");
+}
+
+/// Dry friction seen by a channel that picks up the position.
+support::Asked friction_and_crosstalk() {
+  Dataset data = support::hidden_record(support::dry_friction, 0.005);
+  Matrix& states = data.trajectories.front().states;
+  states.col(1) += 0.1 * states.col(0);
+  return {.records = observed(data)};
+}
+
+/// An account with effects of dv/dt without shapes, each named as its form.
+Account with_effects(const support::Asked& asked, const std::vector<std::string>& forms) {
+  Account best = asked.bare();
+  std::vector<FittedEffect> effects;
+  for (const std::string& form : forms) {
+    effects.push_back({support::plain_candidate(form), Vector(), 0.0, 0.0});
+    effects.back().candidate.equation = 1;
+    best.named.push_back({.equation = 1, .name = form, .probability = 0.9});
+  }
+  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted, effects);
+  return best;
+}
+
+TEST(SensorCalibration, StandsBesideAnEffectInThePlaceOfAllOthers) {
+  const support::Asked asked = friction_and_crosstalk();
+  const Proposals made = SensorCalibration().propose(
+      asked.problem(), with_effects(asked, {"q^3", "sign(v)", "F^2"}));
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Account& account = made.accounts[0].account;
+  ASSERT_EQ(account.named.size(), 2u);
+  EXPECT_EQ(account.named[0].name, "sensor-offset");
+  EXPECT_EQ(account.named[0].place, Place::Channel);
+  EXPECT_NEAR(account.named[0].coefficient, 0.1, 0.01);
+  EXPECT_EQ(account.named[1].name, "sign(v)");
+  EXPECT_NEAR(account.named[1].coefficient, -0.3, 0.01);
+  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+}
+
+TEST(SensorCalibration, StandsBesideNothingThatIsNotNamed) {
+  const support::Asked asked = friction_and_crosstalk();
+  EXPECT_TRUE(SensorCalibration()
+                  .propose(asked.problem(), with_effects(asked, {"q^3", "F^2"}))
+                  .accounts.empty());
+}
+
+TEST(SensorCalibration, AddsMoreThanSamplesAreRounded) {
+  support::Asked asked = with_sensor(0, [](double q, double) { return q - 0.1; });
+  asked.records.channels[0].noise.lattice = 0.34;  // rounded by 0.098 rms
+  EXPECT_EQ(proposed(asked).accounts.size(), 1u);
+  asked.records.channels[0].noise.lattice = 0.36;  // by 0.104
+  EXPECT_TRUE(proposed(asked).accounts.empty());
+}
+
+TEST(SensorCalibration, TriesWhatEffectsSayOfChannels) {
+  support::Asked asked = with_sensor(1, [](double v, double) { return v; });
+  Matrix& states = asked.records.data.trajectories.front().states;
+  const Matrix before = states;
+  const Index n = states.rows() - 3;
+  states.col(0).tail(n) = before.col(0).head(n);  // the position comes three samples late
+  asked.options.effects = {FamilyEffect<kChannelSkew>()};
+  const Proposals made = proposed(asked);
+  ASSERT_EQ(made.accounts.size(), 1u);
+  EXPECT_EQ(made.accounts[0].account.named[0].name, "channel-skew");
+  EXPECT_EQ(made.accounts[0].account.named[0].equation, 0);
+}
+
+}  // namespace
+}  // namespace lacuna

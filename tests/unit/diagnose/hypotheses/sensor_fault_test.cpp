@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+#include "support/own_effects.hpp"
+
+namespace lacuna {
+namespace {
+
+inline constexpr StageInfo kSkew{"skew", "A skew for tests", ""};
+
+/// v is measured with a summand of sign(v).
+class Skew final : public Configured<Effect, EffectOptions<kSkew>> {
+  std::string_view do_typical_cause() const override { return "a test"; }
+  std::vector<Candidate> do_candidates(const Scope&, Index equation) const override {
+    if (equation != 1) return {};
+    Candidate candidate = support::plain_candidate("sign(v)");
+    candidate.place = Place::Channel;
+    return {candidate};
+  }
+};
+
+/// An account of records with dry friction that blames the sensor of v and leaves structure.
+Account with_fault(const support::Asked& asked) {
+  Account best = asked.bare();
+  const Candidate skew = Skew().candidates(best.base->scope, 1).front();
+  best.explanation =
+      explain_on(asked.problem(), *best.base, best.base->fitted, {{skew, Vector(0), 0.0, 0.0}});
+  best.named = {{.equation = 1, .name = "skew"}};
+  best.rounds = {{7, "skew", 9.0, true}};
+  best.left = {{1, 100.0, 9.0, 1.0, 0.5}};
+  return best;
+}
+
+support::Asked friction() {
+  support::Asked asked = support::asked(support::dry_friction, 0.01, support::own_effects());
+  asked.options.effects.push_back(Skew());
+  return asked;
+}
+
+TEST(SensorFault, DynamicsThatExplainMostTakeItsPlace) {
+  const support::Asked asked = friction();
+  const Proposals made = SensorFault().propose(asked.problem(), with_fault(asked));
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Account& account = made.accounts[0].account;
+  EXPECT_EQ(account.hypothesis, "sensor-fault");
+  ASSERT_EQ(account.named.size(), 1u);
+  EXPECT_EQ(account.named[0].name, "dry");
+  EXPECT_TRUE(account.explanation.fit.channel_terms.empty());
+  EXPECT_EQ(account.rounds.front().tried, 7) << "the rounds before come first";
+  EXPECT_FALSE(made.accounts[0].precedence.empty());
+}
+
+TEST(SensorFault, StaysWhereTheDynamicsDoNotExplainMost) {
+  support::Asked asked = friction();
+  asked.options.effects = {Skew()};
+  const Proposals made = SensorFault().propose(asked.problem(), with_fault(asked));
+  EXPECT_TRUE(made.accounts.empty());
+  ASSERT_EQ(made.trail.size(), 1u);
+  EXPECT_FALSE(made.trail[0].taken);
+  EXPECT_EQ(made.trail[0].account, "effects of the dynamics alone");
+}
+
+TEST(SensorFault, IsNotAskedForWithoutAFaultOrWithoutStructure) {
+  support::Asked asked = friction();
+  const Proposals without = SensorFault().propose(asked.problem(), asked.bare());
+  EXPECT_TRUE(without.accounts.empty() && without.trail.empty());
+  const Account fault = with_fault(asked);
+  asked.options.decision.significance = 10.0;  // more than the 9 that are left
+  const Proposals explained = SensorFault().propose(asked.problem(), fault);
+  EXPECT_TRUE(explained.accounts.empty() && explained.trail.empty());
+}
+
+}  // namespace
+}  // namespace lacuna

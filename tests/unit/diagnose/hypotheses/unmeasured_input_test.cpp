@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/effects/families.hpp"
+#include "support/asked.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr double kSize = 1.0, kTime = 1.0;
+
+/// An Ornstein-Uhlenbeck process of the deviation 1 m/s^2 that remembers for 1 s, drawn every
+/// 10 ms with straight lines between.
+double gusts(double t, double, double) {
+  constexpr double kStep = 0.01;
+  static const std::vector<double> values = [] {
+    Random random(5);
+    const double decay = std::exp(-kStep / kTime);
+    std::vector<double> drawn = {kSize * random.normal()};
+    while (drawn.size() < 3200)
+      drawn.push_back(decay * drawn.back() +
+                      std::sqrt(1.0 - decay * decay) * kSize * random.normal());
+    return drawn;
+  }();
+  const auto before = static_cast<std::size_t>(t / kStep);
+  const double share = t / kStep - static_cast<double>(before);
+  return (1.0 - share) * values[before] + share * values[before + 1];
+}
+
+support::Asked asked_with(const support::Hidden& hidden) {
+  return support::asked(hidden, 0.005, {FamilyEffect<kUnmeasuredInput>{}});
+}
+
+TEST(UnmeasuredInput, RecoversSizeAndMemory) {
+  const support::Asked asked = asked_with(gusts);
+  const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
+  ASSERT_EQ(made.accounts.size(), 1u);
+  const Account& account = made.accounts[0].account;
+  ASSERT_EQ(account.named.size(), 1u);
+  const NamedEffect& named = account.named[0];
+  EXPECT_EQ(named.name, "unmeasured-input");
+  EXPECT_EQ(named.equation, 1);
+  EXPECT_EQ(named.coefficient, 1.0) << "its size is that of what moves it";
+  const double memory = account.explanation.effects[0].shapes[0];
+  EXPECT_GT(memory, 0.4 * kTime) << "30 s hold fifteen independent values";
+  EXPECT_LT(memory, 2.5 * kTime);
+  const LinearisedRecord& record = account.explanation.fit.records[0];
+  double error = 0.0, size = 0.0;
+  for (Index i = 0; i < record.samples(); ++i) {
+    const double input = gusts(record.time[i], 0.0, 0.0);
+    error += std::pow(record.path(i, 2) - input, 2);
+    size += input * input;
+  }
+  EXPECT_LT(error, 0.05 * size) << "the input itself, sample by sample";
+  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+}
+
+TEST(UnmeasuredInput, AFunctionOfTheStateTakesTheNamesAndGetsNone) {
+  const support::Asked asked = asked_with(support::ripple);
+  const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
+  for (const Proposal& proposal : made.accounts) {
+    EXPECT_TRUE(proposal.account.named.empty());
+    EXPECT_NE(proposal.precedence.find("is no input"), std::string::npos);
+  }
+  EXPECT_EQ(made.accounts.size() + made.trail.size(), 1u);
+}
+
+TEST(UnmeasuredInput, IsNotAskedForWhereNothingIsLeftOrNoEffectProposesIt) {
+  const support::Asked complete = asked_with(support::nothing);
+  EXPECT_TRUE(UnmeasuredInput().propose(complete.problem(), complete.bare()).accounts.empty());
+  support::Asked without = asked_with(gusts);
+  without.options.effects = {FamilyEffect<kQuadraticDrag>{}};
+  EXPECT_TRUE(UnmeasuredInput().propose(without.problem(), without.bare()).accounts.empty());
+}
+
+TEST(UnmeasuredInput, ThresholdsDecideWhetherItIsEvident) {
+  support::Asked asked = asked_with(gusts);
+  const Account bare = asked.bare();
+  asked.options.decision.undecided = 1e6;  // no evidence is enough
+  EXPECT_TRUE(UnmeasuredInput().propose(asked.problem(), bare).accounts.empty());
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/journey/gap.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+TEST(Gap, FallsToTheNoiseWithTheRightEffect) {
+  const Dataset data = support::hidden_record(support::dry_friction, 0.01, 3);
+  const Dataset other = support::hidden_record(support::dry_friction, 0.01, 4, -0.7);
+  const Assimilation base = support::assimilated(data);
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{support::plain_candidate("sign(v)"), Vector(0), -0.2}});
+  const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
+  EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
+  EXPECT_NEAR(gap.after / gap.noise_floor, 1.0, 0.1);
+  EXPECT_LT(gap.ratio(), 0.5);
+  EXPECT_EQ(gap.records, std::vector<std::string>{"made"});
+}
+
+TEST(Gap, StaysWhereNothingIsMissing) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Explanation nothing{{}, support::assimilated(data)};
+  const Dataset other = support::hidden_record(support::nothing, 0.01, 5);
+  const Gap gap = measure_gap(support::oscillator(), nothing, {other, other}, RunContext{});
+  EXPECT_NEAR(gap.ratio(), 1.0, 0.05);
+}
+
+TEST(Gap, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
+  const auto skewed = [](std::uint64_t seed, double start) {
+    Dataset data = support::hidden_record(support::nothing, 0.001, seed, start);
+    Matrix& states = data.trajectories[0].states;
+    const Index n = states.rows() - 3;
+    states.col(0).head(n) = Vector(states.col(0).tail(n));  // three steps late
+    states.conservativeResize(n, Eigen::NoChange);
+    data.trajectories[0].time.conservativeResize(n);
+    data.trajectories[0].inputs.conservativeResize(n, Eigen::NoChange);
+    return data;
+  };
+  const Dataset data = skewed(3, 1.0);
+  Candidate skew = support::plain_candidate("v");
+  skew.place = Place::Channel;
+  skew.equation = 0;
+  const Assimilation base = support::assimilated(data);
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{skew, Vector(0), 0.0}});
+  const Dataset other = skewed(4, -0.7);
+  const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
+  EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
+  EXPECT_LT(gap.after, 0.5 * gap.before);
+}
+
+}  // namespace
+}  // namespace lacuna

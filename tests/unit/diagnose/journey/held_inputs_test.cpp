@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/journey/held_inputs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "support/asked.hpp"
+
+namespace lacuna {
+namespace {
+
+/// q'' = -12 q - 0.5 q' + 8 u: a mass on a spring without the element.
+OdeModel without_element() {
+  return parse_model(R"({"format": "lacuna.model/1", "time_unit": "s",
+    "states": [{"name": "q", "unit": "m"}, {"name": "w", "unit": "m/s"}],
+    "inputs": [{"name": "u", "unit": "V"}],
+    "equations": [
+      {"state": "q", "terms": [{"term": "w", "coefficient": 1.0}]},
+      {"state": "w", "terms": [{"term": "q", "coefficient": -12.0},
+        {"term": "w", "coefficient": -0.5}, {"term": "u", "coefficient": 8.0}]}]})",
+                     "test");
+}
+
+/// Twelve sines between 0.1 and 2 Hz, sampled every 10 ms.
+double multisine(double t) {
+  double sum = 0.0;
+  for (int k = 0; k < 12; ++k) {
+    const double frequency = 0.1 * std::pow(20.0, k / 11.0);
+    sum += std::sin(2.0 * std::numbers::pi * frequency * t + 1.3 * k * k);
+  }
+  return 0.9 * sum;
+}
+
+/// The mass also moves a dashpot by another spring (Maxwell's element): dz/dt = w - z/0.4 adds
+/// -6 z to dw/dt.
+Dataset element_record(double noise) {
+  constexpr Index kSamples = 2500;
+  const OdeModel model = without_element();
+  Dataset data;
+  data.states = model.states();
+  data.inputs = model.inputs();
+  data.time_unit = "s";
+  Trajectory& record = data.trajectories.emplace_back();
+  record.time = Vector::LinSpaced(kSamples, 0.0, 0.01 * (kSamples - 1));
+  record.states.resize(kSamples, 2);
+  record.inputs.resize(kSamples, 1);
+  const auto rate = [](double t, const Eigen::Vector3d& x) {
+    return Eigen::Vector3d(x[1], -12.0 * x[0] - 0.5 * x[1] + 8.0 * multisine(t) - 6.0 * x[2],
+                           x[1] - 2.5 * x[2]);
+  };
+  Random random(1);
+  Eigen::Vector3d x(0.2, 0.0, 0.0);
+  const double h = 0.001;
+  for (Index i = 0; i < kSamples; ++i) {
+    record.states(i, 0) = x[0] + noise * random.normal();
+    record.states(i, 1) = x[1] + 3.0 * noise * random.normal();
+    record.inputs(i, 0) = multisine(record.time[i]);
+    for (int part = 0; part < 10; ++part) {
+      const double t = record.time[i] + h * part;
+      const Eigen::Vector3d a = rate(t, x), b = rate(t + 0.5 * h, x + 0.5 * h * a),
+                            c = rate(t + 0.5 * h, x + 0.5 * h * b), d = rate(t + h, x + h * c);
+      x += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    }
+  }
+  return data;
+}
+
+/// The nominal model lacks so much that it takes the smooth input for a held one; under that
+/// hold no effect explains the records.
+TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
+  const support::Asked asked{.records = observed(element_record(0.003)),
+                             .options = diagnosis_options({}, default_registry()),
+                             .nominal = without_element()};
+  const JudgedModel found = judge_holds(asked.problem(), standard_hypotheses());
+  EXPECT_EQ(found.model->inputs()[0].hold, Hold::Smooth);
+  EXPECT_TRUE(found.notes.empty());
+  ASSERT_EQ(found.judged.best.named.size(), 1u);
+  EXPECT_EQ(found.judged.best.named[0].name, "lag");
+  EXPECT_FALSE(is_anything_left(found.judged.best.left, asked.options.decision));
+  EXPECT_EQ(found.judged.trail.front().hypothesis, "input-hold");
+}
+
+TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {
+  const support::Asked asked{.records =
+                                 observed(support::hidden_record(support::nothing, 0.01))};
+  const DecisionOptions& decision = asked.options.decision;
+  Account one = asked.bare(), three = one, two_and_a_rest = one;
+  one.named.resize(1);
+  three.named.resize(3);
+  two_and_a_rest.named.resize(2);
+  two_and_a_rest.left = {{.equation = 0, .sigma = 50.0, .relative = 0.2}};
+  EXPECT_TRUE(is_less_plain(three, one, decision));
+  EXPECT_FALSE(is_less_plain(one, three, decision));
+  EXPECT_FALSE(is_less_plain(three, three, decision));
+  EXPECT_FALSE(is_less_plain(three, two_and_a_rest, decision));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// The journey with hypotheses and a criterion made for it: who is asked when, what decides,
+// what the trail keeps.
+#include "diagnose/journey/journey.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+using Phase = Hypothesis::Phase;
+
+inline constexpr StageInfo kFirst{"first", "For tests", ""}, kSecond{"second", "For tests", ""},
+    kDevianceOnly{"deviance-only", "For tests", ""};
+
+/// Whatever costs nothing.
+class DevianceOnly final : public Configured<Criterion, HypothesisOptions<kDevianceOnly>> {
+  double do_penalty(const Evidence&) const override { return 0.0; }
+};
+
+/// Proposes the best account with another deviance, and notes that it was asked.
+template <const StageInfo& Info>
+class Claims final : public Configured<Hypothesis, HypothesisOptions<Info>> {
+ public:
+  Claims(Phase phase, double gain, std::string precedence = {})
+      : phase_(phase), gain_(gain), precedence_(std::move(precedence)) {}
+
+ private:
+  Phase do_phase() const override { return phase_; }
+  Proposals do_propose(const Problem&, const Account& best) const override {
+    Proposal proposal{best};
+    proposal.account.hypothesis = Info.name;
+    proposal.account.explanation.fit.deviance -= gain_;
+    proposal.account.notes.push_back(std::string(Info.name));
+    if (phase_ == Phase::Assumptions)
+      proposal.account.findings.push_back({.name = std::string(Info.name)});
+    proposal.precedence = precedence_;
+    return {{std::move(proposal)},
+            {{std::string(Info.name), "declined", {}, false, "reason", 1.0, 2.0}}};
+  }
+  Phase phase_;
+  double gain_;
+  std::string precedence_;
+};
+
+class Journey : public testing::Test {
+ protected:
+  Judged judged(Phase phase, const std::vector<Stage<Hypothesis>>& hypotheses) {
+    const Problem problem{nominal_, records_, options_, context_};
+    Account bare = bare_account(problem, "bare", base(problem));
+    return judge_phase(problem, in_order(hypotheses), phase, {std::move(bare)});
+  }
+
+  static std::shared_ptr<const Baseline> base(const Problem& problem) {
+    static const Baseline made = plain_baseline(problem);
+    return std::make_shared<const Baseline>(made);
+  }
+
+  OdeModel nominal_ = support::oscillator();
+  BoundRecords records_ = observed(support::hidden_record(support::nothing, 0.01, 3));
+  DiagnosisOptions options_{.criterion = DevianceOnly{}};
+  RunContext context_;
+};
+
+TEST_F(Journey, TheCriterionDecides) {
+  const Judged result = judged(Phase::Effects, {Claims<kFirst>(Phase::Effects, 5.0),
+                                                Claims<kSecond>(Phase::Effects, -1.0)});
+  EXPECT_EQ(result.best.hypothesis, "first");
+  ASSERT_EQ(result.trail.size(), 4u);  // each declines one account and puts one forward
+  EXPECT_TRUE(result.trail[1].taken);
+  EXPECT_FALSE(result.trail[3].taken);
+  EXPECT_EQ(result.trail[3].quantity, "deviance-only");
+  EXPECT_NEAR(result.trail[3].value - result.trail[3].threshold, 1.0, 1e-6);
+}
+
+TEST_F(Journey, ARuleGoesBeforeTheNumberAndIsInTheTrail) {
+  const Judged result =
+      judged(Phase::Effects, {Claims<kFirst>(Phase::Effects, 5.0),
+                              Claims<kSecond>(Phase::Effects, -1.0, "it is a test")});
+  EXPECT_EQ(result.best.hypothesis, "second");
+  EXPECT_EQ(result.trail.back().rule, "it is a test");
+  EXPECT_TRUE(result.trail.back().taken);
+}
+
+TEST_F(Journey, OnlyHypothesesOfThePhaseAreAsked) {
+  const Judged result = judged(Phase::Residual, {Claims<kFirst>(Phase::Effects, 5.0),
+                                                 Claims<kSecond>(Phase::Residual, 1.0)});
+  EXPECT_EQ(result.best.notes, std::vector<std::string>{"second"});
+}
+
+TEST_F(Journey, EffectsAreSoughtOnTopOfAnAssumptionThatHasWon) {
+  const Judged won = judged(Phase::Assumptions, {Claims<kFirst>(Phase::Effects, 1.0),
+                                                 Claims<kSecond>(Phase::Assumptions, 5.0)});
+  EXPECT_EQ(won.best.hypothesis, "second");
+  EXPECT_EQ(won.best.notes, (std::vector<std::string>{"second", "first"}));
+  const Judged lost = judged(Phase::Assumptions, {Claims<kFirst>(Phase::Effects, 1.0),
+                                                  Claims<kSecond>(Phase::Assumptions, -5.0)});
+  EXPECT_EQ(lost.best.hypothesis, "bare");
+  EXPECT_TRUE(lost.best.notes.empty());
+}
+
+TEST_F(Journey, AnAssumptionThatDoesAsWellIsADoubt) {
+  const auto doubts = [&](double gain) {
+    return judged(Phase::Assumptions, {Claims<kSecond>(Phase::Assumptions, gain)}).best.doubts;
+  };
+  EXPECT_EQ(doubts(5.0),
+            std::vector<std::string>{"the records allow as well (bare): nothing is missing"});
+  EXPECT_EQ(doubts(-5.0),
+            std::vector<std::string>{"the records allow as well (second): second"});
+  EXPECT_TRUE(doubts(15.0).empty());
+  EXPECT_TRUE(doubts(-15.0).empty());
+}
+
+TEST_F(Journey, NamesThatDoNotExplainMostAreWithdrawn) {
+  const Problem problem{nominal_, records_, options_, context_};
+  Account account = bare_account(problem, "bare", base(problem));
+  account.named.push_back({.equation = 1, .name = "dry"});
+  account.left = {{1, 100.0, 9.0, 1.0, 0.5}};
+  const Judged settled = settle_account(problem, {}, {account});
+  EXPECT_TRUE(settled.best.named.empty());
+  ASSERT_EQ(settled.trail.size(), 1u);
+  EXPECT_FALSE(settled.trail[0].taken);
+}
+
+TEST_F(Journey, WhatOtherRecordsRefuteGoesNamesFirst) {
+  const Problem problem{nominal_, records_, options_, context_};
+  Baseline assumed = *base(problem);
+  assumed.parameters = 1.0;
+  Account account = bare_account(problem, "second", std::make_shared<const Baseline>(assumed));
+  account.named = {{.equation = 1, .name = "dry"}};
+  account.findings = {{.equation = 1, .name = "late"}};
+  const Account nameless = without_claims(problem, account);
+  EXPECT_TRUE(nameless.named.empty());
+  EXPECT_EQ(nameless.findings.size(), 1u);
+  EXPECT_EQ(nameless.base->parameters, 1.0) << "on the same assumption";
+  const Account plain = without_claims(problem, nameless);
+  EXPECT_TRUE(plain.findings.empty());
+  EXPECT_EQ(plain.base->parameters, 0.0);
+}
+
+}  // namespace
+}  // namespace lacuna

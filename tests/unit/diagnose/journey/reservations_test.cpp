@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/journey/reservations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+Gap gap_of(double after, double above) {
+  Gap made;
+  made.before = 10.0;
+  made.after = after;
+  made.noise_floor = 1.0;
+  made.above_floor = above;
+  return made;
+}
+
+class Reservations : public testing::Test {
+ protected:
+  Account account(const FittedEffect& effect) const {
+    Account made = asked_.bare();
+    made.explanation.effects = {effect};
+    made.named = {{.equation = 1, .name = "stop"}};
+    made.explanation.fit.noise.disturbance.setZero();  // it explains all there is
+    return made;
+  }
+  FittedEffect stop(double edge) const {
+    return {support::stop_candidate(0.0), Vector::Constant(1, edge), -3.0, 0.01};
+  }
+  std::vector<std::string> said(const Account& judged,
+                                const std::optional<Gap>& other = {}) const {
+    return reservations(asked_.problem(), judged, other);
+  }
+  static bool speaks_of(const std::vector<std::string>& said, const std::string& what) {
+    return said.size() == 1 && said[0].find(what) != std::string::npos;
+  }
+
+  support::Asked asked_ = support::asked(support::nothing);
+};
+
+TEST_F(Reservations, NoneWhereNamesAndNumbersAreAsTheyShouldBe) {
+  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.4, 9.0)).empty());
+  EXPECT_TRUE(speaks_of(said(asked_.bare(), gap_of(5.0, 9.0)), "5 times its noise floor"))
+      << "something acts there that the records that were used do not show";
+}
+
+TEST_F(Reservations, TheGapStaysOpenByMoreThanChance) {
+  EXPECT_TRUE(
+      speaks_of(said(account(stop(-0.1)), gap_of(1.6, 4.0)), "1.6 times its noise floor"));
+  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 2.0)).empty());
+  asked_.options.decision.explained_gap = 2.0;
+  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 4.0)).empty());
+}
+
+TEST_F(Reservations, NamesWithWhichTheModelIsDisturbedAsBeforeAreSaid) {
+  asked_ = support::asked(support::ripple);  // the stop stands for nothing of it
+  Account judged = account(stop(-0.1));
+  EXPECT_TRUE(said(judged).empty());
+  judged.explanation.fit.noise.disturbance = 0.98 * judged.base->fitted.noise.disturbance;
+  EXPECT_TRUE(speaks_of(said(judged), "only 4 %"));
+  asked_.options.decision.minor = 0.03;
+  EXPECT_TRUE(said(judged).empty());
+}
+
+TEST_F(Reservations, AShapeOnItsBoundIsSaid) {
+  FittedEffect effect = stop(-0.1);
+  effect.candidate.shapes[0].low = -0.1;
+  EXPECT_TRUE(speaks_of(said(account(effect)), "sits on its bound: edge"));
+  effect.candidate.shapes[0].low = -0.11;
+  EXPECT_TRUE(said(account(effect)).empty());
+}
+
+TEST_F(Reservations, TermsThatCancelAreSaid) {
+  Account judged = account(stop(-0.1));
+  judged.explanation.effects.push_back(judged.explanation.effects[0]);
+  judged.explanation.effects[1].coefficient *= -1.01;
+  judged.named.push_back(judged.named[0]);
+  EXPECT_TRUE(speaks_of(said(judged), "nearly cancel"));
+  asked_.options.decision.cancelling = 1e-3;
+  EXPECT_TRUE(said(judged).empty());
+}
+
+TEST_F(Reservations, CoefficientsOfAnotherSignOrSizeAreSaid) {
+  const Account judged = account(stop(-0.1));
+  OdeModel given = asked_.nominal;
+  std::vector<Equation> equations = given.equations();
+  for (WeightedTerm& summand : equations[1])
+    if (summand.term.name() == "q") summand.coefficient *= -1.0;
+  asked_.nominal = {given.states(), given.inputs(), equations, given.time_unit()};
+  const std::vector<std::string> turned = said(judged);
+  ASSERT_FALSE(turned.empty());
+  EXPECT_NE(turned.front().find("changes its sign: 4 to -4"), std::string::npos)
+      << turned.front();
+}
+
+TEST_F(Reservations, AnEffectOfFewSamplesIsSaid) {
+  const Account bare = asked_.bare();
+  Vector q = bare.explanation.fit.records[0].slots.col(0);
+  std::sort(q.begin(), q.end());
+  FittedEffect rare = stop(q[q.size() / 200]);  // half a per cent lies below
+  rare.candidate.shapes[0].low = -10.0;
+  EXPECT_TRUE(speaks_of(said(account(rare)), "of the samples only"));
+  asked_.options.decision.acting = 0.0;
+  EXPECT_TRUE(said(account(rare)).empty());
+}
+
+TEST_F(Reservations, OneChannelDoesNotConfirmTwoEffectsBesideAHiddenState) {
+  Account two = account(stop(-0.1));
+  two.named.push_back({.equation = 0, .name = "another"});
+  two.explanation.effects.push_back(stop(-0.1));
+  EXPECT_TRUE(said(two).empty()) << "every state is measured";
+  Baseline base = *two.base;
+  base.fit_options.hidden = {false, true};
+  two.base = std::make_shared<const Baseline>(std::move(base));
+  asked_.records.data.reconstructed = {false, true};
+  EXPECT_TRUE(speaks_of(said(two), "2 effects beside hidden states, and one channel"));
+  two.named[1].name = "stop";
+  EXPECT_TRUE(said(two).empty()) << "one process in two equations";
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/journey/smoothed_records.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/data/records/marks.hpp"
+#include "support/asked.hpp"
+
+namespace lacuna {
+namespace {
+
+using Kind = SmoothingFilter::Kind;
+
+/// The driven oscillator's record with its columns smoothed.
+support::Asked smoothed_by(const Smoothing& smoothing) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  for (Trajectory& record : data.trajectories) {
+    record.states = smoothed(smoothing.filter, record.states);
+    if (smoothing.of_inputs) record.inputs = smoothed(smoothing.filter, record.inputs);
+  }
+  return {.records = observed(data)};
+}
+
+TEST(SmoothedRecords, TheModelTellsWhatTheNoiseDoesNotShow) {
+  for (const Smoothing& made : {Smoothing{{Kind::CentredMean, 9}},
+                                {{Kind::CentredMean, 35}, true},
+                                {{Kind::PastMean, 9}},
+                                {{Kind::PastMean, 20}},
+                                {{Kind::Quadratic, 15}}}) {
+    const support::Asked asked = smoothed_by(made);
+    const auto found = smoothing_of(asked.problem());
+    ASSERT_TRUE(found.has_value()) << note_on(made);
+    EXPECT_EQ(note_on(*found), note_on(made));
+  }
+  EXPECT_FALSE(smoothing_of(support::asked(support::nothing).problem()).has_value());
+}
+
+TEST(SmoothedRecords, SamplesThatShareNoiseAndTheEndsAreMissing) {
+  const Smoothing smoothing{{Kind::CentredMean, 9}, true};
+  const support::Asked asked = smoothed_by(smoothing);
+  const BoundRecords sharp = sharpened(smoothing, asked.records);
+  const Trajectory& record = sharp.data.trajectories[0];
+  const Index memory = memory_of(smoothing.filter);
+  EXPECT_EQ(mark_of(record.marks, 3, 0), Mark::Missing);
+  EXPECT_EQ(mark_of(record.marks, 4, 0), Mark::Value);
+  EXPECT_EQ(mark_of(record.marks, 5, 0), Mark::Missing);
+  EXPECT_EQ(mark_of(record.marks, 4 + memory, 1), Mark::Value);
+  EXPECT_EQ(mark_of(record.marks, record.samples() - 4, 1), Mark::Missing);
+  EXPECT_EQ(mark_of(sharp.outliers[0], 5, 0), Mark::Missing);
+  const Dataset before = support::hidden_record(support::nothing, 0.01);
+  const auto error = [&](const Matrix& inputs) {
+    const Index n = inputs.rows() - 100;
+    return (inputs - before.trajectories[0].inputs).middleRows(50, n).norm();
+  };
+  EXPECT_LT(error(record.inputs), 0.1 * error(asked.records.data.trajectories[0].inputs));
+}
+
+TEST(SmoothedRecords, OfWhichTooLittleWouldBeLeftStayAsTheyAre) {
+  support::Asked asked = smoothed_by({{Kind::CentredMean, 9}});
+  const Index samples = asked.records.data.samples();
+  asked.options.decision.smoothing.least_left = static_cast<int>(samples);
+  EXPECT_FALSE(smoothing_of(asked.problem()).has_value());
+}
+
+TEST(SmoothedRecords, ThatAreNotWholeSayNothing) {
+  const Smoothing smoothing{{Kind::CentredMean, 9}};
+  support::Asked gaps = smoothed_by(smoothing);
+  gaps.records.channels[0].missing = 0.1;
+  EXPECT_FALSE(smoothing_of(gaps.problem()).has_value());
+  support::Asked uneven = smoothed_by(smoothing);
+  uneven.records.data.trajectories[0].time[50] += 0.3 * median_step(uneven.records.data);
+  EXPECT_FALSE(smoothing_of(uneven.problem()).has_value());
+  const Dataset same = sharpened(smoothing, uneven.records.data);
+  EXPECT_EQ(same.trajectories[0].states, uneven.records.data.trajectories[0].states);
+}
+
+}  // namespace
+}  // namespace lacuna

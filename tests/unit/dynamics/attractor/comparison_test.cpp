@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/attractor/comparison.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+
+namespace lacuna {
+namespace {
+
+/// An orbit of Lorenz's system with another start and another rho.
+Dataset lorenz(double start, double rho) {
+  const Variables variables{{"x", "y", "z"}, {}};
+  const auto term = [&](const char* text) { return Term::parse(text, variables); };
+  const OdeModel model({{"x", ""}, {"y", ""}, {"z", ""}}, {},
+                       {{{term("x"), -10.0}, {term("y"), 10.0}},
+                        {{term("x"), rho}, {term("y"), -1.0}, {term("x*z"), -1.0}},
+                        {{term("z"), -8.0 / 3.0}, {term("x*y"), 1.0}}});
+  Solution orbit =
+      simulate(model, Rk4{}, Eigen::Vector3d(start, 2.0, 20.0), sample_times(0.0, 0.01, 30000));
+  return {"s",
+          model.states(),
+          {},
+          {{"orbit", orbit.time, orbit.states, Matrix(30000, 0), Matrix()}},
+          {}};
+}
+
+std::vector<std::string> failures(const std::vector<AttractorMeasure>& measures) {
+  std::vector<std::string> names;
+  for (const AttractorMeasure& measure : measures)
+    if (measure.agree == false) names.push_back(measure.name);
+  return names;
+}
+
+TEST(Comparison, OrbitsOfOneAttractorAgree) {
+  const auto measures = compare_attractors(lorenz(1.0, 28.0), lorenz(-3.0, 28.0));
+  ASSERT_EQ(measures.size(), 6u);
+  EXPECT_THAT(failures(measures), ::testing::IsEmpty());
+  // Lyapunov exponent of Lorenz's system: 0.906 (Sprott 2003).
+  EXPECT_NEAR(measures[5].first, 0.906, 0.15);
+  EXPECT_GT(measures[5].first_half, 0.0);
+}
+
+TEST(Comparison, OrbitsOfAnotherOneDoNot) {
+  const auto names = failures(compare_attractors(lorenz(1.0, 28.0), lorenz(1.0, 35.0)));
+  EXPECT_THAT(names, ::testing::Contains("extent of z"));
+  EXPECT_THAT(names, ::testing::Contains("density"));
+}
+
+TEST(Comparison, WhatCannotBeToldIsNotJudged) {
+  Dataset a = lorenz(1.0, 28.0), b = a;
+  a.trajectories[0] = rows_of(a.trajectories[0], 0, 200);
+  b.trajectories[0] = rows_of(b.trajectories[0], 200, 200);
+  const auto measures = compare_attractors(a, b);
+  EXPECT_FALSE(measures[5].agree);
+  EXPECT_NE(measures[5].note, "");
+}
+
+}  // namespace
+}  // namespace lacuna

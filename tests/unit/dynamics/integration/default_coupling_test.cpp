@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+
+namespace lacuna {
+namespace {
+
+Dataset harmonic(double frequency, double h, Index n) {
+  Dataset record;
+  record.states = {{"x", ""}, {"y", ""}};
+  const Vector time = sample_times(0.0, h, n);
+  Matrix states(n, 2);
+  states.col(0) = (frequency * time.array()).sin();
+  states.col(1) = 1e-3 * (frequency * time.array()).cos() + 7.0;
+  record.trajectories = {{"", time, states, Matrix(n, 0), Matrix()}};
+  return record;
+}
+
+double strength(const Dataset& record) { return default_coupling(record)(0, 0); }
+
+TEST(DefaultCoupling, IsTheFrequencyOfAnOscillation) {
+  EXPECT_NEAR(strength(harmonic(3.0, 0.01, 5000)), 3.0, 0.03);
+  EXPECT_NEAR(strength(harmonic(3e4, 1e-6, 5000)), 3e4, 300.0);
+  EXPECT_NEAR(strength(harmonic(3.0, 0.15, 5000)), 3.0, 0.15);
+}
+
+TEST(DefaultCoupling, IsTheSameForAllStates) {
+  const Matrix coupling = default_coupling(harmonic(3.0, 0.01, 5000));
+  EXPECT_EQ(coupling, coupling(0, 0) * Matrix::Identity(2, 2));
+}
+
+TEST(DefaultCoupling, DoesNotGrowWithNoiseOrSampling) {
+  const Dataset dense = harmonic(3.0, 0.001, 50000);
+  EXPECT_NEAR(strength(add_relative_noise(dense, 0.05, 3)), 3.0, 0.15);
+}
+
+TEST(DefaultCoupling, ConstantRecordHasItsLengthOnly) {
+  Dataset record = harmonic(3.0, 0.1, 101);
+  record.trajectories[0].states.setConstant(1.0);
+  EXPECT_NEAR(strength(record), 0.1, 1e-12);
+}
+
+TEST(DefaultCoupling, IgnoresStatesThatDoNotMove) {
+  Dataset record = harmonic(3.0, 0.01, 5000);
+  record.trajectories[0].states.col(1).setZero();
+  EXPECT_NEAR(strength(record), 3.0, 0.03);
+}
+
+// The slave starts one deviation off and must have forgotten it.
+class StrongEnough : public testing::TestWithParam<const char*> {};
+
+TEST_P(StrongEnough, ToSynchronise) {
+  const TestSystem& system = test_system(GetParam());
+  const Dataset record =
+      record_of(system.model, Dopri8({.substeps = 2}), system.start, system.step, 4000);
+  const Matrix& states = record.trajectories[0].states;
+  const Vector start = 0.5 * (states.row(0) + states.colwise().mean()).transpose();
+  const SyncResult result = synchronise(system.model, record, Rk4{}, {{}, start});
+  EXPECT_TRUE(result.settled) << result.coupling(0, 0) << " " << result.relative;
+  EXPECT_LT(result.errors[0].tail(1000).maxCoeff(), 0.01 * states.rowwise().norm().maxCoeff());
+}
+
+INSTANTIATE_TEST_SUITE_P(Systems, StrongEnough,
+                         testing::Values("rossler", "lorenz", "tl072", "pendulum", "chua",
+                                         "duffing", "fitzhugh-nagumo", "memristor",
+                                         "rossler-adjusted", "van-der-pol"));
+
+// Two Lorenz systems, the second ten times slower, driven by the first.
+TEST(DefaultCoupling, IsStrongEnoughForSixStates) {
+  const Variables v{{"x", "y", "z", "p", "q", "r"}, {}};
+  const auto term = [&v](const std::string& text, double c) {
+    return WeightedTerm{Term::parse(text, v), c, {}, {}};
+  };
+  const OdeModel model({{"x", ""}, {"y", ""}, {"z", ""}, {"p", ""}, {"q", ""}, {"r", ""}}, {},
+                       {{term("x", -10), term("y", 10)},
+                        {term("x", 28), term("y", -1), term("x*z", -1)},
+                        {term("z", -8.0 / 3), term("x*y", 1)},
+                        {term("p", -1), term("q", 1)},
+                        {term("p", 2.8), term("q", -0.1), term("p*r", -0.1), term("x", 0.05)},
+                        {term("r", -8.0 / 30), term("p*q", 0.1)}});
+  const Vector x0{{-8.0, 8.0, 27.0, 8.0, -8.0, 27.0}};
+  const Dataset record = record_of(model, Dopri8{}, x0, 0.01, 6000);
+  const SyncResult result = synchronise(model, record, Rk4{}, {{}, Vector(x0.array() + 3.0)});
+  EXPECT_TRUE(result.settled);
+  EXPECT_LT(result.errors[0].tail(1000).maxCoeff(), 1e-3);
+}
+
+}  // namespace
+}  // namespace lacuna

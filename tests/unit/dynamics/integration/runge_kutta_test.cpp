@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+// A nonlinear, time-dependent problem with the solution x = (exp(sin t), cos t).
+constexpr auto problem = [](double t, const double* x, double* dxdt) {
+  dxdt[0] = x[0] * x[1] + 0.5 * (x[1] - std::cos(t)) * x[0];
+  dxdt[1] = -std::sin(t);
+};
+
+Vector exact(double t) { return Vector{{std::exp(std::sin(t)), std::cos(t)}}; }
+
+double error_at_end(Stepper& stepper, double length) {
+  Vector x = exact(0.0);
+  double t = 0.0;
+  EXPECT_EQ(stepper.advance(problem, t, length, x.data()), IntegrationStatus::Completed);
+  EXPECT_EQ(t, length);
+  return (x - exact(length)).norm();
+}
+
+double measured_order(const ButcherTableau& tableau, int steps, double length) {
+  const double coarse = error_at_end(*fixed_stepper(tableau, 2, steps), length);
+  const double fine = error_at_end(*fixed_stepper(tableau, 2, 2 * steps), length);
+  return std::log2(coarse / fine);
+}
+
+ButcherTableau embedded_of(ButcherTableau tableau) {
+  tableau.weights = tableau.embedded;
+  return tableau;
+}
+
+// Steps that are small enough for the leading error and far enough from rounding.
+TEST(RungeKutta, ErrorFallsWithTheOrder) {
+  const std::array<int, 7> steps{20, 80, 40, 40, 20, 10, 10};
+  for (int order = 2; order <= 8; ++order)
+    EXPECT_NEAR(
+        measured_order(method_of_order(order), steps[static_cast<std::size_t>(order - 2)], 2.0),
+        order, 0.05 * order);
+}
+
+TEST(RungeKutta, EmbeddedSolutionsHaveTheirOrder) {
+  EXPECT_NEAR(measured_order(embedded_of(dormand_prince_54()), 400, 4.0), 4.0, 0.25);
+  EXPECT_NEAR(measured_order(embedded_of(prince_dormand_87()), 14, 4.0), 7.0, 0.6);
+}
+
+TEST(RungeKutta, IntegratorsAreTheMethodsTheyAreNamedAfter) {
+  EXPECT_EQ(error_at_end(*Rk4({.substeps = 20}).make_stepper(2), 2.0),
+            error_at_end(*fixed_stepper(runge_kutta_4(), 2, 20), 2.0));
+  EXPECT_EQ(error_at_end(*Dopri8({.substeps = 7}).make_stepper(2), 2.0),
+            error_at_end(*fixed_stepper(prince_dormand_87(), 2, 7), 2.0));
+  EXPECT_EQ(error_at_end(*RungeKutta({.order = 3, .substeps = 9}).make_stepper(2), 2.0),
+            error_at_end(*fixed_stepper(kutta_3(), 2, 9), 2.0));
+  EXPECT_EQ(RungeKutta({.order = 7}).order(), 7);
+  EXPECT_EQ(Rk4().order(), runge_kutta_4().order);
+  EXPECT_EQ(Dopri5().order(), dormand_prince_54().order);
+  EXPECT_EQ(Dopri8().order(), prince_dormand_87().order);
+  EXPECT_EQ(Dopri87().order(), prince_dormand_87().order);
+}
+
+TEST(RungeKutta, AdaptiveErrorFollowsTheTolerance) {
+  double previous = 1.0;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const StepControl control{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+    const double error5 = error_at_end(*Dopri5({control}).make_stepper(2), 20.0);
+    const double error8 = error_at_end(*Dopri87({control}).make_stepper(2), 20.0);
+    EXPECT_LT(error5, 50.0 * tolerance);
+    EXPECT_LT(error8, 50.0 * tolerance);
+    EXPECT_LT(error5, 0.1 * previous);
+    previous = error5;
+  }
+}
+
+int evaluations(const Integrator& integrator, double length) {
+  int count = 0;
+  const auto rhs = [&count](double t, const double* x, double* dxdt) {
+    ++count;
+    problem(t, x, dxdt);
+  };
+  Vector x = exact(0.0);
+  double t = 0.0;
+  integrator.make_stepper(2)->advance(rhs, t, length, x.data());
+  return count;
+}
+
+TEST(RungeKutta, HigherOrderNeedsFewerEvaluationsForHighAccuracy) {
+  const StepControl control{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
+  EXPECT_LT(2 * evaluations(Dopri87({control}), 20.0), evaluations(Dopri5({control}), 20.0));
+}
+
+TEST(RungeKutta, LongestStepIsKept) {
+  const StepControl control{
+      .relative_tolerance = 1e-3, .absolute_tolerance = 1e-3, .max_step = 0.01};
+  EXPECT_GE(evaluations(Dopri5({control}), 1.0), 7 * 100);
+}
+
+TEST(RungeKutta, AdaptiveStepperGoesOnWithItsStep) {
+  const auto stepper = Dopri5({{.relative_tolerance = 1e-8}}).make_stepper(2);
+  Vector x = exact(0.0);
+  double t = 0.0;
+  for (int i = 1; i <= 400; ++i) stepper->advance(problem, t, 0.01 * i, x.data());
+  EXPECT_LT((x - exact(4.0)).norm(), 1e-7);
+}
+
+TEST(RungeKutta, StiffProblemEndsByTheNumberOfSteps) {
+  const auto stiff = [](double t, const double* x, double* dxdt) {
+    dxdt[0] = -1e9 * (x[0] - std::cos(t));
+  };
+  const auto stepper = Dopri5({{.max_steps = 2000}}).make_stepper(1);
+  double t = 0.0, x = 0.0;
+  EXPECT_EQ(stepper->advance(stiff, t, 10.0, &x), IntegrationStatus::StepTooSmall);
+  EXPECT_GT(t, 0.0);
+  EXPECT_LT(t, 10.0);
+  EXPECT_TRUE(std::isfinite(x));
+}
+
+/// Whatever the step, the state goes to and fro by about the jump times 1e-3 of an interval.
+TEST(RungeKutta, AdaptiveStepsGoAlongAJumpThatHoldsTheState) {
+  const auto falling = [](double, const double* x, double* dxdt) {
+    dxdt[0] = 0.3 - (x[0] > 0.0 ? 1.0 : -1.0);
+  };
+  for (const ButcherTableau* tableau : {&dormand_prince_54(), &prince_dormand_87()}) {
+    const auto stepper = adaptive_stepper(*tableau, 1, {});
+    double t = 0.0, x = 0.35;
+    for (int i = 1; i <= 40; ++i) {
+      ASSERT_EQ(stepper->advance(falling, t, 0.05 * i, &x), IntegrationStatus::Completed) << t;
+      EXPECT_NEAR(x, std::max(0.35 - 0.7 * t, 0.0), 1e-4) << t;
+    }
+  }
+}
+
+TEST(RungeKutta, StepsAlongAJumpAreAsLongAsAsked) {
+  const auto held = [](double, const double* x, double* dxdt) {
+    dxdt[0] = x[0] > 0.0 ? -0.7 : 1.0;
+  };
+  const auto farthest = [&](double along_jump) {
+    const auto stepper = adaptive_stepper(dormand_prince_54(), 1, {.along_jump = along_jump});
+    double t = 0.0, x = 0.0, most = 0.0;
+    for (int i = 1; i <= 20; ++i) {
+      EXPECT_EQ(stepper->advance(held, t, i, &x), IntegrationStatus::Completed);
+      most = std::max(most, std::abs(x));
+    }
+    return most;
+  };
+  EXPECT_LT(farthest(1e-3), 1e-3);
+  EXPECT_LT(farthest(3e-2), 3e-2);
+  EXPECT_GT(farthest(3e-2), 1e-3);
+}
+
+TEST(RungeKutta, AMassThatDryFrictionHoldsRestsUntilTheForceIsLargeEnough) {
+  // Held while |0.8 sin(t)| < 0.5 after it has come to rest; 2e-6 is 1e-3 of an interval's
+  // motion.
+  const auto mass = [](double t, const double* x, double* dxdt) {
+    const double sign = x[1] > 0.0 ? 1.0 : x[1] < 0.0 ? -1.0 : 0.0;
+    dxdt[0] = x[1];
+    dxdt[1] = 0.8 * std::sin(t) - 0.5 * sign;
+  };
+  const auto stepper = Dopri5().make_stepper(2);
+  Vector x{{0.0, 0.02}};
+  double t = 0.0, rest = 0.0;
+  const double slips = std::asin(0.5 / 0.8);
+  for (int i = 1; i <= 100; ++i) {
+    ASSERT_EQ(stepper->advance(mass, t, 0.02 * i, x.data()), IntegrationStatus::Completed) << t;
+    if (t < 0.1) continue;
+    if (rest == 0.0) rest = x[0];
+    if (t > slips) continue;
+    EXPECT_NEAR(x[0], rest, 1e-5) << t;
+  }
+  EXPECT_GT(x[0], rest + 0.05);
+  const auto speed = [&](double end) {
+    return 0.8 * (std::cos(slips) - std::cos(end)) - 0.5 * (end - slips);
+  };
+  EXPECT_NEAR(x[1], speed(2.0), 1e-3);
+}
+
+TEST(RungeKutta, AdaptiveNeedsAnEmbeddedSolution) {
+  EXPECT_THROW(adaptive_stepper(runge_kutta_4(), 1, {}), ArgumentError);
+}
+
+TEST(RungeKutta, OptionsOutOfRangeAreRefused) {
+  EXPECT_THROW(Rk4({.substeps = 0}), ConfigError);
+  EXPECT_THROW(RungeKutta({.order = 9}), ConfigError);
+  EXPECT_THROW(Dopri8({.substeps = -1}), ConfigError);
+  EXPECT_THROW(Dopri5({{.relative_tolerance = 0.0}}), ConfigError);
+  EXPECT_THROW(Dopri87({{.max_step = -1.0}}), ConfigError);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "identify/forms_beside/base_columns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "identify/forms_beside/form_rows.hpp"
+#include "lacuna/core/base/random.hpp"
+
+namespace lacuna {
+namespace {
+
+Matrix noise(Index rows, Index columns, std::uint64_t seed) {
+  Random random(seed);
+  Matrix values(rows, columns);
+  for (double& value : values.reshaped()) value = random.normal();
+  return values;
+}
+
+Matrix joined(const Matrix& columns, const Vector& column) {
+  Matrix all(columns.rows(), columns.cols() + 1);
+  all << columns, column;
+  return all;
+}
+
+TEST(BaseColumns, OneColumnMoreLeavesWhatLeastSquaresLeaves) {
+  const Matrix columns = noise(40, 5, 1);
+  const Vector target = noise(40, 1, 2), more = noise(40, 1, 3);
+  const BaseColumns base(columns, target);
+  EXPECT_NEAR(base.left(), squares_left(columns, target), 1e-12);
+  EXPECT_NEAR(base.left_with(more), squares_left(joined(columns, more), target), 1e-12);
+  EXPECT_NEAR(base.left_with(columns.col(2)), base.left(), 1e-12);
+  EXPECT_NEAR(BaseColumns(Matrix(40, 0), target).left_with(more), squares_left(more, target),
+              1e-12);
+}
+
+TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {
+  const Matrix columns = noise(40, 5, 4);
+  const Vector target = noise(40, 1, 5), more = noise(40, 1, 6);
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < 5; ++i)
+    for (Index j = 0; j < i; ++j) {
+      std::vector<Index> kept;
+      for (Index c = 0; c < 5; ++c)
+        if (c != i && c != j) kept.push_back(c);
+      const Matrix few = columns(Eigen::all, kept);
+      least = std::min(least, squares_left(joined(few, more), target));
+    }
+  EXPECT_NEAR(BaseColumns(columns, target).left_without_two(more), least, 1e-10);
+}
+
+TEST(BaseColumns, DependentColumnsCountOnceAndWhatIsNotFiniteIsNoColumn) {
+  const Matrix columns = noise(40, 3, 7);
+  const Vector target = noise(40, 1, 8);
+  Vector more = noise(40, 1, 9);
+  const BaseColumns base(joined(columns, columns.col(0)), target);
+  EXPECT_NEAR(base.left_with(more), squares_left(joined(columns, more), target), 1e-12);
+  more[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isinf(base.left_with(more)));
+}
+
+}  // namespace
+}  // namespace lacuna

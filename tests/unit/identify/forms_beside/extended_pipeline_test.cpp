@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "identify/forms_beside/extended_pipeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/identify/forms_beside/function_forms.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+
+namespace lacuna {
+namespace {
+
+/// What x gives to y saturates: dx/dt = 1 - 3 x y / (1 + y^2/0.25), dy/dt = the same flux less
+/// 0.7 y.
+class ExtendedPipelines : public testing::Test {
+ protected:
+  static OdeModel truth() {
+    const Variables variables{{"x", "y"}, {}};
+    const Term flux = Term::parse("x*y/(1+y^2/0.25)", variables);
+    return OdeModel({{"x", ""}, {"y", ""}}, {},
+                    {{{Term::parse("1", variables), 1.0}, {flux, -3.0}},
+                     {{flux, 3.0}, {Term::parse("y", variables), -0.7}}});
+  }
+
+  /// The saturating form with a number for its shape.
+  MissingForm form(Index equation, double shape) const {
+    const auto& all = candidates_[static_cast<std::size_t>(equation)];
+    const auto found = std::find_if(all.begin(), all.end(), [](const Candidate& one) {
+      return one.form.to_string() == "x*y/(1+y^2/a^2)";
+    });
+    return {*found, Vector::Constant(1, shape)};
+  }
+
+  std::vector<Term> terms(const std::vector<std::string>& names) const {
+    std::vector<Term> result;
+    for (const std::string& name : names)
+      result.push_back(Term::parse(name, alone_.model.variables()));
+    return result;
+  }
+
+  const Dataset data_ = add_relative_noise(
+      record_of(truth(), Dopri87{}, Eigen::Vector2d(1.5, 0.3), 0.02, 600), 0.0, 1);
+  const RecordStream records_{data_};
+  const Pipeline plain_ = algorithm1();
+  const FormOptions options_{};
+  const RunContext context_{};
+  const IdentificationResult alone_ = identify(records_, plain_, context_);
+  const ExtendedPipeline pipeline_{records_, plain_, options_, alone_, context_};
+  const Scope scope_ = make_scope(alone_.model, data_, alone_.noise);
+  const std::vector<std::vector<Candidate>> candidates_{function_forms(scope_, {}, 0),
+                                                        function_forms(scope_, {}, 1)};
+};
+
+TEST_F(ExtendedPipelines, EquationsAreOfferedTheFormsOfAllOthersOnce) {
+  const IdentificationResult found =
+      pipeline_.identified({{0, pipeline_.library().terms, {form(0, 0.5)}},
+                            {1, pipeline_.library().terms, {form(1, 0.50001)}}});
+  const std::vector<EquationForms> kept =
+      kept_in(found, {{0, {}, {form(0, 0.5)}}, {1, {}, {form(1, 0.50001)}}});
+  for (const EquationForms& equation : kept) {
+    ASSERT_EQ(equation.forms.size(), 1u) << equation.equation;
+    EXPECT_EQ(equation.forms[0].shapes[0], 0.5);
+    EXPECT_EQ(equation.terms.size(), 1u);
+  }
+}
+
+TEST_F(ExtendedPipelines, ShapesAreThoseThatTrajectoriesAskFor) {
+  const Extension found = pipeline_.settled(
+      {{0, terms({"1"}), {form(0, 0.52)}}, {1, terms({"y"}), {form(1, 0.49)}}}, candidates_);
+  for (const EquationForms& equation : found.equations) {
+    ASSERT_EQ(equation.forms.size(), 1u);
+    EXPECT_NEAR(equation.forms[0].shapes[0], 0.5, 1e-6);
+  }
+  EXPECT_EQ(found.numbers(), 6u);
+}
+
+TEST_F(ExtendedPipelines, WhereTermsWereMissingShapesAreFittedAgainBesideThem) {
+  const Extension found = pipeline_.settled(
+      {{0, terms({"1"}), {form(0, 0.52)}}, {1, {}, {form(1, 0.6)}}}, candidates_);
+  ASSERT_EQ(found.equations[1].terms.size(), 1u);
+  EXPECT_EQ(found.equations[1].terms[0].name(), "y");
+  for (const EquationForms& equation : found.equations) {
+    ASSERT_EQ(equation.forms.size(), 1u);
+    EXPECT_NEAR(equation.forms[0].shapes[0], 0.5, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace lacuna

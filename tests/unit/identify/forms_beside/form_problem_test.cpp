@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "identify/forms_beside/form_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+/// x with dx/dt = -x, exactly.
+Dataset decay() {
+  Dataset data;
+  data.states = {{"x", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(801, 0.0, 4.0);
+  record.states = (-record.time.array()).exp().matrix();
+  record.inputs.resize(801, 0);
+  data.trajectories = {record};
+  return data;
+}
+
+Candidate form_of_x(const std::string& form) {
+  const Expression x = Expression::variable("x");
+  Candidate candidate;
+  candidate.form = parse_expression(form);
+  candidate.argument = x;
+  candidate.starts = {Vector()};
+  return candidate;
+}
+
+TEST(FormProblem, LinearTermsAreTheConstantAndTheVariables) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const std::vector<Term> terms = problem.linear_terms();
+  ASSERT_EQ(terms.size(), 2u);
+  EXPECT_EQ(terms[0].name(), "1");
+  EXPECT_EQ(terms[1].name(), "x");
+  EXPECT_LT(problem.left({0, terms, {}}), problem.noise_left(0) * 1e6);
+}
+
+TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
+  const FormProblem clean(decay(), Vector::Zero(1), {});
+  EXPECT_NEAR(clean.same_as(1.0, clean.noise_left(0)), 1.21, 1e-12);
+  const FormProblem noisy(decay(), Vector::Constant(1, 0.1), {});
+  const double noise = noisy.noise_left(0);
+  const auto rows = static_cast<double>(noisy.rows());
+  EXPECT_NEAR(noise, 0.01 * rows, 1e-6 * noise);
+  EXPECT_NEAR(noisy.same_as(noise, noise), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
+}
+
+TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const double left = problem.left(constant);
+  const auto rows = static_cast<double>(problem.rows());
+  const Limit unknown = problem.limit_of(constant);
+  EXPECT_NEAR(unknown.left, 1.21 * left, 1e-9 * left);
+  EXPECT_EQ(unknown.price, 0.0);
+  const Limit noise = problem.limit_of(constant, Remainder::Noise);
+  EXPECT_NEAR(noise.left, left * (1.0 + 2.0 * std::log(rows) / rows), 1e-9 * left);
+  EXPECT_NEAR(noise.price, std::log(rows) / rows * left, 1e-9 * left);
+}
+
+TEST(FormProblem, ColumnsThatAreKeptAreThoseOfTheTerms) {
+  const std::vector<Term> terms = FormProblem(decay(), Vector::Zero(1)).linear_terms();
+  const EquationForms equation{0, terms, {{form_of_x("sin(x)"), Vector()}}};
+  EXPECT_EQ(FormProblem(decay(), Vector::Zero(1), {}, {}, terms).columns(equation),
+            FormProblem(decay(), Vector::Zero(1)).columns(equation));
+}
+
+TEST(FormProblem, RatesStartsBesideEachEquation) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const EquationForms linear{0, problem.linear_terms(), {}};
+  const std::vector<Start> starts = all_starts({form_of_x("exp(x)"), form_of_x("sin(x)")});
+  const Matrix left = problem.rated({{constant}, {linear}}, starts);
+  for (Index i = 0; i < left.rows(); ++i) {
+    EquationForms with = constant;
+    with.forms.push_back(starts[static_cast<std::size_t>(i)].form);
+    EXPECT_NEAR(left(i, 0), problem.left(with), 1e-9 * left(i, 0));
+    EXPECT_LE(left(i, 1), left(i, 0));
+  }
+}
+
+TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms all{0, problem.linear_terms(), {}};
+  const double limit = 1e6 * problem.noise_left(0);
+  const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, {limit, 0.0, 2});
+  EXPECT_LE(thin.left, limit);
+  ASSERT_EQ(thin.equation.terms.size(), 1u);
+  EXPECT_EQ(thin.equation.terms[0].name(), "x");
+  EXPECT_EQ(thin.equation.forms.size(), 1u);
+}
+
+TEST(FormProblem, ChoosesTheTermsThatAFormNeeds) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms all{0, {problem.linear_terms()[0]}, {}};
+  const double limit = 1e6 * problem.noise_left(0);
+  const Trial few = problem.chosen(all, {form_of_x("2*x"), Vector()}, {limit, 0.0, 2});
+  EXPECT_TRUE(few.equation.terms.empty());
+  EXPECT_LE(few.left, limit);
+}
+
+TEST(Limit, ANumberLessMayCostItsPrice) {
+  const Limit limit{10.0, 2.0, 5};
+  EquationForms equation;
+  equation.forms.push_back({form_of_x("sin(x)"), Vector::Ones(2)});
+  EXPECT_DOUBLE_EQ(limit(equation), 14.0);
+  EXPECT_TRUE(Limit::prefers({{}, 9.0}, {equation, 1.0}));
+  EXPECT_FALSE(Limit::prefers({equation, 2.0}, {equation, 1.0}));
+}
+
+TEST(FormProblem, TriesEachCandidateAndPutsTheBestFirst) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const std::vector<Trial> trials =
+      problem.with_each(constant, {form_of_x("exp(x)"), form_of_x("sin(x)")});
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_EQ(trials[0].equation.forms[0].expression().to_string(), "sin(x)");
+  EXPECT_LT(trials[0].left, trials[1].left);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "identify/forms_beside/form_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+#include "lacuna/core/base/random.hpp"
+
+namespace lacuna {
+namespace {
+
+/// x = 2 cos t, y = -2 sin t: dx/dt = y, dy/dt = -x.
+Dataset circle(Index n, double noise) {
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(n, 0.0, 20.0);
+  record.states.resize(n, 2);
+  record.inputs.resize(n, 0);
+  Random random(1);
+  for (Index i = 0; i < n; ++i) {
+    record.states(i, 0) = 2.0 * std::cos(record.time[i]) + noise * random.normal();
+    record.states(i, 1) = -2.0 * std::sin(record.time[i]) + noise * random.normal();
+  }
+  data.trajectories = {record};
+  return data;
+}
+
+TEST(FormRows, HoldWhereTheEquationDoes) {
+  const FormRows rows(circle(2001, 0.0), Vector::Zero(2));
+  const Matrix columns =
+      rows.columns({parse_expression("x"), parse_expression("y"), parse_expression("x*y")});
+  ASSERT_EQ(columns.rows(), rows.rows());
+  EXPECT_GT(rows.rows(), 200);
+  EXPECT_LT((columns.col(1) - rows.target(0)).norm(), 1e-6 * rows.target(0).norm());
+  EXPECT_LT((columns.col(0) + rows.target(1)).norm(), 1e-6 * rows.target(1).norm());
+}
+
+TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
+  const double sigma = 0.01;
+  const FormRows rows(circle(4001, sigma), Vector::Constant(2, sigma));
+  const Vector residual = rows.target(0) - rows.columns({parse_expression("y")}).col(0);
+  const double rms = std::sqrt(residual.squaredNorm() / static_cast<double>(rows.rows()));
+  EXPECT_NEAR(rms, sigma, 0.15 * sigma);
+}
+
+TEST(FormRows, GiveTheValuesAtTheSamples) {
+  const FormRows rows(circle(101, 0.0), Vector::Zero(2));
+  const Matrix values = rows.values({parse_expression("x^2+y^2")});
+  ASSERT_EQ(values.rows(), 101);
+  EXPECT_NEAR(values(17, 0), 4.0, 1e-12);
+}
+
+TEST(SquaresLeft, AreThoseOfLeastSquares) {
+  Matrix columns(5, 2);
+  columns << 1, 2, 0, 1, 3, 1, 1, 1, 2, 0;
+  Vector target(5);
+  target << 1, 0, 2, -1, 3;
+  const Vector h = (columns.transpose() * columns).inverse() * columns.transpose() * target;
+  EXPECT_NEAR(squares_left(columns, target), (target - columns * h).squaredNorm(), 1e-12);
+  EXPECT_NEAR(squares_left(Matrix(5, 0), target), target.squaredNorm(), 1e-12);
+  Matrix twice(5, 3);
+  twice << columns, columns.col(0);
+  EXPECT_NEAR(squares_left(twice, target), squares_left(columns, target), 1e-12);
+  columns(2, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isinf(squares_left(columns, target)));
+}
+
+}  // namespace
+}  // namespace lacuna

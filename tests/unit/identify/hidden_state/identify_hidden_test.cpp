@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/hidden_state/identify_hidden.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Two of three states of a flow, with 1 % noise.
+Dataset measured(const OdeModel& model, const Vector& start, double step,
+                 const std::vector<Index>& kept, std::uint64_t seed) {
+  constexpr Index kSamples = 501;
+  Random random(seed);
+  const Solution orbit =
+      simulate(model, Dopri8{}, start, Vector::LinSpaced(kSamples, 0.0, step * (kSamples - 1)));
+  Dataset data;
+  Trajectory& record = data.trajectories.emplace_back();
+  record.time = orbit.time;
+  record.states = orbit.states(Eigen::all, kept);
+  record.inputs.resize(kSamples, 0);
+  for (Index k = 0; k < record.states.cols(); ++k) {
+    data.states.push_back(model.states()[static_cast<std::size_t>(kept[std::size_t(k)])]);
+    const Vector x = record.states.col(k);
+    const double deviation = std::sqrt((x.array() - x.mean()).square().mean());
+    for (Index i = 0; i < kSamples; ++i)
+      record.states(i, k) += 0.01 * deviation * random.normal();
+  }
+  return data;
+}
+
+std::set<std::string> terms(const OdeModel& model, std::size_t equation) {
+  std::set<std::string> names;
+  for (const WeightedTerm& summand : model.equations()[equation])
+    names.insert(summand.term.name());
+  return names;
+}
+
+using Names = std::set<std::string>;
+
+HiddenIdentification identified(const Dataset& data) {
+  Pipeline pipeline = algorithm1();
+  pipeline.basis = Monomials{{.max_degree = 2}};
+  return identify_hidden(data, pipeline, FiniteDifferences{}, "h");
+}
+
+TEST(IdentifyHidden, FindsLorenzFromTwoChannels) {
+  const OdeModel lorenz = test_system("lorenz").model;
+  const Vector start = Vector{{-8.0, -7.0, 27.0}};
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const auto [result, data, rate] = identified(measured(lorenz, start, 0.02, {0, 2}, seed));
+    EXPECT_EQ(rate, "x");
+    EXPECT_EQ(terms(result.model, 0), (Names{"h", "x"}));
+    EXPECT_EQ(terms(result.model, 1), (Names{"z", "x*h"}));
+    EXPECT_EQ(terms(result.model, 2), (Names{"h", "x", "x*z"}));
+    EXPECT_EQ(result.model.coefficient(0, "h"), 1.0);  // by which the scale of h is fixed
+    EXPECT_NEAR(result.model.coefficient(2, "x"), 280.0, 3.0);
+    EXPECT_TRUE(result.fit[0].fits_to_noise.value_or(false));
+    EXPECT_EQ(data.states.back().name, "h");
+    EXPECT_FALSE(data.is_measured(2));
+  }
+}
+
+TEST(IdentifyHidden, FindsRosslerFromTwoChannels) {
+  const OdeModel rossler = test_system("rossler").model;
+  const Vector start = Vector{{-3.0, -4.0, 0.05}};
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const auto result = identified(measured(rossler, start, 0.1, {0, 1}, seed)).result;
+    EXPECT_EQ(terms(result.model, 0), (Names{"h", "y"}));
+    EXPECT_EQ(terms(result.model, 1), (Names{"x", "y"}));
+    EXPECT_EQ(terms(result.model, 2), (Names{"1", "h", "x*h"}));
+  }
+}
+
+TEST(IdentifyHidden, ANameThatIsTakenIsAnError) {
+  Dataset data =
+      measured(test_system("lorenz").model, Vector{{-8.0, -7.0, 27.0}}, 0.02, {0, 2}, 1);
+  data.states[1].name = "h";
+  EXPECT_THROW(identified(data), ConfigError);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/pipeline/pipeline.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "lacuna/bases/expressions.hpp"
+#include "lacuna/bases/monomials.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/regression/filters/none.hpp"
+#include "lacuna/regression/formulations/strong_form.hpp"
+#include "lacuna/regression/pruners/keep_all.hpp"
+#include "lacuna/solvers/ols.hpp"
+#include "lacuna/solvers/stlsq.hpp"
+#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "unit/identify/pipeline/records.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_same_model;
+using testing::random_points;
+using testing::rossler_record;
+using testing::without_derivatives;
+
+/// Plain least squares over linear terms.
+Pipeline linear_fit() {
+  return {.basis = Monomials{{.max_degree = 1}},
+          .formulation = StrongForm{{.differentiator = FiniteDifferences{}}},
+          .filter = NoFilter{},
+          .regressor = Ols{},
+          .pruner = KeepAll{},
+          .refiner = NoRefiner{}};
+}
+
+/// dx/dt = -x + noise of the given standard deviation, known derivatives.
+Dataset noisy_decay(Index samples, double noise, std::uint64_t seed) {
+  Random random(seed);
+  Dataset data;
+  data.states = {{"x", "V"}};
+  Trajectory record;
+  record.source = "decay";
+  record.time = Vector::LinSpaced(samples, 0.0, 1.0);
+  record.states.resize(samples, 1);
+  record.inputs.resize(samples, 0);
+  for (Index i = 0; i < samples; ++i) record.states(i, 0) = random.uniform(-1.0, 1.0);
+  record.derivatives = -record.states;
+  for (Index i = 0; i < samples; ++i) record.derivatives(i, 0) += noise * random.normal();
+  data.trajectories.push_back(record);
+  return data;
+}
+
+Stlsq thresholding(double threshold) {
+  StlsqOptions options;
+  options.threshold = threshold;
+  return Stlsq(options);
+}
+
+TEST(Identify, FindsRosslerFromExactDerivativesToTheLastDigits) {
+  const Dataset data = rossler_record(10000);
+  const IdentificationResult result = identify(data, algorithm1());
+  expect_same_model(result.model, test_system("rossler").model, 1e-10);
+}
+
+TEST(Identify, FindsLorenzFromNineteenRandomPoints) {
+  const OdeModel& lorenz = test_system("lorenz").model;
+  Pipeline pipeline = algorithm1();
+  pipeline.basis = Monomials{{.max_degree = 2}};
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Dataset data = random_points(lorenz, 19, 20.0, seed);
+    expect_same_model(identify(data, pipeline).model, lorenz, 1e-9);
+  }
+}
+
+TEST(Identify, TrailTellsTheFateOfEveryCandidateOnce) {
+  const IdentificationResult result = identify(rossler_record(2000), algorithm1());
+  ASSERT_EQ(result.trail.size(), 3u * 20u);
+  std::map<std::string, int> kept;
+  for (const TrailEntry& entry : result.trail) {
+    kept[entry.equation] += entry.kept ? 1 : 0;
+    EXPECT_EQ(entry.kept, entry.stage.empty()) << entry.term;
+    EXPECT_FALSE(entry.quantity.empty()) << entry.term;
+    EXPECT_GE(entry.step, entry.kept ? 0 : 1) << entry.term;
+  }
+  EXPECT_EQ(kept["x"], 2);
+  EXPECT_EQ(kept["y"], 2);
+  EXPECT_EQ(kept["z"], 3);
+}
+
+TEST(Identify, TrailNamesTheRegressorThatDropsTerms) {
+  Pipeline pipeline = linear_fit();
+  pipeline.regressor = thresholding(0.5);
+  const IdentificationResult result = identify(noisy_decay(200, 0.01, 1), pipeline);
+  ASSERT_EQ(result.trail.size(), 2u);
+  EXPECT_EQ(result.trail[0].stage, "regressor stlsq");
+  EXPECT_EQ(result.trail[0].threshold, 0.5);
+  EXPECT_TRUE(result.trail[1].kept);
+}
+
+TEST(Identify, TakesKnownIdentitiesOver) {
+  Dataset data = random_points(test_system("lorenz").model, 50, 5.0, 1);
+  data.rate_of = {1, std::nullopt, std::nullopt};
+  const IdentificationResult result = identify(data, linear_fit());
+  ASSERT_EQ(result.model.equations()[0].size(), 1u);
+  EXPECT_EQ(result.model.coefficient(0, "y"), 1.0);
+  EXPECT_TRUE(result.fit[0].identity);
+  EXPECT_EQ(result.trail[0].quantity, "known identity");
+}
+
+TEST(Identify, IntervalsHoldTheTruthNineteenTimesInTwenty) {
+  int inside = 0;
+  constexpr int kDraws = 400;
+  for (int draw = 1; draw <= kDraws; ++draw) {
+    const auto seed = static_cast<std::uint64_t>(draw);
+    const IdentificationResult result = identify(noisy_decay(12, 0.3, seed), linear_fit());
+    for (const WeightedTerm& term : result.model.equations()[0])
+      if (term.term.name() == "x")
+        inside += (*term.ci95)[0] <= -1.0 && -1.0 <= (*term.ci95)[1] ? 1 : 0;
+  }
+  EXPECT_NEAR(inside, 0.95 * kDraws, 20);
+}
+
+TEST(Identify, GivesNoErrorsWhereNoRowsAreLeftForThem) {
+  Pipeline pipeline = linear_fit();
+  const IdentificationResult result = identify(noisy_decay(2, 0.1, 3), pipeline);
+  for (const WeightedTerm& term : result.model.equations()[0]) {
+    EXPECT_FALSE(term.standard_error);
+    EXPECT_FALSE(term.ci95);
+  }
+}
+
+TEST(Identify, WarnsOfCoefficientsThatTheDataDoNotDetermine) {
+  Pipeline pipeline = linear_fit();
+  pipeline.basis = Expressions{{.terms = {"x", "2*x+0*x"}}};
+  const IdentificationResult result = identify(noisy_decay(100, 0.1, 1), pipeline);
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings[0].find("do not determine"), std::string::npos);
+}
+
+TEST(Identify, WarnsOfAnEquationWithoutTerms) {
+  Pipeline pipeline = linear_fit();
+  pipeline.regressor = thresholding(5.0);
+  const IdentificationResult result = identify(noisy_decay(200, 0.01, 1), pipeline);
+  EXPECT_TRUE(result.model.equations()[0].empty());
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings[0].find("no term was found"), std::string::npos);
+}
+
+TEST(Identify, HoldsResidualsAgainstTheMeasurementNoise) {
+  const Dataset noisy = add_relative_noise(rossler_record(4000), 0.01, 5);
+  Pipeline pipeline = algorithm1();
+  const IdentificationResult good = identify(noisy, pipeline);
+  pipeline.basis = Monomials{{.max_degree = 1}};
+  const IdentificationResult bad = identify(noisy, pipeline);
+  ASSERT_TRUE(good.fit[2].fits_to_noise.has_value());
+  EXPECT_TRUE(*good.fit[2].fits_to_noise);
+  ASSERT_TRUE(bad.fit[2].noise_floor.has_value());
+  EXPECT_GT(bad.fit[2].residual_rms, good.fit[2].residual_rms);
+}
+
+TEST(Identify, ResidualsAreThoseOfTheRefinedModel) {
+  const Dataset noisy = without_derivatives(add_relative_noise(rossler_record(4000), 0.01, 5));
+  Pipeline pipeline = algorithm1();
+  const IdentificationResult refined = identify(noisy, pipeline);
+  ASSERT_TRUE(refined.fit[0].misfit.has_value());
+  expect_same_model(refined.model, test_system("rossler").model, 0.02);
+  pipeline.refiner = NoRefiner{};
+  const IdentificationResult plain = identify(noisy, pipeline);
+  EXPECT_FALSE(plain.fit[0].misfit.has_value());
+  EXPECT_NEAR(refined.fit[0].residual_rms, plain.fit[0].residual_rms,
+              0.1 * plain.fit[0].residual_rms);
+  EXPECT_NE(refined.fit[0].residual_rms, plain.fit[0].residual_rms);
+  EXPECT_EQ(*refined.fit[0].noise_floor, *plain.fit[0].noise_floor);
+}
+
+TEST(Identify, WarnsOfAPoorFitWhereTheNoiseIsNotKnown) {
+  const Dataset data = random_points(test_system("lorenz").model, 60, 5.0, 1);
+  const IdentificationResult result = identify(data, linear_fit());
+  EXPECT_FALSE(result.fit[1].fits_to_noise.has_value());
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings[0].find("unexplained"), std::string::npos);
+}
+
+TEST(Identify, DoesNotDependOnThreads) {
+  RunContext two;
+  two.threads = 2;
+  const Dataset data = add_relative_noise(rossler_record(3000), 0.001, 1);
+  const IdentificationResult a = identify(data, algorithm1());
+  const IdentificationResult b = identify(data, algorithm1(), two);
+  EXPECT_EQ(to_text(a.model), to_text(b.model));
+}
+
+TEST(Identify, TellsHowFarItIsAndStopsWhenAsked) {
+  std::stop_source source;
+  RunContext context;
+  context.stop = source.get_token();
+  int reports = 0;
+  context.progress = [&](const Progress& progress) {
+    EXPECT_GE(progress.fraction, 0.0);
+    EXPECT_LE(progress.fraction, 1.0);
+    if (++reports == 3) source.request_stop();
+  };
+  EXPECT_THROW(identify(rossler_record(500), algorithm1(), context), Cancelled);
+  EXPECT_EQ(reports, 3);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "identify/validation/judgement.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+PredictionError error_of(double error, double noise, bool seen, double motion,
+                         double freedom = 400.0) {
+  return {"x", error, noise, seen, motion, freedom, 0.0};
+}
+
+Validation judged(const PredictionError& one_step, const PredictionError& windows) {
+  Validation validation{.samples = 500, .refitted = true};
+  validation.one_step = {0.01, 200, 0, {one_step}};
+  validation.windows = {1.0, 20, 0, {windows}};
+  judge({}, validation);
+  return validation;
+}
+
+TEST(Judgement, NoiseInBothTestsFits) {
+  const Validation validation =
+      judged(error_of(0.011, 0.01, true, 0.02), error_of(0.0105, 0.01, true, 1.0));
+  EXPECT_EQ(validation.verdict, ValidationVerdict::FitsToNoise);
+  EXPECT_THAT(validation.sentence, HasSubstr("1.05 times the noise of x"));
+}
+
+TEST(Judgement, AnErrorAboveTheNoiseIsAnApproximationOrNone) {
+  EXPECT_EQ(judged(error_of(0.01, 0.01, true, 0.02), error_of(0.03, 0.01, true, 1.0)).verdict,
+            ValidationVerdict::Approximation);
+  EXPECT_EQ(judged(error_of(0.01, 0.01, true, 0.02), error_of(0.3, 0.01, true, 1.0)).verdict,
+            ValidationVerdict::WrongLibrary);
+  EXPECT_EQ(judged(error_of(0.002, 1e-4, true, 0.01), error_of(1e-4, 1e-4, true, 1.0)).verdict,
+            ValidationVerdict::Approximation);
+}
+
+TEST(Judgement, ChanceIsAllowedForFewSamples) {
+  const PredictionError fine = error_of(0.01, 0.01, true, 1.0);
+  EXPECT_EQ(judged(fine, error_of(0.015, 0.01, true, 1.0, 35.0)).verdict,
+            ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(judged(fine, error_of(0.015, 0.01, true, 1.0, 3000.0)).verdict,
+            ValidationVerdict::Approximation);
+}
+
+TEST(Judgement, NeighboursInCommonAreStructureHoweverSmall) {
+  const PredictionError fine = error_of(0.01, 0.01, true, 1.0);
+  PredictionError above = error_of(0.0115, 0.01, true, 1.0);
+  EXPECT_EQ(judged(fine, above).verdict, ValidationVerdict::FitsToNoise);
+  above.correlation = 0.25;  // five standard deviations of 400 values
+  EXPECT_EQ(judged(fine, above).verdict, ValidationVerdict::Approximation);
+  above.error = 0.0101;
+  EXPECT_EQ(judged(fine, above).verdict, ValidationVerdict::FitsToNoise);
+}
+
+TEST(Judgement, WithoutNoiseTheResolutionDecides) {
+  const PredictionError fine = error_of(1e-9, 1e-10, false, 0.01);
+  EXPECT_EQ(judged(fine, error_of(1e-5, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(judged(fine, error_of(1e-3, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::Approximation);
+}
+
+TEST(Judgement, TheOptionsAreWhatDecides) {
+  const auto with = [](const ValidationOptions& options, double error, double correlation) {
+    Validation validation{.samples = 500, .refitted = true};
+    validation.windows = {1.0, 20, 0, {error_of(error, 0.01, true, 1.0)}};
+    validation.windows.states[0].correlation = correlation;
+    judge(options, validation);
+    return validation.verdict;
+  };
+  EXPECT_EQ(with({}, 0.013, 0.0), ValidationVerdict::Approximation);
+  EXPECT_EQ(with({.noise_slack = 0.2}, 0.013, 0.0), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({.scatter = 6.0}, 0.013, 0.0), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({}, 0.0112, 0.25), ValidationVerdict::Approximation);
+  EXPECT_EQ(with({.structure = 4.0}, 0.0112, 0.25), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({.resolution = 0.02}, 0.013, 0.0), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(with({.wrong_share = 0.005}, 0.013, 0.0), ValidationVerdict::WrongLibrary);
+}
+
+TEST(Judgement, WithoutNoiseErrorsThatDoNotAddUpAreNotOfTheModel) {
+  const PredictionError digits = error_of(1e-5, 1e-10, false, 0.01);  // 1e-3 of a step
+  EXPECT_EQ(judged(digits, error_of(1e-5, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(judged(digits, error_of(1e-3, 1e-10, false, 1.0)).verdict,
+            ValidationVerdict::Approximation);
+  Validation steps_only{.samples = 500, .refitted = true};
+  steps_only.one_step = {0.01, 200, 0, {digits}};
+  judge({}, steps_only);
+  EXPECT_EQ(steps_only.verdict, ValidationVerdict::Approximation);
+}
+
+TEST(Judgement, NoiseThatIsNotKnownCannotBeHeldAgainstAModel) {
+  const PredictionError fine = error_of(1e-9, 1e-10, false, 0.01);
+  const Validation validation = judged(fine, error_of(0.02, 0.03, false, 1.0));
+  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell);
+  EXPECT_THAT(validation.sentence, HasSubstr("they do not show"));
+  EXPECT_EQ(judged(fine, error_of(0.2, 0.03, false, 1.0)).verdict,
+            ValidationVerdict::WrongLibrary);
+}
+
+TEST(Judgement, NothingFitsWhatDoesNotMove) {
+  const PredictionError still = error_of(0.01, 0.01, true, 0.0101);
+  EXPECT_EQ(judged(still, still).verdict, ValidationVerdict::CannotTell);
+}
+
+TEST(Judgement, FewSamplesTellNothing) {
+  const PredictionError few = error_of(0.01, 0.01, true, 1.0, 4.0);
+  const Validation validation = judged(few, few);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell);
+  EXPECT_THAT(validation.sentence, HasSubstr("samples"));
+}
+
+TEST(Judgement, WhatWasFittedProvesNothing) {
+  const PredictionError fine = error_of(0.01, 0.01, true, 1.0);
+  Validation validation;
+  validation.one_step = {0.01, 200, 0, {fine}};
+  judge({}, validation);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell);
+  validation.one_step.states[0].error = 0.5;
+  judge({}, validation);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::WrongLibrary);
+}
+
+TEST(Judgement, WindowsWithoutASolutionRefuteTheLibrary) {
+  Validation validation{.refitted = true};
+  validation.windows = {1.0, 20, 15, {error_of(0.01, 0.01, true, 1.0)}};
+  judge({}, validation);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::WrongLibrary);
+}
+
+}  // namespace
+}  // namespace lacuna

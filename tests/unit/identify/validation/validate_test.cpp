@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/validation/validate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/records/binding/embedding.hpp"
+#include "unit/identify/validation/systems.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::lorenz_record;
+using testing::measured;
+using testing::record_of_text;
+using testing::validated;
+using testing::with_terms;
+
+const std::vector<std::string> kLorenzTerms = {"x", "y", "z", "x*y", "x*z"};
+
+TEST(Validate, TheRightLibraryFitsAtAnyNoise) {
+  for (const double noise : {0.0, 0.01, 0.1}) {
+    const Validation validation = validated(lorenz_record(noise), with_terms(kLorenzTerms));
+    EXPECT_EQ(validation.verdict, ValidationVerdict::FitsToNoise)
+        << noise << ' ' << validation.sentence;
+    EXPECT_TRUE(validation.refitted);
+    EXPECT_NEAR(static_cast<double>(validation.samples), 1000.0, 200.0);
+    EXPECT_EQ(validation.one_step.states.size(), 3U);
+  }
+}
+
+TEST(Validate, ALibraryWithoutAProductIsWrong) {
+  for (const double noise : {0.0, 0.01}) {
+    const Validation validation =
+        validated(lorenz_record(noise, 1500), with_terms({"1", "x", "y", "z", "x*y"}));
+    EXPECT_EQ(validation.verdict, ValidationVerdict::WrongLibrary) << validation.sentence;
+  }
+}
+
+TEST(Validate, PolynomialsApproximateARateThatSaturates) {
+  // Pulses of food that is eaten at a rate which saturates.
+  const Dataset data = record_of_text("dx/dt = 0.5 + 0.45*sin(0.7*t) - x/(0.4 + x)\n",
+                                      Vector::Constant(1, 1.0), 0.05, 3000);
+  const std::vector<std::string> terms = {"1", "sin(0.7*t)", "x", "x^2", "x^3", "x^4"};
+  const Validation clean = validated(data, with_terms(terms));
+  EXPECT_EQ(clean.verdict, ValidationVerdict::Approximation) << clean.sentence;
+  const Validation right = validated(data, with_terms({"1", "sin(0.7*t)", "x/(0.4+x)"}));
+  EXPECT_EQ(right.verdict, ValidationVerdict::FitsToNoise) << right.sentence;
+}
+
+TEST(Validate, NumbersAreThoseOfTheDefinition) {
+  const Validation validation =
+      validated(lorenz_record(0.01), with_terms({"1", "x", "y", "z", "x*y"}));
+  double largest = 0.0;
+  for (const PredictionError& state : validation.windows.states) {
+    EXPECT_GT(state.motion, state.noise);
+    EXPECT_GT(state.freedom, 500.0);
+    largest = std::max(largest, state.share());
+  }
+  EXPECT_GT(largest, 0.1);
+  EXPECT_GT(validation.windows.horizon, 0.3);
+  EXPECT_NEAR(validation.one_step.horizon, 0.01, 1e-9);
+}
+
+TEST(Validate, OtherRecordsAreJudgedByTheModelAsItIs) {
+  const Dataset data = lorenz_record(0.01);
+  const Pipeline pipeline = with_terms(kLorenzTerms);
+  const IdentificationResult found = identify(data, pipeline);
+  const Validation same = validate({found, data, pipeline, lorenz_record(0.01, 1500, 9)});
+  EXPECT_EQ(same.verdict, ValidationVerdict::FitsToNoise) << same.sentence;
+  EXPECT_TRUE(same.given);
+  EXPECT_FALSE(same.refitted);
+  EXPECT_EQ(same.samples, 1500);
+
+  // A record of another Lorenz system: the model does not hold there.
+  const Dataset other = measured(
+      record_of(parse_ode("dx/dt = -10*x + 10*y\ndy/dt = 20*x - y - x*z\ndz/dt = x*y - 1.5*z\n",
+                          "test"),
+                Dopri87{}, Eigen::Vector3d(1.0, 1.0, 20.0), 0.01, 1500),
+      0.01);
+  const Validation wrong = validate({found, data, pipeline, other});
+  EXPECT_NE(wrong.verdict, ValidationVerdict::FitsToNoise) << wrong.sentence;
+  EXPECT_NE(wrong.verdict, ValidationVerdict::CannotTell) << wrong.sentence;
+}
+
+TEST(Validate, AShortRecordTellsNothing) {
+  const Dataset data = lorenz_record(0.01);
+  const Pipeline pipeline = with_terms(kLorenzTerms);
+  const IdentificationResult found = identify(data, pipeline);
+  Dataset few = data;
+  few.trajectories[0] = rows_of(data.trajectories[0], 100, 5);
+  const Validation validation = validate({found, data, pipeline, few});
+  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell) << validation.sentence;
+}
+
+TEST(Validate, AnEmbeddedRecordIsJudgedByWhatWasMeasured) {
+  const Dataset pendulum =
+      record_of_text("dth/dt = w\ndw/dt = -9*sin(th)\n", Eigen::Vector2d(2.5, 0.0), 0.01, 3000);
+  Dataset seen = pendulum;
+  seen.states = {{"q", "rad"}};
+  seen.trajectories[0].states = pendulum.trajectories[0].states.leftCols(1).eval();
+  for (const double noise : {0.0, 0.002}) {
+    const Dataset data = embed(measured(seen, noise), {{"q", 2}}, FiniteDifferences{});
+    const Validation right = validated(data, with_terms({"sin(q)", "q_d1"}));
+    EXPECT_EQ(right.verdict, ValidationVerdict::FitsToNoise) << noise << right.sentence;
+    const Validation wrong = validated(data, with_terms({"1", "q_d1", "q^2"}));
+    EXPECT_EQ(wrong.verdict, ValidationVerdict::WrongLibrary) << noise << wrong.sentence;
+    ASSERT_EQ(wrong.windows.states.size(), 1U);
+    EXPECT_EQ(wrong.windows.states[0].state, "q");
+  }
+}
+
+TEST(Validate, RecordsOfOneSystemAreHeldOutInTurn) {
+  const TestSystem& lorenz = test_system("lorenz");
+  Dataset data = lorenz_record(0.0, 300);
+  for (int r = 2; r <= 12; ++r)
+    data.trajectories.push_back(
+        record_of(lorenz.model, Dopri87{}, lorenz.start + Vector::Constant(3, r), 0.01, 300)
+            .trajectories[0]);
+  data = measured(std::move(data), 0.01);
+  const Validation validation = validated(data, with_terms(kLorenzTerms));
+  EXPECT_EQ(validation.verdict, ValidationVerdict::FitsToNoise) << validation.sentence;
+}
+
+TEST(Validate, CoefficientsThatAreShownHaveToPredictToo) {
+  // The right terms, which a part of the record fits well, with other coefficients.
+  const Dataset data = lorenz_record(0.01, 1500);
+  const Pipeline pipeline = with_terms(kLorenzTerms);
+  IdentificationResult found = identify(data, pipeline);
+  std::vector<Equation> equations = found.model.equations();
+  for (Equation& equation : equations)
+    for (WeightedTerm& summand : equation) summand.coefficient *= 1.5;
+  found.model = found.model.with_equations(std::move(equations));
+  const Validation validation = validate({found, data, pipeline});
+  EXPECT_EQ(validation.verdict, ValidationVerdict::WrongLibrary) << validation.sentence;
+  EXPECT_FALSE(validation.refitted);
+}
+
+TEST(Validate, TheModelStaysWhatItIs) {
+  const Dataset data = lorenz_record(0.01, 1500);
+  const Pipeline pipeline = with_terms(kLorenzTerms);
+  const IdentificationResult found = identify(data, pipeline);
+  const std::string before = to_text(found.model);
+  validate({found, data, pipeline});
+  EXPECT_EQ(to_text(found.model), before);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/model/export/export_model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <sstream>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+#include "support/other_programs.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// All operations, names that are words of languages, signs and powers that need parentheses.
+constexpr const char* kModel = R"(time s
+input u [V]
+input in
+state x [m]
+state lambda
+state e2
+dx/dt = -x^2 - (-x)^3/(2*lambda) + sin(x)*cos(u) - tan(0.1*x) + asin(0.1*x)*acos(0.1*u) + atan(x)
+dlambda/dt = tanh(x)*exp(-x) - log(2+abs(x)) + sqrt(abs(u)) + sign(x) - step(u) + 2*in - 7
+de2/dt = min(x,u) - 3*max(x,in) + clip(e2,-0.5,0.5) + 2^x - x/(u-3) - x/(e2*(x-9)) + t + (x-u)^-2
+)";
+
+constexpr std::array<double, 6> kPoint = {0.7, 0.3, -0.4, 1.2, -0.8, 2.5};  // t, x..., u, in
+
+std::vector<double> expected_rates(const OdeModel& model) {
+  std::vector<double> rates(model.states().size());
+  CompiledModel compiled = model.compile();
+  compiled.evaluate(kPoint[0], &kPoint[1], &kPoint[4], nullptr, rates.data());
+  return rates;
+}
+
+void expect_rates(const std::vector<double>& numbers) {
+  const std::vector<double> expected = expected_rates(parse_ode(kModel, "all.ode"));
+  ASSERT_EQ(numbers.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(numbers[k], expected[k], 1e-12 * (1.0 + std::abs(expected[k])));
+}
+
+std::string exported(const std::string& format) {
+  return export_model(parse_ode(kModel, "all.ode"), format);
+}
+
+TEST(ExportModel, CIsCompiledAndGivesTheRates) {
+  if (!testing::can_run("cc --version")) GTEST_SKIP() << "there is no C compiler";
+  const testing::TemporaryFolder place;
+  const std::string source = place.write("model.c", exported("c") + R"(#include <stdio.h>
+int main(void) {
+  const double x[] = {0.3, -0.4, 1.2}, u[] = {-0.8, 2.5};
+  double rate[3];
+  lacuna_rate(0.7, x, u, rate);
+  printf("%.17g %.17g %.17g\n", rate[0], rate[1], rate[2]);
+})");
+  const std::string program = place.file("model");
+  ASSERT_TRUE(testing::can_run("cc -std=c99 -Wall -Wextra -Werror " + source + " -o " +
+                               program + " -lm"));
+  expect_rates(testing::printed_numbers(program));
+}
+
+TEST(ExportModel, CppIsCompiledAndGivesTheRates) {
+  if (!testing::can_run("c++ --version")) GTEST_SKIP() << "there is no C++ compiler";
+  const testing::TemporaryFolder place;
+  const std::string source = place.write("model.cpp", exported("cpp") + R"(#include <cstdio>
+int main() {
+  for (const double r : lacuna_rate(0.7, {0.3, -0.4, 1.2}, {-0.8, 2.5})) std::printf("%.17g ", r);
+})");
+  const std::string program = place.file("model");
+  ASSERT_TRUE(
+      testing::can_run("c++ -std=c++17 -Wall -Wextra -Werror " + source + " -o " + program));
+  expect_rates(testing::printed_numbers(program));
+}
+
+TEST(ExportModel, PythonGivesTheRates) {
+  const std::string python = testing::python_with("numpy");
+  if (python.empty()) GTEST_SKIP() << "there is no numpy";
+  const testing::TemporaryFolder place;
+  const std::string script =
+      place.write("model.py", exported("python") +
+                                  "\nprint(*('%.17g' % r for r in rate(0.7, [0.3, -0.4, 1.2], "
+                                  "[-0.8, 2.5])))\n");
+  expect_rates(testing::printed_numbers(python + " " + script));
+}
+
+TEST(ExportModel, MatlabGivesTheRatesInOctave) {
+  if (!testing::can_run("octave-cli --version")) GTEST_SKIP() << "there is no Octave";
+  const testing::TemporaryFolder place;
+  const std::string file = place.write("lacuna_rate.m", exported("matlab"));
+  expect_rates(testing::printed_numbers(
+      "cd " + std::filesystem::path(file).parent_path().string() +
+      " && octave-cli --quiet --eval \"printf('%.17g ', lacuna_rate(0.7, "
+      "[0.3; -0.4; 1.2], [-0.8; 2.5]))\""));
+}
+
+/// dv/dt = -v/2 + u^2 - v^3 from v = 0: the voltage of the sub-circuit after 1 s.
+TEST(ExportModel, SpiceHasTheSolutionInNgspice) {
+  if (!testing::can_run("ngspice --version")) GTEST_SKIP() << "there is no ngspice";
+  const testing::TemporaryFolder place;
+  const OdeModel model = parse_ode("input u\ndv/dt = -v/2 + u^2 - v^3\n", "v.ode");
+  const std::string deck = place.write(
+      "deck.cir", "* test\n" + export_model(model, "spice") +
+                      "Vu u 0 1.5\nX1 u v lacuna_model\n.ic v(v)=0\n.tran 1m 1 0 1m uic\n"
+                      ".meas tran last find v(v) at=1\n.end\n");
+  // Of dv/dt = f(v) with classical Runge-Kutta steps.
+  const auto f = [](double v) { return -v / 2.0 + 2.25 - v * v * v; };
+  double v = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const double h = 1e-3, a = f(v), b = f(v + 0.5 * h * a), c = f(v + 0.5 * h * b),
+                 d = f(v + h * c);
+    v += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+  }
+  const auto numbers = testing::printed_numbers(
+      "ngspice -b " + deck + " 2>/dev/null | sed -n 's/^last *= *\\([^ ]*\\).*/\\1/p'");
+  ASSERT_EQ(numbers.size(), 1u);
+  EXPECT_NEAR(numbers[0], v, 1e-3);
+}
+
+TEST(ExportModel, SpiceWritesWholePowersAsProducts) {
+  const std::string text = export_model(
+      parse_ode("input x2\ndx/dt = x^3 + x2^-2 + abs(x)^0.5 + t\n", "x.ode"), "spice");
+  EXPECT_THAT(text, HasSubstr("I=(1*(v(x))*(v(x))*(v(x)))"));
+  EXPECT_THAT(text, HasSubstr("(1/(1*(v(x2))*(v(x2))))"));
+  EXPECT_THAT(text, HasSubstr("pow((abs(v(x))), 0.5)"));
+  EXPECT_THAT(text, HasSubstr(" + time"));
+}
+
+TEST(ExportModel, ModelicaHasUnitsAndDelays) {
+  const std::string text = export_model(
+      parse_ode("input u [V]\nstate x [m]\ndx/dt = -x + delay(u,0.5) + step(x)\n", "x.ode"),
+      "modelica");
+  EXPECT_THAT(text, HasSubstr("input Real u(unit=\"V\");"));
+  EXPECT_THAT(text, HasSubstr("der(x) = -x + delay(u, 0.5) + (if x >= 0 then 1.0 else 0.0);"));
+}
+
+TEST(ExportModel, RefusesWhatALanguageDoesNotHave) {
+  const OdeModel delayed = parse_ode("input u\ndx/dt = delay(u,0.5)\n", "x.ode");
+  for (const std::string& format : export_formats()) {
+    if (format == "modelica" || format == "latex") continue;
+    EXPECT_THROW(export_model(delayed, format), ModelError) << format;
+  }
+  EXPECT_THROW(export_model(delayed, "fortran"), ConfigError);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/model/expressions/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/base/error.hpp"
+#include "unit/model/expressions/random_expression.hpp"
+
+namespace lacuna {
+namespace {
+
+const Variables kDrivenPlane{{"x", "y"}, {"u"}};
+
+Program compile(const std::vector<std::string>& formulas) {
+  std::vector<Expression> expressions;
+  for (const std::string& formula : formulas) expressions.push_back(parse_expression(formula));
+  return Program(expressions, kDrivenPlane);
+}
+
+std::vector<double> evaluate(const Program& program, const std::vector<double>& slots) {
+  std::vector<double> out(static_cast<std::size_t>(program.outputs()));
+  Program::Workspace workspace;
+  program.evaluate(slots.data(), out.data(), workspace);
+  return out;
+}
+
+TEST(Variables, AreStatesInputsThenTime) {
+  EXPECT_EQ(kDrivenPlane.count(), 4);
+  EXPECT_EQ(kDrivenPlane.names(), (std::vector<std::string>{"x", "y", "u", "t"}));
+}
+
+TEST(Program, EvaluatesSlotsConstantsAndRepeatedOutputs) {
+  const Program program = compile({"x", "1", "x*y", "u-t", "x*y", "2*3+x"});
+  EXPECT_EQ(program.slots(), 4);
+  EXPECT_EQ(program.outputs(), 6);
+  EXPECT_EQ(evaluate(program, {2.0, 3.0, 5.0, 7.0}),
+            (std::vector<double>{2.0, 1.0, 6.0, -2.0, 6.0, 8.0}));
+}
+
+TEST(Program, WithoutOutputsDoesNothing) {
+  const Program program = compile({});
+  EXPECT_TRUE(evaluate(program, {0.0, 0.0, 0.0, 0.0}).empty());
+}
+
+TEST(Program, DelayedVariablesGetSlotsBehindTheVariables) {
+  const Program program = compile({"x+delay(y,0.5)", "delay(x,1)*delay(y,0.5)"});
+  const std::vector<DelayedVariable> expected{{1, 0.5}, {0, 1.0}};
+  EXPECT_EQ(program.delays(), expected);
+  EXPECT_EQ(program.slots(), 6);
+  EXPECT_EQ(evaluate(program, {1.0, 2.0, 0.0, 0.0, 10.0, 20.0}),
+            (std::vector<double>{11.0, 200.0}));
+}
+
+TEST(Program, NamesAnUnknownVariable) {
+  try {
+    compile({"x*theta"});
+    FAIL();
+  } catch (const ModelError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("unknown name 'theta'"));
+  }
+}
+
+/// The formula's value by plain recursion over the tree.
+double reference(const Expression& e, const std::vector<double>& slots,
+                 const Program& program) {
+  static const std::vector<std::string> kNames{"x", "y", "th_1", "_u", "t"};
+  const auto slot = [&](const std::string& name) {
+    return static_cast<Index>(std::find(kNames.begin(), kNames.end(), name) - kNames.begin());
+  };
+  if (e.operation() == Operation::Number) return e.value();
+  if (e.operation() == Operation::Variable)
+    return slots[static_cast<std::size_t>(slot(e.name()))];
+  if (e.operation() == Operation::Delay) {
+    const DelayedVariable wanted{slot(e.name()), e.value()};
+    const auto& delays = program.delays();
+    const auto place = std::find(delays.begin(), delays.end(), wanted) - delays.begin();
+    return slots[kNames.size() + static_cast<std::size_t>(place)];
+  }
+  std::vector<double> v;
+  for (const Expression& operand : e.operands())
+    v.push_back(reference(operand, slots, program));
+  switch (e.operation()) {
+    case Operation::Add:
+      return v[0] + v[1];
+    case Operation::Subtract:
+      return v[0] - v[1];
+    case Operation::Multiply:
+      return v[0] * v[1];
+    case Operation::Divide:
+      return v[0] / v[1];
+    case Operation::Power:
+      return std::pow(v[0], v[1]);
+    case Operation::Negate:
+      return -v[0];
+    case Operation::Sin:
+      return std::sin(v[0]);
+    default:
+      return std::nan("");
+  }
+}
+
+bool is_algebraic(const Expression& e) {
+  if (!e.operands().empty() && e.operation() > Operation::Sin) return false;
+  for (const Expression& operand : e.operands())
+    if (!is_algebraic(operand)) return false;
+  return true;
+}
+
+TEST(Program, AgreesWithPlainRecursion) {
+  Random random(3);
+  const Variables variables{{"x", "y", "th_1"}, {"_u"}};
+  int compared = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Expression e = testing::random_expression(random, 3);
+    if (!is_algebraic(e) || e.operands().empty()) continue;
+    const Program program({&e, 1}, variables);
+    std::vector<double> slots(static_cast<std::size_t>(program.slots()));
+    for (double& slot : slots) slot = random.uniform(0.5, 1.5);
+    const double expected = reference(e, slots, program);
+    const double actual = evaluate(program, slots)[0];
+    if (!std::isfinite(expected)) continue;
+    EXPECT_NEAR(actual, expected, 1e-12 * std::max(1.0, std::abs(expected))) << e.to_string();
+    ++compared;
+  }
+  EXPECT_GT(compared, 300);
+}
+
+TEST(Program, TilesGiveWhatSingleStatesGive) {
+  const Program program = compile({"x^2*y", "1", "u", "sin(x)*exp(-y)", "x^2*y", "max(x,y)^-1",
+                                   "clip(u,-0.1,0.1)+delay(x,1)", "step(x-y)"});
+  constexpr Index kRows = 3 * 128 + 17;
+  const Matrix all = Matrix::Random(kRows + 5, program.slots() + 2);
+  const auto slots = all.block(2, 1, kRows, program.slots());
+  Matrix wide = Matrix::Zero(kRows + 3, program.outputs());
+  Program::Workspace workspace;
+  program.evaluate(slots, wide.middleRows(1, kRows), workspace);
+  EXPECT_TRUE((wide.row(0).array() == 0.0).all() && (wide.bottomRows(2).array() == 0.0).all());
+  for (Index row = 0; row < kRows; ++row) {
+    const Vector state = slots.row(row);
+    Vector expected(program.outputs());
+    program.evaluate(state.data(), expected.data(), workspace);
+    ASSERT_EQ(Vector(wide.row(row + 1)), expected) << row;
+  }
+}
+
+TEST(Program, OneWorkspaceServesManyPrograms) {
+  const Program small = compile({"x+1"});
+  const Program large = compile({"x^9*y^9+u^9", "sin(x)", "7*x"});
+  Program::Workspace workspace;
+  const Matrix slots = Matrix::Constant(300, 4, 2.0);
+  for (int i = 0; i < 2; ++i) {
+    Matrix a(300, 1);
+    Matrix b(300, 3);
+    small.evaluate(slots, a, workspace);
+    large.evaluate(slots, b, workspace);
+    EXPECT_TRUE((a.array() == 3.0).all());
+    EXPECT_TRUE((b.col(0).array() == 262144.0 + 512.0).all());
+    EXPECT_TRUE((b.col(2).array() == 14.0).all());
+  }
+}
+
+TEST(Program, NoRowsAreNoWork) {
+  const Program program = compile({"x", "x+y", "1"});
+  Program::Workspace workspace;
+  Matrix out(0, 3);
+  program.evaluate(Matrix(0, 4), out, workspace);
+  EXPECT_EQ(out.rows(), 0);
+}
+
+TEST(Program, ChecksShapes) {
+  const Program program = compile({"x"});
+  Program::Workspace workspace;
+  Matrix out(3, 1);
+  EXPECT_THROW(program.evaluate(Matrix::Zero(3, 3), out, workspace), ArgumentError);
+  EXPECT_THROW(program.evaluate(Matrix::Zero(2, 4), out, workspace), ArgumentError);
+  Matrix two(3, 2);
+  EXPECT_THROW(program.evaluate(Matrix::Zero(3, 4), two, workspace), ArgumentError);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/model/files/ode_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/model_file.hpp"
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_error;
+
+constexpr const char* kTanks = R"(# two tanks
+time min
+input u [V] hold zero
+
+state x2 [V]      # named first
+param k1 = 0.05 [1/s] in 0..1
+param k4 = k1*2/4 fixed
+param T = 0.5
+dx1/dt = -k1*sqrt(x1) + k4*u
+dx2/dt = k1*sqrt(x1) - 0.05*sqrt(x2) + delay(u,2*T)
+)";
+
+TEST(OdeText, StatementsMakeAModel) {
+  const OdeModel model = parse_ode(kTanks, "tanks.ode");
+  EXPECT_EQ(model.time_unit(), "min");
+  ASSERT_EQ(model.dimension(), 2);
+  EXPECT_EQ(model.states()[0].name, "x2");
+  EXPECT_EQ(model.states()[0].unit, "V");
+  EXPECT_EQ(model.states()[1].name, "x1");
+  ASSERT_EQ(model.inputs().size(), 1u);
+  EXPECT_EQ(model.inputs()[0].unit, "V");
+  EXPECT_EQ(model.inputs()[0].hold, Hold::Zero);
+  EXPECT_EQ(model.coefficient(1, "sqrt(x1)"), -0.05);
+  EXPECT_EQ(model.coefficient(1, "u"), 0.025);
+  EXPECT_EQ(model.coefficient(0, "delay(u,1)"), 1.0);
+}
+
+TEST(OdeText, OutputsAndStartsAreParts) {
+  const OdeModel model = parse_ode(
+      "state x [m]\ny = abs(x)*2 [V]\nz = x\ninitial x = 2*3 [m] deviation 1/4\n"
+      "dx/dt = -x",
+      "m.ode");
+  ASSERT_EQ(model.outputs().size(), 2u);
+  EXPECT_EQ(model.outputs()[0].name, "y");
+  EXPECT_EQ(model.outputs()[0].unit, "V");
+  EXPECT_EQ(model.outputs()[0].formula.to_string(), "abs(x)*2");
+  EXPECT_FALSE(state_of(model, model.outputs()[0]).has_value());
+  EXPECT_EQ(state_of(model, model.outputs()[1]), 0);
+  EXPECT_EQ(model.initial()[0]->value, 6.0);
+  EXPECT_EQ(model.initial()[0]->deviation, 0.25);
+  EXPECT_FALSE(model.initial()[0]->fixed);
+  EXPECT_FALSE(model.equations()[0][0].fixed) << "there are no parameters";
+}
+
+TEST(OdeText, WindowsLineEndsAreReadToo) {
+  EXPECT_EQ(parse_ode("state x [m]\r\ndx/dt = -x\r\n", "a.ode").coefficient(0, "x"), -1.0);
+}
+
+TEST(OdeText, LatinLettersInUnitsBecomeUtf8) {
+  EXPECT_EQ(parse_ode("state x [\xb5m]\ndx/dt = 1\n", "a.ode").states()[0].unit, "\xc2\xb5m");
+}
+
+TEST(OdeText, EveryTestSystemComesBackFromItsText) {
+  for (const TestSystem& system : test_systems()) {
+    const OdeModel& model = system.model;
+    const std::string& name = system.name;
+    const OdeModel again = parse_ode(format_ode(model), name);
+    EXPECT_EQ(format_model(again), format_model(parse_model(format_model(again), name)));
+    EXPECT_EQ(to_text(again), to_text(model)) << name;
+    EXPECT_EQ(again.time_unit(), model.time_unit());
+    for (std::size_t k = 0; k < model.states().size(); ++k)
+      EXPECT_EQ(again.states()[k].unit, model.states()[k].unit);
+  }
+}
+
+TEST(OdeText, FilesThatEndInOdeAreText) {
+  const testing::TemporaryFolder place;
+  const std::string path = place.write("tanks.ode", kTanks);
+  const OdeModel model = read_model(path);
+  write_model(place.file("again.ode"), model);
+  write_model(place.file("again.json"), model);
+  EXPECT_EQ(format_ode(read_model(place.file("again.ode"))), format_ode(model));
+  EXPECT_EQ(format_model(read_model(place.file("again.json"))), format_model(model));
+}
+
+struct Wrong {
+  const char* text;
+  const char* place;
+  const char* problem;
+};
+
+class OdeTextErrors : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(OdeTextErrors, HaveLineAndColumn) {
+  try {
+    parse_ode(GetParam().text, "m.ode");
+    FAIL() << "read without an error";
+  } catch (const ModelError& error) {
+    EXPECT_EQ(error.where(), GetParam().place);
+    EXPECT_THAT(error.problem(), ::testing::HasSubstr(GetParam().problem));
+    EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, OdeTextErrors,
+    ::testing::Values(Wrong{"", "m.ode", "no equations"},
+                      Wrong{"dx/dt = -x +", "m.ode:1:13", "ends too early"},
+                      Wrong{"\ndx/dt = -x\ndy/dt = 2*q*x", "m.ode:3:11", "unknown name 'q'"},
+                      Wrong{"param k = q\ndx/dt = k", "m.ode:1:11", "unknown name 'q'"},
+                      Wrong{"param k = t\ndx/dt = k", "m.ode:1:11", "no finite number"},
+                      Wrong{"dx/dt = 1\ndx/dt = 2", "m.ode:2:10", "two equations"},
+                      Wrong{"input x\ndx/dt = 1", "m.ode:2:6", "given twice"},
+                      Wrong{"state x\ndy/dt = 1", "m.ode", "'x' has no equation"},
+                      Wrong{"input u hold firmly\ndx/dt = u", "m.ode:1:20", "'firmly'"},
+                      Wrong{"input u [V\ndx/dt = u", "m.ode:1:9", "the unit has no end"},
+                      Wrong{"input u [V\x1b[0m]\ndx/dt = u", "m.ode:1:9", "control"},
+                      Wrong{"input u V\ndx/dt = u", "m.ode:1:9", "nothing more belongs"},
+                      Wrong{"dx/dt -x", "m.ode:1:7", "'=' is missing"},
+                      Wrong{"y = 2*q\ndx/dt = 1", "m.ode:1:7", "unknown name 'q'"},
+                      Wrong{"y = x\ny = 2*x\ndx/dt = 1", "m.ode:2:8", "given twice"},
+                      Wrong{"x = 2*x\ndx/dt = 1", "m.ode:1:5", "a state has the same name"},
+                      Wrong{"input y\ny = x\ndx/dt = y", "m.ode:2:5", "given twice"},
+                      Wrong{"y = delay(x,1)\ndx/dt = 1", "m.ode:1:5", "cannot be delayed"},
+                      Wrong{"initial z = 0\ndx/dt = 1", "m.ode:1:8", "no state 'z'"},
+                      Wrong{"initial x = q\ndx/dt = 1", "m.ode:1:13", "unknown name 'q'"},
+                      Wrong{"initial x = 0 deviation 0\ndx/dt = 1", "m.ode:1:8", "above 0"},
+                      Wrong{"initial x = 0\ninitial x = 1\ndx/dt = 1", "m.ode:2:8", "two"},
+                      Wrong{"param k = 2 in 3..4\ndx/dt = k", "m.ode:1:10", "not in its range"},
+                      Wrong{"param k = 2 in 4..3\ndx/dt = k", "m.ode:1:10", "upside down"},
+                      Wrong{"fixed dx/dt: u\ndx/dt = 1", "m.ode:1:14", "unknown name 'u'"},
+                      Wrong{"fixed dx/dt: x\ndx/dt = 1", "m.ode:1:14", "no term 'x'"},
+                      Wrong{"fixed x: 1\ndx/dt = 1", "m.ode:1:8", "is no dNAME/dt"},
+                      Wrong{"hello\ndx/dt = 1", "m.ode:1:6", "begins no statement"},
+                      Wrong{"state sin\ndx/dt = 1", "m.ode:1:7", "word of the formula"},
+                      Wrong{"param k = 1 in 3\ndx/dt = k", "m.ode:1:17", "no '..'"},
+                      Wrong{"dx/dt = x/0", "m.ode:1:9", "not finite"}));
+
+constexpr const char* kMap = R"(time s
+state x
+state y
+param a = 1.4
+x[n+1] = 1 + y - a*x^2
+y[n+1] = 0.3*x
+fixed x[n+1]: x^2*a
+)";
+
+TEST(OdeText, NextValuesMakeAMap) {
+  const SystemModel system = parse_ode_system(kMap, "m.ode");
+  const OdeModel model = system.model();
+  EXPECT_TRUE(model.is_map());
+  EXPECT_EQ(model.coefficient(0, "x^2"), -1.4);
+  EXPECT_THAT(format_ode(system), ::testing::HasSubstr("\nx[n+1] = 1 + y - "));
+  const SystemModel again = parse_ode_system(format_ode(system), "again");
+  EXPECT_EQ(format_ode(again), format_ode(system));
+  EXPECT_EQ(format_model(parse_system(format_model(system), "again")), format_model(system));
+  EXPECT_TRUE(parse_system(format_model(system), "again").model().is_map());
+}
+
+TEST(OdeText, AModelIsAFlowOrAMap) {
+  const auto parse = [](const char* text) { parse_ode(text, "m.ode"); };
+  expect_error<ModelError>([&] { parse("x[n+1] = y\ndy/dt = x\n"); }, "m.ode:2:6",
+                           "either a flow", "alike");
+  expect_error<ModelError>([&] { parse("x[n+1] = delay(x,1)\n"); }, "model", "delay(x,1)",
+                           "a state");
+  expect_error<ModelError>([&] { parse("fixed x[n+1]: x^3\nx[n+1] = x\n"); }, "m.ode:1:15",
+                           "x[n+1] has no term 'x^3'", "lacuna model");
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/model/invariants/relations.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// x = 2 cos t, y = -2 sin t over twelve turns.
+Dataset orbit(double radius = 2.0) {
+  constexpr Index kSamples = 3000;
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(kSamples, 0.0, 75.0);
+  record.states.resize(kSamples, 2);
+  record.states.col(0) = radius * record.time.array().cos();
+  record.states.col(1) = -radius * record.time.array().sin();
+  record.inputs.resize(kSamples, 0);
+  data.trajectories.push_back(std::move(record));
+  return data;
+}
+
+Dataset record_of_text(const std::string& text, const Vector& start, double step, Index n) {
+  Dataset data = record_of(parse_ode(text, "test"), Dopri87{}, start, step, n);
+  for (Trajectory& record : data.trajectories) record.derivatives.resize(0, 0);
+  return data;
+}
+
+std::vector<std::string> names_of(const Relation& relation) {
+  std::vector<std::string> names;
+  for (const RelationTerm& term : relation.terms) names.push_back(term.term);
+  return names;
+}
+
+TEST(Relations, OneOrbitOfAnOscillatorIsACircle) {
+  for (const double noise : {0.0, 1e-4, 0.01}) {
+    const std::vector<Relation> found =
+        find_relations(noise > 0.0 ? add_relative_noise(orbit(), noise, 5) : orbit());
+    ASSERT_EQ(found.size(), 1U) << noise;
+    EXPECT_THAT(names_of(found[0]), ElementsAre("x^2", "y^2"));
+    EXPECT_EQ(found[0].terms[0].coefficient, 1.0);
+    EXPECT_NEAR(found[0].terms[1].coefficient, 1.0,
+                std::max(4.0 * found[0].terms[1].error, 1e-9));
+    EXPECT_NEAR(found[0].value, 4.0, std::max(0.1 * found[0].scatter, 1e-9));
+    // 2 x n_x + 2 y n_y with a noise of `noise` times 2 / sqrt(2).
+    EXPECT_NEAR(found[0].scatter, 4.0 * noise * std::sqrt(2.0), 0.1 * 4.0 * noise + 1e-9);
+  }
+}
+
+TEST(Relations, OrbitsOfDifferentSizeHaveNone) {
+  Dataset data = orbit(2.0);
+  data.trajectories.push_back(orbit(1.0).trajectories[0]);
+  EXPECT_TRUE(find_relations(add_relative_noise(data, 0.01, 5)).empty());
+  EXPECT_TRUE(find_relations(data).empty());
+}
+
+TEST(Relations, AChaoticAttractorHasNone) {
+  const TestSystem& lorenz = test_system("lorenz");
+  Dataset data = record_of(lorenz.model, Dopri87{}, lorenz.start, 0.01, 4000);
+  data.trajectories[0].derivatives.resize(0, 0);
+  EXPECT_TRUE(find_relations(data).empty());
+  EXPECT_TRUE(find_relations(add_relative_noise(data, 0.01, 1)).empty());
+}
+
+TEST(Relations, AConservedTotalIsFoundAndWhatFollowsFromItIsNot) {
+  const std::string text =
+      "state S\nstate I\nstate R\ndS/dt = -0.5*S*I\ndI/dt = 0.5*S*I - 0.1*I\ndR/dt = 0.1*I\n";
+  const Dataset data = record_of_text(text, Eigen::Vector3d(0.99, 0.01, 0.0), 0.05, 2000);
+  for (const double noise : {0.0, 0.005}) {
+    const std::vector<Relation> found =
+        find_relations(noise > 0.0 ? add_relative_noise(data, noise, 2) : data);
+    ASSERT_FALSE(found.empty()) << noise;
+    EXPECT_THAT(names_of(found[0]), ElementsAre("S", "I", "R"));
+    EXPECT_NEAR(found[0].value, 1.0, 1e-3);
+    for (const RelationTerm& term : found[0].terms) EXPECT_NEAR(term.coefficient, 1.0, 2e-3);
+    EXPECT_EQ(found.size(), 1U) << noise;
+  }
+}
+
+TEST(Relations, AChainOfMassesHasNone) {
+  const std::string text =
+      "dx1/dt = v1\ndv1/dt = -2*x1 + x2 - 0.05*v1\ndx2/dt = v2\ndv2/dt = x1 - 2*x2 - 0.05*v2\n";
+  const Dataset data = record_of_text(text, Eigen::Vector4d(1.0, 0.0, -0.3, 0.5), 0.05, 2000);
+  EXPECT_TRUE(find_relations(data).empty());
+  EXPECT_TRUE(find_relations(add_relative_noise(data, 0.01, 3)).empty());
+}
+
+TEST(Relations, AStateThatDoesNotMoveIsAConstant) {
+  Dataset data = orbit();
+  data.states.push_back({"z", ""});
+  Matrix& states = data.trajectories[0].states;
+  states.conservativeResize(Eigen::NoChange, 3);
+  states.col(2).setConstant(3.0);
+  const Dataset noisy = add_noise(data, Eigen::Vector3d(0.02, 0.02, 0.02), 4);
+  const std::vector<Relation> found = find_relations(noisy);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_THAT(names_of(found[0]), ElementsAre("z"));
+  EXPECT_NEAR(found[0].value, 3.0, 0.002);
+  EXPECT_NEAR(found[0].scatter, 0.02, 0.002);
+  EXPECT_THAT(names_of(found[1]), ElementsAre("x^2", "y^2"));
+}
+
+TEST(Relations, FewSamplesTellNone) {
+  Dataset data = orbit();
+  data.trajectories[0] = rows_of(data.trajectories[0], 0, 30);
+  EXPECT_TRUE(find_relations(data).empty());
+}
+
+TEST(Relations, TheOptionsAreWhatDecides) {
+  const Dataset data = add_relative_noise(orbit(), 0.01, 5);
+  EXPECT_EQ(find_relations(data).size(), 1U);
+  EXPECT_TRUE(find_relations(data, {.most_terms = 1}).empty());
+  EXPECT_TRUE(find_relations(data, {.strength = 1000.0}).empty());
+  EXPECT_TRUE(find_relations(data, {.noise_slack = 0.0, .scatter = -5.0}).empty());
+  EXPECT_TRUE(find_relations(data, {.most_states = 1}).empty()) << "linear ones only";
+  EXPECT_TRUE(find_relations(data, {.most_sets = 1.0}).empty());
+  EXPECT_TRUE(find_relations(data, {.fewest_samples = 100000}).empty());
+}
+
+}  // namespace
+}  // namespace lacuna

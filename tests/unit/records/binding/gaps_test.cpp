@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/records/binding/gaps.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/base/error.hpp"
+#include "support/expect_error.hpp"
+#include "support/oscillation.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Samples [first, end) of an oscillation as record `number` of a file.
+Trajectory piece(Index first, Index end, int number) {
+  Trajectory part = rows_of(oscillation(400), first, end - first);
+  part.source = "run.csv, record " + std::to_string(number);
+  return part;
+}
+
+Dataset pieces(std::vector<Trajectory> parts) {
+  Dataset data = oscillation_data();
+  data.trajectories = std::move(parts);
+  return data;
+}
+
+std::vector<std::string> sources(const Dataset& data) {
+  std::vector<std::string> names;
+  for (const Trajectory& record : data.trajectories) names.push_back(record.source);
+  return names;
+}
+
+TEST(JoinAcrossGaps, JoinsUpToTenStepsAndNoFurther) {
+  // From sample 99 to 109 are ten steps, from 199 to 210 eleven.
+  const Dataset data =
+      join_across_gaps(pieces({piece(0, 100, 1), piece(109, 200, 2), piece(210, 400, 3)}));
+  EXPECT_THAT(sources(data), ElementsAre("run.csv", "run.csv, record 3"));
+  const Trajectory& joined = data.trajectories[0];
+  ASSERT_EQ(joined.samples(), 191);
+  const Trajectory whole = oscillation(400);
+  EXPECT_EQ(joined.time[100], whole.time[109]);
+  EXPECT_EQ(joined.states.row(100), whole.states.row(109));
+  EXPECT_EQ(joined.inputs.row(99), whole.inputs.row(99));
+}
+
+TEST(JoinAcrossGaps, HasALongestGap) {
+  const Dataset cut = pieces({piece(0, 100, 1), piece(109, 200, 2)});
+  EXPECT_EQ(join_across_gaps(cut, {.longest_gap = 9.0}).trajectories.size(), 2u);
+  EXPECT_EQ(join_across_gaps(cut, {.longest_gap = 10.0}).trajectories.size(), 1u);
+}
+
+TEST(JoinAcrossGaps, KeepsDerivativesAndDoesNotMixRecordsWithThoseWithout) {
+  std::vector<Trajectory> parts{piece(0, 100, 1), piece(102, 200, 2), piece(202, 300, 3)};
+  for (std::size_t i = 0; i < 2; ++i) give_derivatives(parts[i]);
+  const Dataset data = join_across_gaps(pieces(parts));
+  ASSERT_EQ(data.trajectories.size(), 2u);
+  EXPECT_EQ(data.trajectories[0].derivatives.rows(), 198);
+  EXPECT_FALSE(data.trajectories[1].has_derivatives());
+}
+
+TEST(JoinAcrossGaps, DoesNotJoinFiles) {
+  Dataset data = pieces({piece(0, 100, 1), piece(102, 200, 2)});
+  data.trajectories[1].source = "other.csv, record 2";
+  EXPECT_EQ(join_across_gaps(data).trajectories.size(), 2u);
+}
+
+TEST(UsableRecords, LeavesShortOnesOutAndSaysSo) {
+  const UsableRecords usable = usable_records(
+      pieces({piece(0, 12, 1), piece(14, 30, 2), piece(100, 119, 3), piece(200, 220, 4)}));
+  EXPECT_THAT(sources(usable.data), ElementsAre("run.csv", "run.csv, record 4"));
+  EXPECT_THAT(usable.notes, ElementsAre("1 short gaps in the records are bridged",
+                                        "1 pieces of less than 20 samples were left out"));
+  testing::expect_error<DataError>([] { usable_records(pieces({piece(0, 19, 1)})); },
+                                   "run.csv, record 1", "no record has 20 samples", "longer");
+  EXPECT_EQ(usable_records(pieces({piece(0, 19, 1)}), {.shortest_record = 19}).notes.size(),
+            0u);
+}
+
+TEST(SplitInTime, KeepsTheLastQuarterBack) {
+  const auto [find, check] = split_in_time(pieces({piece(0, 100, 1), piece(200, 250, 2)}));
+  ASSERT_EQ(find.trajectories.size(), 2u);
+  EXPECT_EQ(find.trajectories[0].samples(), 75);
+  EXPECT_EQ(find.trajectories[1].samples(), 38);
+  EXPECT_EQ(check.trajectories[1].samples(), 12);
+  EXPECT_EQ(check.trajectories[0].time[0], oscillation(400).time[75]);
+  EXPECT_EQ(check.trajectories[1].source, "run.csv, record 2, last quarter");
+  EXPECT_EQ(find.states, check.states);
+  Dataset unnamed = pieces({piece(0, 100, 1)});
+  unnamed.trajectories[0].source.clear();
+  EXPECT_EQ(split_in_time(unnamed).check.trajectories[0].source, "last quarter");
+}
+
+}  // namespace
+}  // namespace lacuna

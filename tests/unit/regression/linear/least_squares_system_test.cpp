@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/regression/linear/least_squares_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
+#include <stop_token>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/regression/linear/subproblem.hpp"
+
+namespace lacuna {
+namespace {
+
+const TermSet kAll{0, 1, 2, 3};
+
+class System : public ::testing::Test {
+ protected:
+  static LeastSquaresSystem make(const Matrix& theta, const Matrix& targets,
+                                 const RunContext& context = {},
+                                 Folding folding = Folding::Automatic) {
+    return LeastSquaresSystem(make_row_source(theta, targets), {"a", "b", "c", "d"}, {"u", "v"},
+                              context, folding);
+  }
+
+  const Matrix theta_ = Matrix::Random(1000, 4);
+  const Matrix targets_ = Matrix::Random(1000, 2);
+};
+
+TEST_F(System, KnowsItsShapeAndNames) {
+  const auto system = make(theta_, targets_);
+  EXPECT_EQ(system.rows(), 1000);
+  EXPECT_EQ(system.terms(), 4);
+  EXPECT_EQ(system.targets(), 2);
+  EXPECT_EQ(system.term_names()[3], "d");
+  EXPECT_EQ(system.target_names()[1], "v");
+  EXPECT_EQ(system.all_terms(), kAll);
+}
+
+TEST_F(System, KeepsTheSystematicErrorOfItsTargets) {
+  const auto system = make(theta_, targets_);
+  EXPECT_FALSE(system.target_error());
+  EXPECT_EQ(*system.with_target_error(Vector{{0.1, 0.0}}).target_error(), (Vector{{0.1, 0.0}}));
+  EXPECT_THROW(system.with_target_error(Vector{{0.1}}), ArgumentError);
+  EXPECT_THROW(system.with_target_error(Vector{{0.1, -1.0}}), ArgumentError);
+}
+
+TEST_F(System, RefusesNamesThatDoNotFit) {
+  const auto rows = make_row_source(theta_, targets_);
+  EXPECT_THROW(LeastSquaresSystem(rows, {"a"}, {"u", "v"}), ArgumentError);
+  EXPECT_THROW(LeastSquaresSystem(rows, {"a", "b", "c", "d"}, {"u"}), ArgumentError);
+}
+
+TEST_F(System, NamesTheTermAndTheRowThatAreNotFinite) {
+  Matrix bad = theta_;
+  bad(500, 1) = std::numeric_limits<double>::infinity();
+  try {
+    make(bad, targets_);
+    FAIL() << "not refused";
+  } catch (const DataError& error) {
+    EXPECT_EQ(error.where(), "term 'b', row 501");
+  }
+  Matrix bad_targets = targets_;
+  bad_targets(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  try {
+    make(theta_, bad_targets);
+    FAIL() << "not refused";
+  } catch (const DataError& error) {
+    EXPECT_EQ(error.where(), "target 'v', row 1");
+  }
+}
+
+TEST_F(System, CoefficientsDoNotDependOnTheOrderOfRows) {
+  Matrix theta = theta_;
+  Matrix targets = targets_;
+  for (Index i = 0; i < 500; ++i) {
+    theta.row(i).swap(theta.row(999 - i));
+    targets.row(i).swap(targets.row(999 - i));
+  }
+  const Vector expected = make(theta_, targets_).subproblem(0, kAll).solve();
+  EXPECT_LT((make(theta, targets).subproblem(0, kAll).solve() - expected).norm(), 1e-14);
+}
+
+TEST_F(System, CoefficientsDoNotDependOnRowsBeingThereTwice) {
+  Matrix theta(2000, 4);
+  Matrix targets(2000, 2);
+  theta << theta_, theta_;
+  targets << targets_, targets_;
+  const auto once = make(theta_, targets_).subproblem(1, kAll);
+  const auto twice = make(theta, targets).subproblem(1, kAll);
+  EXPECT_LT((once.solve() - twice.solve()).norm(), 1e-14);
+  EXPECT_NEAR(twice.residual_norm(), std::sqrt(2.0) * once.residual_norm(), 1e-12);
+  EXPECT_NEAR(twice.condition() / once.condition(), 1.0, 1e-12);
+}
+
+TEST_F(System, CoefficientsFollowTheOrderOfColumns) {
+  const std::vector<Index> order{2, 0, 3, 1};
+  const Vector plain = make(theta_, targets_).subproblem(0, kAll).solve();
+  const Vector permuted = make(theta_(Eigen::all, order), targets_).subproblem(0, kAll).solve();
+  EXPECT_LT((permuted - plain(order)).norm(), 1e-14);
+}
+
+TEST_F(System, CoefficientsFollowTheScaleOfColumns) {
+  const Vector plain = make(theta_, targets_).subproblem(0, kAll).solve();
+  Matrix theta = theta_;
+  theta.col(0) *= 1e-15;
+  theta.col(1) *= 1e20;
+  const Vector scaled = make(theta, targets_).subproblem(0, kAll).solve();
+  EXPECT_NEAR(scaled[0] * 1e-15, plain[0], 1e-13);
+  EXPECT_NEAR(scaled[1] * 1e20, plain[1], 1e-13);
+  EXPECT_LT((scaled - plain).tail(2).norm(), 1e-13);
+}
+
+TEST_F(System, FactorIsTheSameToTheBitForAnyNumberOfThreads) {
+  const Matrix theta = Matrix::Random(100'000, 4);
+  const Matrix targets = Matrix::Random(100'000, 2);
+  for (const Folding folding : {Folding::Gram, Folding::Orthogonal, Folding::Deflated}) {
+    const auto one = make(theta, targets, {}, folding);
+    for (const int threads : {2, 3, 8}) {
+      RunContext context;
+      context.threads = threads;
+      EXPECT_EQ(one.factor().triangle,
+                make(theta, targets, context, folding).factor().triangle);
+    }
+  }
+}
+
+TEST(ManyRows, DeflatedNeedNoRefinement) {
+  const Matrix theta = Matrix::Random(kManyRows, 3);
+  const Vector truth = Vector::LinSpaced(3, 1.0, 2.0);
+  const LeastSquaresSystem system(make_row_source(theta, theta * truth), {"a", "b", "c"},
+                                  {"y"});
+  ASSERT_EQ(system.factor().folding, Folding::Deflated);
+  const Subproblem problem = system.subproblem(0, system.all_terms());
+  const Vector h = problem.solve();
+  EXPECT_LT((h - truth).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_EQ(system.refined(problem, h), h);
+}
+
+TEST_F(System, RefinedAndResidualsAgreeWithTheMatrix) {
+  const auto system = make(theta_, targets_);
+  const TermSet active{0, 2, 3};
+  const auto problem = system.subproblem(1, active);
+  const Vector rough = problem.solve() + 1e-3 * Vector::Random(3);
+  const Matrix columns = theta_(Eigen::all, active);
+  const Vector exact = columns.colPivHouseholderQr().solve(targets_.col(1));
+  EXPECT_LT((system.refined(problem, rough) - exact).norm(), 1e-13);
+  const Vector expected = targets_.col(1) - columns * rough;
+  EXPECT_LT((system.residuals(1, active, rough) - expected).norm(), 1e-13);
+}
+
+TEST_F(System, RefusesCoefficientsThatDoNotFit) {
+  const auto system = make(theta_, targets_);
+  const auto problem = system.subproblem(1, {0, 2});
+  const Vector h = Vector::Ones(3);
+  EXPECT_THROW(system.refined(problem, h), ArgumentError);
+  EXPECT_THROW(system.residuals(1, {0, 2}, h), ArgumentError);
+  EXPECT_THROW(system.residuals(2, kAll, Vector::Ones(4)), ArgumentError);
+  EXPECT_THROW(system.residuals(0, {0, 4}, Vector::Ones(2)), ArgumentError);
+}
+
+TEST_F(System, EveryPassCanBeCancelled) {
+  const auto system = make(theta_, targets_);
+  const auto problem = system.subproblem(0, kAll);
+  std::stop_source stop;
+  stop.request_stop();
+  RunContext context;
+  context.stop = stop.get_token();
+  const auto ones = [](const Eigen::Ref<const Vector>&, Eigen::Ref<Vector> w) { w.setOnes(); };
+  EXPECT_THROW(make(theta_, targets_, context), Cancelled);
+  EXPECT_THROW(system.refined(problem, problem.solve(), context), Cancelled);
+  EXPECT_THROW(system.residuals(0, kAll, problem.solve(), context), Cancelled);
+  EXPECT_THROW(system.reweighted(problem, problem.solve(), ones, context), Cancelled);
+}
+
+TEST_F(System, WeightedPassEqualsExplicitWeighting) {
+  const auto weights = [](const Eigen::Ref<const Vector>& r, Eigen::Ref<Vector> w) {
+    w = r.cwiseAbs().cwiseMax(1e-3).cwiseInverse();
+  };
+  for (const Folding folding : {Folding::Automatic, Folding::Gram, Folding::Orthogonal}) {
+    const auto system = make(theta_, targets_, {}, folding);
+    const auto problem = system.subproblem(1, {0, 2, 3});
+    const Vector h = problem.solve();
+    const Subproblem weighted = system.reweighted(problem, h, weights);
+    Vector w = system.residuals(1, {0, 2, 3}, h);
+    weights(Vector(w), w);
+    const Vector roots = w.cwiseSqrt();
+    const Matrix columns = roots.asDiagonal() * theta_(Eigen::all, problem.active());
+    const Vector target = roots.cwiseProduct(targets_.col(1));
+    const Vector expected = columns.colPivHouseholderQr().solve(target);
+    EXPECT_LT((weighted.solve() - expected).norm(), 1e-13);
+    EXPECT_NEAR(weighted.residual_norm(), (target - columns * expected).norm(), 1e-12);
+    EXPECT_NEAR(weighted.target_norm(), target.norm(), 1e-12);
+    EXPECT_LT((weighted.column_norms() - columns.colwise().norm().transpose()).norm(), 1e-12);
+    EXPECT_EQ(weighted.target(), 1);
+    EXPECT_EQ(weighted.active(), problem.active());
+  }
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/diagnosis_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/diagnosis_scope.hpp"
+
+namespace lacuna {
+namespace {
+
+Diagnosis made() {
+  const OdeModel model = support::oscillator();
+  Diagnosis diagnosis{Verdict::Explained, model, {}, {}, {}, {}, {}, model, {}, {}, {}, {}};
+  diagnosis.disagreement.push_back(
+      {1, 0.21, 0.03, 57.0, 1.0, 0.1, {{"v", -0.1, 0.1, {}, 31.0}, {"", 0, 0, 0.291, 12.0}}});
+  NamedEffect effect;
+  effect.equation = 1;
+  effect.name = "coulomb-friction";
+  effect.description = "dry friction opposing v";
+  effect.term = "sign(v)";
+  effect.coefficient = -0.4;
+  effect.deviation = 0.01;
+  effect.sigma = 44.0;
+  effect.gap_closed = 0.93;
+  effect.probability = 0.97;
+  effect.alternatives.push_back({"quadratic-drag", "v*abs(v)", 0.02});
+  diagnosis.effects.push_back(effect);
+  diagnosis.coefficient_changes.push_back({1, "q", -4.0, -3.9, 0.01, 10.0});
+  diagnosis.gap = Gap{"rms", 0.049, 0.0031, 0.003, 0.5, 1.0, {"r2.csv"}};
+  return diagnosis;
+}
+
+TEST(DiagnosisReport, SaysItInAFewLines) {
+  const std::string text = format_text(made());
+  EXPECT_THAT(text,
+              testing::HasSubstr("Equation v: dry friction opposing v (coulomb-friction), "
+                                 "-0.4 +- 0.02 m/s^2 * sign(v), explains 93 %"));
+  EXPECT_THAT(text, testing::HasSubstr("might also be quadratic-drag"));
+  EXPECT_THAT(text, testing::HasSubstr("from 4.9 % to 0.31 % (noise floor 0.3 %)"));
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);
+}
+
+TEST(DiagnosisReport, SaysWhereAPlainNameLeadsAgainstTheLikelihood) {
+  Diagnosis diagnosis = made();
+  diagnosis.effects.front().probability = 0.0;
+  EXPECT_THAT(format_text(diagnosis),
+              testing::HasSubstr("By likelihood alone it would be quadratic-drag"));
+}
+
+TEST(DiagnosisReport, SaysThatAGapStays) {
+  Diagnosis diagnosis = made();
+  diagnosis.gap->after = diagnosis.gap->before;
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the gap stays at 4.9 %"));
+  diagnosis.gap->after *= 2.0;
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the gap rises from 4.9 %"));
+}
+
+TEST(DiagnosisReport, NumbersInTermsHaveTheDigitsThatTheirErrorsAllow) {
+  Diagnosis diagnosis = made();
+  NamedEffect& effect = diagnosis.effects.front();
+  effect.term = "sin(2*3.141592653589793*0.6999994750761255*t+0.3549071)-1.5e-05*x12345678";
+  effect.parameters = {{"frequency", "1/s", 0.6999994750761255, 2e-5}};
+  EXPECT_THAT(format_text(diagnosis),
+              testing::HasSubstr("* sin(2*pi*0.699999*t+0.3549)-1.5e-05*x12345678,"));
+}
+
+TEST(DiagnosisReport, JsonHasTheKeysOfTheFormat) {
+  const auto json = nlohmann::json::parse(format_json(made()));
+  EXPECT_EQ(json.at("format"), "lacuna.diagnosis/1");
+  EXPECT_EQ(json.at("verdict"), "explained");
+  const auto& disagreement = json.at("disagreement").at(0);
+  EXPECT_EQ(disagreement.at("equation"), "v");
+  EXPECT_EQ(disagreement.at("where").at(0).at("range").size(), 2u);
+  EXPECT_DOUBLE_EQ(disagreement.at("where").at(1).at("frequency"), 0.291);
+  const auto& effect = json.at("effects").at(0);
+  for (const char* key : {"equation", "name", "description", "term", "coefficient", "ci95",
+                          "parameters", "sigma", "gap_closed", "probability", "alternatives"})
+    EXPECT_TRUE(effect.contains(key)) << key;
+  EXPECT_EQ(json.at("coefficient_changes").at(0).at("term"), "q");
+  EXPECT_EQ(json.at("gap").at("records").at(0), "r2.csv");
+  EXPECT_FALSE(json.at("remaining").at("structure"));
+  EXPECT_EQ(json.at("augmented_model").at("format"), "lacuna.model/1");
+}
+
+TEST(DiagnosisReport, VerdictsHaveTheirWords) {
+  EXPECT_EQ(to_string(Verdict::NoDiscrepancy), "no-discrepancy");
+  EXPECT_EQ(to_string(Verdict::CoefficientsOnly), "coefficients-only");
+  EXPECT_EQ(to_string(Verdict::PartlyExplained), "partly-explained");
+  EXPECT_EQ(to_string(Verdict::UnnamedStructure), "unnamed-structure");
+}
+
+TEST(DiagnosisReport, HintsComeFirst) {
+  Diagnosis diagnosis = made();
+  diagnosis.hints = {{HintKind::TimeUnit, "time looks long", "--time-unit ms"}};
+  EXPECT_EQ(format_text(diagnosis).rfind(
+                "Hint (time-unit): time looks long. Remedy: --time-unit ms.\n", 0),
+            0u);
+  const auto hints = nlohmann::json::parse(format_json(diagnosis))["hints"];
+  ASSERT_EQ(hints.size(), 1u);
+  EXPECT_EQ(hints[0]["kind"], "time-unit");
+  EXPECT_EQ(hints[0]["message"], "time looks long");
+  EXPECT_EQ(hints[0]["remedy"], "--time-unit ms");
+}
+
+TEST(DiagnosisReport, SaysWhyThereIsNoAnswer) {
+  Diagnosis diagnosis = made();
+  diagnosis.verdict = Verdict::UnnamedStructure;
+  diagnosis.hints = {{HintKind::Sign, "m", "r", Withheld::Names}};
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the hint comes first"));
+  diagnosis.hints = {{HintKind::Sign, "m", "r", Withheld::Answer}};
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("No effect is sought"));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/fit_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/report/pages/pages.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+Fit example() {
+  Fit fit{.model = parse_ode_system("param k = 2 [1/s]\ndx/dt = -k*x\n", "m.ode")};
+  fit.numbers = {{.name = "k",
+                  .unit = "1/s",
+                  .start = 1.0,
+                  .value = 2.0,
+                  .standard_error = 0.1,
+                  .ci95 = {{1.8, 2.2}}},
+                 {.name = "a", .value = 3.0},
+                 {.name = "b", .value = 4.0, .bound = "max"}};
+  fit.correlations = {{"k", "a", -0.95}};
+  fit.initial = {{{"x", 1.5, false, 0.25}, {"z", 0.0, true}, {"w", 2.0}}};
+  fit.records = {"r.csv"};
+  fit.quality = {{.channel = "y",
+                  .unit = "V",
+                  .rmse = 0.5,
+                  .fit_percent = 90.0,
+                  .noise = 0.4,
+                  .prediction = std::nan(""),
+                  .white = false,
+                  .rmse_per_record = {0.5}}};
+  fit.gap = FitGap{1.0, 0.5, 0.4, {"h.csv"}, fit.quality};
+  fit.combinations = {{{"a", "b"}, "a and b only as a*b"}};
+  fit.notes = {"look here"};
+  return fit;
+}
+
+TEST(FitReport, JsonHasTheFieldsOfTheFormat) {
+  const auto json = nlohmann::json::parse(format_json(example()));
+  EXPECT_EQ(json["format"], "lacuna.fit/1");
+  EXPECT_EQ(json["model"]["parameters"][0]["value"], 2.0);
+  EXPECT_EQ(json["parameters"][0]["ci95"][1], 2.2);
+  EXPECT_TRUE(json["parameters"][1]["ci95"].is_null());
+  EXPECT_EQ(json["parameters"][2]["bound"], "max");
+  EXPECT_EQ(json["correlations"][0]["correlation"], -0.95);
+  EXPECT_EQ(json["initial"][0]["record"], "r.csv");
+  EXPECT_EQ(json["initial"][0]["states"]["x"]["stderr"], 0.25);
+  EXPECT_EQ(json["initial"][0]["states"]["z"]["fixed"], true);
+  EXPECT_TRUE(json["initial"][0]["states"]["w"]["stderr"].is_null());
+  EXPECT_EQ(json["fit"][0]["fit_percent"], 90.0);
+  EXPECT_TRUE(json["fit"][0]["k_step"]["rmse"].is_null()) << "not finite";
+  EXPECT_EQ(json["fit"][0]["white"], false);
+  EXPECT_EQ(json["gap"]["ratio"], 0.5);
+  EXPECT_EQ(json["gap"]["records"][0], "h.csv");
+  EXPECT_EQ(json["identifiable"], false);
+  EXPECT_EQ(json["combinations"][0]["members"][1], "b");
+  EXPECT_EQ(json["hints"][0]["kind"], "not-identifiable");
+}
+
+TEST(FitReport, TextSaysWhatIsNotDetermined) {
+  const std::string text = format_text(example());
+  EXPECT_THAT(text, HasSubstr("dx/dt = -x*k"));
+  EXPECT_THAT(text, HasSubstr("k     2            +- 0.2  [1.8, 2.2]  1/s"));
+  EXPECT_THAT(text, HasSubstr("a     3            not determined by itself"));
+  EXPECT_THAT(text, HasSubstr("b     4            at the max of its range"));
+  EXPECT_THAT(text, HasSubstr("Not identifiable: a and b only as a*b"));
+  EXPECT_THAT(text, HasSubstr("r.csv: x 1.5 +- 0.49 z 0 (fixed) w 2 (not determined)"));
+  EXPECT_THAT(text, HasSubstr("y: rmse 0.5 V, fit 90 %"));
+  EXPECT_THAT(text, HasSubstr("gap 1 -> 0.5"));
+  EXPECT_THAT(text, HasSubstr("Note: look here"));
+}
+
+TEST(FitReport, ThePageShowsNumbersAndRuns) {
+  Fit fit = example();
+  const Vector time = Vector::LinSpaced(50, 0.0, 1.0);
+  fit.runs = {{"r.csv", time, time, 1.1 * time}};
+  const Page page = fit_page(fit);
+  EXPECT_EQ(page.tone, Tone::Doubtful) << "residuals are not white";
+  EXPECT_THAT(page.headline, HasSubstr("structure"));
+  const std::string html = format_html(page);
+  EXPECT_THAT(html, HasSubstr("a and b only as a*b"));
+  EXPECT_THAT(html, HasSubstr("[1.8, 2.2]"));
+  EXPECT_THAT(html, HasSubstr("not determined by itself"));
+  EXPECT_FALSE(pictures_of(page).empty());
+  fit.converged = false;
+  EXPECT_EQ(fit_page(fit).tone, Tone::Bad);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "report/pages/run_figures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+GapRecord run(Index n) {
+  const Vector t = Vector::LinSpaced(n, 0.0, 0.1 * static_cast<double>(n - 1));
+  Matrix measured(n, 1), before(n, 1), after(n, 1);
+  measured << (6.283185307179586 * t.array()).sin();
+  before << measured.array() + 0.3;
+  after << measured.array() - 0.1;
+  return {"run.csv", t, measured, before, after, 0, 50};
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST(RunFigures, SayHowFarModelsAreOff) {
+  const std::vector<GapRecord> runs{run(200)};
+  const RunView view{runs, {{"x", "V"}}, "s", Vector::Constant(1, 0.05)};
+  const auto pictures = deviation_pictures(view);
+  ASSERT_EQ(pictures.size(), 1u);
+  EXPECT_THAT(pictures[0].svg.string(), HasSubstr("nominal model, rms 0.3<"));
+  EXPECT_THAT(pictures[0].svg.string(), HasSubstr("model, rms 0.1<"));
+  EXPECT_THAT(pictures[0].svg.string(), HasSubstr("difference in x [V]"));
+  // rms 0.3 and 0.1 over the deviation of a sine, 1 / sqrt(2).
+  EXPECT_NEAR(relative_misfit(runs, true), 0.3 * std::sqrt(2.0), 0.01);
+  EXPECT_NEAR(relative_misfit(runs, false), 0.1 * std::sqrt(2.0), 0.01);
+}
+
+TEST(RunFigures, WindowsAreNotJoined) {
+  const std::vector<GapRecord> runs{run(200)};
+  const auto pictures = comparison_pictures({runs, {{"x", "V"}}, "s", Vector()});
+  const std::string svg = pictures.at(0).svg.string();
+  const std::size_t at = svg.find("curve before", svg.find("class=\"plot\""));
+  const std::size_t begin = svg.rfind("<path", at);
+  EXPECT_EQ(count(svg.substr(begin, at - begin), "M"), 4) << "200 samples in windows of 50";
+}
+
+TEST(RunFigures, TheLongestRecordIsShown) {
+  std::vector<GapRecord> runs{run(100), run(300)};
+  runs[1].source = "/data/long.csv";
+  const auto pictures = comparison_pictures({runs, {{"x", ""}}, "s", Vector()});
+  EXPECT_THAT(pictures.at(0).title, HasSubstr("long.csv"));
+}
+
+TEST(RunFigures, AStateThatNobodyMeasuredIsShownAsTheModelHasIt) {
+  std::vector<GapRecord> runs{run(200)};
+  runs[0].measured.setConstant(NAN);
+  const RunView view{runs, {{"x", ""}}, "s", Vector()};
+  EXPECT_EQ(count(comparison_pictures(view).at(0).svg.string(), "class=\"key\""), 2);
+  EXPECT_TRUE(deviation_pictures(view).empty());
+  EXPECT_TRUE(spectrum_pictures(view).empty());
+}
+
+TEST(RunFigures, ShortRecordsHaveNoSpectrumAndOneStateNoOrbit) {
+  const std::vector<GapRecord> runs{run(40)};
+  const RunView view{runs, {{"x", ""}}, "s", Vector()};
+  EXPECT_TRUE(spectrum_pictures(view).empty());
+  EXPECT_TRUE(orbit_pictures(view).empty());
+  EXPECT_TRUE(comparison_pictures({{}, {{"x", ""}}, "s", Vector()}).empty());
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/sync_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "unit/report/pages/reports.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::sample_sync;
+
+TEST(SyncReport, JsonHasNumbersAndCoupling) {
+  const auto json = nlohmann::json::parse(format_json(sample_sync()));
+  EXPECT_EQ(json["format"], "lacuna.sync/1");
+  EXPECT_EQ(json["median"], 0.001);
+  EXPECT_EQ(json["mean"], 0.002);
+  EXPECT_EQ(json["relative"], 0.0005);
+  EXPECT_EQ(json["settled"], true);
+  EXPECT_EQ(json["status"], "completed");
+  EXPECT_EQ(json["coupling"][0][0], 0.5);
+  EXPECT_EQ(json["coupling_source"], "time scale of the record");
+  EXPECT_FALSE(json.contains("message"));
+}
+
+TEST(SyncReport, TextStatesErrorsAndCoupling) {
+  const std::string text = format_text(sample_sync());
+  EXPECT_THAT(text, HasSubstr("median 0.001, mean 0.002, relative 0.05 %"));
+  EXPECT_THAT(text, HasSubstr("coupling [1/ms]: x 0.5 (from the record's own time scale)"));
+  EXPECT_THAT(text, HasSubstr("settled"));
+}
+
+TEST(SyncReport, TextShowsCrossCoupling) {
+  SyncReport report = sample_sync();
+  report.coupling_given = true;
+  report.result.coupling(1, 0) = 0.25;
+  EXPECT_THAT(format_text(report), HasSubstr("x from x 0.5, y from x 0.25\n"));
+}
+
+TEST(SyncReport, DivergenceIsToldInsteadOfErrors) {
+  SyncReport report = sample_sync();
+  report.result.status = IntegrationStatus::Diverged;
+  report.result.message = "diverged at t = 3";
+  EXPECT_THAT(format_text(report), HasSubstr("diverged at t = 3"));
+  EXPECT_EQ(nlohmann::json::parse(format_json(report))["message"], "diverged at t = 3");
+}
+
+}  // namespace
+}  // namespace lacuna

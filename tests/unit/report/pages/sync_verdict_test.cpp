@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/report/pages/sync_verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lacuna/core/base/text.hpp"
+#include "lacuna/data/records/marks.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+
+OdeModel damped_oscillator(double stiffness) {
+  const Variables variables{{"x", "v"}, {}};
+  return {{{"x", "m"}, {"v", "m/s"}},
+          {},
+          {{{Term::parse("v", variables), 1.0}}, {{Term::parse("x", variables), -stiffness}}}};
+}
+
+/// dv/dt = -x, from the middle on -(1 + change) x; with noise of that deviation.
+Dataset record(double noise, double change) {
+  std::mt19937 engine(5);
+  std::normal_distribution<double> normal;
+  const Index n = 4000;
+  const double h = 0.02;
+  Vector t(n);
+  Matrix states(n, 2);
+  double x = 1.0, v = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    t[i] = h * static_cast<double>(i);
+    states(i, 0) = x + noise * normal(engine);
+    states(i, 1) = v + noise * normal(engine);
+    const double w = std::sqrt(i >= n / 2 ? 1.0 + change : 1.0), c = std::cos(w * h);
+    const double s = std::sin(w * h), next = c * x + s / w * v;
+    v = c * v - w * s * x;
+    x = next;
+  }
+  return {
+      "s", {{"x", "m"}, {"v", "m/s"}}, {}, {{"run", t, states, Matrix(n, 0), Matrix()}}, {}};
+}
+
+SyncVerdict verdict(double stiffness, const Dataset& data) {
+  const OdeModel model = damped_oscillator(stiffness);
+  return judge(model, data, synchronise(model, data, Rk4{}));
+}
+
+TEST(SyncVerdict, TheRightModelHolds) {
+  const SyncVerdict found = verdict(1.0, record(0.01, 0.0));
+  EXPECT_TRUE(found.holds);
+  EXPECT_THAT(found.sentence, HasSubstr("Holds: the error is"));
+}
+
+TEST(SyncVerdict, AWrongOneDoesNotAndItsEquationIsNamed) {
+  const SyncVerdict found = verdict(1.5, record(0.01, 0.0));
+  EXPECT_FALSE(found.holds);
+  EXPECT_EQ(found.equation, "v");
+  EXPECT_FALSE(found.until);
+  EXPECT_THAT(found.sentence, HasSubstr("Does not hold: equation v"));
+}
+
+TEST(SyncVerdict, WhatChangesHoldsUpToThen) {
+  const SyncVerdict found = verdict(1.0, record(0.01, 0.5));
+  EXPECT_FALSE(found.holds);
+  ASSERT_TRUE(found.until);
+  EXPECT_NEAR(*found.until, 40.0, 4.0);  // the middle of 80 s, to two pieces
+  EXPECT_THAT(found.sentence, HasSubstr("Holds up to"));
+}
+
+/// Rosenzweig and MacArthur's prey and predator: errors grow for much of each turn.
+OdeModel prey_and_predator(double growth) {
+  return parse_ode("dx/dt = " + format_number(growth) +
+                       "*x - 0.2*x^2 - x*y/(1+x)\ndy/dt = 0.9*x*y/(1+x) - 0.3*y",
+                   "test");
+}
+
+SyncVerdict verdict_on_an_unstable_orbit(double growth) {
+  const Dataset data = add_relative_noise(
+      record_of(prey_and_predator(1.0), Dopri87{}, Eigen::Vector2d(1.0, 1.0), 0.1, 3000), 0.001,
+      3);
+  const OdeModel model = prey_and_predator(growth);
+  const SyncResult sync = synchronise(model, data, Rk4{});
+  EXPECT_GT(*sync.error_over_noise, 5.0);
+  EXPECT_GT(sync.response[0], 5.0 * sync.noise[0]);
+  return judge(model, data, sync);
+}
+
+TEST(SyncVerdict, NoiseThatAnUnstableOrbitAmplifiesIsNoFaultOfTheModel) {
+  const SyncVerdict found = verdict_on_an_unstable_orbit(1.0);
+  EXPECT_TRUE(found.holds) << found.sentence;
+  EXPECT_THAT(found.sentence, HasSubstr("which this orbit amplifies to"));
+}
+
+TEST(SyncVerdict, AWrongModelOnAnUnstableOrbitDoesNotHold) {
+  EXPECT_FALSE(verdict_on_an_unstable_orbit(1.01).holds);
+  EXPECT_FALSE(verdict_on_an_unstable_orbit(0.99).holds);
+}
+
+/// A slave that noise drives anywhere says nothing for the model.
+/// The oscillator's record with v not measured.
+Dataset position_only() {
+  Dataset data = record(0.01, 0.0);
+  Trajectory& run = data.trajectories.front();
+  run.states.col(1).setZero();
+  run.marks = Matrix::Zero(run.samples(), 2);
+  run.marks.col(1).setConstant(number_of(Mark::Missing));
+  data.reconstructed = {false, true};
+  return data;
+}
+
+TEST(SyncVerdict, AHiddenStateThatTheRecordTellsIsNoHindrance) {
+  const SyncVerdict right = verdict(1.0, position_only());
+  EXPECT_TRUE(right.holds) << right.sentence;
+  const SyncVerdict wrong = verdict(1.5, position_only());
+  EXPECT_FALSE(wrong.holds);
+  EXPECT_FALSE(wrong.equation) << "the coupling helps x with what v lacks";
+}
+
+TEST(SyncVerdict, AHiddenStateThatTheRecordDoesNotTellLeavesNoVerdict) {
+  const OdeModel model = parse_ode("dx/dt = -x\ndv/dt = x\n", "test");
+  const Dataset data = position_only();
+  const SyncVerdict found = judge(model, data, synchronise(model, data, Rk4{}));
+  EXPECT_FALSE(found.holds);
+  EXPECT_FALSE(found.told);
+  EXPECT_THAT(found.sentence, HasSubstr("Cannot tell"));
+}
+
+TEST(SyncVerdict, ALostSlaveDoesNotHold) {
+  const Dataset data = record(0.01, 0.0);
+  const OdeModel model = oscillator(1.5);
+  SyncResult sync = synchronise(model, data, Rk4{});
+  ASSERT_FALSE(judge(model, data, sync).holds);
+  sync.response.setConstant(10.0);
+  EXPECT_FALSE(judge(model, data, sync).holds);
+}
+
+TEST(SyncVerdict, WithoutNoiseTheRecordItselfIsTheMeasure) {
+  EXPECT_TRUE(verdict(1.0, record(0.0, 0.0)).holds);
+  const SyncVerdict wrong = verdict(1.1, record(0.0, 0.0));
+  EXPECT_FALSE(wrong.holds);
+  EXPECT_THAT(wrong.sentence, HasSubstr("Does not hold"));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/fit/fit_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/grey_box.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr const char* kBox = R"(input u hold linear
+param k = 0.8 in 0..5
+param c = 1.5
+dx/dt = -k*x^2 + 2*z - 0.3*x
+dz/dt = u - c*z - 0.2*x*z
+y = x^2+k*z
+w = z
+)";
+
+struct Box {
+  Box() {
+    system = std::make_unique<SystemModel>(parse_ode_system(kBox, "box.ode"));
+    const OdeModel plain = system->model();
+    view = support::grey_box(plain, {.start = (Vector(2) << 0.5, 0.2).finished()});
+    const ParametrisedModel model = system->parametrised();
+    engine = std::make_unique<FitEngine>(fit_engine(model, fit_records(model, view)));
+    point = {model.values().transpose(), (Matrix(1, 2) << 0.5, 0.2).finished()};
+  }
+  std::unique_ptr<SystemModel> system;
+  Dataset view;
+  std::unique_ptr<FitEngine> engine;
+  FitPoint point;
+};
+
+TEST(FitEngine, AFreeRunIsTheSimulation) {
+  Box box;
+  set_substeps(*box.engine, 4);
+  const FitPath path = follow(*box.engine, box.point, {});
+  ASSERT_EQ(box.engine->count(), 2) << "z under the name of w, and y";
+  const Dataset clean = support::grey_box_columns(
+      box.system->model(), {.start = box.point.starts.row(0).transpose(), .noise = 0.0});
+  for (Index c = 0; c < 2; ++c) {
+    const bool is_y = box.engine->records.channels[static_cast<std::size_t>(c)].name == "y";
+    const Vector model = box.engine->records.values.col(c) - path.residuals.col(c);
+    EXPECT_LT((model - clean.trajectories[0].states.col(is_y ? 0 : 1)).cwiseAbs().maxCoeff(),
+              1e-5);
+  }
+}
+
+/// Derivatives by differences of whole runs.
+void expect_derivatives(Box& box, const Gains& gains) {
+  const FitPath path = follow(*box.engine, box.point, gains);
+  const Index columns = box.engine->states() + box.engine->parameters();
+  std::vector<Matrix> rows(static_cast<std::size_t>(box.engine->records.samples()));
+  sensitivities(*box.engine, box.point, path, gains, 0,
+                [&](Index n, const Matrix& row, const Vector&) {
+                  rows[static_cast<std::size_t>(n)] = row;
+                });
+  for (Index j = 0; j < columns; ++j) {
+    const auto moved = [&](double by) {
+      FitPoint point = box.point;
+      if (j < 2)
+        point.starts(0, j) += by;
+      else
+        point.parameters(0, j - 2) += by;
+      return follow(*box.engine, point, gains).residuals;
+    };
+    constexpr double kStep = 1e-5;
+    const Matrix difference = -(moved(kStep) - moved(-kStep)) / (2.0 * kStep);
+    for (const Index n : {0, 1, 40, 599})
+      for (Index c = 0; c < 2; ++c)
+        EXPECT_NEAR(rows[static_cast<std::size_t>(n)](c, j) * box.engine->sigma[c],
+                    difference(n, c), 1e-6 * (1.0 + std::abs(difference(n, c))))
+            << "column " << j << ", sample " << n;
+  }
+}
+
+TEST(FitEngine, DerivativesAreThoseOfTheRun) {
+  Box box;
+  expect_derivatives(box, {});
+  set_substeps(*box.engine, 3);
+  expect_derivatives(box, {});
+}
+
+TEST(FitEngine, DerivativesKnowOfTheGains) {
+  Box box;
+  FitPath filtered;
+  const Disturbances disturbances{(Vector(2) << 1.0, 0.5).finished(), 0.3};
+  const Gains gains = filter_gains(*box.engine, box.point, disturbances, filtered);
+  EXPECT_GT(gains.bottomRows(1).cwiseAbs().maxCoeff(), 1e-3);
+  expect_derivatives(box, gains);
+  const FitPath again = follow(*box.engine, box.point, gains);
+  EXPECT_LT((again.states - filtered.states).cwiseAbs().maxCoeff(), 1e-12)
+      << "the gains are those of the path that they give";
+}
+
+TEST(FitEngine, AFilterStaysNearTheRecordOfAnotherModel) {
+  Box box;
+  box.point.parameters(0, 2) *= 3.0;
+  FitPath filtered;
+  const Disturbances disturbances{(Vector(2) << 1.0, 0.5).finished(), 1.0};
+  filter_gains(*box.engine, box.point, disturbances, filtered);
+  EXPECT_LT(filtered.cost, 0.1 * follow(*box.engine, box.point, {}).cost);
+}
+
+TEST(FitEngine, MissingSamplesCountForNothing) {
+  Box box;
+  box.engine->records.valid(7, 0) = 0.0;
+  box.engine->records.values(7, 0) = 1e6;
+  EXPECT_LT(follow(*box.engine, box.point, {}).cost, 1e5);
+}
+
+TEST(FitEngine, PredictionsStartFromCorrectedStates) {
+  Box box;
+  Vector compared;
+  FitPath filtered;
+  box.point.parameters(0, 2) *= 1.5;
+  const Disturbances disturbances{(Vector(2) << 1.0, 0.5).finished(), 1.0};
+  const Gains gains = filter_gains(*box.engine, box.point, disturbances, filtered);
+  const Matrix near = prediction_errors(*box.engine, box.point, gains, 1, compared);
+  EXPECT_EQ(compared[0], 599.0);
+  EXPECT_LT((near.row(1) - filtered.residuals.row(1)).norm(), 1e-12);
+  const Matrix far = prediction_errors(*box.engine, box.point, gains, 20, compared);
+  EXPECT_EQ(compared[0], 29.0);
+  EXPECT_GT(far.norm() / std::sqrt(29.0), near.norm() / std::sqrt(599.0));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/fit/fit_quality.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/grey_box.hpp"
+
+namespace lacuna {
+namespace {
+
+struct Walk {
+  explicit Walk(double noise = 0.02)
+      : system(parse_ode_system("input u hold linear\ndx/dt = -0.5*x + 0.7*u\ny = x\n", "m")) {
+    const Dataset view =
+        support::grey_box(system.model(), {.start = Vector::Constant(1, 2.0), .noise = noise});
+    const ParametrisedModel model = system.parametrised();
+    engine = std::make_unique<FitEngine>(fit_engine(model, fit_records(model, view)));
+    point = {model.values().transpose(), Matrix::Constant(1, 1, 2.0)};
+  }
+  SystemModel system;
+  std::unique_ptr<FitEngine> engine;
+  FitPoint point;
+};
+
+TEST(CorrelationSigma, WhiteResidualsHaveNone) {
+  Walk walk;
+  Random random(5);
+  int significant = 0;
+  for (int trial = 0; trial < 50; ++trial) {
+    Matrix residuals(600, 1);
+    for (double& value : residuals.col(0)) value = random.normal();
+    significant += correlation_sigma(*walk.engine, residuals, 0) > 2.0 ? 1 : 0;
+  }
+  EXPECT_LE(significant, 8) << "1 in 20 by chance";
+}
+
+TEST(CorrelationSigma, SlowResidualsHaveMuch) {
+  Walk walk;
+  Matrix residuals(600, 1);
+  Random random(5);
+  double state = 0.0;
+  for (double& value : residuals.col(0)) value = state = 0.5 * state + random.normal();
+  EXPECT_GT(correlation_sigma(*walk.engine, residuals, 0), 5.0);
+  EXPECT_FALSE(are_white(*walk.engine, residuals));
+  for (double& value : residuals.col(0)) value = random.normal();
+  EXPECT_TRUE(are_white(*walk.engine, residuals));
+  EXPECT_EQ(correlation_sigma(*walk.engine, Matrix::Zero(600, 1), 0), 0.0);
+}
+
+TEST(QualityOf, IsThatOfTheResidualsThatCount) {
+  Walk walk;
+  FitPath path = follow(*walk.engine, walk.point, {});
+  const Vector y = walk.engine->records.values.col(0).tail(500);
+  const Vector e = path.residuals.col(0).tail(500);
+  const FitQuality quality = quality_of(*walk.engine, walk.point, path, 5, 100)[0];
+  EXPECT_NEAR(quality.rmse, std::sqrt(e.squaredNorm() / 500.0), 1e-12);
+  EXPECT_NEAR(quality.fit_percent,
+              100.0 * (1.0 - e.norm() / (y.array() - y.mean()).matrix().norm()), 1e-9);
+  EXPECT_TRUE(quality.white);
+  EXPECT_GT(quality.prediction, 0.8 * quality.rmse);
+  EXPECT_LT(quality.prediction, 2.0 * quality.rmse);
+  ASSERT_EQ(quality.rmse_per_record.size(), 1u);
+}
+
+TEST(GapOf, ComparesTheNumbersAsGivenAndAsFitted) {
+  Walk walk;
+  const Dataset other = support::grey_box(
+      walk.system.model(), {.start = Vector::Constant(1, -1.0), .noise = 0.02, .seed = 9});
+  const ParametrisedModel wrong =
+      walk.system.parametrised().with_values((Vector(2) << -0.9, 0.7).finished());
+  const Matrix usual = (Matrix(1, 2) << 1.0, 0.5).finished();
+  const FitGap gap = gap_of(wrong, walk.point, other, usual, {});
+  EXPECT_GT(gap.before, 10.0 * gap.after);
+  EXPECT_NEAR(gap.after, 0.02, 0.004);
+  EXPECT_NEAR(gap.noise_floor, 0.02, 0.004);
+  ASSERT_EQ(gap.records.size(), 1u);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/fit/fit_records.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/records/marks.hpp"
+#include "support/grey_box.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// x' = v, v' = -4 x - 0.3 v + u, a hidden filter z of x; x is measured as q, e is a formula.
+constexpr const char* kText = R"(input u hold zero
+param g = 2
+dx/dt = v
+dv/dt = -4*x - 0.3*v + u
+dz/dt = x - z
+q = x
+e = g*abs(v)
+initial z = 0.5
+)";
+
+Dataset view_of(const OdeModel& model) {
+  return support::grey_box(
+      model, {.start = (Vector(3) << 1.0, -2.0, 0.5).finished(), .step = 0.02, .noise = 0.001});
+}
+
+TEST(FitRecords, ChannelsAreWhatWasMeasured) {
+  const SystemModel system = parse_ode_system(kText, "m.ode");
+  Dataset view = view_of(system.model());
+  set_mark(view.trajectories[0], 3, 0, Mark::Missing);
+  const FitRecords records = fit_records(system.parametrised(), view);
+  ASSERT_EQ(records.channels.size(), 2u) << "v is made of x, z is hidden";
+  EXPECT_EQ(records.channels[0].formula.to_string(), "x");
+  EXPECT_EQ(records.channels[1].name, "e");
+  EXPECT_EQ(records.channels[1].formula.to_string(), "g*abs(v)");
+  EXPECT_EQ(records.valid(3, 0), 0.0);
+  EXPECT_EQ(records.valid(3, 1), 1.0);
+  EXPECT_EQ(records.values.col(0)[9], view.trajectories[0].states(9, 0));
+  EXPECT_THAT(records.series.holds, ElementsAre(Interpolation::Held));
+  EXPECT_THAT(records.sources, ElementsAre("record"));
+}
+
+TEST(FitRecords, StartsAreMeasuredKnownOrSlopes) {
+  const SystemModel system = parse_ode_system(kText, "m.ode");
+  const FitRecords records = fit_records(system.parametrised(), view_of(system.model()));
+  EXPECT_NEAR(records.starts(0, 0), 1.0, 0.01);
+  EXPECT_NEAR(records.starts(0, 1), -2.0, 0.3);
+  EXPECT_EQ(records.starts(0, 2), 0.5);
+  EXPECT_THAT(records.guessed, ElementsAre(false, false, false));
+  EXPECT_GT(records.scale[1], 0.5 * records.scale[0]);
+  EXPECT_EQ(records.scale[2], 0.0) << "nothing is known of it";
+  EXPECT_NEAR(records.time_scale, 0.5, 0.25) << "1 / 2 rad/s";
+}
+
+TEST(FitRecords, WhatIsHiddenIsGuessed) {
+  const SystemModel system =
+      parse_ode_system("input u\ndx/dt = -x + z\ndz/dt = u - 3*z\ny = x\n", "m.ode");
+  const FitRecords records = fit_records(
+      system.parametrised(),
+      support::grey_box(system.model(), {.start = (Vector(2) << 1.0, 2.0).finished()}));
+  EXPECT_THAT(records.guessed, ElementsAre(false, true));
+  EXPECT_EQ(records.starts(0, 1), 0.0);
+}
+
+TEST(FitRecords, SomethingHasToBeMeasured) {
+  const SystemModel system = parse_ode_system(kText, "m.ode");
+  Dataset view = view_of(system.model());
+  for (Index n = 0; n < view.samples(); ++n)
+    for (const Index k : {0, 3}) set_mark(view.trajectories[0], n, k, Mark::Missing);
+  EXPECT_THROW(fit_records(system.parametrised(), view), DataError);
+}
+
+}  // namespace
+}  // namespace lacuna

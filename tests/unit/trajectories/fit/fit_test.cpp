@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/trajectories/fit/fit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/report/pages/fit_report.hpp"
+#include "support/expect_error.hpp"
+#include "support/grey_box.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_error;
+using ::testing::HasSubstr;
+
+const FittedNumber& number(const Fit& found, const std::string& name) {
+  for (const FittedNumber& one : found.numbers)
+    if (one.name == name) return one;
+  throw std::out_of_range(name);
+}
+
+/// Two tanks of which the lower one is measured.
+constexpr const char* kTanks = R"(input u hold linear
+param k1 = 0.5 in 0..20
+param k2 = 0.8 in 0..20
+param k4 = 0.4 in 0..20
+dx1/dt = -k1*sqrt(max(x1,0.0001)) + k4*u
+dx2/dt = k1*sqrt(max(x1,0.0001)) - k2*sqrt(max(x2,0.0001))
+y = x2
+)";
+
+Dataset tanks_record(std::uint64_t seed = 1) {
+  return support::grey_box(
+      parse_ode(kTanks, "t.ode"),
+      {.start = (Vector(2) << 0.3, 0.1).finished(), .step = 0.1, .samples = 600, .seed = seed});
+}
+
+/// The same model with numbers off by a factor, alternately up and down.
+SystemModel off_by(const SystemModel& system, double factor) {
+  std::vector<Parameter> parameters = system.parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    parameters[i].value *= i % 2 == 0 ? factor : 1.0 / factor;
+  return {system.symbolic(), parameters};
+}
+
+TEST(Fit, FindsTheNumbersOfAModelWithAHiddenState) {
+  const SystemModel truth = parse_ode_system(kTanks, "t.ode");
+  const Fit found = fit(off_by(truth, 3.0), tanks_record(), {});
+  EXPECT_TRUE(found.converged);
+  EXPECT_TRUE(found.combinations.empty());
+  for (const Parameter& parameter : truth.parameters()) {
+    const FittedNumber& one = number(found, parameter.name);
+    ASSERT_TRUE(one.standard_error) << parameter.name;
+    EXPECT_LT(std::abs(one.value - parameter.value), 4.0 * *one.standard_error);
+    EXPECT_LT(*one.standard_error, 0.05 * parameter.value);
+  }
+  EXPECT_NEAR(found.initial[0][0].value, 0.3, 5.0 * *found.initial[0][0].standard_error);
+  EXPECT_TRUE(found.quality[0].white);
+  EXPECT_NEAR(found.quality[0].rmse, found.quality[0].noise, 0.2 * found.quality[0].noise);
+  EXPECT_NEAR(found.quality[0].fit_percent, 99.0, 0.2) << "1 % noise";
+  const OdeModel model = found.model.model();
+  EXPECT_NEAR(model.coefficient(0, "u"), 0.4, 0.02);
+}
+
+TEST(Fit, LevelsBeginAboveEmpty) {
+  // From empty tanks, of which the model takes roots, the fit ends in exchanged time constants.
+  const std::string text =
+      "input u hold linear\ndx1/dt = u - 0.5*sqrt(x1)\ndx2/dt = 0.5*sqrt(x1) - 0.4*sqrt(x2)\n"
+      "dx3/dt = 0.4*sqrt(x2) - 0.45*sqrt(x3)\ndx4/dt = 0.45*sqrt(x3) - 0.35*sqrt(x4)\n"
+      "y2 = x2\ny4 = x4\n";
+  const Vector start{{0.8, 1.0, 0.9, 1.2}};
+  const Dataset record = support::grey_box(
+      parse_ode(text, "t.ode"), {.start = start, .step = 0.1, .samples = 1500, .seed = 3});
+  const Fit found = fit(parse_ode_system(text, "t.ode"), record, {});
+  EXPECT_TRUE(found.quality[0].white && found.quality[1].white);
+  EXPECT_NEAR(number(found, "x2: sqrt(x2)").value, -0.4, 0.02);
+  EXPECT_NEAR(number(found, "x4: sqrt(x4)").value, -0.35, 0.02);
+  EXPECT_FALSE(found.combinations.empty()) << "the scale of hidden levels";
+}
+
+TEST(Fit, IsTheSameWithTheSameSeed) {
+  const SystemModel start = off_by(parse_ode_system(kTanks, "t.ode"), 2.0);
+  EXPECT_EQ(format_json(fit(start, tanks_record(), {})),
+            format_json(fit(start, tanks_record(), {})));
+}
+
+TEST(Fit, HeldOutRecordsAreRunFreely) {
+  const SystemModel truth = parse_ode_system(kTanks, "t.ode");
+  const Fit found = fit(off_by(truth, 1.5), tanks_record(), tanks_record(7));
+  ASSERT_TRUE(found.gap);
+  EXPECT_GT(found.gap->before, 10.0 * found.gap->after);
+  EXPECT_LT(found.gap->after, 1.5 * found.gap->noise_floor);
+}
+
+TEST(Fit, NumbersThatActTogetherAreNamedAndGetNoInterval) {
+  // x1 may have any scale: k12 and k21 are seen as a product.
+  const SystemModel system = parse_ode_system(R"(input u hold linear
+param k12 = 0.3
+param k21 = 0.5
+dx2/dt = -0.75*x2 + k12*x1 + 0.9*u
+dx1/dt = k21*x2 - 0.3*x1
+y = x2
+)",
+                                              "c.ode");
+  const Dataset data =
+      support::grey_box(system.model(), {.start = (Vector(2) << 0.3, 1.0).finished()});
+  const Fit found = fit(off_by(system, 1.3), data, {});
+  ASSERT_EQ(found.combinations.size(), 1u);
+  EXPECT_EQ(found.combinations[0].message, "k12 and k21 only as k12*k21");
+  EXPECT_FALSE(number(found, "k12").ci95);
+  EXPECT_FALSE(number(found, "k21").ci95);
+  EXPECT_NEAR(number(found, "k12").value * number(found, "k21").value, 0.15, 0.02);
+  EXPECT_TRUE(number(found, "x1: x1").ci95);
+  EXPECT_NEAR(number(found, "k12").value, 0.39, 0.06) << "as near as can be to the start";
+  EXPECT_FALSE(found.initial[0][1].standard_error) << "known up to its scale only";
+}
+
+TEST(Fit, ASumIsNoProduct) {
+  const SystemModel system = parse_ode_system(
+      "input u hold linear\nparam a = 0.4\nparam b = 0.4\ndx/dt = -a*x - b*x + 0.9*u\ny = x\n",
+      "s.ode");
+  const Dataset data = support::grey_box(system.model(), {.start = Vector::Constant(1, 2.0)});
+  const Fit found = fit(system, data, {});
+  ASSERT_EQ(found.combinations.size(), 1u);
+  EXPECT_EQ(found.combinations[0].message, "a and b only as a + b");
+}
+
+TEST(Fit, AStateThatNothingShowsIsNamed) {
+  const SystemModel system = parse_ode_system(
+      "input u hold linear\ndx/dt = -0.4*x + 0.9*u\ndz/dt = -2*z + 0.5*x\ny = x\n", "z.ode");
+  const Dataset data =
+      support::grey_box(system.model(), {.start = (Vector(2) << 2.0, 1.0).finished()});
+  const Fit found = fit(system, data, {});
+  std::string all;
+  for (const FitCombination& one : found.combinations) all += one.message + "\n";
+  EXPECT_THAT(all, HasSubstr("the state z cannot be told from what is measured"));
+  EXPECT_THAT(all, HasSubstr("z: z: the records say nothing of it"));
+  EXPECT_FALSE(number(found, "z: x").ci95);
+  EXPECT_TRUE(number(found, "x: x").ci95);
+  EXPECT_EQ(number(found, "z: z").value, -2.0) << "as it was";
+}
+
+TEST(Fit, ABoundIsSaidAndHasNoInterval) {
+  const std::string model =
+      "input u hold linear\nparam k = 0.3 in 0..0.4\n"
+      "dx/dt = -k*x + 0.7*u\ny = x\n";
+  const OdeModel truth =
+      parse_ode("input u hold linear\ndx/dt = -0.5*x + 0.7*u\ny = x\n", "t.ode");
+  const Dataset data = support::grey_box(truth, {.start = Vector::Constant(1, 2.0)});
+  const Fit found = fit(parse_ode_system(model, "m.ode"), data, {});
+  EXPECT_EQ(number(found, "k").bound, "max");
+  EXPECT_EQ(number(found, "k").value, 0.4);
+  EXPECT_FALSE(number(found, "k").ci95);
+  EXPECT_TRUE(number(found, "x: u").ci95);
+  EXPECT_FALSE(found.notes.empty());
+}
+
+TEST(Fit, ParametersPerRecordAreGivenForEach) {
+  std::string text = kTanks;
+  text.replace(text.find("param k4 = 0.4 in 0..20"), 23, "param k4 = 0.4 per_record");
+  Dataset data = tanks_record();
+  std::string other = kTanks;
+  other.replace(other.find("k4 = 0.4"), 8, "k4 = 0.6");
+  data.trajectories.push_back(
+      support::grey_box(parse_ode(other, "t.ode"),
+                        {.start = (Vector(2) << 0.3, 0.1).finished(), .step = 0.1, .seed = 3})
+          .trajectories[0]);
+  const Fit found = fit(parse_ode_system(text, "t.ode"), data, {});
+  const FittedNumber& k4 = number(found, "k4");
+  ASSERT_EQ(k4.per_record.size(), 2u);
+  EXPECT_NEAR(k4.per_record[0], 0.4, 0.02);
+  EXPECT_NEAR(k4.per_record[1], 0.6, 0.03);
+  EXPECT_NEAR(number(found, "k1").value, 0.5, 0.03);
+}
+
+TEST(Fit, AWrongStructureShowsInTheResiduals) {
+  const SystemModel linear = parse_ode_system(R"(input u hold linear
+dx1/dt = -0.5*x1 + 0.4*u
+dx2/dt = 0.5*x1 - 0.8*x2
+y = x2
+)",
+                                              "l.ode");
+  const Fit found = fit(linear, tanks_record(), {});
+  EXPECT_FALSE(found.quality[0].white);
+  EXPECT_THAT(found.notes[0], HasSubstr("not white"));
+}
+
+TEST(Fit, MoreUnknownsThanValuesAreAnError) {
+  Dataset data = tanks_record();
+  data.trajectories[0] = rows_of(data.trajectories[0], 0, 5);
+  expect_error<DataError>([&] { fit(parse_ode_system(kTanks, "t.ode"), data, {}); }, "records",
+                          "5 unknowns (parameters and initial states) for 5 measured values",
+                          "fixed");
+}
+
+TEST(Fit, ModelsThatAlwaysDivergeAreAnError) {
+  const SystemModel system = parse_ode_system(
+      "input u hold linear\nparam k = 900 in 800..1000\ndx/dt = k*x^3 + 1000*u\ny = x\n",
+      "d.ode");
+  const Dataset data =
+      support::grey_box(parse_ode("input u hold linear\ndx/dt = -x + u\ny = x\n", "e.ode"),
+                        {.start = Vector::Constant(1, 1.0)});
+  expect_error<DataError>([&] { fit(system, data, {}, {.restarts = 1}); }, "model",
+                          "no free run", "ranges");
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/fit/identifiability.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <cmath>
+
+#include "lacuna/core/base/random.hpp"
+
+namespace lacuna {
+namespace {
+
+/// R of random rows that see only the given combinations of changes (rows of `seen`).
+Matrix triangle_of(const Matrix& seen) {
+  Random random(3);
+  Matrix rows(50, seen.cols());
+  for (Index i = 0; i < rows.rows(); ++i) {
+    rows.row(i).setZero();
+    for (Index j = 0; j < seen.rows(); ++j)
+      rows.row(i) += 100.0 * random.normal() * seen.row(j);
+  }
+  const Eigen::HouseholderQR<Matrix> qr(rows);
+  return Matrix(qr.matrixQR().topRows(seen.cols()).triangularView<Eigen::Upper>());
+}
+
+std::vector<std::string> said(const Matrix& seen, const Vector& values,
+                              const std::vector<std::string>& names, bool is_sum = false) {
+  const Matrix triangle = triangle_of(seen);
+  const DeterminedBy problem{triangle, values, names};
+  const Matrix open = undetermined_directions(problem);
+  std::vector<std::string> messages;
+  for (Index j = 0; j < open.cols(); ++j)
+    messages.push_back(combination_of(problem, open.col(j), is_sum).message);
+  return messages;
+}
+
+TEST(Identifiability, AProductIsNamed) {
+  // k1 k4 and c are seen: d(k1 k4) = k4 dk1 + k1 dk4.
+  const Vector values = (Vector(3) << 0.5, 4.0, -2.0).finished();
+  const Matrix seen = (Matrix(2, 3) << 4.0, 0.5, 0.0, 0.0, 0.0, 1.0).finished();
+  EXPECT_THAT(said(seen, values, {"k1", "k4", "c"}),
+              ::testing::ElementsAre("k1 and k4 only as k1*k4"));
+}
+
+TEST(Identifiability, AQuotientWithAPowerIsNamed) {
+  // a / b^2: da / b^2 - 2 a / b^3 db.
+  const Vector values = (Vector(2) << 3.0, 2.0).finished();
+  const Matrix seen = (Matrix(1, 2) << 0.25, -0.75).finished();
+  EXPECT_THAT(said(seen, values, {"a", "b"}), ::testing::ElementsAre("a and b only as a/b^2"));
+}
+
+TEST(Identifiability, ASumIsNamed) {
+  const Vector values = (Vector(2) << 3.0, 2.0).finished();
+  const Matrix triangle = triangle_of((Matrix(1, 2) << 1.0, 1.0).finished());
+  const std::vector<std::string> names{"a", "b"};
+  const DeterminedBy problem{triangle, values, names};
+  const Matrix open = undetermined_directions(problem);
+  ASSERT_EQ(open.cols(), 1);
+  EXPECT_TRUE(may_be_sum(problem, open.col(0)));
+  EXPECT_EQ(combination_of(problem, open.col(0), true).message, "a and b only as a + b");
+}
+
+TEST(Identifiability, TheScaleOfAHiddenStateGivesTwoProducts) {
+  // a b and b c are seen.
+  const Vector values = (Vector(3) << 2.0, 5.0, 0.1).finished();
+  const Matrix seen = (Matrix(2, 3) << 5.0, 2.0, 0.0, 0.0, 0.1, 5.0).finished();
+  EXPECT_THAT(said(seen, values, {"a", "b", "c"}),
+              ::testing::ElementsAre("a, b and c only as a*b and c/a"));
+}
+
+TEST(Identifiability, WhatHasNoInfluenceIsNamedAlone) {
+  const Vector values = (Vector(2) << 3.0, 2.0).finished();
+  EXPECT_THAT(said((Matrix(1, 2) << 1.0, 0.0).finished(), values, {"a", "b"}),
+              ::testing::ElementsAre("b: the records say nothing of it"));
+}
+
+TEST(Identifiability, WhatIsSeenIsNotNamed) {
+  const Vector values = (Vector(2) << 3.0, 1e-9).finished();
+  EXPECT_TRUE(said(Matrix::Identity(2, 2), values, {"a", "b"}).empty()) << "a number may be 0";
+}
+
+TEST(Identifiability, NumbersKnownOnlyTogetherInPracticeAreNamed) {
+  const Vector values = (Vector(2) << 3.0, 2.0).finished();
+  const Matrix seen = (Matrix(2, 2) << 1.0, -1.5, 1e-4, 0.0).finished();
+  EXPECT_THAT(said(seen, values, {"a", "b"}), ::testing::ElementsAre("a and b only as b/a"));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+const Vector kTime{{0.0, 0.1, 0.3, 0.4, 0.5, 0.7, 0.8}};
+
+TEST(NodeTimes, DivideEachInterval) {
+  const Vector nodes = node_times(Vector{{0.0, 1.0, 3.0}}, 4);
+  ASSERT_EQ(nodes.size(), 9);
+  EXPECT_DOUBLE_EQ(nodes[3], 0.75);
+  EXPECT_DOUBLE_EQ(nodes[5], 1.5);
+  EXPECT_EQ(nodes[8], 3.0);
+}
+
+TEST(NodeSlots, HoldTheSamplesAndACubicBetween) {
+  Matrix values(7, 2);
+  values << kTime.array().cube(), Vector::Random(7);
+  const Matrix slots = node_slots(kTime, values, 2);
+  ASSERT_EQ(slots.rows(), 13);
+  ASSERT_EQ(slots.cols(), 3);
+  const Vector at_samples = slots.col(1)(Eigen::seq(0, 12, 2));
+  EXPECT_EQ(at_samples, values.col(1)) << "to the bit";
+  EXPECT_LT((slots.col(0).array() - slots.col(2).array().cube()).abs().maxCoeff(), 1e-15);
+  EXPECT_DOUBLE_EQ(slots(3, 2), 0.2);
+}
+
+TEST(NodeSlots, GoOnBetweenSamplesAsTold) {
+  const Matrix values = Vector::LinSpaced(7, 0.0, 6.0).array().square();
+  EXPECT_EQ(node_slots(kTime, values, 2, Interpolation::Held)(5, 0), 4.0);
+  EXPECT_DOUBLE_EQ(node_slots(kTime, values, 2, Interpolation::Linear)(5, 0), 6.5);
+}
+
+TEST(DelayedSlots, AreWhatWasBefore) {
+  Matrix values(7, 1);
+  values << kTime.array().square();
+  const Matrix slots = node_slots(kTime, values, 4);
+  const Matrix past = delayed_slots(slots, 4, {{0, 0.15}});
+  ASSERT_EQ(past.cols(), 1);
+  for (Index i = 0; i < slots.rows(); ++i) {
+    const double then = std::max(slots(i, 1) - 0.15, 0.0);
+    EXPECT_NEAR(past(i, 0), then * then, 1e-14) << "the first sample holds before it";
+  }
+}
+
+TEST(StepGrid, IsThatOfNodesWhileNothingJumps) {
+  const Matrix values = kTime.array().cube();
+  const StepGrid grid = step_grid({Interpolation::Cubic});
+  EXPECT_EQ(step_slots(kTime, values, grid), node_slots(kTime, values, 2));
+}
+
+TEST(StepGrid, AHeldSignalJumpsBetweenTheEndOfAStepAndTheNextBegin) {
+  Matrix values(kTime.size(), 2);
+  values << Vector::LinSpaced(kTime.size(), 1.0, static_cast<double>(kTime.size())), kTime;
+  const StepGrid grid = step_grid({Interpolation::Held, Interpolation::Linear});
+  ASSERT_EQ(grid.stride, 3);
+  const Matrix slots = step_slots(kTime, values, grid);
+  ASSERT_EQ(slots.rows(), 3 * (kTime.size() - 1) + 1);
+  for (Index i = 0; i + 1 < kTime.size(); ++i) {
+    const double h = kTime[i + 1] - kTime[i];
+    EXPECT_EQ(slots(grid.begin(i), 0), static_cast<double>(i + 1));
+    EXPECT_EQ(slots(grid.middle(i), 0), static_cast<double>(i + 1));
+    EXPECT_EQ(slots(grid.end(i), 0), static_cast<double>(i + 1));
+    EXPECT_NEAR(slots(grid.middle(i), 1), kTime[i] + 0.5 * h, 1e-15);
+    EXPECT_EQ(slots(grid.end(i), 2), kTime[i + 1]);
+  }
+  EXPECT_EQ(slots(slots.rows() - 1, 0), static_cast<double>(kTime.size()));
+}
+
+/// The integral over a step by Simpson's rule is that of the delayed steps.
+TEST(StepGrid, DelayedHeldSignalsKeepTheirIntegral) {
+  const Vector time = Vector::LinSpaced(8, 0.0, 0.7);
+  const Vector values{{1.0, 1.0, 4.0, -2.0, -2.0, 0.0, 3.0, 3.0}};
+  const StepGrid grid = step_grid({Interpolation::Held});
+  const Matrix slots = step_slots(time, values, grid);
+  const Matrix past = delayed_step_slots(slots, grid, {{0, 0.13}});
+  for (Index i = 2; i + 1 < 8; ++i) {
+    const Eigen::Vector3d line = past.col(0).segment<3>(grid.begin(i));
+    const double mean = (line[0] + 4.0 * line[1] + line[2]) / 6.0;
+    EXPECT_NEAR(mean, 0.3 * values[i - 2] + 0.7 * values[i - 1], 1e-12);
+    EXPECT_GE(line.minCoeff(), values.minCoeff() - 1e-12);
+    EXPECT_LE(line.maxCoeff(), values.maxCoeff() + 1e-12);
+  }
+  const Matrix whole = delayed_step_slots(slots, grid, {{0, 0.2}});
+  for (Index i = 2; i + 1 < 8; ++i)
+    for (Index q = 0; q < 3; ++q)
+      EXPECT_NEAR(whole(grid.begin(i) + q, 0), values[i - 2], 1e-9) << "whole steps";
+}
+
+}  // namespace
+}  // namespace lacuna

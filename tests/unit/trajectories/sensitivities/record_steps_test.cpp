@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/trajectories/sensitivities/record_steps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+
+namespace lacuna {
+namespace {
+
+/// x' = t^2 - x + u: with u = 2 t the solution is t^2 + (x0) exp(-t).
+Rates leaking() {
+  const Variables variables{{"x"}, {"u"}};
+  return Rates(OdeModel({{"x", ""}}, {{"u", ""}},
+                        {{{Term::parse("t^2", variables), 1.0},
+                          {Term::parse("x", variables), -1.0},
+                          {Term::parse("u", variables), 1.0}}}));
+}
+
+/// Begins on the solution, irregular steps.
+StepSlots slots() {
+  const Vector time{{0.0, 0.2, 0.3, 0.6, 0.8, 1.0}};
+  Matrix values(6, 2);
+  values << time.array().square() + 3.0 * (-time.array()).exp(), 2.0 * time;
+  return {node_slots(time, values, 2), 1, {}};
+}
+
+std::vector<Index> all_steps() { return {0, 1, 2, 3, 4}; }
+
+double worst(int parts) {
+  Rates rates = leaking();
+  const StepSlots grid = slots();
+  const Matrix ends = ends_of_steps(rates, grid, all_steps(), parts);
+  double largest = 0.0;
+  for (Index i = 0; i < 5; ++i)
+    largest = std::max(largest, std::abs(ends(i, 0) - grid.nodes(2 * i + 2, 0)));
+  return largest;
+}
+
+TEST(EndsOfSteps, FollowTheSolutionWithOrderFour) {
+  EXPECT_LT(worst(1), 1e-3);
+  EXPECT_NEAR(std::log2(worst(2) / worst(4)), 4.0, 0.3);
+}
+
+TEST(EndsOfSteps, InputsAreCubicsBetweenNodes) {
+  const Vector time{{0.0, 0.2, 0.5, 0.6, 0.9}};
+  const Variables variables{{"x"}, {"u"}};
+  Rates rates(OdeModel({{"x", ""}}, {{"u", ""}}, {{{Term::parse("u", variables), 1.0}}}));
+  Matrix values(5, 2);
+  values << Vector::Zero(5), time.array().cube();
+  const StepSlots grid(node_slots(time, values, 2), 1, {});
+  const Matrix ends = ends_of_steps(rates, grid, {0, 1, 2, 3}, 4);
+  for (Index i = 0; i < 4; ++i)
+    EXPECT_NEAR(ends(i, 0), 0.25 * (std::pow(time[i + 1], 4) - std::pow(time[i], 4)), 1e-15);
+}
+
+TEST(PartsFor, AreAsManyAsTheAccuracyNeeds) {
+  Rates rates = leaking();
+  const std::vector<int> parts =
+      parts_for(rates, slots(), {Vector::Constant(1, 1e-7), Vector::Constant(1, 1.0)});
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_GT(parts[0], 1);
+  EXPECT_LT(worst(parts[0]), 1e-7);
+  EXPECT_EQ(parts[1], 1);
+  EXPECT_EQ(parts_for(rates, slots(), {Vector::Zero(1)}).front(), 32) << "no more than that";
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/shooting/shooting_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "lacuna/core/base/random.hpp"
+#include "unit/trajectories/shooting/dense_problem.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::ShootingCase;
+
+TEST(ShootingFit, MinimumHasNoGradientInAnyUnknown) {
+  ShootingCase c;
+  ShootingFit fit{c.plan, c.point, {}};
+  minimise(c.problem, fit, 1e-12, 50, {});
+  EXPECT_TRUE(fit.converged);
+  EXPECT_LT(fit.point.cost, c.point.cost);
+  const testing::DenseProblem dense = testing::dense_problem(c.problem, c.plan, fit.point);
+  const Vector gradient = dense.jacobian.transpose() * dense.residual;
+  const Vector step = dense.jacobian.householderQr().solve(dense.residual);
+  // What a further step would bring, in units in which 1 is a standard error of a parameter.
+  EXPECT_LT(gradient.dot(step), 1e-4);
+  EXPECT_NEAR(fit.point.cost, dense.residual.squaredNorm(), 1e-9 * fit.point.cost);
+}
+
+TEST(ShootingFit, EndsAtTheIterationLimit) {
+  ShootingCase c;
+  ShootingFit fit{c.plan, c.point, {}};
+  minimise(c.problem, fit, 1e-12, 1, {});
+  EXPECT_FALSE(fit.converged);
+  EXPECT_EQ(fit.iterations, 1);
+  ShootingFit coarse{c.plan, c.point, {}};
+  minimise(c.problem, coarse, 1e6, 50, {});
+  EXPECT_TRUE(coarse.converged) << "no step is worth so much";
+  EXPECT_EQ(coarse.iterations, 0);
+}
+
+/// dx/dt = -a x over 20 samples, x(0) = 2, with noise.
+ShootingProblem decay_problem(double a, double noise) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel model({{"x", ""}}, {}, {{{Term::parse("x", variables), -a}}});
+  Dataset data;
+  data.states = {{"x", ""}};
+  Trajectory run{.source = "decay.csv",
+                 .time = Vector::LinSpaced(20, 0.0, 1.9),
+                 .states = {},
+                 .inputs = Matrix(20, 0),
+                 .derivatives = {}};
+  Random random(2);
+  run.states.resize(20, 1);
+  for (Index i = 0; i < 20; ++i)
+    run.states(i, 0) = 2.0 * std::exp(-1.3 * run.time[i]) + noise * random.normal();
+  data.trajectories.push_back(run);
+  return {with_free_coefficients(model), data, std::nullopt};
+}
+
+TEST(ShootingFit, FindsTheLeastSquaresOfAnExponential) {
+  ShootingProblem problem = decay_problem(0.5, 0.1);
+  problem.set_scheme({&prince_dormand_87(), 2});
+  ShootingFit fit;
+  fit.plan = equal_windows(problem.record().begins, 20);
+  fit.point.parameters = problem.model().values();
+  fit.point.starts = Matrix::Constant(1, 1, 1.0);
+  minimise(problem, fit, 1e-12, 50, {});
+  // The best factor of exp(-a t) is a linear problem; a by a fine scan.
+  const Vector y = problem.record().values.col(0), t = problem.record().time;
+  double least = 1e300, best = 0.0;
+  for (double a = 0.8; a < 2.0; a += 1e-5) {
+    const Vector e = (-a * t.array()).exp();
+    const double left = y.squaredNorm() - std::pow(e.dot(y), 2) / e.squaredNorm();
+    if (left < least) best = a;
+    least = std::min(least, left);
+  }
+  EXPECT_NEAR(-fit.point.parameters[0], best, 2e-5);
+  EXPECT_NEAR(fit.point.cost, least, 1e-8);
+}
+
+TEST(ShootingFit, NoStepRaisesTheCost) {
+  for (const double start : {-4.0, -2.0, 0.1, 6.0, 20.0}) {
+    ShootingProblem problem = decay_problem(start, 0.1);
+    ShootingFit fit;
+    fit.plan = equal_windows(problem.record().begins, 20);
+    fit.point.parameters = problem.model().values();
+    fit.point.starts = Matrix::Constant(1, 1, 1.0);
+    problem.evaluate(fit.plan, fit.point);
+    for (int step = 1; step <= 20; ++step) {
+      const double before = fit.point.cost;
+      minimise(problem, fit, 1e-12, 1, {});
+      EXPECT_LE(fit.point.cost, before) << "step " << step << " from " << start;
+    }
+  }
+}
+
+TEST(ShootingFit, DegreesOfFreedomAreResidualsLessUnknowns) {
+  const ShootingCase c;
+  EXPECT_EQ(degrees_of_freedom(c.problem, c.plan), 2 * 41 - 3 - 5 * 2);
+  EXPECT_EQ(degrees_of_freedom(c.problem, equal_windows({0, 25, 41}, 1)), 1) << "at least 1";
+}
+
+TEST(ShootingFit, ResidualSigmaCountsWhatTheFitTook) {
+  ShootingCase c;
+  const ShootingFit fit{c.plan, c.point, {}};
+  const Matrix r = c.problem.residuals(c.plan, c.point);
+  const Vector even = residual_sigma(c.problem, fit, false);
+  EXPECT_NEAR(even[0], 0.1 * r.col(0).norm() / std::sqrt(69.0 / 2.0), 1e-12);
+  EXPECT_NEAR(even[1], 0.2 * r.col(1).norm() / std::sqrt(69.0 / 2.0), 1e-12);
+  const Vector taken = residual_sigma(c.problem, fit, false, Vector{{9.0, 4.0}});
+  EXPECT_NEAR(taken[0], 0.1 * r.col(0).norm() / std::sqrt(41.0 - 9.0), 1e-12);
+  EXPECT_NEAR(taken[1], 0.2 * r.col(1).norm() / std::sqrt(41.0 - 4.0), 1e-12);
+  std::vector<double> sizes;
+  for (const double value : r.col(1)) sizes.push_back(std::abs(value));
+  std::sort(sizes.begin(), sizes.end());
+  const double median = sizes[20] / 0.6744897501960817;  // that of |normal| is 0.6745
+  EXPECT_NEAR(residual_sigma(c.problem, fit, true, Vector{{9.0, 4.0}})[1],
+              0.2 * median * std::sqrt(41.0 / 37.0), 1e-12);
+}
+
+TEST(ShootingFit, StartsAreTheStatesAtTheFirstSamples) {
+  Matrix states(6, 2);
+  states << 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11;
+  const Matrix starts = starts_of({{0, 2, 2}, {2, 3, 3}, {5, 1, 0}}, states);
+  EXPECT_EQ(starts, (Matrix{{0, 1}, {4, 5}, {10, 11}}));
+}
+
+TEST(ShootingFit, StepsAreAsFineAsTheNoiseAsks) {
+  ShootingProblem problem = decay_problem(1.3, 0.0);
+  const WindowPlan plan = equal_windows(problem.record().begins, 20);
+  ShootingPoint point{problem.model().values(), Matrix::Constant(1, 1, 2.0)};
+  const StepScheme before = problem.scheme();
+  const Vector exact = 2.0 * (-1.3 * problem.record().time.array()).exp();
+  int last_order = 0;
+  for (const double sigma : {1e-2, 1e-8, 1e-11}) {
+    const StepScheme scheme = accurate_scheme(problem, plan, point, Vector::Constant(1, sigma));
+    EXPECT_EQ(problem.scheme(), before) << "the problem is left as it was";
+    problem.set_scheme(scheme);
+    problem.evaluate(plan, point);
+    EXPECT_LT((point.orbits.samples.col(0) - exact).norm(), 0.15 * sigma);
+    EXPECT_GE(scheme.tableau->order, last_order);
+    last_order = scheme.tableau->order;
+    problem.set_scheme(before);
+  }
+  EXPECT_EQ(accurate_scheme(problem, plan, point, Vector::Ones(1)),
+            (StepScheme{&runge_kutta_4(), 1}));
+}
+
+TEST(ShootingFit, AMethodThatIsNoBetterThanTheLastOneIsNotTheEndOfTheLadder) {
+  // At steps of some time constants the fifth order may be no better than the fourth.
+  for (double a = 2.0; a < 60.0; a += 1.0) {
+    ShootingProblem problem = decay_problem(a, 0.0);
+    const WindowPlan plan = equal_windows(problem.record().begins, 20);
+    ShootingPoint point{problem.model().values(), Matrix::Constant(1, 1, 2.0)};
+    const double sigma = 1e-4;
+    problem.set_scheme(accurate_scheme(problem, plan, point, Vector::Constant(1, sigma)));
+    problem.evaluate(plan, point);
+    const Vector exact = 2.0 * (-a * problem.record().time.array()).exp();
+    EXPECT_LT((point.orbits.samples.col(0) - exact).norm(), 0.15 * sigma) << a;
+  }
+}
+
+TEST(ShootingFit, WhereRatesJumpNoFinerSchemeIsTaken) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel model(
+      {{"x", ""}}, {},
+      {{{Term::parse("sign(x)", variables), -1.0}, {Term::parse("1", variables), 0.3}}});
+  ShootingProblem smooth = decay_problem(1.3, 0.0);
+  Dataset data;
+  data.states = {{"x", ""}};
+  data.trajectories.push_back({.source = "jump.csv",
+                               .time = smooth.record().time,
+                               .states = smooth.record().values,
+                               .inputs = Matrix(20, 0),
+                               .derivatives = {}});
+  ShootingProblem problem(with_free_coefficients(model), data, std::nullopt);
+  const WindowPlan plan = equal_windows(problem.record().begins, 20);
+  const ShootingPoint point{problem.model().values(), Matrix::Constant(1, 1, 2.0)};
+  const StepScheme scheme = accurate_scheme(problem, plan, point, Vector::Constant(1, 1e-9));
+  EXPECT_LE(scheme.tableau->order, 5);
+  EXPECT_EQ(scheme.substeps, 1);
+}
+
+}  // namespace
+}  // namespace lacuna
