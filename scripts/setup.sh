@@ -10,7 +10,8 @@ packages=(
   libeigen3-dev            # linear algebra
   libceres-dev             # nonlinear least squares: an inner solver
   libnlopt-dev libnlopt-cxx-dev  # nonlinear optimisation: an inner solver
-  libsuitesparse-dev       # sparse factorisations behind Ceres
+  libsuitesparse-dev       # sparse factorisations: CHOLMOD, also behind Ceres
+  libsundials-dev          # CVODE: stiff models
   nlohmann-json3-dev       # model files and configurations
   libcli11-dev             # command line
   zlib1g-dev               # compressed records

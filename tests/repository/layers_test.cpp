@@ -118,6 +118,14 @@ TEST(Layers, PipelineReachesConcreteStagesOnlyInPresets) {
   }
 }
 
+/// "solvers/l1/l1_ceres" of include/lacuna/solvers/l1/l1_ceres.hpp and solvers/l1/l1_ceres.cpp.
+std::string header_of(std::filesystem::path path) {
+  path.replace_extension();
+  if (path.begin()->string() == "include") path = path.lexically_relative("include/lacuna");
+  if (path.begin()->string() == "src") path = path.lexically_relative("src");
+  return path.string();
+}
+
 TEST(Layers, NoConcreteStageIncludesAnother) {
   std::set<std::string> stage_headers;
   for (const SourceFile& file : sources_below("include")) {

@@ -13,6 +13,7 @@
 #include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/hypotheses/shared_process.hpp"
 #include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+#include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/effects/families.hpp"
 #include "lacuna/regression/filters/abm.hpp"
@@ -95,20 +96,12 @@ void add_integrators(Registry& registry) {
   registry.add<RungeKutta>();
   registry.add<Dopri8>();
   registry.add<Dopri87>();
+  registry.add<Cvode>();
 }
 
 template <const EffectFamily&... Families>
-void add_families(Registry& registry) {
+void add_families(Registry& registry, FamilyList<Families...>) {
   (registry.add<FamilyEffect<Families>>(), ...);
-}
-
-void add_effects(Registry& registry) {
-  add_families<kConstantOffset, kLinearTerm, kQuadraticTerm, kCubicTerm, kHigherOrderTerm,
-               kCrossTerm, kFeedthrough, kMissingCoupling, kLeakage, kCubicStiffness,
-               kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
-               kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
-               kSaturatingRate, kExponentialConduction, kPeriodicForcing, kParameterDrift,
-               kTimeTrend, kDelay, kLag, kUnmeasuredInput, kChannelSkew>(registry);
 }
 
 void add_identification(Registry& registry) {
@@ -144,7 +137,7 @@ Registry default_registry() {
   add_selection(registry);
   add_solvers(registry);
   add_integrators(registry);
-  add_effects(registry);
+  add_families(registry, StandardFamilies{});
   add_identification(registry);
   add_diagnosis(registry);
   return registry;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
@@ -43,6 +44,27 @@ void check_values(const std::string& where, const Eigen::Ref<const Matrix>& valu
                         "cut the record there");
 }
 
+/// Finds the first nested differentiator.
+class DifferentiatorFinder final : public OptionVisitor {
+ public:
+  void field(const FieldInfo&, double&) override {}
+  void field(const FieldInfo&, int&) override {}
+  void field(const FieldInfo&, bool&) override {}
+  void field(const FieldInfo&, std::string&) override {}
+  void field(const FieldInfo&, std::optional<double>&) override {}
+  void field(const FieldInfo&, std::optional<int>&) override {}
+  void field(const FieldInfo&, std::vector<std::string>&) override {}
+
+  std::shared_ptr<const Differentiator> found;
+
+ protected:
+  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
+  void nested_stage(const FieldInfo&, std::string_view,
+                    std::shared_ptr<const StageInterface>& stage) override {
+    if (!found) found = std::dynamic_pointer_cast<const Differentiator>(stage);
+  }
+};
+
 }  // namespace
 
 Matrix Differentiator::differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
@@ -58,6 +80,16 @@ Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Datas
                                 const std::optional<Vector>& noise) {
   auto fitted = method->do_fit(data, noise);
   return fitted ? Stage<Differentiator>(std::move(fitted)) : method;
+}
+
+Stage<Differentiator> differentiator_of(const StageInterface& stage) {
+  DifferentiatorFinder finder;
+  stage.visit_options(finder);
+  if (!finder.found)
+    throw ConfigError(std::string(stage.info().name),
+                      "there is no differentiator among the options",
+                      "choose a formulation that has one, e.g. --set formulation=strong");
+  return Stage<Differentiator>(finder.found);
 }
 
 }  // namespace lacuna

@@ -130,13 +130,19 @@ Selection selection_of(const Sources& records) {
   return {step, step > 1 ? excerpt_of(thinned_by(step, records)) : stretches_of(records, pace)};
 }
 
+/// A dataset that outlives the pointer; a copy where its inputs have to be given their rows.
+std::shared_ptr<const Dataset> seen(const Dataset& data) {
+  if (lacks_input_columns(data))
+    return std::make_shared<const Dataset>(with_input_columns(data));
+  return {std::shared_ptr<const Dataset>(), &data};
+}
+
 }  // namespace
 
-RecordStream::RecordStream(const Dataset& data)
-    : RecordStream(std::shared_ptr<const Dataset>(std::shared_ptr<const Dataset>(), &data)) {}
+RecordStream::RecordStream(const Dataset& data) : RecordStream(seen(data)) {}
 
 RecordStream::RecordStream(Dataset&& data)
-    : RecordStream(std::make_shared<const Dataset>(std::move(data))) {}
+    : RecordStream(std::make_shared<const Dataset>(with_input_columns(std::move(data)))) {}
 
 RecordStream::RecordStream(std::shared_ptr<const Dataset> all)
     : all_(std::move(all)), excerpt_(all_), samples_(all_->samples()) {

@@ -12,6 +12,7 @@
 #include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/trajectories/smoother/hidden_states.hpp"
 #include "lacuna/trajectories/smoother/outlier_check.hpp"
+#include "lacuna/trajectories/smoother/spectral_lines.hpp"
 #include "lacuna/trajectories/smoother/unseen_changes.hpp"
 
 namespace lacuna {

@@ -7,6 +7,7 @@
 
 #include "lacuna/core/base/parallel.hpp"
 #include "lacuna/core/base/text.hpp"
+#include "lacuna/trajectories/smoother/spectral_lines.hpp"
 #include "lacuna/trajectories/smoother/variance_fit.hpp"
 
 namespace lacuna {

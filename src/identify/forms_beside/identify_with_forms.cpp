@@ -188,7 +188,7 @@ IdentificationResult identify_with_forms(const RecordStream& records, const Pipe
                                          const RunContext& context) {
   IdentificationResult alone = identify(records, pipeline, context);
   if (!context.leads() || leaves_nothing(alone, options.worth_asking) ||
-      lacks_input_columns(records.excerpt()) || !pipeline.equations.empty())
+      !pipeline.equations.empty())
     return alone;
   const RunContext leader = context.alone();
   ExtendedRun run(records, pipeline, options, alone, leader);

@@ -321,8 +321,6 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
   const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
   const Dataset& data =
       is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
-  if (lacks_input_columns(data))
-    return identify(with_input_columns(*records.in_memory()), pipeline, context);
   check_dataset(data, context.threads);
   const EquationLibraries libraries =
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);

@@ -8,8 +8,7 @@
 namespace lacuna {
 namespace {
 
-/// Functionals that are whitened together; the correlation of those at the border of two blocks
-/// is left out.
+/// Functionals that are made together, where no more overlap; a fact of caches.
 constexpr Index kBlock = 128;
 
 /// Records whose "derivatives" are the states, so that rows at samples hold terms and states.
@@ -29,6 +28,20 @@ Index last_entry(const SparseRows& matrix, Index row) {
   Index last = 0;
   for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry) last = entry.col();
   return last;
+}
+
+/// Columns below the diagonal that the rows of a lower triangular matrix reach back.
+Index bandwidth(const SparseRows& lower) {
+  Index most = 0;
+  for (Index row = 0; row < lower.rows(); ++row)
+    most = std::max(most, row - first_entry(lower, row));
+  return most;
+}
+
+/// A part of a sparse matrix.
+SparseRows cut(const SparseRows& all, Index row, Index rows, Index column, Index columns) {
+  const Eigen::SparseMatrix<double, Eigen::ColMajor, Index> part(all.middleRows(row, rows));
+  return SparseRows(part.middleCols(column, columns));
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ class ProjectedRows::Reader final : public RowReader {
     }
   }
 
- private:
+  /// All rows of a block.
   const Matrix& whole(const Block& block) {
     if (&block == current_) return rows_;
     const Index terms = source_.terms(), targets = source_.targets();
@@ -61,12 +74,14 @@ class ProjectedRows::Reader final : public RowReader {
     samples_->read(block.first_sample, theta, states);
     rows_.resize(block.values.rows(), terms + targets);
     rows_ << block.values * theta, block.rates * states;
+    if (block.before.cols() > 0) rows_ -= block.before * block.carried;
     if (block.factor.size() > 0)
       block.factor.triangularView<Eigen::Lower>().solveInPlace(rows_);
     current_ = &block;
     return rows_;
   }
 
+ private:
   const ProjectedRows& source_;
   std::unique_ptr<RowReader> samples_;
   const Block* current_ = nullptr;
@@ -81,40 +96,51 @@ ProjectedRows::ProjectedRows(const TermLibrary& library, const std::vector<Traje
   if (rows_ == 0)
     throw DataError("data", "no record is as long as the support of a test function",
                     "give longer records or a smaller radius");
+  carry_over();
 }
 
 void ProjectedRows::add_blocks(const Projection& projection, const RecordRows& part,
                                bool whiten) {
-  Index first = 0;
-  while (first < projection.rows() && first_entry(projection.values, first) < part.first_sample)
-    ++first;
-  while (first < projection.rows()) {
-    const Index count = std::min(kBlock, projection.rows() - first);
-    Block block = make_block(projection, part, first, count, whiten);
+  Index begin = 0;
+  while (begin < projection.rows() && first_entry(projection.values, begin) < part.first_sample)
+    ++begin;
+  const Index rows = projection.rows() - begin;
+  if (rows == 0) return;
+  const SparseRows lower = whiten ? projection.target_factor(begin, rows) : SparseRows();
+  const Index overlap = bandwidth(lower), size = std::max(kBlock, overlap);
+  for (Index first = 0; first < rows; first += size) {
+    const Index count = std::min(size, rows - first), reach = std::min(first, overlap);
+    Block block = make_block(projection, part, begin + first, count);
+    if (whiten) {
+      block.factor = cut(lower, first, count, first, count);
+      block.before = cut(lower, first, count, first - reach, reach);
+    } else {
+      block.rates = block.values;
+    }
     block.first_row = rows_;
     rows_ += count;
     blocks_.push_back(std::move(block));
-    first += count;
   }
 }
 
 ProjectedRows::Block ProjectedRows::make_block(const Projection& projection,
-                                               const RecordRows& part, Index first, Index count,
-                                               bool whiten) const {
+                                               const RecordRows& part, Index first,
+                                               Index count) const {
   const Index begin = first_entry(projection.values, first);
-  const Index samples = last_entry(projection.values, first + count - 1) + 1 - begin;
   Block block;
   block.first_sample = part.first_row + begin - part.first_sample;
-  block.samples = samples;
-  const auto cut = [&](const SparseRows& all) {
-    const SparseRows rows = all.middleRows(first, count);
-    const Eigen::SparseMatrix<double, Eigen::ColMajor, Index> columns(rows);
-    return SparseRows(columns.middleCols(begin, samples));
-  };
-  block.values = cut(projection.values);
-  block.rates = whiten ? cut(projection.rates) : block.values;
-  if (whiten) block.factor = projection.target_factor(first, count);
+  block.samples = last_entry(projection.values, first + count - 1) + 1 - begin;
+  block.values = cut(projection.values, first, count, begin, block.samples);
+  block.rates = cut(projection.rates, first, count, begin, block.samples);
   return block;
+}
+
+/// Gives each block the white rows before it: one pass over all rows.
+void ProjectedRows::carry_over() {
+  Reader reader(*this);
+  for (std::size_t b = 1; b < blocks_.size(); ++b)
+    if (const Index reach = blocks_[b].before.cols(); reach > 0)
+      blocks_[b].carried = reader.whole(blocks_[b - 1]).bottomRows(reach);
 }
 
 std::unique_ptr<RowReader> ProjectedRows::open() const {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/regression/formulations/projection.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "sparse_cholesky.hpp"
 
 namespace lacuna {
 namespace {
@@ -39,14 +40,9 @@ Index first_after(const Vector& time, double t) {
   return std::upper_bound(time.data(), time.data() + time.size(), t) - time.data();
 }
 
-/// L of C = L L'; rounding is added to the diagonal so that rows that nearly depend on each
-/// other do not become arbitrarily large.
-Matrix cholesky(Matrix covariance) {
-  constexpr double kRounding = 1e-10;
-  const double mean = covariance.trace() / static_cast<double>(covariance.rows());
-  covariance.diagonal().array() += kRounding * mean;
-  return covariance.llt().matrixL();
-}
+/// Added to the diagonal of a covariance, of its mean: rows that nearly depend on each other do
+/// not become arbitrarily large. A fact of rounding.
+constexpr double kRounding = 1e-10;
 
 }  // namespace
 
@@ -74,9 +70,12 @@ Matrix Projection::covariance(Index first, Index count, const Matrix& sensitivit
   return total;
 }
 
-Matrix Projection::target_factor(Index first, Index count) const {
+SparseRows Projection::target_factor(Index first, Index count) const {
   const SparseRows part = rates.middleRows(first, count);
-  return cholesky(Matrix(part * SparseRows(part.transpose())));
+  SparseRows covariance = part * SparseRows(part.transpose());
+  const double mean = covariance.diagonal().sum() / static_cast<double>(count);
+  for (Index row = 0; row < count; ++row) covariance.coeffRef(row, row) += kRounding * mean;
+  return sparse_cholesky(covariance);
 }
 
 Vector quadrature_weights(const Vector& time) {

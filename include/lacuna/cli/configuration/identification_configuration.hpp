@@ -2,12 +2,7 @@
 #pragma once
 
 #include "lacuna/cli/configuration/configuration.hpp"
-#include "lacuna/diagnose/hints/map_hint.hpp"
-#include "lacuna/identify/forms_beside/form_options.hpp"
-#include "lacuna/identify/validation/advice.hpp"
-#include "lacuna/identify/validation/validation_options.hpp"
-#include "lacuna/model/invariants/relations.hpp"
-#include "lacuna/report/pages/sync_verdict.hpp"
+#include "lacuna/identify/journey/identification_options.hpp"
 
 namespace lacuna {
 
@@ -24,16 +19,6 @@ template <class OptionsType>
 class Rules final : public Configured<RulesOf<OptionsType>, OptionsType> {
  public:
   using Configured<RulesOf<OptionsType>, OptionsType>::Configured;
-};
-
-/// What `identify` does besides its pipeline.
-struct IdentificationOptions {
-  FormOptions forms;
-  ValidationOptions validation;
-  RelationOptions relations;
-  AdviceOptions advice;  ///< seeks as `forms` says
-  MapHintOptions map;
-  SyncVerdictOptions sync;
 };
 
 /// These options from a configuration with the keys `forms`, `validation`, `relations`,

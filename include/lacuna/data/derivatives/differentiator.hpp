@@ -66,4 +66,7 @@ class Differentiator : public StageInterface {
 Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data,
                                 const std::optional<Vector>& noise = {});
 
+/// The differentiator among the options of a stage. @throws ConfigError when there is none.
+Stage<Differentiator> differentiator_of(const StageInterface& stage);
+
 }  // namespace lacuna

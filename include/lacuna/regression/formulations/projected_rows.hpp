@@ -11,8 +11,9 @@ namespace lacuna {
 
 /// Rows L^-1 [values Theta, rates x] of the projections of several records, whitened: L L' is
 /// the covariance of the targets for noise of unit variance, so that white noise sigma_k of the
-/// samples of state k is white noise sigma_k of its target. Rows of one block of functionals
-/// are whitened together; rows are made on demand.
+/// samples of state k is white noise sigma_k of its target. L is as banded as the supports of
+/// the functionals overlap, so that rows are made on demand, a block of them at a time, from
+/// the samples and the last rows of the block before.
 ///
 /// Where records bring derivatives, targets are values dx/dt and rows are not whitened.
 class ProjectedRows final : public RowSource {
@@ -35,18 +36,21 @@ class ProjectedRows final : public RowSource {
  private:
   class Reader;
 
-  /// Functionals of one record that are whitened together.
+  /// Functionals of one record that are made together.
   struct Block {
     Index first_row = 0;
     Index first_sample = 0;  ///< row of `samples_`
     Index samples = 0;
     SparseRows values, rates;  ///< rows x samples
-    Matrix factor;             ///< L; 0 x 0 without whitening
+    SparseRows factor;         ///< rows of L at the block's own columns; 0 x 0: no whitening
+    SparseRows before;    ///< rows of L at the columns of the last rows of the block before
+    Matrix carried = {};  ///< those rows, white
   };
 
   void add_blocks(const Projection& projection, const RecordRows& part, bool whiten);
   Block make_block(const Projection& projection, const RecordRows& part, Index first,
-                   Index count, bool whiten) const;
+                   Index count) const;
+  void carry_over();
 
   std::shared_ptr<const LibraryRows> samples_;
   std::vector<Block> blocks_;

@@ -42,9 +42,10 @@ struct Projection {
   Matrix covariance(Index first, Index count, const Matrix& sensitivity, const Vector& noise,
                     Index state) const;
 
-  /// Factor L of rates rates' = L L' of rows first .. first + count - 1: L^-1 makes rows white
-  /// that have noise in the state only.
-  Matrix target_factor(Index first, Index count) const;
+  /// Factor L of rates rates' = L L' of rows first .. first + count - 1, lower triangular and
+  /// as banded as the supports overlap: L^-1 makes rows white that have noise in the state
+  /// only.
+  SparseRows target_factor(Index first, Index count) const;
 };
 
 /// Rows for test functions that fit into the record, `spacing` time units apart: values are

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/report/pages/sync_verdict.hpp"
+#include "lacuna/identify/validation/sync_verdict.hpp"
 
 namespace lacuna {
 

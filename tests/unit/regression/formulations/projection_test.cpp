@@ -113,7 +113,7 @@ TEST(Projection, CovarianceIsThatOfSimulatedNoise) {
 
 TEST(Projection, TargetFactorMakesRowsWhite) {
   const Projection rows = weak_projection(oscillation(200), {0.15, 4}, 0.07);
-  const Matrix factor = rows.target_factor(0, rows.rows());
+  const Matrix factor(rows.target_factor(0, rows.rows()));
   const Matrix covariance = rows.covariance(0, rows.rows(), {}, Vector::Ones(1), 0);
   EXPECT_LT((factor * factor.transpose() - covariance).norm(), 1e-8 * covariance.norm());
 }

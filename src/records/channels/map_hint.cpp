@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hints/map_hint.hpp"
+#include "lacuna/records/channels/map_hint.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

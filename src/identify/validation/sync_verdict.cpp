@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/sync_verdict.hpp"
+#include "lacuna/identify/validation/sync_verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/stage.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "lacuna/records/channels/hint.hpp"
 
 namespace lacuna {
 
