@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/cvode.hpp"
+
+namespace lacuna {
+
+std::string Cvode::unavailable() { return "built without SUNDIALS"; }
+
+std::unique_ptr<Stepper> Cvode::make_stepper(Index) const {
+  throw ConfigError("integrator cvode", unavailable(),
+                    "install SUNDIALS and build again, or use dopri5");
+}
+
+}  // namespace lacuna
