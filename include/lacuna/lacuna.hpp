@@ -13,6 +13,7 @@
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/bound_records.hpp"

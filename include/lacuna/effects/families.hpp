@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "lacuna/effects/effect_family.hpp"
 
 // The named effects of lacuna; each is one source file on the shelf effects/.
@@ -27,5 +29,21 @@ extern const EffectFamily kPeriodicForcing, kParameterDrift, kTimeTrend, kDelay,
 
 // Recording.
 extern const EffectFamily kChannelSkew;
+
+/// Families as a type, for what is made of each of them.
+template <const EffectFamily&... Families>
+struct FamilyList {};
+
+/// All of them, in the order in which they are listed and tried.
+using StandardFamilies =
+    FamilyList<kConstantOffset, kLinearTerm, kQuadraticTerm, kCubicTerm, kHigherOrderTerm,
+               kCrossTerm, kFeedthrough, kMissingCoupling, kLeakage, kCubicStiffness,
+               kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
+               kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
+               kSaturatingRate, kExponentialConduction, kPeriodicForcing, kParameterDrift,
+               kTimeTrend, kDelay, kLag, kUnmeasuredInput, kChannelSkew>;
+
+/// The effects of StandardFamilies, in their order.
+std::vector<Stage<Effect>> standard_effects();
 
 }  // namespace lacuna

@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 #include "data_options.hpp"
-#include "lacuna/diagnose/hints/map_hint.hpp"
+#include "lacuna/records/channels/map_hint.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/report/pages/data_summary.hpp"

@@ -12,27 +12,6 @@
 namespace lacuna::cli {
 namespace {
 
-/// Finds the first nested differentiator.
-class DifferentiatorFinder final : public OptionVisitor {
- public:
-  void field(const FieldInfo&, double&) override {}
-  void field(const FieldInfo&, int&) override {}
-  void field(const FieldInfo&, bool&) override {}
-  void field(const FieldInfo&, std::string&) override {}
-  void field(const FieldInfo&, std::optional<double>&) override {}
-  void field(const FieldInfo&, std::optional<int>&) override {}
-  void field(const FieldInfo&, std::vector<std::string>&) override {}
-
-  std::shared_ptr<const Differentiator> found;
-
- protected:
-  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
-  void nested_stage(const FieldInfo&, std::string_view,
-                    std::shared_ptr<const StageInterface>& stage) override {
-    if (!found) found = std::dynamic_pointer_cast<const Differentiator>(stage);
-  }
-};
-
 std::vector<std::string> list_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : split_list(text);
 }
@@ -187,16 +166,6 @@ std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options) {
     }
   }
   return orders;
-}
-
-Stage<Differentiator> differentiator_of(const StageInterface& stage) {
-  DifferentiatorFinder finder;
-  stage.visit_options(finder);
-  if (!finder.found)
-    throw ConfigError("--embed",
-                      "'" + std::string(stage.info().name) + "' has no differentiator",
-                      "choose a formulation that has one, e.g. --set formulation=strong");
-  return Stage<Differentiator>(finder.found);
 }
 
 }  // namespace lacuna::cli

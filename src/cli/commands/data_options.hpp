@@ -60,7 +60,4 @@ bool reads_in_pieces(const DataOptions& options, std::uint64_t memory);
 /// "q=2" as an embedding. @throws ConfigError when it is not NAME=ORDER.
 std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options);
 
-/// The differentiator inside a stage. @throws ConfigError when it has none.
-Stage<Differentiator> differentiator_of(const StageInterface& stage);
-
 }  // namespace lacuna::cli

@@ -8,12 +8,8 @@
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/long_records/read_stream.hpp"
 #include "lacuna/data/long_records/record_stream.hpp"
-#include "lacuna/diagnose/hints/map_hint.hpp"
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
-#include "lacuna/identify/hidden_state/identify_hidden.hpp"
-#include "lacuna/identify/validation/validate.hpp"
+#include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/invariants/relations.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/report/pages/data_summary.hpp"
 #include "lacuna/report/pages/pages.hpp"
@@ -94,75 +90,21 @@ Configuration make_configuration(const IdentifyArguments& options) {
   return configuration;
 }
 
-/// What is done with a record.
-struct Plan {
-  Pipeline pipeline;
-  bool is_chosen;  ///< the user has said what the library is
-  IdentificationOptions rules;
-  std::vector<Stage<Effect>> effects;
-};
-
-/// Drives the model with the record itself, where it is a flow. Not being able to is a warning,
-/// not a failure.
-void verify(const Plan& plan, IdentificationReport& report, const Dataset& data,
-            const Integrator& integrator, const RunContext& context) {
-  if (report.result.model.is_map()) return;
-  std::vector<std::string>& warnings = report.result.warnings;
-  try {
-    const Dataset driving = long_enough(data, integrator);
-    if (driving.notes.size() > data.notes.size())
-      warnings.push_back("synchronisation: " + driving.notes.back());
-    SyncResult sync = synchronise(report.result.model, driving, integrator, {}, context);
-    if (sync.status != IntegrationStatus::Completed)
-      warnings.push_back("synchronisation with the record failed: " + sync.message);
-    else if (!sync.settled)
-      warnings.push_back("synchronisation with the record did not settle");
-    SyncVerdict verdict = judge(report.result.model, driving, sync, plan.rules.sync);
-    report.sync = SyncReport{std::move(sync),
-                             data.states,
-                             data.time_unit,
-                             false,
-                             std::string(integrator.info().name),
-                             std::move(verdict)};
-  } catch (const DataError& error) {
-    warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
-  }
-}
-
-/// Records in the variables of a model, that were not identified from.
-std::optional<Dataset> held_out_records(const IdentifyArguments& options, const OdeModel& model,
-                                        const Dataset& data) {
-  if (options.held_out.empty()) return std::nullopt;
-  Dataset records =
-      read_records(model, options.held_out, common_roles(options.data), FiniteDifferences{});
-  records.rate_of = data.rate_of;
-  return records;
-}
-
-Plan plan_of(const Session& session, const Configuration& configuration) {
-  return {configuration.build(session.registry), configuration.says_pipeline(),
-          identification_options(configuration, session.registry),
-          session.registry.make_all<Effect>()};
-}
-
-/// Says what the model is worth, and what else the data say. Not being able to is a warning.
-void judge_model(const Plan& plan, const IdentifyArguments& options, const Dataset& data,
-                 IdentificationReport& report, const RunContext& context) {
-  IdentificationResult& result = report.result;
-  const ValidationTask task{result, data, report.pipeline,
-                            held_out_records(options, result.model, data)};
-  try {
-    Validation validation = validate(task, plan.rules.validation, context);
-    const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
-                       validation.verdict == ValidationVerdict::WrongLibrary;
-    const bool is_map = result.model.is_map();
-    if (lacks && !is_map)
-      validation.advice = advice_for(result, data, plan.effects, plan.rules.advice, context);
-    result.validation = std::move(validation);
-    if (!is_map) result.relations = find_relations(data, plan.rules.relations, context);
-  } catch (const DataError& error) {
-    result.warnings.push_back(std::string("not validated: ") + error.what());
-  }
+IdentificationTask task_of(const Session& session, const IdentifyArguments& options,
+                           const Configuration& configuration) {
+  IdentificationTask task{
+      .pipeline = configuration.build(session.registry),
+      .library = configuration.says_pipeline() ? LibraryScope::AsGiven : LibraryScope::Extended,
+      .measured = options.hidden ? Measured::AllButOne : Measured::AllStates,
+      .effects = session.registry.make_all<Effect>(),
+      .integrator = session.registry.make<Integrator>(options.integrator),
+      .options = identification_options(configuration, session.registry)};
+  if (!options.held_out.empty())
+    task.held_out = [&options](const OdeModel& model) {
+      return read_records(model, options.held_out, common_roles(options.data),
+                          FiniteDifferences{});
+    };
+  return task;
 }
 
 bool found_a_model(const IdentificationResult& result) {
@@ -193,35 +135,12 @@ void write_results(const Session& session, const IdentifyArguments& options,
     show(session, read_line(records) + "\n\n" + format_text(report, options.full));
 }
 
-/// A result and the records from which it was found.
-struct Identified {
-  RecordStream records;
-  IdentificationResult result;
-};
-
-/// Forms beside the library enter where the user has not said what the library is.
-Identified identified(const Plan& plan, const IdentifyArguments& options, RecordStream records,
-                      const RunContext& context) {
-  const Pipeline& pipeline = plan.pipeline;
-  if (options.hidden) {
-    HiddenIdentification found =
-        identify_hidden(*records.in_memory(), pipeline,
-                        *differentiator_of(*pipeline.formulation), "h1", context.alone());
-    return {std::move(found.data), std::move(found.result)};
-  }
-  IdentificationResult result =
-      plan.is_chosen
-          ? identify(records, pipeline, context)
-          : identify_with_forms(records, pipeline, plan.effects, plan.rules.forms, context);
-  return {std::move(records), std::move(result)};
-}
-
 /// Reads the data in the way that the options ask for.
-Identified read_and_identify(const Plan& plan, const IdentifyArguments& options,
-                             const RunContext& context) {
+Identification read_and_identify(const IdentifyArguments& options,
+                                 const IdentificationTask& task, const RunContext& context) {
   const std::vector<EmbeddingOrder> orders = embedding_orders(options.data);
   const auto use = [&](RecordStream records) {
-    return identified(plan, options, std::move(records), context);
+    return identify_records(std::move(records), task, context);
   };
   context.report("reading data", 0.0);
   const bool needs_all = options.hidden || !orders.empty();
@@ -231,7 +150,23 @@ Identified read_and_identify(const Plan& plan, const IdentifyArguments& options,
                        context, use);
   Dataset data = read_data(options.data);
   if (orders.empty()) return use(std::move(data));
-  return use(embed(data, orders, *differentiator_of(*plan.pipeline.formulation)));
+  return use(embed(data, orders, *differentiator_of(*task.pipeline.formulation)));
+}
+
+/// What is shown of an identification.
+IdentificationReport report_of(Identification& found, const IdentificationTask& task,
+                               const Configuration& configuration) {
+  IdentificationReport report{std::move(found.result), task.pipeline, configuration.text()};
+  if (found.verification) {
+    const Dataset& data = found.records.excerpt();
+    report.sync = SyncReport{std::move(found.verification->result),
+                             data.states,
+                             data.time_unit,
+                             false,
+                             std::move(found.verification->integrator),
+                             std::move(found.verification->verdict)};
+  }
+  return report;
 }
 
 int identify_command(const Session& session, const IdentifyArguments& options) {
@@ -250,23 +185,13 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
     throw ConfigError("--holdout", "the hidden state of other records is not known",
                       "leave it out, or use `lacuna fit MODEL DATA --holdout`");
   const Configuration configuration = make_configuration(options);
-  const Plan plan = plan_of(session, configuration);
-  const auto integrator = session.registry.make<Integrator>(options.integrator);
-  const RunContext divided = make_context(session, options.run);
-  auto [records, result] = read_and_identify(plan, options, divided);
-  IdentificationReport report{std::move(result), plan.pipeline, configuration.text()};
-  if (!divided.leads()) return 0;
-  const RunContext context = divided.alone();
-  const bool is_map = report.result.model.is_map();
-  const Dataset& data = is_map ? *records.in_memory() : records.excerpt();
-  report.result.warnings.insert(report.result.warnings.begin(), data.notes.begin(),
-                                data.notes.end());
-  if (const auto hint = is_map ? std::nullopt : map_hint(data, plan.rules.map))
-    report.result.warnings.push_back(hint->message + "; try " + hint->remedy);
-  verify(plan, report, data, *integrator, context);
-  judge_model(plan, options, data, report, context);
+  const IdentificationTask task = task_of(session, options, configuration);
+  const RunContext context = make_context(session, options.run);
+  Identification found = read_and_identify(options, task, context);
+  if (!context.leads()) return 0;
+  const IdentificationReport report = report_of(found, task, configuration);
   finish_progress(session, options.run);
-  write_results(session, options, report, records);
+  write_results(session, options, report, found.records);
   if (found_a_model(report.result)) return 0;
   session.streams.err << "lacuna: error: no equation was found: no candidate term explains a "
                          "derivative; try other terms (--degree, --terms) or --preset robust\n";

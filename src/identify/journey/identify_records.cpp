@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/journey/identify_records.hpp"
+
+#include <utility>
+
+#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
+#include "lacuna/identify/hidden_state/identify_hidden.hpp"
+#include "lacuna/identify/validation/validate.hpp"
+
+namespace lacuna {
+namespace {
+
+constexpr const char* kHiddenName = "h1";
+
+Identification find_equations(RecordStream records, const IdentificationTask& task,
+                              const RunContext& context) {
+  const Pipeline& pipeline = task.pipeline;
+  if (task.measured == Measured::AllButOne) {
+    HiddenIdentification found = identify_hidden(*records.in_memory(), pipeline,
+                                                 *differentiator_of(*pipeline.formulation),
+                                                 kHiddenName, context.alone());
+    return {std::move(found.data), std::move(found.result)};
+  }
+  IdentificationResult result =
+      task.library == LibraryScope::AsGiven
+          ? identify(records, pipeline, context)
+          : identify_with_forms(records, pipeline, task.effects, task.options.forms, context);
+  return {std::move(records), std::move(result)};
+}
+
+/// Drives a model with its record.
+/// @throws DataError where the record is too short for that.
+std::optional<Verification> verify(const IdentificationTask& task, IdentificationResult& found,
+                                   const Dataset& data, const RunContext& context) {
+  const Integrator& integrator = *task.integrator;
+  const Dataset driving = long_enough(data, integrator);
+  if (driving.notes.size() > data.notes.size())
+    found.warnings.push_back("synchronisation: " + driving.notes.back());
+  SyncResult sync = synchronise(found.model, driving, integrator, {}, context);
+  if (sync.status != IntegrationStatus::Completed)
+    found.warnings.push_back("synchronisation with the record failed: " + sync.message);
+  else if (!sync.settled)
+    found.warnings.push_back("synchronisation with the record did not settle");
+  SyncVerdict verdict = judge(found.model, driving, sync, task.options.sync);
+  return Verification{std::move(sync), std::move(verdict), std::string(integrator.info().name)};
+}
+
+/// Judges a model on samples that it was not fitted to, and looks for what else the data hold.
+/// @throws DataError where they are too few for that.
+void judge_model(const IdentificationTask& task, IdentificationResult& found,
+                 const Dataset& data, const RunContext& context) {
+  std::optional<Dataset> held_out;
+  if (task.held_out) {
+    held_out = task.held_out(found.model);
+    held_out->rate_of = data.rate_of;
+  }
+  Validation validation = validate({found, data, task.pipeline, std::move(held_out)},
+                                   task.options.validation, context);
+  const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
+                     validation.verdict == ValidationVerdict::WrongLibrary;
+  const bool is_map = found.model.is_map();
+  if (lacks && !is_map)
+    validation.advice = advice_for(found, data, task.effects, task.options.advice, context);
+  found.validation = std::move(validation);
+  if (!is_map) found.relations = find_relations(data, task.options.relations, context);
+}
+
+/// What is odd about the records, ahead of all other warnings.
+void warn_of_records(const IdentificationTask& task, IdentificationResult& found,
+                     const Dataset& data) {
+  found.warnings.insert(found.warnings.begin(), data.notes.begin(), data.notes.end());
+  if (found.model.is_map()) return;
+  if (const auto hint = map_hint(data, task.options.map))
+    found.warnings.push_back(hint->message + "; try " + hint->remedy);
+}
+
+}  // namespace
+
+Identification identify_records(RecordStream records, const IdentificationTask& task,
+                                const RunContext& context) {
+  Identification found = find_equations(std::move(records), task, context);
+  if (!context.leads()) return found;
+  const RunContext alone = context.alone();
+  IdentificationResult& result = found.result;
+  const bool is_map = result.model.is_map();
+  const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
+  warn_of_records(task, result, data);
+  try {
+    if (!is_map) found.verification = verify(task, result, data, alone);
+  } catch (const DataError& error) {
+    result.warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
+  }
+  try {
+    judge_model(task, result, data, alone);
+  } catch (const DataError& error) {
+    result.warnings.push_back(std::string("not validated: ") + error.what());
+  }
+  return found;
+}
+
+}  // namespace lacuna
