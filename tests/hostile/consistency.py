@@ -2,15 +2,19 @@
 """What cannot hold of one answer of lacuna: sentences and numbers that contradict each other.
 
 faults(command, text, json) looks at an answer with status 0. tests/support/consistency.hpp keeps
-the same rules for the tests in C++; tests/integration/answers_test.cpp holds both to one table.
+the same rules for the tests in C++; both are held to contradictions.json.
+
+Usage: consistency.py ANSWER...   (files: what was printed, or JSON)
+       consistency.py --table contradictions.json
 """
 import json as json_module
 import math
 import re
+import sys
 
 GAP = 1.5            # times its noise floor that a gap of an explained record may be
-SEEN = 0.01          # share of the spread below which a gap is of no size
-SIGNIFICANT = 4.0    # standard deviations
+SEEN = 0.002         # share of the spread below which a gap is of no size
+SIGNIFICANT = 3.0    # standard deviations
 UNDETERMINED = 1e6   # half an interval over its number from which on a word has to be said
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 NOT_FINITE = re.compile(r"(?<![\w.])[-+]?(?:nan|inf|infinity)(?![\w.])", re.IGNORECASE)
@@ -76,10 +80,13 @@ def has_all(text, *parts):
 
 def json_faults(value, path):
     """What holds of all of them: numbers are finite, intervals hold their number and have a
-    width, and stay in the range that was given."""
+    width, and stay in the range that was given; an adequacy is that of its parts."""
     found = []
     if isinstance(value, dict):
         found += interval_faults(value, path)
+        if path.endswith("/adequacy") and value["fits"] == "yes" and (
+                not value["samples"] or any(part["fits"] == "no" for part in value["parts"])):
+            found.append(path + " fits on nothing, or denies a part")
         for key, part in value.items():
             found += json_faults(part, path + "/" + str(key))
     elif isinstance(value, list):
@@ -135,6 +142,8 @@ def identification_faults(json):
         if fit.get("residual") == 0.0 and fit.get("target") == 0.0 and fit.get("fits_to_noise"):
             found.append("nothing to explain, and it fits to the noise")
     validation = json.get("validation") or {}
+    if json.get("adequacy", {}).get("fits") == "yes" and verdict not in (None, "fits to noise"):
+        found.append("fits to the noise, and " + verdict)
     if validation and not validation.get("samples") and verdict != "cannot tell":
         found.append("a verdict on no samples")
     if verdict == "fits to noise" and validation.get("held_out") == "parts" and not any(
@@ -159,18 +168,22 @@ def diagnosis_faults(json):
         found.append(verdict + " with effects")
     if verdict in ("explained", "partly-explained") and not effects:
         found.append(verdict + " without effects")
-    if verdict in ("explained", "no-discrepancy", "coefficients-only") and \
-            remaining.get("structure"):
+    whole = ("explained", "no-discrepancy", "coefficients-only")
+    if verdict in whole and remaining.get("structure"):
         found.append(verdict + " with structure left")
     if verdict == "explained":
         after, floor = gap.get("after"), gap.get("noise_floor")
         if not is_number(after) or not is_number(floor):
             found.append("explained without a gap")
-        elif after > max(GAP * floor, SEEN) and not gap.get("above_floor", SIGNIFICANT) < SIGNIFICANT:
+        elif after > max(GAP * floor, SEEN) and is_above(gap.get("above_floor")):
             found.append("explained beside a gap of %g and a floor of %g" % (after, floor))
     if gap and gap.get("before") == 0 and gap.get("after") == 0:
         found.append("a gap of nothing")
     return found
+
+
+def is_above(sigma):
+    return not (is_number(sigma) and sigma < SIGNIFICANT)
 
 
 def fit_faults(json):
@@ -228,3 +241,29 @@ RULES = {
     "lacuna.sync": sync_faults,
     "lacuna.comparison": comparison_faults,
 }
+
+
+def table_faults(rows):
+    """Rows of contradictions.json in which other faults are found than stand there."""
+    wrong = []
+    for row in rows:
+        found = faults("", row["text"], row["json"])
+        if (row["fault"] not in "; ".join(found)) if row["fault"] else found:
+            wrong.append("%r: found %r in %s" % (row["fault"], found, row["text"] or row["json"]))
+    return wrong
+
+
+def main(arguments):
+    found = []
+    if arguments[:1] == ["--table"]:
+        with open(arguments[1]) as stream:
+            found = table_faults(json_module.load(stream))
+    for path in [] if arguments[:1] == ["--table"] else arguments:
+        with open(path) as stream:
+            found += ["%s: %s" % (path, fault) for fault in faults("", stream.read())]
+    print("\n".join(found) if found else "no contradiction")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

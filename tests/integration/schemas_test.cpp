@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What commands write as JSON is what the schemas say, by an independent validator.
-#include <rapidjson/document.h>
-#include <rapidjson/error/en.h>
-#include <rapidjson/schema.h>
-#include <rapidjson/stringbuffer.h>
+#include "support/schemas.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -14,46 +11,6 @@
 
 namespace lacuna::testing {
 namespace {
-
-const std::string kRepository = LACUNA_SOURCE_DIR;
-
-rapidjson::Document parsed(const std::string& text) {
-  rapidjson::Document document;
-  document.Parse(text.c_str());
-  EXPECT_FALSE(document.HasParseError())
-      << rapidjson::GetParseError_En(document.GetParseError()) << " in " << text.substr(0, 200);
-  return document;
-}
-
-rapidjson::Document schema_text(const std::string& name) {
-  std::ifstream file(kRepository + "/docs/schemas/" + name);
-  EXPECT_TRUE(file) << name;
-  return parsed({std::istreambuf_iterator<char>(file), {}});
-}
-
-/// The schema to which others refer.
-class ModelSchema : public rapidjson::IRemoteSchemaDocumentProvider {
- public:
-  const rapidjson::SchemaDocument* GetRemoteDocument(const char*,
-                                                     rapidjson::SizeType) override {
-    return &schema_;
-  }
-
- private:
-  rapidjson::SchemaDocument schema_{schema_text("model.schema.json")};
-};
-
-/// Where and by which rule a text is not what a schema says; empty where it is.
-std::string violation(const std::string& name, const std::string& text) {
-  ModelSchema model;
-  const rapidjson::Document source = schema_text(name + ".schema.json");
-  const rapidjson::SchemaDocument schema(source, &model);
-  rapidjson::SchemaValidator validator(schema);
-  if (parsed(text).Accept(validator)) return "";
-  rapidjson::StringBuffer place;
-  validator.GetInvalidDocumentPointer().StringifyUriFragment(place);
-  return std::string(place.GetString()) + " breaks " + validator.GetInvalidSchemaKeyword();
-}
 
 /// A driven pendulum with noise of 0.1 %; with dry friction or without.
 std::string pendulum(double friction) {
@@ -118,7 +75,7 @@ TEST_F(Schemas, DescribeFleets) {
 TEST_F(Schemas, DescribeIdentifications) {
   expect_conforms("identification",
                   "identify " + path("free.csv") + " --inputs u --add 'sin(th)'");
-  expect_conforms("identification", "identify '" + kRepository + "/data/tl072_record.csv.gz'");
+  expect_conforms("identification", "identify '" LACUNA_SOURCE_DIR "/data/tl072_record.csv.gz'");
 }
 
 TEST_F(Schemas, DescribeFitsSynchronisationsComparisonsAndChecks) {

@@ -169,6 +169,28 @@ void add_noise(const Vector& sigma, std::uint64_t seed, Trajectory& record) {
       record.states(i, k) += sigma[k] * random.normal();
 }
 
+/// What keeps a simulation from being written: its first value that is no finite number.
+std::optional<std::string> not_finite(const Dataset& data) {
+  const Trajectory& run = data.trajectories.front();
+  for (Index i = 0; i < run.samples(); ++i) {
+    if (!std::isfinite(run.time[i]))
+      return "row " + std::to_string(i + 1) + ": the time is beyond the range of numbers";
+    for (Index k = 0; k < data.state_count(); ++k)
+      if (!std::isfinite(run.states(i, k)))
+        return data.states[static_cast<std::size_t>(k)].name +
+               " is no finite number at t = " + format_number(run.time[i], 6);
+  }
+  return std::nullopt;
+}
+
+/// Status 1: the numbers do not allow an answer.
+int nothing_written(const Session& session, const std::string& where,
+                    const std::string& problem) {
+  session.streams.err << "lacuna: error: " << where << ": " << problem
+                      << "; nothing was written, end earlier or start elsewhere\n";
+  return 1;
+}
+
 int simulate_command(const Session& session, const SimulateArguments& options) {
   std::vector<std::string> inputs{options.model};
   if (options.input_data) inputs.push_back(*options.input_data);
@@ -178,13 +200,12 @@ int simulate_command(const Session& session, const SimulateArguments& options) {
   const RunContext context = make_context(session, options.run);
   Run done = run(session, model, *integrator, options, context);
   finish_progress(session, options.run);
-  if (done.orbit.status != IntegrationStatus::Completed) {
-    session.streams.err << "lacuna: error: " << done.orbit.message
-                        << "; nothing was written, end earlier or start elsewhere\n";
-    return 1;
-  }
+  if (done.orbit.status != IntegrationStatus::Completed)
+    return nothing_written(session, options.model, done.orbit.message);
   Dataset data = as_dataset(model, std::move(done));
   add_noise(parse_noise(options.noise, data), context.seed, data.trajectories.front());
+  if (const auto problem = not_finite(data))
+    return nothing_written(session, options.model, *problem);
   if (options.output)
     write_csv(*options.output, data);
   else

@@ -67,6 +67,26 @@ Remaining remaining_of(const Account& account, const DecisionOptions& decision) 
   return remaining;
 }
 
+/// By equations whose states are measured; as a whole other records have a say.
+Adequacy adequacy_on(const Problem& problem, const NoiseModel& noise,
+                     const Remaining& remaining, const std::optional<Gap>& gap) {
+  std::vector<AdequacyPart> parts;
+  for (Index k = 0; k < problem.nominal.dimension(); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const bool known = at < noise.measurement.size() && noise.measurement[at];
+    if (!known) continue;
+    const auto& left = remaining.equations;
+    const bool has_structure = std::find(left.begin(), left.end(), k) != left.end();
+    parts.push_back({problem.nominal.states()[at].name,
+                     has_structure ? Adequate::No : Adequate::Yes,
+                     problem.records.data.samples(), *noise.measurement[at] > 0.0});
+  }
+  Adequacy adequacy = adequacy_of(std::move(parts));
+  if (remaining.structure || (gap && stays_open(*gap, problem.options.decision)))
+    adequacy.fits = Adequate::No;
+  return adequacy;
+}
+
 /// Windows that were left out, and noise with a memory.
 void add_notes(const Problem& problem, Diagnosis& result) {
   if (result.gap && result.gap->diverged > 0)
@@ -102,13 +122,13 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
                            const std::optional<Gap>& gap) {
   const std::vector<FittedEffect>& effects = account.explanation.effects;
   const bool only_assumed = account.named.empty();
-  if ((only_assumed && account.findings.empty()) ||
-      std::any_of(effects.begin(), effects.end(), may_differ))
-    return {};
+  if (only_assumed && account.findings.empty()) return {};
+  const bool others_tell = std::none_of(effects.begin(), effects.end(), may_differ);
+  if (gap && !others_tell) return {};
   const std::string names = "with " + list_of_names(account, problem.nominal) +
                             " the model fits the records that were used better and the others ";
   // With a coefficient in each of two equations a form follows hidden states far.
-  if (account.hypothesis == kSharedProcess.name &&
+  if (others_tell && account.hypothesis == kSharedProcess.name &&
       (!gap || stays_open(*gap, problem.options.decision)))
     return {true, false, names + "not to their noise; a form in two equations gets no name so"};
   if (!gap)
@@ -163,6 +183,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
   if (!hearing.note.empty()) result.notes.push_back(hearing.note);
   add_notes(problem, result);
+  result.adequacy = adequacy_on(problem, fit.noise, result.remaining, result.gap);
   result.hints = identifiability_hints(problem, base, fit);
   if (fit.held.cols() > 0 && !result.effects.empty())
     result.notes.push_back(

@@ -9,9 +9,11 @@
 #include "answer.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
+#include "lacuna/data/records/number_range.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
+#include "lacuna/records/binding/other_records.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/trajectories/smoother/hidden_states.hpp"
 #include "output_channels.hpp"
@@ -174,6 +176,9 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& he
   const OdeModel nominal = with_output_channels(model, data);
   check_is_view(nominal, data);
   if (!held_out.trajectories.empty()) check_is_view(nominal, held_out);
+  check_number_range(data);
+  check_number_range(held_out);
+  check_are_others(data, held_out);
   Records records = prepared(nominal, data, held_out, options.decision);
   std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));

@@ -6,6 +6,7 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/data/records/number_range.hpp"
 #include "lacuna/dynamics/attractor/density_distance.hpp"
 #include "lacuna/dynamics/attractor/extents.hpp"
 #include "lacuna/dynamics/attractor/power_spectrum.hpp"
@@ -44,6 +45,16 @@ std::vector<Trajectory> blocks_of(const Dataset& data) {
 using Blocks = std::vector<Trajectory>;
 using Distance = FunctionRef<double(const Trajectory&, const Trajectory&)>;
 
+/// Holds a difference against both intervals, where all of them are numbers.
+AttractorMeasure judged(AttractorMeasure measure, double difference) {
+  const double allowed = std::hypot(measure.first_half, measure.second_half);
+  if (std::isfinite(difference) && std::isfinite(allowed))
+    measure.agree = difference <= allowed;
+  else
+    measure.note = "the values are beyond the range of numbers";
+  return measure;
+}
+
 /// Distances of neighbouring blocks of one record, and of blocks of different records.
 AttractorMeasure distance_measure(std::string name, const Blocks& a, const Blocks& b,
                                   Distance distance) {
@@ -55,9 +66,8 @@ AttractorMeasure distance_measure(std::string name, const Blocks& a, const Block
     within.push_back(distance(b[i - 1], b[i]));
   }
   const Estimate own = estimate_of(within), other = estimate_of(between);
-  AttractorMeasure measure{std::move(name), "", own.mean, other.mean, own.half, other.half};
-  measure.agree = other.mean - own.mean <= std::hypot(own.half, other.half);
-  return measure;
+  return judged({std::move(name), "", own.mean, other.mean, own.half, other.half},
+                other.mean - own.mean);
 }
 
 /// A measure that may be out of reach of a record; its message then stands in the note.
@@ -72,9 +82,8 @@ AttractorMeasure if_possible(const std::string& name, Make make) {
 
 AttractorMeasure compared(std::string name, std::string unit, const Estimate& a,
                           const Estimate& b) {
-  AttractorMeasure measure{std::move(name), std::move(unit), a.mean, b.mean, a.half, b.half};
-  measure.agree = std::abs(a.mean - b.mean) <= std::hypot(a.half, b.half);
-  return measure;
+  return judged({std::move(name), std::move(unit), a.mean, b.mean, a.half, b.half},
+                std::abs(a.mean - b.mean));
 }
 
 Estimate exponent_of(const Blocks& blocks) {
@@ -97,6 +106,8 @@ void check_alike(const Dataset& a, const Dataset& b) {
 
 std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b) {
   check_alike(a, b);
+  check_number_range(a);
+  check_number_range(b);
   std::vector<AttractorMeasure> measures;
   const AttractorExtents first = attractor_extents(a, kParts);
   const AttractorExtents second = attractor_extents(b, kParts);

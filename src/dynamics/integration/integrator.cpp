@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lacuna/core/base/text.hpp"
 
@@ -27,7 +28,10 @@ void check_start(const Vector& x0, const Vector& times) {
   }
 }
 
-bool beyond(const Vector& x, double bound) { return !(x.cwiseAbs().maxCoeff() <= bound); }
+/// A largest coefficient need not show one that is no number.
+bool beyond(const Vector& x, double bound) {
+  return !(x.array().abs() <= std::min(bound, std::numeric_limits<double>::max())).all();
+}
 
 std::string state_name(std::span<const std::string> names, Index k) {
   const auto i = static_cast<std::size_t>(k);

@@ -10,6 +10,7 @@
 #include "lacuna/core/numerics/lagrange.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/data/records/noise.hpp"
+#include "lacuna/data/records/number_range.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna {
@@ -383,6 +384,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   check_shapes(model, options);
   const LagrangeWindow window = LagrangeWindow::driving(integrator.order());
   const Dataset view = model_view(model, record);
+  check_number_range(view);
   check_lengths(view, window.points);
   SyncResult result;
   const Vector seen = seen_states(view);

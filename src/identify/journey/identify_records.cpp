@@ -6,6 +6,7 @@
 #include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/hidden_state/identify_hidden.hpp"
 #include "lacuna/identify/validation/validate.hpp"
+#include "lacuna/records/binding/other_records.hpp"
 
 namespace lacuna {
 namespace {
@@ -41,7 +42,8 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
     found.warnings.push_back("synchronisation with the record failed: " + sync.message);
   else if (!sync.settled)
     found.warnings.push_back("synchronisation with the record did not settle");
-  SyncVerdict verdict = judge(found.model, driving, sync, task.options.sync);
+  SyncVerdict verdict =
+      beside(found.adequacy, judge(found.model, driving, sync, task.options.sync));
   return Verification{std::move(sync), std::move(verdict), std::string(integrator.info().name)};
 }
 
@@ -53,6 +55,7 @@ void judge_model(const IdentificationTask& task, IdentificationResult& found,
   if (task.held_out) {
     held_out = task.held_out(found.model);
     held_out->rate_of = data.rate_of;
+    check_are_others(data, *held_out);
   }
   Validation validation = validate({found, data, task.pipeline, std::move(held_out)},
                                    task.options.validation, context);
@@ -61,7 +64,7 @@ void judge_model(const IdentificationTask& task, IdentificationResult& found,
   const bool is_map = found.model.is_map();
   if (lacks && !is_map)
     validation.advice = advice_for(found, data, task.effects, task.options.advice, context);
-  found.validation = std::move(validation);
+  take_in(std::move(validation), data, found);
   if (!is_map) found.relations = find_relations(data, task.options.relations, context);
 }
 
@@ -86,14 +89,14 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
   const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
   warn_of_records(task, result, data);
   try {
-    if (!is_map) found.verification = verify(task, result, data, alone);
-  } catch (const DataError& error) {
-    result.warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
-  }
-  try {
     judge_model(task, result, data, alone);
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not validated: ") + error.what());
+  }
+  try {
+    if (!is_map) found.verification = verify(task, result, data, alone);
+  } catch (const DataError& error) {
+    result.warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
   }
   return found;
 }

@@ -10,6 +10,7 @@
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/data/records/noise.hpp"
+#include "lacuna/data/records/number_range.hpp"
 #include "refined_result.hpp"
 
 namespace lacuna {
@@ -135,7 +136,10 @@ WeightedTerm weighted_term(const Run& run, const Regression& regression,
   const auto place = static_cast<std::size_t>(position);
   const auto term = static_cast<std::size_t>(regression.active[place]);
   WeightedTerm summand{run.library.terms[term], regression.coefficients[position]};
-  if (variances.size() == 0 || !std::isfinite(variances[position])) return summand;
+  // Residuals of exactly 0 say nothing of errors: the coefficient is known to all its digits.
+  if (variances.size() == 0 || !std::isfinite(variances[position]) ||
+      variances[position] == 0.0)
+    return summand;
   const double error = std::sqrt(variances[position]);
   const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
   const double reach = student_quantile_975(static_cast<double>(freedom)) * error;
@@ -153,7 +157,7 @@ void write_equation(const Run& run, Index state, const Regression& regression,
     outcome.equation.push_back(weighted_term(run, regression, variances, i));
     const WeightedTerm& summand = outcome.equation.back();
     trail.kept(regression.active[static_cast<std::size_t>(i)], summand.coefficient);
-    if (variances.size() > 0 && !summand.standard_error)
+    if (variances.size() > 0 && !std::isfinite(variances[i]))
       outcome.warnings.push_back(left + ": the data do not determine the coefficient of " +
                                  summand.term.name());
   }
@@ -194,10 +198,11 @@ void compare_with_noise(EquationFit& fit, std::vector<std::string>& warnings) {
   if (noise <= 0.0) return;
   fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
   if (*fit.fits_to_noise) return;
-  warnings.push_back("d" + fit.equation + "/dt: the residual (rms " +
-                     format_number(fit.residual_rms, 3) + ") is " +
-                     format_number(fit.residual_rms / noise, 2) +
-                     " times what measurement noise explains");
+  fit.doubt = "d" + fit.equation + "/dt: the residual (rms " +
+              format_number(fit.residual_rms, 3) + ") is " +
+              format_number(fit.residual_rms / noise, 2) +
+              " times what measurement noise explains";
+  warnings.push_back(fit.doubt);
 }
 
 void note_noise_floors(const Run& run, IdentificationResult& result) {
@@ -305,6 +310,7 @@ IdentificationResult run_equations(const Run& run) {
     measure_residuals(run, result);
   else
     judge_fits(result);
+  result.adequacy = adequacy_of_equations(result.fit);
   return result;
 }
 
@@ -322,6 +328,7 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
   const Dataset& data =
       is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
   check_dataset(data, context.threads);
+  check_number_range(data);
   const EquationLibraries libraries =
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
   const TermLibrary& library = libraries.library;

@@ -69,8 +69,8 @@ void rewrite_trail(const RefinedModel& refined, const std::string& stage,
   }
 }
 
-/// The measured state whose samples test the equation of a state: itself, or the one whose
-/// derivative it is.
+}  // namespace
+
 std::optional<Index> tested_by(const Dataset& data, Index state) {
   std::optional<Index> tested = state;
   for (Index step = 0; step < data.state_count(); ++step) {
@@ -84,6 +84,20 @@ std::optional<Index> tested_by(const Dataset& data, Index state) {
   return std::nullopt;
 }
 
+Adequacy adequacy_of_equations(const std::vector<EquationFit>& fits) {
+  std::vector<AdequacyPart> parts;
+  for (const EquationFit& fit : fits) {
+    if (fit.identity) continue;
+    const Adequate told = !fit.fits_to_noise   ? Adequate::Untold
+                          : *fit.fits_to_noise ? Adequate::Yes
+                                               : Adequate::No;
+    parts.push_back({fit.equation, told, fit.rows, fit.noise_floor || fit.misfit});
+  }
+  return adequacy_of(std::move(parts));
+}
+
+namespace {
+
 void judge(const Dataset& data, const RefinedModel& refined, IdentificationResult& result) {
   for (std::size_t k = 0; k < result.fit.size(); ++k) {
     EquationFit& fit = result.fit[k];
@@ -91,10 +105,10 @@ void judge(const Dataset& data, const RefinedModel& refined, IdentificationResul
     if (fit.identity || !tested) continue;
     fit.misfit = refined.misfit[static_cast<std::size_t>(*tested)];
     fit.fits_to_noise = refined.fits_to_noise[static_cast<std::size_t>(*tested)];
-    if (fit.fits_to_noise && !*fit.fits_to_noise)
-      result.warnings.push_back("d" + fit.equation +
-                                "/dt: trajectories of the model are off by " +
-                                format_number(*fit.misfit, 2) + " times the measurement noise");
+    if (!fit.fits_to_noise || *fit.fits_to_noise) continue;
+    fit.doubt = "d" + fit.equation + "/dt: trajectories of the model are off by " +
+                format_number(*fit.misfit, 2) + " times the measurement noise";
+    result.warnings.push_back(fit.doubt);
   }
 }
 

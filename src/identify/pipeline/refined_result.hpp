@@ -13,4 +13,11 @@ bool apply_refiner(const Refiner& refiner, const Dataset& data,
                    const EquationLibraries& libraries, IdentificationResult& result,
                    const RunContext& context);
 
+/// The measured state whose samples test the equation of a state: itself, or the one whose
+/// derivative it is.
+std::optional<Index> tested_by(const Dataset& data, Index state);
+
+/// What the fits of equations say by themselves.
+Adequacy adequacy_of_equations(const std::vector<EquationFit>& fits);
+
 }  // namespace lacuna

@@ -87,6 +87,56 @@ Findings joined(const Findings& one_step, const std::optional<Findings>& windows
           one_step.hidden + windows->hidden, windows->share};
 }
 
+/// What is found of states in both tests, as far as these say something.
+Findings findings_in(const Validation& validation, const ValidationOptions& options,
+                     const std::optional<std::string>& state = std::nullopt) {
+  const bool steps = says_something(validation.one_step, options);
+  const bool windows = says_something(validation.windows, options);
+  // What is no noise and not of the model, of solvers, digits and the interpolation between
+  // steps, does not add up: one step shows it, and windows show what the model is off by.
+  const auto any = [&](const PredictionError& one) { return !state || one.state == *state; };
+  const auto tells_steps = [&](const PredictionError& one) {
+    return any(one) && (!windows || one.noise_seen || !std::isfinite(one.error));
+  };
+  return joined(
+      steps ? findings_of(validation.one_step, options, tells_steps) : Findings{},
+      windows ? std::optional(findings_of(validation.windows, options, any)) : std::nullopt);
+}
+
+/// Each state by itself.
+std::vector<AdequacyPart> parts_of(const Validation& validation,
+                                   const ValidationOptions& options, bool lost) {
+  std::vector<AdequacyPart> parts;
+  const auto add = [&](const PredictionError& state) {
+    const auto known = std::find_if(parts.begin(), parts.end(), [&](const AdequacyPart& part) {
+      return part.name == state.state;
+    });
+    if (known != parts.end()) return;
+    const Findings found = findings_in(validation, options, state.state);
+    const Adequate fits = lost || found.above > 0 ? Adequate::No
+                          : found.hidden > 0      ? Adequate::Untold
+                          : found.within > 0      ? Adequate::Yes
+                                                  : Adequate::Untold;
+    parts.push_back({state.state, fits, validation.samples, state.noise_seen});
+  };
+  for (const PredictionError& state : validation.windows.states) add(state);
+  for (const PredictionError& state : validation.one_step.states) add(state);
+  return parts;
+}
+
+Adequate whole_of(ValidationVerdict verdict) {
+  switch (verdict) {
+    case ValidationVerdict::FitsToNoise:
+      return Adequate::Yes;
+    case ValidationVerdict::Approximation:
+    case ValidationVerdict::WrongLibrary:
+      return Adequate::No;
+    case ValidationVerdict::CannotTell:
+      break;
+  }
+  return Adequate::Untold;
+}
+
 std::string percent(double share) {
   return format_number(100.0 * share, share < 0.995 ? 2 : 3) + " %";
 }
@@ -146,30 +196,25 @@ void judge_numbers(const Findings& found, const ValidationOptions& options,
   }
 }
 
-}  // namespace
-
-void judge(const ValidationOptions& options, Validation& validation) {
-  if (is_lost(validation.one_step) || is_lost(validation.windows)) {
+void decide(const ValidationOptions& options, bool lost, Validation& validation) {
+  if (lost) {
     validation.verdict = ValidationVerdict::WrongLibrary;
     validation.sentence = "Wrong library: in most windows the model has no finite solution.";
     return;
   }
-  const bool steps = says_something(validation.one_step, options);
-  const bool windows = says_something(validation.windows, options);
-  if (!steps && !windows)
+  if (!says_something(validation.one_step, options) &&
+      !says_something(validation.windows, options))
     return cannot_tell("only " + std::to_string(validation.samples) + " samples are held out",
                        validation);
-  // What is no noise and not of the model, of solvers, digits and the interpolation between
-  // steps, does not add up: one step shows it, and windows show what the model is off by.
-  const auto any = [](const PredictionError&) { return true; };
-  const auto tells_steps = [&](const PredictionError& state) {
-    return !windows || state.noise_seen || !std::isfinite(state.error);
-  };
-  const Findings none;
-  judge_numbers(joined(steps ? findings_of(validation.one_step, options, tells_steps) : none,
-                       windows ? std::optional(findings_of(validation.windows, options, any))
-                               : std::nullopt),
-                options, validation);
+  judge_numbers(findings_in(validation, options), options, validation);
+}
+
+}  // namespace
+
+void judge(const ValidationOptions& options, Validation& validation) {
+  const bool lost = is_lost(validation.one_step) || is_lost(validation.windows);
+  decide(options, lost, validation);
+  validation.adequacy = {whole_of(validation.verdict), parts_of(validation, options, lost)};
 }
 
 }  // namespace lacuna

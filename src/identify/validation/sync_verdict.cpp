@@ -58,13 +58,13 @@ Worst worst_in(const Case& c, const Matrix& errors) {
   for (Index k = 0; k < errors.cols(); ++k) {
     if (!(c.floor[k] > 0.0)) continue;
     const double ratio = rms(errors.col(k)) / c.floor[k];
-    if (ratio > worst.ratio) worst = {k, ratio};
+    if (!(ratio <= worst.ratio)) worst = {k, ratio};
   }
   return worst;
 }
 
 /// Over the last three quarters of all records: the slave has to come to the record first.
-Worst worst_of(const Case& c) {
+Matrix late_errors_of(const Case& c) {
   std::vector<Matrix> late;
   Index rows = 0;
   for (std::size_t r = 0; r < c.result.states.size(); ++r) {
@@ -78,7 +78,23 @@ Worst worst_of(const Case& c) {
     all.middleRows(begin, errors.rows()) = errors;
     begin += errors.rows();
   }
-  return worst_in(c, all);
+  return all;
+}
+
+/// State by state; one that is not measured or does not move says nothing.
+Adequacy adequacy_of_slave(const OdeModel& model, const Case& c, const Matrix& errors) {
+  std::vector<AdequacyPart> parts;
+  for (Index k = 0; k < errors.cols(); ++k) {
+    const bool tells = c.floor[k] > 0.0;
+    const bool fits =
+        c.result.settled && rms(errors.col(k)) < c.options.above_noise * c.floor[k];
+    parts.push_back({model.states()[static_cast<std::size_t>(k)].name,
+                     !tells ? Adequate::Untold
+                     : fits ? Adequate::Yes
+                            : Adequate::No,
+                     tells ? errors.rows() : 0, c.result.noise[k] > 0.0});
+  }
+  return adequacy_of(std::move(parts));
 }
 
 /// The time from which on most pieces of the first record are off, where it held long enough.
@@ -204,11 +220,15 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
                 format_number(*result.conditional_exponent, 2) + " 1/" + record.time_unit +
                 "); try a stronger --coupling, or measure one of them."};
   const Case c = case_of(record, result, options);
-  const Worst worst = worst_of(c);
+  const Matrix late = late_errors_of(c);
+  const Worst worst = worst_in(c, late);
+  const Adequacy adequacy = adequacy_of_slave(model, c, late);
+  if (adequacy.fits == Adequate::Untold)
+    return {.told = false, .sentence = "Cannot tell: nothing that is measured moves."};
   const std::string size = "the error is " + size_of(model, c, worst);
-  if (result.settled && worst.ratio < options.above_noise)
-    return {.holds = true, .sentence = "Holds: " + size + "."};
-  SyncVerdict verdict;
+  if (adequacy.fits == Adequate::Yes)
+    return {.holds = true, .sentence = "Holds: " + size + ".", .adequacy = adequacy};
+  SyncVerdict verdict{.sentence = {}, .adequacy = adequacy};
   const auto most = helped_most(model, c);
   if (most) verdict.equation = model.states()[static_cast<std::size_t>(*most)].name;
   verdict.until = holds_until(c);
@@ -220,6 +240,21 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
   else
     verdict.sentence = "Does not hold" + (where.empty() ? "" : ": " + where) + "; " + size +
                        " (see `lacuna diagnose`).";
+  return verdict;
+}
+
+SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict) {
+  const bool denied = verdict.holds && predictions.fits == Adequate::No;
+  const bool is_off = verdict.told && !verdict.holds && !verdict.until;
+  const bool unconfirmed = is_off && predictions.fits == Adequate::Yes;
+  if (!denied && !unconfirmed) return verdict;
+  verdict.sentence = denied ? "Cannot tell: the slave holds, but the coupling may make up for "
+                              "what predictions are off by."
+                            : "Cannot tell: the slave does not stay with the record, but "
+                              "predictions fit it; try a stronger coupling (`lacuna sync "
+                              "--coupling`).";
+  verdict.holds = verdict.told = false;
+  verdict.equation.reset();
   return verdict;
 }
 

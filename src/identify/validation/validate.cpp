@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "judgement.hpp"
+#include "lacuna/records/binding/other_records.hpp"
 #include "lacuna/records/channels/shown_holds.hpp"
 #include "lacuna/trajectories/smoother/window_gap.hpp"
 #include "map_predictions.hpp"
@@ -181,6 +182,7 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
   context.report("predicting samples held out", 0.0);
   const Dataset& tested = held_out ? *held_out : data;
   check_dataset(tested);
+  if (held_out) check_are_others(data, *held_out);
   if (result.model.is_map()) return validate_map(task, options, context);
   const bool own_noise = !held_out || tested.samples() >= options.noise_samples;
   const std::vector<StateNoise> noise =

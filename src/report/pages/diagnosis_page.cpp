@@ -21,7 +21,7 @@ Tone tone_of(const Diagnosis& diagnosis) {
     case Verdict::NoDiscrepancy:
     case Verdict::CoefficientsOnly:
     case Verdict::Explained:
-      return Tone::Good;
+      return diagnosis.adequacy.fits == Adequate::No ? Tone::Doubtful : Tone::Good;
     case Verdict::PartlyExplained:
       return Tone::Doubtful;
     case Verdict::UnnamedStructure:

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "adequacy_json.hpp"
 #include "diagnosis_sentences.hpp"
 #include "lacuna/model/files/model_file.hpp"
 
@@ -76,8 +77,13 @@ Json changes_json(const Diagnosis& diagnosis) {
 }
 
 Json gap_json(const Gap& gap) {
-  return {{"metric", gap.metric},           {"before", gap.before}, {"after", gap.after},
-          {"noise_floor", gap.noise_floor}, {"ratio", gap.ratio()}, {"window", gap.window},
+  return {{"metric", gap.metric},
+          {"before", gap.before},
+          {"after", gap.after},
+          {"noise_floor", gap.noise_floor},
+          {"above_floor", gap.above_floor},
+          {"ratio", gap.ratio()},
+          {"window", gap.window},
           {"records", gap.records}};
 }
 
@@ -154,6 +160,7 @@ std::string format_json(const Diagnosis& diagnosis) {
   for (const NamedEffect& effect : diagnosis.effects)
     json["effects"].push_back(to_json(diagnosis, effect));
   json["coefficient_changes"] = changes_json(diagnosis);
+  json["adequacy"] = adequacy_json(diagnosis.adequacy);
   json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
   json["remaining"] = remaining_json(diagnosis);
   json["unnamed"] = unnamed_json(diagnosis);

@@ -49,8 +49,13 @@ std::string headline(const Diagnosis& diagnosis) {
     return "No effect is sought: the records and the model do not fit together.";
   switch (diagnosis.verdict) {
     case Verdict::NoDiscrepancy:
+      if (diagnosis.adequacy.fits == Adequate::No)
+        return "No discrepancy in the records that were used; on others a gap stays.";
       return "No discrepancy: the model fits the records to their noise.";
     case Verdict::CoefficientsOnly:
+      if (diagnosis.adequacy.fits == Adequate::No)
+        return "In the records that were used only coefficients are off; on others a gap "
+               "stays.";
       return "No structure is missing; coefficients are off.";
     case Verdict::Explained:
       return "Explained: what is missing has a name, nothing significant is left.";

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/report/pages/mathml.hpp"
 #include "lacuna/report/pages/pages.hpp"
@@ -32,24 +34,36 @@ PageSection numbers_section(const Fit& fit) {
                          bullets(sentences)};
 }
 
+std::string headline_of(const Fit& fit) {
+  if (!fit.converged) return "The fit did not converge.";
+  switch (fit.adequacy.fits) {
+    case Adequate::Yes:
+      return "The numbers are fitted, and what is left is noise.";
+    case Adequate::No:
+      return "The numbers are fitted; the model leaves structure in the records.";
+    case Adequate::Untold:
+      break;
+  }
+  return "The numbers are fitted; whether what is left is noise the records do not tell.";
+}
+
 }  // namespace
 
 Page fit_page(const Fit& fit) {
   Page page;
   page.title = "Fit of " + (fit.records.empty() ? "a model" : short_name(fit.records.front()));
-  bool white = true;
   for (const FitQuality& quality : fit.quality) {
-    white = white && quality.white;
     page.facts.push_back({"Fit of " + quality.channel,
-                          format_number(quality.fit_percent, 4) + " %",
+                          std::isfinite(quality.fit_percent)
+                              ? format_number(quality.fit_percent, 4) + " %"
+                              : "not told",
                           "free run, rmse " + format_number(quality.rmse, 4) +
                               (quality.unit.empty() ? "" : " " + quality.unit)});
   }
-  page.headline = !fit.converged ? "The fit did not converge."
-                  : !white
-                      ? "The numbers are fitted; the model leaves structure in the records."
-                      : "The numbers are fitted, and what is left is noise.";
-  page.tone = !fit.converged ? Tone::Bad : white ? Tone::Good : Tone::Doubtful;
+  page.headline = headline_of(fit);
+  page.tone = !fit.converged                       ? Tone::Bad
+              : fit.adequacy.fits == Adequate::Yes ? Tone::Good
+                                                   : Tone::Doubtful;
   page.findings = fit.notes;
   page.equations = equations_mathml(fit.model.model());
   page.sections.push_back(numbers_section(fit));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "adequacy_json.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/model/files/model_file.hpp"
 
@@ -54,16 +55,26 @@ Json initial_json(const Fit& fit) {
   return records;
 }
 
+Json numbers_or_null(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number_json(value));
+  return list;
+}
+
 Json quality_json(const std::vector<FitQuality>& channels, Index ahead) {
   Json list = Json::array();
   for (const FitQuality& quality : channels)
     list.push_back({{"channel", quality.channel},
                     {"unit", quality.unit},
+                    {"samples", quality.samples},
                     {"rmse", number_json(quality.rmse)},
-                    {"rmse_per_record", quality.rmse_per_record},
+                    {"rmse_per_record", numbers_or_null(quality.rmse_per_record)},
                     {"fit_percent", number_json(quality.fit_percent)},
                     {"noise", quality.noise},
-                    {"k_step", {{"steps", ahead}, {"rmse", number_json(quality.prediction)}}},
+                    {"k_step",
+                     {{"steps", ahead},
+                      {"samples", quality.predicted},
+                      {"rmse", number_json(quality.prediction)}}},
                     {"white", quality.white},
                     {"structure_sigma", number_json(quality.structure)}});
   return list;
@@ -104,8 +115,13 @@ std::string interval_text(const FittedNumber& number) {
   if (number.bound) return "at the " + *number.bound + " of its range";
   if (!number.per_record.empty()) return "own in each record";
   if (!number.ci95) return "not determined by itself";
-  return "+- " + format_number(((*number.ci95)[1] - (*number.ci95)[0]) / 2.0, 2) + "  [" +
-         format_number((*number.ci95)[0], 5) + ", " + format_number((*number.ci95)[1], 5) + "]";
+  const auto [low, high] = *number.ci95;
+  const std::string ends = "[" + format_number(low, 5) + ", " + format_number(high, 5) + "]";
+  constexpr double kEven = 0.01;  // an interval ends where the range of its number does
+  const double half = (high - low) / 2.0;
+  return std::abs(low + half - number.value) <= kEven * half
+             ? "+- " + format_number(half, 2) + "  " + ends
+             : ends;
 }
 
 void write_numbers(const Fit& fit, std::ostringstream& out) {
@@ -120,16 +136,26 @@ void write_numbers(const Fit& fit, std::ostringstream& out) {
         << " are correlated: " << format_number(pair.correlation, 3) << "\n";
 }
 
+std::string quality_text(const FitQuality& quality, Index ahead) {
+  if (quality.samples == 0) return "no sample was compared";
+  return "rmse " + format_number(quality.rmse, 4) +
+         (quality.unit.empty() ? "" : " " + quality.unit) +
+         (std::isfinite(quality.fit_percent)
+              ? ", fit " + format_number(quality.fit_percent, 4) + " %"
+              : ", no fit in % (it never changes)") +
+         ", " + std::to_string(ahead) + " samples ahead " +
+         (std::isfinite(quality.prediction) ? format_number(quality.prediction, 4)
+          : quality.predicted == 0          ? "nothing to compare"
+                                            : "no finite prediction") +
+         (quality.noise > 0.0 ? ", noise " + format_number(quality.noise, 3) : "") +
+         (quality.white ? ", residuals white" : ", residuals correlated");
+}
+
 void write_quality(const std::string& title, const std::vector<FitQuality>& channels,
                    Index ahead, std::ostringstream& out) {
   out << title << "\n";
   for (const FitQuality& quality : channels)
-    out << "  " << quality.channel << ": rmse " << format_number(quality.rmse, 4)
-        << (quality.unit.empty() ? "" : " " + quality.unit) << ", fit "
-        << format_number(quality.fit_percent, 4) << " %, " << ahead << " samples ahead "
-        << format_number(quality.prediction, 4)
-        << (quality.noise > 0.0 ? ", noise " + format_number(quality.noise, 3) : "")
-        << (quality.white ? ", residuals white" : ", residuals correlated") << "\n";
+    out << "  " << quality.channel << ": " << quality_text(quality, ahead) << "\n";
 }
 
 }  // namespace
@@ -145,6 +171,7 @@ std::string format_json(const Fit& fit) {
         {{"first", pair.first}, {"second", pair.second}, {"correlation", pair.correlation}});
   json["initial"] = initial_json(fit);
   json["fit"] = quality_json(fit.quality, fit.prediction);
+  json["adequacy"] = adequacy_json(fit.adequacy);
   json["gap"] = gap_json(fit);
   json["identifiable"] = fit.combinations.empty();
   json["combinations"] = Json::array();

@@ -63,7 +63,7 @@ void tell_headline(const IdentificationReport& report, Page& page) {
     page.headline = "Equations were found, but not all fit to the noise: " + join(bad, ", ") +
                     (bad.size() == 1 ? " does not." : " do not.");
     page.tone = Tone::Doubtful;
-  } else if (!unknown.empty()) {
+  } else if (!unknown.empty() || result.adequacy.fits == Adequate::Untold) {
     page.headline = "Equations were found; how large the noise is cannot be told.";
   } else {
     page.headline = "Equations were found that explain the record to its noise.";

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "adequacy_json.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/report/pages/stage_json.hpp"
 #include "relation_text.hpp"
@@ -118,6 +119,7 @@ std::string format_json(const IdentificationReport& report) {
   json["fit"] = list_to_json(result.fit, fit_to_json);
   json["path"] = list_to_json(result.path,
                               [&](const PathStep& step) { return step_to_json(result, step); });
+  json["adequacy"] = adequacy_json(result.adequacy);
   json["verdict"] =
       result.validation ? Json(to_string(result.validation->verdict)) : Json(nullptr);
   json["validation"] =

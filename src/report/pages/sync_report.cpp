@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "adequacy_json.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "sync_json.hpp"
 
@@ -41,6 +42,7 @@ nlohmann::ordered_json sync_to_json(const SyncReport& report) {
   if (result.error_over_noise) json["error_over_noise"] = *result.error_over_noise;
   if (result.conditional_exponent) json["conditional_exponent"] = *result.conditional_exponent;
   json["holds"] = report.verdict.holds;
+  json["adequacy"] = adequacy_json(report.verdict.adequacy);
   if (!report.verdict.sentence.empty()) json["sentence"] = report.verdict.sentence;
   if (report.verdict.until) json["holds_until"] = *report.verdict.until;
   if (report.verdict.equation) json["equation"] = *report.verdict.equation;

@@ -12,7 +12,9 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/data/records/number_range.hpp"
 #include "lacuna/records/binding/model_view.hpp"
+#include "lacuna/records/binding/other_records.hpp"
 
 namespace lacuna {
 namespace {
@@ -67,7 +69,8 @@ std::vector<FittedNumber> numbers_of(const FitEngine& engine, const FitUnknowns&
       const double error = std::sqrt(errors.covariance(i, i));
       if (errors.known[static_cast<std::size_t>(i)] && error > 0.0 && std::isfinite(error)) {
         number.standard_error = error;
-        number.ci95 = {{number.value - reach * error, number.value + reach * error}};
+        number.ci95 = {{std::max(number.value - reach * error, unknowns.lower[p]),
+                        std::min(number.value + reach * error, unknowns.upper[p])}};
       }
     }
     numbers.push_back(std::move(number));
@@ -88,7 +91,7 @@ std::vector<FitCorrelation> correlations_of(const FitEngine& engine,
   for (Index i = 0; i < deviation.size(); ++i)
     for (Index j = i + 1; j < deviation.size(); ++j) {
       const double both = deviation[i] * deviation[j];
-      if (both > 0.0 && std::abs(errors.covariance(i, j)) > kMuch * both)
+      if (both > 0.0 && std::isfinite(both) && std::abs(errors.covariance(i, j)) > kMuch * both)
         found.push_back({name(i), name(j), errors.covariance(i, j) / both});
     }
   return found;
@@ -136,8 +139,31 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
   return {system.symbolic().with_equations(std::move(equations)), std::move(parameters)};
 }
 
+constexpr double kExact = 99.999;  // per cent; what is left is rounding of the file
+
+/// Residuals are noise where they have no correlation in time, which few samples do not show.
+Adequacy adequacy_of_run(const std::vector<FitQuality>& channels) {
+  constexpr Index kTold = 20;
+  std::vector<AdequacyPart> parts;
+  for (const FitQuality& quality : channels) {
+    const Adequate fits = quality.samples < kTold ? Adequate::Untold
+                          : quality.white         ? Adequate::Yes
+                          : quality.fit_percent < kExact || quality.noise > 0
+                              ? Adequate::No
+                              : Adequate::Untold;
+    parts.push_back({quality.channel, fits, quality.samples, quality.noise > 0.0});
+  }
+  return adequacy_of(std::move(parts));
+}
+
+/// Why there is no gap on records that were given for it.
+std::string no_gap(const FitOptions& options) {
+  return "no sample of the held-out records comes after the first " +
+         std::to_string(options.window) +
+         ", which give the initial states: there is no gap (see --start-samples)";
+}
+
 std::vector<std::string> notes_of(const Fit& fit) {
-  constexpr double kExact = 99.999;  // per cent; what is left is rounding of the file
   std::vector<std::string> notes;
   if (!fit.converged)
     notes.push_back("the fit did not converge: the numbers are the last ones");
@@ -145,7 +171,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
     if (number.bound)
       notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
   for (const FitQuality& quality : fit.quality)
-    if (!quality.white && quality.fit_percent < kExact)
+    if (!quality.white && !(quality.fit_percent >= kExact))
       notes.push_back("the residuals of " + quality.channel +
                       " are not white: the model lacks something (see `lacuna diagnose`), and "
                       "intervals hold for this model only");
@@ -190,6 +216,9 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
         const FitOptions& options, const RunContext& context) {
   check_flow(system.symbolic(), "fit");
   check_is_view(system.model(), data);
+  check_number_range(data);
+  check_number_range(held_out);
+  check_are_others(data, held_out);
   const ParametrisedModel model = system.parametrised();
   FitEngine engine = fit_engine(model, fit_records(model, data));
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));
@@ -207,6 +236,7 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
   context.report("errors of the numbers", 0.9);
   Fit result{.model = system};
   result.quality = quality_of(engine, best.point, best.path, options.prediction, 0);
+  result.adequacy = adequacy_of_run(result.quality);
   const bool white = std::all_of(result.quality.begin(), result.quality.end(),
                                  [](const FitQuality& quality) { return quality.white; });
   FitErrors errors = errors_of(engine, unknowns, best, white);
@@ -229,6 +259,7 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options);
   result.notes = notes_of(result);
+  if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
   result.runs = runs_of(engine, best.path);
   return result;
 }

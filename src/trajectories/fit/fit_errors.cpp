@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+/// How many times its own size, as given or found, the deviation of a number is at most: of one
+/// beyond no more is known than before.
+constexpr double kToldOf = 100.0;
+
 std::vector<std::string> global_names(const FitEngine& engine, const FitUnknowns& unknowns) {
   const std::vector<std::string> all = engine.model.names();
   std::vector<std::string> names;
@@ -102,7 +106,8 @@ Vector local_errors(const Matrix& triangle, const Matrix& covariance, const Matr
       if (own(i, i) != 0.0)
         row[i] = ((i == k ? 1.0 : 0.0) - own.col(i).head(i).dot(row.head(i))) / own(i, i);
     const Vector through = triangle.block(0, locals, locals, g).transpose() * row;
-    errors[k] = std::sqrt(row.squaredNorm() + through.dot(covariance * through));
+    const double error = std::sqrt(row.squaredNorm() + through.dot(covariance * through));
+    if (error <= kToldOf * sizes[k]) errors[k] = error;
   }
   return errors;
 }
@@ -145,6 +150,22 @@ std::vector<bool> hold_bounds(const FitUnknowns& unknowns, const Vector& values,
     errors.known.push_back(!bound);
   }
   return errors.at_bound;
+}
+
+/// Numbers of which the records say nothing, and their names.
+void add_untold_numbers(const FitEngine& engine, const FitUnknowns& unknowns,
+                        const Vector& values, const std::vector<std::string>& names,
+                        FitErrors& errors) {
+  const Vector given = engine.model.values();
+  for (Index i = 0; i < values.size(); ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    const double size = std::max(std::abs(values[i]), std::abs(given[unknowns.global[place]]));
+    const double deviation = std::sqrt(errors.covariance(i, i));
+    if (!errors.known[place] || deviation <= kToldOf * size) continue;
+    errors.known[place] = false;
+    errors.combinations.push_back(
+        {{names[place]}, names[place] + ": the records say nothing of it"});
+  }
 }
 
 /// One of the numbers of each direction is held, so that the others have errors.
@@ -200,6 +221,7 @@ FitErrors errors_of(FitEngine& engine, const FitUnknowns& unknowns, const FitMin
   for (Index i = 0; i < g; ++i)
     if (!held[static_cast<std::size_t>(i)]) kept.push_back(i);
   errors.covariance = covariance_of_kept(linear, kept, white);
+  add_untold_numbers(engine, unknowns, values, names, errors);
   Vector sizes = Vector::Ones(engine.states() + static_cast<Index>(unknowns.local.size()));
   sizes.head(engine.states()) = sizes_of(minimum.path);
   add_unseen_states(engine, unknowns, linear, sizes, errors);

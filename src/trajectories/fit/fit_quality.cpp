@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lacuna/core/numerics/significance.hpp"
@@ -17,7 +18,7 @@ constexpr double kStructure = 4.0;
 struct Sums {
   double count = 0.0, squares = 0.0, values = 0.0, value_squares = 0.0;
 
-  double rms() const { return std::sqrt(squares / std::max(1.0, count)); }
+  double rms() const { return std::sqrt(squares / count); }
   double spread_squares() const {
     return value_squares - values * values / std::max(1.0, count);
   }
@@ -45,15 +46,20 @@ void add(Sums& all, const Sums& more) {
   all.value_squares += more.value_squares;
 }
 
-Vector prediction_rms(FitEngine& engine, const FitPoint& point, const FitPath& path,
-                      Index ahead) {
+/// Root mean square errors of prediction, NaN where there is none, and how many there are.
+struct PredictionErrors {
+  Vector rms, compared;  ///< c
+};
+
+PredictionErrors predictions_of(FitEngine& engine, const FitPoint& point, const FitPath& path,
+                                Index ahead) {
   constexpr double kShare = 0.1;
   FitPath filtered;
   const Gains gains =
       filter_gains(engine, point, disturbances_of(engine, path, kShare), filtered);
   Vector compared;
   const Matrix errors = prediction_errors(engine, point, gains, ahead, compared);
-  return errors.colwise().norm().transpose().array() / compared.array().max(1.0).sqrt();
+  return {errors.colwise().norm().transpose().array() / compared.array().sqrt(), compared};
 }
 
 /// The first samples of each record.
@@ -96,13 +102,14 @@ HeldOut held_out_with(const ParametrisedModel& model, const Vector& values, cons
   const FitPoint point{parameters, starts_for(model, parameters, data, usual, options.window)};
   const FitPath path = follow(engine, point, {});
   HeldOut found{quality_of(engine, point, path, options.prediction, options.window)};
-  double squares = 0.0, noise = 0.0;
+  double squares = 0.0, noise = 0.0, count = 0.0;
   for (std::size_t c = 0; c < found.quality.size(); ++c) {
+    if (found.quality[c].samples == 0) continue;
+    ++count;
     const double spread = std::max(engine.records.channels[c].spread, 1e-300);
     squares += std::pow(found.quality[c].rmse / spread, 2);
     noise += std::pow(found.quality[c].noise / spread, 2);
   }
-  const auto count = static_cast<double>(found.quality.size());
   found.size = std::sqrt(squares / count);
   found.noise = std::sqrt(noise / count);
   return found;
@@ -141,14 +148,15 @@ bool are_white(const FitEngine& engine, const Matrix& residuals) {
 
 std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
                                    const FitPath& path, Index ahead, Index skip) {
-  const Vector prediction = prediction_rms(engine, point, path, ahead);
+  const PredictionErrors prediction = predictions_of(engine, point, path, ahead);
   std::vector<FitQuality> found;
   for (Index c = 0; c < engine.count(); ++c) {
     const FitChannel& channel = engine.records.channels[static_cast<std::size_t>(c)];
     FitQuality quality{.channel = channel.name,
                        .unit = channel.unit,
+                       .predicted = static_cast<Index>(prediction.compared[c]),
                        .noise = channel.noise,
-                       .prediction = prediction[c],
+                       .prediction = prediction.rms[c],
                        .structure = correlation_sigma(engine, path.residuals, c)};
     Sums all;
     for (Index r = 0; r < engine.records.records(); ++r) {
@@ -156,19 +164,25 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
       quality.rmse_per_record.push_back(sums.rms());
       add(all, sums);
     }
+    quality.samples = static_cast<Index>(all.count);
     quality.rmse = all.rms();
     const double spread = all.spread_squares();
-    quality.fit_percent = spread > 0.0 ? 100.0 * (1.0 - std::sqrt(all.squares / spread)) : 0.0;
+    quality.fit_percent = spread > 0.0 ? 100.0 * (1.0 - std::sqrt(all.squares / spread))
+                                       : std::numeric_limits<double>::quiet_NaN();
     quality.white = quality.structure < kStructure;
     found.push_back(std::move(quality));
   }
   return found;
 }
 
-FitGap gap_of(const ParametrisedModel& model, const FitPoint& fitted, const Dataset& held_out,
-              const Matrix& usual, const FitOptions& options) {
+std::optional<FitGap> gap_of(const ParametrisedModel& model, const FitPoint& fitted,
+                             const Dataset& held_out, const Matrix& usual,
+                             const FitOptions& options) {
   HeldOut after = held_out_with(model, fitted.parameters.colwise().mean().transpose(), held_out,
                                 usual, options);
+  if (std::all_of(after.quality.begin(), after.quality.end(),
+                  [](const FitQuality& quality) { return quality.samples == 0; }))
+    return std::nullopt;
   FitGap gap{.before = held_out_with(model, model.values(), held_out, usual, options).size,
              .after = after.size,
              .noise_floor = after.noise,

@@ -20,7 +20,9 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
 
 /// Free runs of held-out records with the numbers as given and as fitted.
 /// @param usual mean and deviation of each state along the fitted paths, m x 2.
-FitGap gap_of(const ParametrisedModel& model, const FitPoint& fitted, const Dataset& held_out,
-              const Matrix& usual, const FitOptions& options);
+/// @return nothing where no sample is left behind those that give initial states.
+std::optional<FitGap> gap_of(const ParametrisedModel& model, const FitPoint& fitted,
+                             const Dataset& held_out, const Matrix& usual,
+                             const FitOptions& options);
 
 }  // namespace lacuna

@@ -10,6 +10,7 @@
 #include "lacuna/diagnose/hypotheses/account.hpp"
 #include "lacuna/diagnose/journey/gap.hpp"
 #include "lacuna/diagnose/journey/locate.hpp"
+#include "lacuna/model/equations/adequacy.hpp"
 
 namespace lacuna {
 
@@ -66,6 +67,7 @@ struct Diagnosis {
   std::vector<std::string> notes;
   std::optional<Unnamed> unnamed = {};  ///< with the verdict UnnamedStructure
   std::vector<Hint> hints = {};         ///< what is odd about the records, and its remedy
+  Adequacy adequacy = {};  ///< of the augmented model, by equations of measured states
 };
 
 }  // namespace lacuna

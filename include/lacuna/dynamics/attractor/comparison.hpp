@@ -26,7 +26,8 @@ struct AttractorMeasure {
 ///   differ by no more than both intervals allow, sqrt(a^2 + b^2);
 /// - spectra and densities (Hellinger's distances) agree where blocks of different records are
 ///   no farther apart than blocks of one record, as far as their scatter tells.
-/// @throws ArgumentError when the states differ or records are too short for blocks.
+/// @throws ArgumentError when the states differ or records are too short for blocks; DataError
+///   as check_number_range().
 std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b);
 
 }  // namespace lacuna

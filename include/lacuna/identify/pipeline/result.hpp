@@ -44,6 +44,9 @@ struct EquationFit {
   /// residual is not above twice the noise floor; nothing when that is not known.
   std::optional<bool> fits_to_noise = {};
 
+  /// The warning that says why it does not; empty where it is not said.
+  std::string doubt = {};
+
   bool converged = true;  ///< of the final regression
   int iterations = 0;
 };
@@ -59,8 +62,12 @@ struct IdentificationResult {
   std::vector<std::string> warnings;  ///< what a user should know: an empty equation, ...
   /// What the library alone gives, where forms beside it were taken in.
   std::optional<OdeModel> library_alone = {};
-  /// What the model is worth on samples that it was not fitted to, where that was looked at.
+  /// What the model is worth on samples that it was not fitted to, where that was looked at;
+  /// see take_in().
   std::optional<Validation> validation = {};
+  /// Whether the equations fit to the noise: by predictions where these were made, else by
+  /// their residuals.
+  Adequacy adequacy = {};
   /// Polynomials that are constant on the data, where they were looked for.
   std::vector<Relation> relations = {};
 };

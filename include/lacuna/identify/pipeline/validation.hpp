@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lacuna/core/base/types.hpp"
+#include "lacuna/model/equations/adequacy.hpp"
 
 namespace lacuna {
 
@@ -57,6 +58,7 @@ struct Validation {
   bool refitted = false;  ///< coefficients were fitted without the samples
   PredictionTest one_step = {};          ///< the shortest windows that leave a residual
   PredictionTest windows = {};           ///< windows of a mean period
+  Adequacy adequacy = {};                ///< what they say of each measured state
   std::vector<std::string> advice = {};  ///< what to try, where the model does not fit
 };
 

@@ -7,16 +7,18 @@
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/stage.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/model/equations/adequacy.hpp"
 
 namespace lacuna {
 
 /// Whether a model holds on a record that drove it.
 struct SyncVerdict {
   bool holds = false;
-  bool told = true;                  ///< false: hidden states leave it open whether it holds
+  bool told = true;                  ///< false: it is left open whether it holds
   std::optional<double> until = {};  ///< time up to which it does, where it does not later
   std::optional<std::string> equation = {};  ///< state whose equation has to be helped most
   std::string sentence;                      ///< for people
+  Adequacy adequacy = {};                    ///< of the slave, by measured states
 };
 
 /// When a slave counts as being with the record. docs/decisions.md says what each trades.
@@ -50,8 +52,15 @@ struct SyncVerdictOptions {
 /// - Else the equation is named to which the coupling has to add the largest part of its own
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
 ///   With hidden states none is named: what one lacks, the coupling adds to another.
+/// - Where nothing measured moves there is no verdict.
 /// @param record that drove the slave, in the states of the model.
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options = {});
+
+/// A verdict beside what predictions without a coupling say of the same model, which are the
+/// better evidence: a slave that holds shows nothing where they are off, as the coupling makes
+/// up for what the model lacks; and one that does not hold where they are not has been driven
+/// off by the coupling and the noise of the record. Both leave it open whether the model holds.
+SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict);
 
 }  // namespace lacuna

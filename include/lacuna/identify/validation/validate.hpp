@@ -31,8 +31,14 @@ struct ValidationTask {
 /// Without records of their own a quarter of the samples is held out, in blocks evenly spread,
 /// and the coefficients are fitted without them by the stages of the pipeline; terms and shapes
 /// are those of the whole record.
-/// @throws DataError as check_dataset().
+/// @throws DataError as check_dataset(), and as check_are_others() for records of their own.
 Validation validate(const ValidationTask& task, const ValidationOptions& options = {},
                     const RunContext& context = {});
+
+/// Enters a validation into the result that it judges. Predictions are better evidence than
+/// residuals of derivatives: where they tell it, they say whether an equation fits to the
+/// noise, and what the residuals said against it goes.
+/// @param data what the model was identified from.
+void take_in(Validation validation, const Dataset& data, IdentificationResult& result);
 
 }  // namespace lacuna

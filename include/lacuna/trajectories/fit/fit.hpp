@@ -8,6 +8,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/adequacy.hpp"
 #include "lacuna/model/equations/system_model.hpp"
 
 namespace lacuna {
@@ -46,9 +47,11 @@ struct FittedStart {
   std::optional<double> standard_error = {};  ///< nothing where the record does not tell it
 };
 
-/// How a model meets one channel.
+/// How a model meets one channel. What nothing was compared for is NaN.
 struct FitQuality {
   std::string channel, unit;
+  Index samples = 0;         ///< compared with the free run
+  Index predicted = 0;       ///< compared with predictions
   double rmse = 0.0;         ///< free run from the fitted initial state
   double fit_percent = 0.0;  ///< 100 (1 - |y - model| / |y - mean y|)
   double noise = 0.0;        ///< what the samples show of their noise; 0: not known
@@ -87,7 +90,8 @@ struct Fit {
   std::vector<std::vector<FittedStart>> initial = {};  ///< per record
   std::vector<std::string> records = {};
   std::vector<FitQuality> quality = {};
-  std::optional<FitGap> gap = {};
+  Adequacy adequacy = {};          ///< of the free run, by channels
+  std::optional<FitGap> gap = {};  ///< where samples of held-out records could be compared
   std::vector<FitCombination> combinations = {};  ///< empty: all numbers are determined
   bool converged = true;
   int starts = 1, agreeing = 1;  ///< from how many starts, how many came to the best
@@ -103,12 +107,14 @@ struct Fit {
 /// channel divided by the deviation of its residuals. Terms marked fixed, identities (dq/dt =
 /// v) and fixed parameters stay; free parameters stay in their ranges. States need not be
 /// measured. Where residuals are white, intervals are those of the Fisher information; else
-/// they come from gradients of blocks of the records, which are correlated. Numbers that the
-/// records determine in combination only get no interval, and the combination is named.
+/// they come from gradients of blocks of the records, which are correlated. Intervals end where
+/// ranges do. Numbers that the records determine in combination only, or not at all, get no
+/// interval, and are named.
 /// Same input and seed, same result.
 /// @param data, held_out in the variables of the model, as of read_records().
-/// @throws DataError when nothing is measured, when there are more unknowns than values and
-///   when no free run is finite; ModelError as SystemModel::parametrised(); Cancelled.
+/// @throws DataError when nothing is measured, when there are more unknowns than values, when
+///   no free run is finite, and as check_are_others(); ModelError as
+///   SystemModel::parametrised(); Cancelled.
 Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
         const FitOptions& options = {}, const RunContext& context = {});
 

@@ -12,6 +12,17 @@ using ::testing::HasSubstr;
 using testing::Records;
 using testing::run_command;
 
+/// x and u of the oscillator from another start.
+std::string other_oscillation(int samples) {
+  std::string record = "t [s],x [m],u [N]\n";
+  for (int i = 0; i < samples; ++i) {
+    const double t = 0.02 * i, x = 0.5 * std::sin(2.0 * t) + std::sin(t) / 3.0;
+    record +=
+        std::to_string(t) + "," + std::to_string(x) + "," + std::to_string(std::sin(t)) + "\n";
+  }
+  return record;
+}
+
 TEST(FitCommand, FitsWhatIsFree) {
   const Records records;
   const std::string model = records.folder().write(
@@ -33,10 +44,43 @@ TEST(FitCommand, FitsWhatIsFree) {
 
 TEST(FitCommand, HeldOutRecordsGiveTheGap) {
   const Records records;
-  const auto result = run_command({"fit", records.oscillator_model(), records.oscillator(),
-                                   "--holdout", records.oscillator()});
+  const std::string other = records.folder().write("other.csv", other_oscillation(300));
+  const auto result = run_command(
+      {"fit", records.oscillator_model(), records.oscillator(), "--holdout", other});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("Free run of held-out records"));
+  EXPECT_THAT(result.out, HasSubstr("noise floor"));
+}
+
+TEST(FitCommand, RecordsThatAreUsedAreNoneToHoldOut) {
+  const Records records;
+  expect_failure(run_command({"fit", records.oscillator_model(), records.oscillator(),
+                              "--holdout", records.oscillator()}),
+                 2, {"osc.csv", "it has the samples of", "leave --holdout out"});
+}
+
+TEST(FitCommand, NothingComparedIsNoPerfectFit) {
+  const Records records;
+  const std::string other = records.folder().write("other.csv", other_oscillation(300));
+  const std::vector<std::string> command{"fit", records.oscillator_model(),
+                                         records.oscillator(), "--holdout", other};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), command.begin(), command.end());
+    return run_command(more);
+  };
+  const auto none = with({"--start-samples", "300"});
+  EXPECT_EQ(none.status, 0) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("there is no gap (see --start-samples)"));
+  EXPECT_THAT(none.out, ::testing::Not(HasSubstr("gap 0")));
+  const auto json = nlohmann::json::parse(with({"--start-samples", "300", "--json", "-"}).out);
+  EXPECT_TRUE(json["gap"].is_null());
+
+  const auto ahead = with({"--ahead", "1000"});
+  EXPECT_THAT(ahead.out, HasSubstr("1000 samples ahead nothing to compare"));
+  const auto far = nlohmann::json::parse(with({"--ahead", "1000", "--json", "-"}).out);
+  EXPECT_TRUE(far["fit"][0]["k_step"]["rmse"].is_null());
+  EXPECT_EQ(far["fit"][0]["k_step"]["samples"], 0);
+  EXPECT_EQ(far["fit"][0]["samples"], 400);
 }
 
 TEST(FitCommand, ErrorsAreOneLine) {

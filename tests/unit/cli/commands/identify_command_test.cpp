@@ -177,6 +177,9 @@ TEST(IdentifyCommand, JudgesByRecordsThatAreHeldOut) {
   EXPECT_THAT(found["validation"]["records"][0].get<std::string>(), HasSubstr("other.csv"));
   // The model does not depend on them.
   EXPECT_EQ(found["model"], run_identify({records.rossler(), "--degree", "2"})["model"]);
+  expect_failure(run_command({"identify", records.rossler(), "--degree", "2", "--holdout",
+                              records.rossler()}),
+                 2, {"r.csv", "it has the samples of", "leave --holdout out"});
   expect_failure(run_command({"identify", records.rossler(), "--holdout", "nowhere.csv"}), 2,
                  {"nowhere.csv"});
   expect_failure(

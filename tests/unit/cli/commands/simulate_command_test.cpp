@@ -70,6 +70,21 @@ TEST(SimulateCommand, DivergenceIsStatus1AndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST(SimulateCommand, NothingIsWrittenOfWhatIsNoNumber) {
+  const Records records;
+  const std::string out = records.folder().file("orbit.csv");
+  const auto run = [&](const std::string& text, const std::string& start) {
+    const std::string model = records.folder().write("m.ode", text);
+    return run_command(
+        {"simulate", model, "--x0", start, "--t-end", "3", "--dt", "0.1", "-o", out});
+  };
+  expect_failure(run("dx/dt = -1\ny = sqrt(x)\n", "1"), 1,
+                 {"y is no finite number at t = 1", "nothing was written"});
+  // A state that is a number does not hide one beside it that is none.
+  expect_failure(run("dx/dt = 0*x\ndz/dt = sqrt(-1-z)\n", "1,1"), 1, {"nothing was written"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(SimulateCommand, BadStartsAndTimesAreNamed) {
   expect_failure(
       run_command({"simulate", "lorenz", "--x0", "1,1", "--t-end", "1", "--dt", "1"}), 2,

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
@@ -57,6 +58,12 @@ TEST(Comparison, WhatCannotBeToldIsNotJudged) {
   const auto measures = compare_attractors(a, b);
   EXPECT_FALSE(measures[5].agree);
   EXPECT_NE(measures[5].note, "");
+}
+
+TEST(Comparison, WhatIsBeyondTheRangeOfNumbersDoesNotAgree) {
+  Dataset huge = lorenz(1.0, 28.0);
+  huge.trajectories[0].states *= 1e300;
+  EXPECT_THROW(compare_attractors(huge, huge), DataError);
 }
 
 }  // namespace

@@ -132,5 +132,31 @@ TEST(Judgement, WindowsWithoutASolutionRefuteTheLibrary) {
   EXPECT_EQ(validation.verdict, ValidationVerdict::WrongLibrary);
 }
 
+TEST(Judgement, TheAdequacyIsTheVerdictByStates) {
+  Validation validation{.samples = 500, .refitted = true};
+  const PredictionError fine = error_of(0.01, 0.01, true, 1.0);
+  PredictionError off = error_of(0.03, 0.01, true, 1.0),
+                  still = error_of(0.01, 0.01, true, 0.01);
+  off.state = "y";
+  still.state = "z";
+  validation.windows = {1.0, 20, 0, {fine, off, still}};
+  judge({}, validation);
+  EXPECT_EQ(validation.adequacy.fits, Adequate::No);
+  ASSERT_EQ(validation.adequacy.parts.size(), 3u);
+  EXPECT_EQ(validation.adequacy.parts[0].fits, Adequate::Yes);
+  EXPECT_EQ(validation.adequacy.parts[1].fits, Adequate::No);
+  EXPECT_EQ(validation.adequacy.parts[2].fits, Adequate::Untold) << "it does not move";
+  EXPECT_EQ(validation.adequacy.samples(), 1500);
+
+  validation.windows = {1.0, 20, 0, {fine, still}};
+  judge({}, validation);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(validation.adequacy.fits, Adequate::Yes);
+  validation.windows.lost = 15;
+  judge({}, validation);
+  EXPECT_EQ(validation.adequacy.fits, Adequate::No);
+  EXPECT_EQ(validation.adequacy.parts[0].fits, Adequate::No) << "there is no solution";
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -148,5 +148,38 @@ TEST(SyncVerdict, WithoutNoiseTheRecordItselfIsTheMeasure) {
   EXPECT_THAT(wrong.sentence, HasSubstr("Does not hold"));
 }
 
+TEST(SyncVerdict, ItsAdequacyIsThatOfTheSlave) {
+  EXPECT_EQ(verdict(1.0, record(0.01, 0.0)).adequacy.fits, Adequate::Yes);
+  const SyncVerdict wrong = verdict(1.5, record(0.01, 0.0));
+  EXPECT_EQ(wrong.adequacy.fits, Adequate::No);
+  ASSERT_EQ(wrong.adequacy.parts.size(), 2u);
+  EXPECT_TRUE(wrong.adequacy.parts[0].noise_known);
+}
+
+TEST(SyncVerdict, WhereNothingMovesThereIsNone) {
+  Dataset still = record(0.0, 0.0);
+  still.trajectories[0].states.setZero();
+  const SyncVerdict found = verdict(1.0, still);
+  EXPECT_FALSE(found.told);
+  EXPECT_FALSE(found.holds);
+  EXPECT_THAT(found.sentence, HasSubstr("nothing that is measured moves"));
+}
+
+TEST(SyncVerdict, BesidePredictionsThatSayOtherwiseItIsOpen) {
+  const SyncVerdict holds{.holds = true, .sentence = "Holds: x."};
+  const SyncVerdict off{.equation = "v", .sentence = "Does not hold; x."};
+  const SyncVerdict later{.until = 3.0, .sentence = "Holds up to 3; x."};
+  const Adequacy yes{Adequate::Yes, {}}, no{Adequate::No, {}}, open{};
+  EXPECT_TRUE(beside(yes, holds).holds);
+  EXPECT_TRUE(beside(open, holds).holds);
+  EXPECT_FALSE(beside(no, holds).holds);
+  EXPECT_FALSE(beside(no, holds).told);
+  EXPECT_THAT(beside(no, holds).sentence, HasSubstr("Cannot tell"));
+  EXPECT_FALSE(beside(yes, off).told);
+  EXPECT_FALSE(beside(yes, off).equation);
+  EXPECT_EQ(beside(no, off).sentence, off.sentence);
+  EXPECT_EQ(beside(yes, later).sentence, later.sentence);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -30,6 +30,8 @@ Fit example() {
   fit.records = {"r.csv"};
   fit.quality = {{.channel = "y",
                   .unit = "V",
+                  .samples = 200,
+                  .predicted = 20,
                   .rmse = 0.5,
                   .fit_percent = 90.0,
                   .noise = 0.4,
@@ -37,6 +39,7 @@ Fit example() {
                   .white = false,
                   .rmse_per_record = {0.5}}};
   fit.gap = FitGap{1.0, 0.5, 0.4, {"h.csv"}, fit.quality};
+  fit.adequacy = adequacy_of({{"y", Adequate::No, 200, true}});
   fit.combinations = {{{"a", "b"}, "a and b only as a*b"}};
   fit.notes = {"look here"};
   return fit;
@@ -75,6 +78,35 @@ TEST(FitReport, TextSaysWhatIsNotDetermined) {
   EXPECT_THAT(text, HasSubstr("y: rmse 0.5 V, fit 90 %"));
   EXPECT_THAT(text, HasSubstr("gap 1 -> 0.5"));
   EXPECT_THAT(text, HasSubstr("Note: look here"));
+}
+
+TEST(FitReport, TextSaysWhatWasNotCompared) {
+  Fit fit = example();
+  EXPECT_THAT(format_text(fit), HasSubstr("10 samples ahead no finite prediction"));
+  fit.quality[0].predicted = 0;
+  fit.quality[0].fit_percent = std::nan("");
+  EXPECT_THAT(format_text(fit), HasSubstr("no fit in % (it never changes), 10 samples ahead "
+                                          "nothing to compare"));
+  fit.quality[0].samples = 0;
+  EXPECT_THAT(format_text(fit), HasSubstr("y: no sample was compared"));
+}
+
+TEST(FitReport, AnIntervalThatEndsWithItsRangeIsShownByItsEnds) {
+  Fit fit = example();
+  fit.numbers[0].ci95 = {{1.8, 2.05}};
+  EXPECT_THAT(format_text(fit), HasSubstr("k     2            [1.8, 2.05]  1/s"));
+}
+
+TEST(FitReport, TheHeadlineIsMadeOfTheAdequacy) {
+  Fit fit = example();
+  EXPECT_THAT(fit_page(fit).headline, HasSubstr("leaves structure"));
+  fit.adequacy = adequacy_of({{"y", Adequate::Yes, 200, true}});
+  EXPECT_THAT(fit_page(fit).headline, HasSubstr("what is left is noise"));
+  EXPECT_EQ(fit_page(fit).tone, Tone::Good);
+  fit.adequacy = {};
+  EXPECT_THAT(fit_page(fit).headline, HasSubstr("do not tell"));
+  EXPECT_EQ(fit_page(fit).tone, Tone::Doubtful);
+  EXPECT_EQ(nlohmann::json::parse(format_json(fit))["adequacy"]["fits"], "untold");
 }
 
 TEST(FitReport, ThePageShowsNumbersAndRuns) {

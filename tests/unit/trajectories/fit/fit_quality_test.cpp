@@ -71,11 +71,27 @@ TEST(GapOf, ComparesTheNumbersAsGivenAndAsFitted) {
   const ParametrisedModel wrong =
       walk.system.parametrised().with_values((Vector(2) << -0.9, 0.7).finished());
   const Matrix usual = (Matrix(1, 2) << 1.0, 0.5).finished();
-  const FitGap gap = gap_of(wrong, walk.point, other, usual, {});
-  EXPECT_GT(gap.before, 10.0 * gap.after);
-  EXPECT_NEAR(gap.after, 0.02, 0.004);
-  EXPECT_NEAR(gap.noise_floor, 0.02, 0.004);
-  ASSERT_EQ(gap.records.size(), 1u);
+  const auto gap = gap_of(wrong, walk.point, other, usual, {});
+  ASSERT_TRUE(gap);
+  EXPECT_GT(gap->before, 10.0 * gap->after);
+  EXPECT_NEAR(gap->after, 0.02, 0.004);
+  EXPECT_NEAR(gap->noise_floor, 0.02, 0.004);
+  ASSERT_EQ(gap->records.size(), 1u);
+  const Index all = other.samples();
+  EXPECT_FALSE(gap_of(wrong, walk.point, other, usual, {.window = all})) << "nothing is left";
+}
+
+TEST(QualityOf, WhatWasNotComparedIsNoNumber) {
+  Walk walk;
+  const FitPath path = follow(*walk.engine, walk.point, {});
+  const Index all = walk.engine->records.samples();
+  const FitQuality quality = quality_of(*walk.engine, walk.point, path, all, all)[0];
+  EXPECT_EQ(quality.samples, 0);
+  EXPECT_EQ(quality.predicted, 0);
+  EXPECT_TRUE(std::isnan(quality.rmse));
+  EXPECT_TRUE(std::isnan(quality.prediction));
+  EXPECT_TRUE(std::isnan(quality.fit_percent));
+  EXPECT_EQ(quality_of(*walk.engine, walk.point, path, 5, 100)[0].samples, all - 100);
 }
 
 }  // namespace

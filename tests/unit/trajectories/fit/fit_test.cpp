@@ -208,5 +208,56 @@ TEST(Fit, ModelsThatAlwaysDivergeAreAnError) {
                           "no free run", "ranges");
 }
 
+/// A slow decay with noise of 1 %.
+Dataset decay_record() {
+  return support::grey_box(parse_ode("dx/dt = -0.1*x\ny = x\n", "d.ode"),
+                           {.start = Vector::Constant(1, 1.0), .step = 0.1, .samples = 100});
+}
+
+TEST(Fit, IntervalsEndWhereRangesDo) {
+  const SystemModel system =
+      parse_ode_system("param k = 0.1 in 0.0999..0.1001\ndx/dt = -k*x\ny = x\n", "d.ode");
+  const Fit found = fit(system, decay_record(), {});
+  const FittedNumber& k = number(found, "k");
+  if (!k.bound) {
+    ASSERT_TRUE(k.ci95);
+    EXPECT_GE((*k.ci95)[0], 0.0999);
+    EXPECT_LE((*k.ci95)[1], 0.1001);
+  }
+  const SystemModel wide =
+      parse_ode_system("param k = 0.09 in 0.05..0.1005\ndx/dt = -k*x\ny = x\n", "d.ode");
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const Dataset record = support::grey_box(
+        parse_ode("dx/dt = -0.1*x\ny = x\n", "d.ode"),
+        {.start = Vector::Constant(1, 1.0), .step = 0.1, .samples = 100, .seed = seed});
+    const FittedNumber one = number(fit(wide, record, {}), "k");
+    if (one.ci95) {
+      EXPECT_LE((*one.ci95)[1], 0.1005) << seed;
+      EXPECT_LE(one.value, (*one.ci95)[1]) << seed;
+    }
+  }
+}
+
+TEST(Fit, ANumberOfWhichTheRecordsSayNothingHasNoInterval) {
+  const SystemModel system = parse_ode_system(
+      "param k = 0.1\nparam b = 1.02\ndx/dt = -k*x + 1e-12*b\ny = x\n", "d.ode");
+  const Fit found = fit(system, decay_record(), {});
+  EXPECT_FALSE(number(found, "b").ci95);
+  EXPECT_TRUE(number(found, "k").ci95);
+  ASSERT_EQ(found.combinations.size(), 1u);
+  EXPECT_THAT(found.combinations[0].message, HasSubstr("b: the records say nothing of it"));
+  const SystemModel alone =
+      parse_ode_system("param b = 1.02\ndx/dt = -0.1*x + 1e-12*b\ny = x\n", "d.ode");
+  EXPECT_FALSE(number(fit(alone, decay_record(), {}), "b").ci95)
+      << "nothing to compare it with";
+}
+
+TEST(Fit, AdequacyIsThatOfTheFreeRun) {
+  const SystemModel right = parse_ode_system("param k = 0.2\ndx/dt = -k*x\ny = x\n", "d.ode");
+  EXPECT_EQ(fit(right, decay_record(), {}).adequacy.fits, Adequate::Yes);
+  const SystemModel wrong = parse_ode_system("param k = 0.2\ndx/dt = -k\ny = x\n", "d.ode");
+  EXPECT_EQ(fit(wrong, decay_record(), {}).adequacy.fits, Adequate::No);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/records/binding/other_records.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/expect_error.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::expect_error;
+
+Dataset record(const std::string& source, double phase) {
+  const Vector time = Vector::LinSpaced(100, 0.0, 9.9);
+  Dataset data{"s", {{"x", ""}}, {}, {}, {}};
+  data.trajectories.push_back(
+      {source, time, (time.array() + phase).cos().matrix(), Matrix(100, 0), {}});
+  return data;
+}
+
+TEST(OtherRecords, OthersAreFine) {
+  EXPECT_NO_THROW(check_are_others(record("a.csv", 0.0), record("b.csv", 1.0)));
+  EXPECT_NO_THROW(check_are_others(record("a.csv", 0.0), {}));
+}
+
+TEST(OtherRecords, TheSameSamplesAreRefusedByBothNames) {
+  const Dataset used = record("a.csv", 0.0);
+  expect_error<DataError>([&] { check_are_others(used, record("b.csv", 0.0)); },
+                          {"b.csv", "the samples of a.csv", "not used"});
+  Dataset part = record("b.csv", 0.0);
+  part.trajectories[0] = rows_of(part.trajectories[0], 40, 30);
+  expect_error<DataError>([&] { check_are_others(used, part); }, {"b.csv"});
+  Dataset later = record("b.csv", 0.0);
+  later.trajectories[0].time.array() += 100.0;
+  expect_error<DataError>([&] { check_are_others(used, later); }, {"b.csv"});
+}
+
+TEST(OtherRecords, OneOtherValueMakesAnotherRecord) {
+  const Dataset used = record("a.csv", 0.0);
+  Dataset other = used;
+  other.trajectories[0].states(50, 0) += 1e-9;
+  EXPECT_NO_THROW(check_are_others(used, other));
+  other = used;
+  other.trajectories[0].states(50, 0) = std::nan("");
+  EXPECT_NO_THROW(check_are_others(used, other));
+  expect_error<DataError>([&] { check_are_others(other, other); }, {"the samples of a.csv"});
+}
+
+}  // namespace
+}  // namespace lacuna
