@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "data/records/number_range.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/numerics/interval.hpp"
-#include "lacuna/data/records/number_range.hpp"
 #include "lacuna/dynamics/attractor/density_distance.hpp"
 #include "lacuna/dynamics/attractor/extents.hpp"
 #include "lacuna/dynamics/attractor/power_spectrum.hpp"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "data/records/number_range.hpp"
 #include "lacuna/core/base/random.hpp"
 #include "lacuna/core/numerics/lagrange.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/data/records/number_range.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna {

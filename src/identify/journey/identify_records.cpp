@@ -6,7 +6,7 @@
 #include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/hidden_state/identify_hidden.hpp"
 #include "lacuna/identify/validation/validate.hpp"
-#include "lacuna/records/binding/other_records.hpp"
+#include "records/binding/other_records.hpp"
 
 namespace lacuna {
 namespace {

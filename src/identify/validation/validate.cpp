@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "judgement.hpp"
-#include "lacuna/records/binding/other_records.hpp"
 #include "lacuna/records/channels/shown_holds.hpp"
 #include "lacuna/trajectories/smoother/window_gap.hpp"
 #include "map_predictions.hpp"
 #include "predicted_records.hpp"
+#include "records/binding/other_records.hpp"
 #include "refit.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/binding/other_records.hpp"
+#include "other_records.hpp"
 
 #include <algorithm>
 

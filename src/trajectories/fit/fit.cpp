@@ -6,15 +6,15 @@
 #include <limits>
 #include <utility>
 
+#include "data/records/number_range.hpp"
 #include "fit_errors.hpp"
 #include "fit_quality.hpp"
 #include "fit_search.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/interval.hpp"
-#include "lacuna/data/records/number_range.hpp"
 #include "lacuna/records/binding/model_view.hpp"
-#include "lacuna/records/binding/other_records.hpp"
+#include "records/binding/other_records.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/records/number_range.hpp"
+#include "data/records/number_range.hpp"
 
 #include <gtest/gtest.h>
 

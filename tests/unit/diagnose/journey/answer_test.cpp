@@ -113,6 +113,7 @@ TEST_F(Answer, WhatNeedNotComeAgainIsNotAskedForIt) {
       {"u", parse_expression("-u"), parse_expression("0"), true}};
   EXPECT_FALSE(heard(driven, gap(10.0, 11.0)).withdraw);
   EXPECT_FALSE(heard(nameless(0.0), gap(10.0, 11.0)).withdraw) << "there is no name";
+  EXPECT_TRUE(heard(account("sin(5*t)"), std::nullopt).lower) << "nothing was compared";
 }
 
 TEST_F(Answer, TheVerdictIsNamesAndWhatIsLeft) {
@@ -168,6 +169,21 @@ TEST_F(Answer, WindowsWithoutASolutionAndNoiseWithAMemoryAreNoted) {
   const auto& notes = result.notes;
   EXPECT_NE(notes[notes.size() - 2].find("in 3 windows"), std::string::npos);
   EXPECT_NE(notes.back().find("q 0.05 m over 2 s"), std::string::npos) << notes.back();
+}
+
+TEST_F(Answer, TheAdequacyIsThatOfTheEquationsAndOfOtherRecords) {
+  const Diagnosis fine = answer(nameless(0.0));
+  EXPECT_EQ(fine.adequacy.fits, Adequate::Yes);
+  ASSERT_EQ(fine.adequacy.parts.size(), 2u);
+  EXPECT_EQ(fine.adequacy.samples(), 2 * asked_.problem().records.data.samples());
+  const Diagnosis left = answer(nameless(5.0));
+  EXPECT_EQ(left.adequacy.fits, Adequate::No);
+  EXPECT_EQ(left.adequacy.parts[0].fits, Adequate::Yes);
+  EXPECT_EQ(left.adequacy.parts[1].fits, Adequate::No);
+  Gap open = gap(10.0, 9.0);
+  open.above_floor = 9.0;
+  EXPECT_EQ(make_answer(asked_.problem(), {nameless(0.0)}, open, {}).adequacy.fits,
+            Adequate::No);
 }
 
 }  // namespace
