@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/records/channels/shown_holds.hpp"
 #include "lacuna/report/pages/data_summary.hpp"
@@ -42,9 +43,12 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
   return coupling;
 }
 
-std::string notes_of(const Dataset& data) {
+std::string notes_of(const Dataset& data, const SyncReport& report) {
   std::string lines;
   for (const std::string& note : data.notes) lines += "Note: " + note + "\n";
+  if (report.result.stiff)
+    lines +=
+        "Note: the slave is faster than the samples: its steps between them were adapted\n";
   return lines;
 }
 
@@ -64,16 +68,17 @@ int sync_command(const Session& session, const SyncArguments& options) {
   const OdeModel driven = with_shown_holds(model, data);
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), options.integrator};
+  if (report.result.stiff) report.integrator = Dopri5Options::kInfo.name;
   report.verdict = judge(driven, data, report.result);
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return sync_page(report, data); });
   if (options.json != "-" && options.report.page != "-")
-    show(session, data_line(data, data.input_count()) + "\n" + notes_of(data) + "\n" +
+    show(session, data_line(data, data.input_count()) + "\n" + notes_of(data, report) + "\n" +
                       format_text(report));
   if (report.result.status == IntegrationStatus::Completed) return 0;
-  session.streams.err << "lacuna: error: " << report.result.message
-                      << "; try a stronger --coupling\n";
+  session.streams.err << "lacuna: error: " << report.result.message << "; try "
+                      << stronger_coupling(model.states(), report.result.coupling) << "\n";
   return 1;
 }
 

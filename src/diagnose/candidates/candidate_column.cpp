@@ -71,17 +71,31 @@ Matrix middles(const Matrix& slots, Index count) {
   return points;
 }
 
+/// Delayed variables of a program at the rows of the slots of a record.
+Matrix delayed_at_rows(const Program& program, const LinearisedRecord& record) {
+  return delayed_step_slots(record.slots, record.grid, program.delays());
+}
+
+/// The same in the middles between rows.
+Matrix delayed_in_middles(const Program& program, const LinearisedRecord& record) {
+  const Matrix delayed = delayed_at_rows(program, record);
+  const Index rows = delayed.rows() - 1;
+  return 0.5 * (delayed.topRows(rows) + delayed.bottomRows(rows));
+}
+
 /// Memory whose rates are linear in it, r + A y, over all steps of a grid: r and A are computed
 /// for many rows at once.
-void write_affine(const MemoryRates& memory, const Variables& variables, const Matrix& slots,
-                  Matrix& values) {
+void write_affine(const MemoryRates& memory, const Variables& variables,
+                  const LinearisedRecord& record, Matrix& values) {
+  const Matrix& slots = record.slots;
   const Index count = values.cols(), rows = slots.rows() - 1;
   std::vector<Expression> formulas = memory.rates;
   formulas.insert(formulas.end(), memory.derivatives.begin(), memory.derivatives.end());
   const Program program(formulas, variables);
   Program::Workspace workspace;
-  Matrix out(rows, program.outputs());
-  program.evaluate(middles(slots, count), out, workspace);
+  Matrix points(rows, program.slots()), out(rows, program.outputs());
+  points << middles(slots, count), delayed_in_middles(program, record);
+  program.evaluate(points, out, workspace);
   std::vector<Growth> growths(static_cast<std::size_t>(count));
   const auto time = slots.col(slots.cols() - 1);
   for (Index i = 0; i < rows; ++i) {
@@ -97,8 +111,9 @@ void write_affine(const MemoryRates& memory, const Variables& variables, const M
 }
 
 /// Memory over all steps of a grid, one after another.
-void write_stepwise(const MemoryRates& memory, const Variables& variables, const Matrix& slots,
-                    Matrix& values) {
+void write_stepwise(const MemoryRates& memory, const Variables& variables,
+                    const LinearisedRecord& record, Matrix& values) {
+  const Matrix& slots = record.slots;
   const Index count = values.cols(), width = slots.cols() - 1;
   std::vector<Expression> formulas;
   for (Index k = 0; k < count; ++k) {
@@ -108,11 +123,13 @@ void write_stepwise(const MemoryRates& memory, const Variables& variables, const
   const Program program(formulas, variables);
   Program::Workspace workspace;
   Vector point(program.slots()), out(program.outputs());
+  const Matrix delayed = delayed_in_middles(program, record);
   for (Index i = 0; i + 1 < slots.rows(); ++i) {
     const double length = slots(i + 1, width) - slots(i, width);
     point.head(width) = 0.5 * (slots.row(i) + slots.row(i + 1)).head(width).transpose();
     point.segment(width, count) = values.row(i).transpose();
     point[width + count] = slots(i, width) + 0.5 * length;
+    point.tail(delayed.cols()) = delayed.row(i).transpose();
     program.evaluate(point.data(), out.data(), workspace);
     for (Index k = 0; k < count; ++k)
       values(i + 1, k) = values(i, k) + length * growth(out[2 * k + 1] * length) * out[2 * k];
@@ -139,9 +156,9 @@ Matrix memory_from(const Candidate& candidate, std::span<const double> shapes,
   const MemoryRates rates = memory_rates(candidate, shapes);
   const Variables all = with_memory(candidate, variables);
   if (rates.affine)
-    write_affine(rates, all, record.slots, values);
+    write_affine(rates, all, record, values);
   else
-    write_stepwise(rates, all, record.slots, values);
+    write_stepwise(rates, all, record, values);
   return values;
 }
 
@@ -204,10 +221,10 @@ Vector form_along(const Candidate& candidate, std::span<const double> shapes,
   if (candidate.memory.empty()) return evaluate_on(record, variables, form);
   const Program program({&form, 1}, with_memory(candidate, variables));
   Program::Workspace workspace;
-  Matrix out(record.slots.rows(), 1);
-  program.evaluate(
-      with_memory(record.slots, memory_along(candidate, shapes, variables, record)), out,
-      workspace);
+  Matrix slots(record.slots.rows(), program.slots()), out(record.slots.rows(), 1);
+  slots << with_memory(record.slots, memory_along(candidate, shapes, variables, record)),
+      delayed_at_rows(program, record);
+  program.evaluate(slots, out, workspace);
   return out.col(0);
 }
 

@@ -29,9 +29,10 @@ double noise_inflation(const NoiseModel& noise, const Assimilation& exact) {
 /// Whether an equation says something of measured states only; of a state that was not measured
 /// an identity is the definition.
 bool is_measured(const OdeModel& model, const NoiseModel& noise, std::size_t equation) {
+  std::set<std::string> used;
+  for (const WeightedTerm& summand : model.equations()[equation])
+    used.merge(summand.term.expression().variables());
   for (std::size_t j = 0; j < model.states().size(); ++j) {
-    const std::set<std::string> used =
-        model.equations()[equation].front().term.expression().variables();
     const bool concerned = j == equation || used.contains(model.states()[j].name);
     if (concerned && !noise.measurement[j]) return false;
   }
@@ -77,8 +78,10 @@ Baseline loosened_baseline(const Problem& problem, const Baseline& base,
   double more = 0.0;
   for (std::size_t k = 0; k < broken.size(); ++k) {
     if (!broken[k]) continue;
-    free.push_back({static_cast<Index>(k), 0});
     ++more;
+    const CoefficientPlace first{static_cast<Index>(k), 0};
+    const bool is_free = std::find(free.begin(), free.end(), first) != free.end();
+    if (!problem.nominal.equations()[k].empty() && !is_free) free.push_back(first);
   }
   const Problem same{problem.nominal, *base.records, problem.options, problem.context,
                      problem.memory};

@@ -10,11 +10,13 @@
 #include "data/records/number_range.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
+#include "lacuna/core/base/text.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "lacuna/trajectories/smoother/unknown_past.hpp"
 #include "output_channels.hpp"
 #include "records/binding/other_records.hpp"
 #include "smoothed_records.hpp"
@@ -34,16 +36,25 @@ ChannelOptions channel_options(const DecisionOptions& decision) {
   return {decision.outlying, decision.pile_up};
 }
 
-/// @throws DataError where no channel ever changes.
-void check_that_something_changes(const BoundRecords& records) {
-  for (std::size_t k = 0; k < records.channels.size(); ++k)
-    for (const Trajectory& record : records.data.trajectories) {
-      const auto& x = record.states.col(static_cast<Index>(k));
-      if (records.channels[k].measured && (x.array() != x[0]).any()) return;
+/// Whether any measured channel ever changes.
+bool something_changes(const Dataset& data) {
+  for (Index k = 0; k < data.state_count(); ++k)
+    for (const Trajectory& record : data.trajectories) {
+      const auto& x = record.states.col(k);
+      if (data.is_measured(k) && (x.array() != x[0]).any()) return true;
     }
-  throw DataError(records.data.trajectories.front().source,
-                  "nothing moves: no measured state or output ever changes",
-                  "use a record with motion");
+  return false;
+}
+
+/// @throws DataError where what was before a record is not known for half of it or longer.
+void check_past(const OdeModel& nominal, const Dataset& data) {
+  const double longest = longest_delays(nominal).maxCoeff();
+  for (const Trajectory& record : data.trajectories)
+    if (longest > 0.5 * record.duration())
+      throw DataError(record.source,
+                      "the model has a delay of " + format_number(longest, 4) +
+                          ", more than half of the record: what was before it is not known",
+                      "give longer records");
 }
 
 Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
@@ -63,10 +74,19 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
     return with_hidden_paths(nominal, part, hidden_states(nominal, part), given_begin(nominal));
   };
   BoundRecords find = observed(with_start(std::move(parts.find)), channel_options(decision));
-  check_that_something_changes(find);
+  if (!something_changes(find.data))
+    throw DataError(find.data.trajectories.front().source,
+                    "nothing moves: no measured state or output ever changes",
+                    "use a record with motion");
+  check_past(nominal, find.data);
   all.notes.insert(all.notes.end(), find.notes.begin(), find.notes.end());
-  return {std::move(find), std::move(unused), with_start(std::move(parts.check)),
-          std::move(all.notes)};
+  Dataset check = with_start(std::move(parts.check));
+  if (split && !something_changes(check))
+    all.notes.push_back(
+        "nothing moves in the last quarter of the records, which is kept back to measure the "
+        "gap "
+        "on: give other records for that (--holdout)");
+  return {std::move(find), std::move(unused), std::move(check), std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the

@@ -10,18 +10,19 @@
 #include "lacuna/diagnose/candidates/candidate_column.hpp"
 #include "lacuna/trajectories/smoother/hidden_states.hpp"
 #include "lacuna/trajectories/smoother/outlier_check.hpp"
+#include "lacuna/trajectories/smoother/unknown_past.hpp"
 #include "lacuna/trajectories/smoother/window_gap.hpp"
 #include "trajectories/smoother/window_paths.hpp"
 
 namespace lacuna {
 namespace {
 
-/// First sample at which all effects are known: delayed values lie in the record, memories
-/// have forgotten where they began. The first one of all when no window is left.
+/// First sample at which the model and all effects are known: delayed values lie in the record,
+/// memories have forgotten where they began. The first one of all when no window is left.
 Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effects,
                   const Trajectory& record, Index length) {
   const LinearisedRecord grid = grid_of(nominal.inputs(), record, record.states);
-  double time = record.time[0];
+  double time = record.time[0] + longest_delays(nominal).maxCoeff();
   for (const FittedEffect& effect : effects) {
     const auto known =
         known_from(effect.candidate,
@@ -37,17 +38,17 @@ Index first_known(const OdeModel& nominal, const std::vector<FittedEffect>& effe
 Vector deviations(const Dataset& data) {
   std::vector<Matrix> states;
   for (const Trajectory& record : data.trajectories) states.push_back(record.states);
-  return column_deviations(states);
+  return moving_deviations(states);
 }
 
 double noise_floor(const NoiseModel& noise, const Vector& scale) {
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
-    if (!noise.measurement[k]) continue;
+    const double unit = scale[static_cast<Index>(k)];
+    if (!noise.measurement[k] || unit == 0.0) continue;
     const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
-    sum += (*noise.measurement[k] * *noise.measurement[k] + colour * colour) /
-           (scale[static_cast<Index>(k)] * scale[static_cast<Index>(k)]);
+    sum += std::pow(std::hypot(*noise.measurement[k], colour) / unit, 2);
     count += 1.0;
   }
   return std::sqrt(sum / count);
@@ -115,8 +116,9 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
   const Matrix own = omitted.size() > 0 ? Matrix(omitted.leftCols(m)) : Matrix();
   const LinearisedRecord& full = fit.records[record];
   constexpr double kExact = 1e-4;  // of a deviation: no error of the integration shows
+  const Vector accuracy = (scale.array() > 0.0).select(kExact * scale, kExact);
   const LinearisedRecord bare =
-      linearise(nominal, given, Matrix(full.path.leftCols(m)), kExact * scale.head(m));
+      linearise(nominal, given, Matrix(full.path.leftCols(m)), accuracy.head(m));
   const NoiseModel noise = narrowed(fit.noise, m);
   const Matrix& corrected = fit.measured[record];
   const Matrix after = window_paths(full, {corrected, omitted}, fit.noise, grid);
@@ -135,6 +137,20 @@ std::vector<std::string> sources_of(const Dataset& data) {
   return sources;
 }
 
+bool is_finite(const Dataset& data) {
+  return std::all_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& record) { return record.states.allFinite(); });
+}
+
+/// Where the memory of an effect, or what corrects the records, has no finite values on them.
+Gap not_measured(const Dataset& data) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  return {.metric = "none: the explanation has no finite values on these records",
+          .before = kNothing,
+          .after = kNothing,
+          .records = sources_of(data)};
+}
+
 }  // namespace
 
 Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
@@ -145,6 +161,7 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
     paths.push_back(record.states);
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
+  if (!is_finite(problem.data)) return not_measured(held_out.given);
   const Assimilation fit =
       without_faults(explanation.fit, problem.data, hidden_states(nominal, held_out.corrected),
                      held_out.outlying, context);

@@ -11,6 +11,7 @@
 #include "lacuna/core/numerics/lagrange.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/data/records/noise.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna {
@@ -296,6 +297,7 @@ struct SlaveTask {
   const OdeModel& model;
   const Matrix& coupling;
   const Integrator& integrator;
+  LagrangeWindow window;  ///< by which the record drives
   const std::optional<Vector>& start;
   const Vector& seen;  ///< m: 1 for the states that the record shows, else 0
   const RunContext& context;
@@ -308,8 +310,7 @@ Vector start_of(const SlaveTask& task, const Trajectory& trajectory) {
 }
 
 Run run_slave(const SlaveTask& task, const Trajectory& trajectory, const Vector& start) {
-  Slave slave(task.model, task.coupling, trajectory,
-              LagrangeWindow::driving(task.integrator.order()));
+  Slave slave(task.model, task.coupling, trajectory, task.window);
   return follow(slave, trajectory, task.integrator, start, task.seen, task.context);
 }
 
@@ -361,6 +362,40 @@ std::string divergence_message(const Trajectory& trajectory, const Run& run,
          end_message(run.status, run.end_time, run.end_state, names, time_unit);
 }
 
+/// The slaves of all trajectories and what they show.
+SyncResult driven(const SlaveTask& task, const Dataset& view) {
+  SyncResult result;
+  result.coupling = task.coupling;
+  result.noise = estimate_noise(view);
+  for (const Trajectory& trajectory : view.trajectories) {
+    Run run = run_slave(task, trajectory, start_of(task, trajectory));
+    if (run.status != IntegrationStatus::Completed && result.message.empty()) {
+      result.status = run.status;
+      result.message = divergence_message(trajectory, run, task.model, view.time_unit);
+    }
+    result.errors.push_back(std::move(run.errors));
+    result.states.push_back(std::move(run.states));
+  }
+  add_statistics(view, result);
+  result.settled = has_settled(view, result);
+  result.response = response_to_noise(task, view, result);
+  result.error_over_noise = error_over_noise(view, result);
+  if (task.seen.minCoeff() == 0.0)
+    result.conditional_exponent = conditional_exponent(task, view.trajectories.front(), result);
+  return result;
+}
+
+/// Steps for slaves that are faster than the samples: the record between its samples is known
+/// to no more than these tolerances, and what takes more steps has run away.
+Dopri5Options stiff_steps(const Dataset& view) {
+  constexpr double kRelative = 1e-6, kAbsolute = 1e-9;
+  constexpr int kMostSteps = 1000;
+  const double absolute = std::max(kAbsolute * largest_norm(view), 1e-300);
+  return {{.relative_tolerance = kRelative,
+           .absolute_tolerance = absolute,
+           .max_steps = kMostSteps}};
+}
+
 }  // namespace
 
 Dataset long_enough(Dataset record, const Integrator& integrator) {
@@ -386,28 +421,18 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   const Dataset view = model_view(model, record);
   check_number_range(view);
   check_lengths(view, window.points);
-  SyncResult result;
   const Vector seen = seen_states(view);
   check_delays(model, seen);
-  result.coupling = coupling_of(model, view, seen, options.coupling);
-  result.noise = estimate_noise(view);
-  const SlaveTask task{model, result.coupling, integrator, options.start, seen, context};
-  for (const Trajectory& trajectory : view.trajectories) {
-    Run run = run_slave(task, trajectory, start_of(task, trajectory));
-    if (run.status != IntegrationStatus::Completed && result.message.empty()) {
-      result.status = run.status;
-      result.message = divergence_message(trajectory, run, model, record.time_unit);
-    }
-    result.errors.push_back(std::move(run.errors));
-    result.states.push_back(std::move(run.states));
-  }
-  add_statistics(view, result);
-  result.settled = has_settled(view, result);
-  result.response = response_to_noise(task, view, result);
-  result.error_over_noise = error_over_noise(view, result);
-  if (seen.minCoeff() == 0.0)
-    result.conditional_exponent = conditional_exponent(task, view.trajectories.front(), result);
-  return result;
+  const Matrix coupling = coupling_of(model, view, seen, options.coupling);
+  SyncResult result =
+      driven({model, coupling, integrator, window, options.start, seen, context}, view);
+  if (result.status == IntegrationStatus::Completed) return result;
+  const Dopri5 adaptive(stiff_steps(view));
+  SyncResult finer =
+      driven({model, coupling, adaptive, window, options.start, seen, context}, view);
+  if (finer.status != IntegrationStatus::Completed) return result;
+  finer.stiff = true;
+  return finer;
 }
 
 }  // namespace lacuna

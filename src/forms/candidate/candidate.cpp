@@ -2,6 +2,7 @@
 #include "lacuna/forms/candidate/candidate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "lacuna/core/base/error.hpp"
@@ -70,6 +71,14 @@ bool Candidate::depends_on(const std::string& variable) const {
 
 Index Candidate::intricacy() const {
   return static_cast<Index>(shapes.size() + 2 * memory.size());
+}
+
+bool has_ranges(const Candidate& candidate) {
+  return std::all_of(
+      candidate.shapes.begin(), candidate.shapes.end(), [](const ShapeParameter& shape) {
+        return std::isfinite(shape.low) && std::isfinite(shape.high) &&
+               shape.low <= shape.high && (!shape.logarithmic || shape.low > 0.0);
+      });
 }
 
 Expression bind_formula(const Candidate& candidate, const Expression& formula,

@@ -49,16 +49,6 @@ void check_start(const Candidate& candidate, const Vector& start) {
   }
 }
 
-/// Whether every shape has a range at all. Records that hardly move along an argument (two
-/// levels, one value) leave none: there is nothing to find of the form.
-bool has_ranges(const Candidate& candidate) {
-  return std::all_of(
-      candidate.shapes.begin(), candidate.shapes.end(), [](const ShapeParameter& shape) {
-        return std::isfinite(shape.low) && std::isfinite(shape.high) &&
-               shape.low <= shape.high && (!shape.logarithmic || shape.low > 0.0);
-      });
-}
-
 void check_candidate(const Candidate& candidate, const Scope& scope) {
   if (candidate.starts.empty()) fail(candidate, "there is no starting point");
   for (const Vector& start : candidate.starts) check_start(candidate, start);

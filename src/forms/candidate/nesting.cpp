@@ -15,12 +15,12 @@ namespace {
 /// Share of the square up to which a form is followed by another one.
 constexpr double kFollowed = 1e-3;
 
-/// Values of formulas at the samples of a scope.
+/// Values of formulas without delays at the samples of a scope.
 Matrix at_samples(const std::vector<Expression>& formulas, const Scope& scope) {
   const Program program(formulas, scope.model.variables());
   Matrix values(scope.samples.rows(), static_cast<Index>(formulas.size()));
   Program::Workspace workspace;
-  program.evaluate(scope.samples, values, workspace);
+  program.evaluate(scope.samples.leftCols(program.slots()), values, workspace);
   return values;
 }
 

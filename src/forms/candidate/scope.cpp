@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/trajectories/sensitivities/node_grid.hpp"
 
 namespace lacuna {
 namespace {
@@ -72,16 +73,40 @@ void set_timescales(Scope& scope, const Dataset& data) {
 /// Every n-th row of all records, about kSamples in all.
 void set_samples(Scope& scope, const Dataset& data) {
   const Index stride = std::max<Index>(1, data.samples() / kSamples);
-  std::vector<Vector> rows;
+  const std::vector<DelayedVariable> delays = scope.model.compile().delays();
+  const Index width = data.state_count() + data.input_count() + 1;
+  const auto late = static_cast<Index>(delays.size());
+  Index count = 0;
   for (const Trajectory& record : data.trajectories)
-    for (Index i = 0; i < record.samples(); i += stride) {
-      Vector row(data.state_count() + data.input_count() + 1);
-      row << record.states.row(i).transpose(), record.inputs.row(i).transpose(), record.time[i];
-      rows.push_back(row);
-    }
-  scope.samples.resize(static_cast<Index>(rows.size()), rows.front().size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    scope.samples.row(static_cast<Index>(i)) = rows[i].transpose();
+    count += (record.samples() + stride - 1) / stride;
+  scope.samples.resize(count, width + late);
+  Index first = 0;
+  for (const Trajectory& record : data.trajectories) {
+    Matrix slots(record.samples(), width + late);
+    slots.leftCols(width) << record.states, record.inputs, record.time;
+    slots.rightCols(late) = delayed_slots(slots.leftCols(width), 1, delays);
+    const Matrix rows = slots(Eigen::seq(0, record.samples() - 1, stride), Eigen::all);
+    scope.samples.middleRows(first, rows.rows()) = rows;
+    first += rows.rows();
+  }
+}
+
+/// The columns of the samples that a program reads.
+/// @throws ModelError where the model has no such delay.
+Matrix columns_for(const Scope& scope, const Program& program, const Expression& expression) {
+  const Index width = scope.model.variables().count();
+  Matrix all(scope.samples.rows(), program.slots());
+  all.leftCols(width) = scope.samples.leftCols(width);
+  if (program.delays().empty()) return all;
+  const std::vector<DelayedVariable> known = scope.model.compile().delays();
+  for (std::size_t d = 0; d < program.delays().size(); ++d) {
+    const auto found = std::find(known.begin(), known.end(), program.delays()[d]);
+    if (found == known.end())
+      throw ModelError("'" + expression.to_string() + "'", "the model has no such delay",
+                       "give a formula of the present values, or of delays of the model");
+    all.col(width + static_cast<Index>(d)) = scope.samples.col(width + (found - known.begin()));
+  }
+  return all;
 }
 
 void set_times(Scope& scope, const Dataset& data) {
@@ -118,12 +143,9 @@ VariableRange Scope::range_of(const Expression& expression) const {
     for (const VariableRange& variable : variables)
       if (variable.name == expression.name()) return variable;
   const Program program({&expression, 1}, model.variables());
-  if (!program.delays().empty())
-    throw ModelError("'" + expression.to_string() + "'", "a delay has no range of its own",
-                     "give a formula of the present values");
   Matrix values(samples.rows(), 1);
   Program::Workspace workspace;
-  program.evaluate(samples, values, workspace);
+  program.evaluate(columns_for(*this, program, expression), values, workspace);
   Vector sorted = values;
   std::sort(sorted.begin(), sorted.end());
   return make_range({expression.to_string(), ""}, sorted);

@@ -34,7 +34,8 @@ class ShapeScale {
           shape.logarithmic ? std::log(shape.high / shape.low) : shape.high - shape.low;
       const double above =
           shape.logarithmic ? std::log(shapes[i] / shape.low) : shapes[i] - shape.low;
-      result[i] = span > 0.0 ? std::clamp(above / span, 0.0, 1.0) : 0.0;
+      const double share = above / span;  // no number for a range of one value, or below it
+      result[i] = share > 0.0 ? std::min(share, 1.0) : 0.0;
     }
     return result;
   }

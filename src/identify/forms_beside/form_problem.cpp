@@ -8,31 +8,13 @@
 
 #include "base_columns.hpp"
 #include "forms/candidate/nelder_mead.hpp"
+#include "forms/candidate/shape_scale.hpp"
 #include "lacuna/core/base/parallel.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 #include "lacuna/trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {
-
-/// A value of a shape parameter on the unit interval and back.
-double to_unit(const ShapeParameter& shape, double value) {
-  if (shape.logarithmic) return std::log(value / shape.low) / std::log(shape.high / shape.low);
-  return (value - shape.low) / (shape.high - shape.low);
-}
-
-double from_unit(const ShapeParameter& shape, double place) {
-  if (shape.logarithmic) return shape.low * std::pow(shape.high / shape.low, place);
-  return shape.low + place * (shape.high - shape.low);
-}
-
-template <class Function>
-Vector each_shape(const Candidate& candidate, const Vector& values, Function function) {
-  Vector result(values.size());
-  for (Index i = 0; i < values.size(); ++i)
-    result[i] = function(candidate.shapes[static_cast<std::size_t>(i)], values[i]);
-  return result;
-}
 
 /// Whether a candidate is taken in already: with other numbers it would only cancel itself.
 bool has_form(const EquationForms& equation, const Candidate& candidate) {
@@ -66,9 +48,11 @@ std::vector<T> without(std::vector<T> list, std::size_t place) {
 
 std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
   std::vector<Start> starts;
-  for (std::size_t c = 0; c < candidates.size(); ++c)
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (!has_ranges(candidates[c])) continue;
     for (const Vector& shapes : candidates[c].starts)
-      starts.push_back({{candidates[c], shapes}, c, 0.0});
+      if (shapes.allFinite()) starts.push_back({{candidates[c], shapes}, c, 0.0});
+  }
   return starts;
 }
 
@@ -268,14 +252,15 @@ double FormProblem::polish(EquationForms& equation, std::size_t place, int evalu
 
 double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
                                int evaluations) const {
+  const ShapeScale scale(form.candidate.shapes);
   const auto left = [&](const Vector& at) {
     context_.check_stop();
-    form.shapes = each_shape(form.candidate, at, from_unit);
+    form.shapes = scale.shapes(at);
     const double rest = base.left_with(rows_.columns({form.expression()}).col(0));
     return std::log(std::max(rest, 1e-300));
   };
   if (form.shapes.size() == 0) return base.left_with(rows_.columns({form.expression()}).col(0));
-  const Vector start = each_shape(form.candidate, form.shapes, to_unit);
+  const Vector start = scale.unit(form.shapes);
   const int most = evaluations * static_cast<int>(start.size() * start.size());
   return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
 }

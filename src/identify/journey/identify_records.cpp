@@ -44,7 +44,8 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
     found.warnings.push_back("synchronisation with the record did not settle");
   SyncVerdict verdict =
       beside(found.adequacy, judge(found.model, driving, sync, task.options.sync));
-  return Verification{std::move(sync), std::move(verdict), std::string(integrator.info().name)};
+  const StageInfo& method = sync.stiff ? Dopri5Options::kInfo : integrator.info();
+  return Verification{std::move(sync), std::move(verdict), std::string(method.name)};
 }
 
 /// Judges a model on samples that it was not fitted to, and looks for what else the data hold.

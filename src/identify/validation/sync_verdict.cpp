@@ -208,6 +208,15 @@ void SyncVerdictOptions::describe(OptionVisitor& v) {
           forgotten);
 }
 
+std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix& coupling) {
+  std::vector<std::string> parts;
+  for (Index k = 0; k < coupling.rows(); ++k)
+    if (coupling(k, k) != 0.0)
+      parts.push_back(states[static_cast<std::size_t>(k)].name + "=" +
+                      format_number(2.0 * coupling(k, k), 3));
+  return "--coupling " + (parts.empty() ? "NAME=K" : join(parts, ",")) + ", which is stronger";
+}
+
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options) {
   if (result.status != IntegrationStatus::Completed)
@@ -218,7 +227,8 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
                 "Cannot tell: slaves that begin elsewhere in hidden states do not come "
                 "together (conditional Lyapunov exponent " +
                 format_number(*result.conditional_exponent, 2) + " 1/" + record.time_unit +
-                "); try a stronger --coupling, or measure one of them."};
+                "); try " + stronger_coupling(model.states(), result.coupling) +
+                ", or measure one of them."};
   const Case c = case_of(record, result, options);
   const Matrix late = late_errors_of(c);
   const Worst worst = worst_in(c, late);

@@ -7,6 +7,8 @@
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
+#include "lacuna/data/records/noise.hpp"
+#include "records/channels/outliers.hpp"
 
 namespace lacuna {
 namespace {
@@ -111,6 +113,7 @@ Dataset without_blank_stretches(Dataset data, double longest) {
 }  // namespace
 
 Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
+  if (longest_record(data).samples() < 2) return data;  // there is no step to measure gaps by
   // Times are not exact multiples of the step: half of one more is still the same gap.
   const double longest_gap = (options.longest_gap + 0.5) * median_step(data);
   const std::vector<Trajectory>& pieces = data.trajectories;
@@ -152,8 +155,15 @@ SplitRecords split_in_time(const Dataset& data) {
   SplitRecords parts{data, data};
   parts.find.trajectories.clear();
   parts.check.trajectories.clear();
-  for (const Trajectory& record : data.trajectories) {
+  // At the end of a part nothing tells an outlier from a motion: that is seen in the whole.
+  const std::vector<Matrix> seen =
+      mark_outliers(data, analyse_noise(data), kOutlyingDeviations);
+  for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
+    Trajectory record = data.trajectories[r];
     const Index kept = record.samples() - record.samples() / 4;
+    for (const Index i : {kept - 1, kept})
+      for (Index k = 0; k < data.state_count() && i < record.samples(); ++k)
+        if (mark_of(seen[r], i, k) == Mark::Outlier) set_mark(record, i, k, Mark::Outlier);
     parts.find.trajectories.push_back(rows_of(record, 0, kept));
     Trajectory last = rows_of(record, kept, record.samples() - kept);
     last.source += last.source.empty() ? "last quarter" : ", last quarter";

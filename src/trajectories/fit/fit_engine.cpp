@@ -106,20 +106,23 @@ Matrix transition(FitEngine& engine, StepMaps& maps, const FitPath& path, Index 
   return whole;
 }
 
-/// One sample taken into the covariance of a filter; gives the gain, m x c.
+/// One sample taken into the covariance of a filter; gives the gain, m x c. A channel that is
+/// more exact than the rounding of the covariance leaves is taken for no better than that.
 Matrix take_in(const FitEngine& engine, Index sample, const Matrix& by_state,
                Matrix& covariance) {
+  constexpr double kExact = 1e-10;  // of a variance: its rounding makes 1e-6 of a gain then
   Matrix gain = Matrix::Zero(engine.states(), engine.count());
+  Vector noise = engine.sigma.cwiseAbs2();
   for (Index c = 0; c < engine.count(); ++c) {
     if (engine.records.valid(sample, c) == 0.0) continue;
     const Vector towards = covariance * by_state.row(c).transpose();
-    const double variance = by_state.row(c).dot(towards) + engine.sigma[c] * engine.sigma[c];
-    covariance -= towards * towards.transpose() / variance;
+    const double known = by_state.row(c).dot(towards);
+    noise[c] = std::max(noise[c], kExact * known);
+    covariance -= towards * towards.transpose() / (known + noise[c]);
   }
   for (Index c = 0; c < engine.count(); ++c)
     if (engine.records.valid(sample, c) > 0.0)
-      gain.col(c) =
-          covariance * by_state.row(c).transpose() / (engine.sigma[c] * engine.sigma[c]);
+      gain.col(c) = covariance * by_state.row(c).transpose() / noise[c];
   return gain;
 }
 

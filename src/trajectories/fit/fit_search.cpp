@@ -77,9 +77,10 @@ FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum
                       const FitSearchOptions& options, const RunContext& context) {
   constexpr int kRounds = 5;
   constexpr double kSettled = 0.01;
+  const Vector least = 1e-9 * engine.sigma;  // of a channel that is met to rounding
   for (int round = 0; round < kRounds && std::isfinite(found.path.cost); ++round) {
     const Vector rms = residual_rms(engine, unknowns, found.path);
-    const Vector sigma = rms.cwiseMax(1e-9 * engine.sigma);
+    const Vector sigma = rms.cwiseMax(least);
     const double change = (sigma.array() / engine.sigma.array()).log().abs().maxCoeff();
     engine.sigma = sigma;
     if (round > 0 && change < kSettled) break;

@@ -13,6 +13,7 @@
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "lacuna/trajectories/smoother/unknown_past.hpp"
 #include "lacuna/trajectories/smoother/variance_fit.hpp"
 
 namespace lacuna {
@@ -152,8 +153,17 @@ class Turns {
         record.bridge = bridge;
       else if (bridge.size() > 0)
         record.bridge = record.bridge.cwiseMax(bridge);
+      bridge_unknown_past(record);
     }
     correct_channels();
+  }
+
+  /// Steps that need what was before the record, where no effect has bridged them.
+  void bridge_unknown_past(LinearisedRecord& record) const {
+    const Matrix past = unknown_past(state_.model, record);
+    if (past.size() == 0) return;
+    if (record.bridge.size() == 0) record.bridge = Matrix::Zero(past.rows(), past.cols());
+    record.bridge = (record.bridge.array() > 0.0).select(record.bridge, past).eval();
   }
 
   void correct_channels() {
@@ -277,6 +287,14 @@ bool is_exact(const OdeModel& model, Index equation) {
          identity_of(model, equation).has_value();
 }
 
+/// Whether nothing disturbs an equation to begin with. One without terms that stands for a
+/// state which nobody measured says what that state is: a constant.
+bool is_undisturbed(const OdeModel& model, const Dataset& data, Index equation) {
+  return is_exact(model, equation) ||
+         (!data.is_measured(equation) &&
+          model.equations()[static_cast<std::size_t>(equation)].empty());
+}
+
 /// Noise that the samples show: against their neighbours, or as values on a lattice.
 Vector visible_noise(const Dataset& data) {
   Vector noise = estimate_noise(data);
@@ -303,13 +321,14 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
     const auto measured = data.is_measured(k) ? std::optional(white[k]) : std::nullopt;
     noise.measurement.push_back(measured);
     const bool disturbed = options.disturbed.empty()
-                               ? !is_exact(model, k)
+                               ? !is_undisturbed(model, data, k)
                                : options.disturbed[static_cast<std::size_t>(k)];
     const Vector change = record.states.col(k).tail(record.samples() - 1) -
                           record.states.col(k).head(record.samples() - 1);
-    if (disturbed)
-      noise.disturbance[k] =
-          0.1 * std::sqrt(change.squaredNorm() / static_cast<double>(change.size()) / step);
+    double moved = 0.1 * std::sqrt(change.squaredNorm() / static_cast<double>(change.size()));
+    // A channel that never moves says nothing of what disturbs it, which is not nothing.
+    if (moved == 0.0 && measured) moved = *measured;
+    if (disturbed) noise.disturbance[k] = moved / std::sqrt(step);
   }
   return noise;
 }
@@ -317,8 +336,14 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
 }  // namespace
 
 Vector resolution_of(const Dataset& data) {
-  // Text with six digits, the least that is in use, leaves steps of 1e-6 of the span.
-  return 1e-7 * spans(data);
+  // Text with six digits, the least that is in use, leaves steps of 1e-6 of the span; of a
+  // channel that never moves, of its value.
+  Vector sizes = spans(data);
+  const Vector values = data.trajectories.front().states.row(0).cwiseAbs().transpose();
+  for (Index k = 0; k < sizes.size(); ++k)
+    if (sizes[k] <= std::numeric_limits<double>::min())
+      sizes[k] = values[k] > 0.0 ? values[k] : 1.0;
+  return 1e-7 * sizes;
 }
 
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model) {

@@ -70,11 +70,12 @@ WindowSquares one_window(const LinearisedRecord& window, const MarkedSamples& me
   OffSquares all{Matrix::Zero(measured.values.rows(), window.states()), {}};
   all.counts = all.squares;
   for (Index k = 0; k < window.states(); ++k) {
-    if (!exact.measurement[static_cast<std::size_t>(k)]) continue;
-    const Vector left = measured.values.col(k) - window.path.col(k) - smoothed.deviation.col(k);
+    if (!exact.measurement[static_cast<std::size_t>(k)] || scale[k] == 0.0) continue;
+    const Vector left =
+        (measured.values.col(k) - window.path.col(k) - smoothed.deviation.col(k)) / scale[k];
     for (Index i = 0; i < left.size(); ++i) {
       const Off off = off_by(left[i], mark_of(measured.marks, i, k));
-      all.squares(i, k) = off.square / (scale[k] * scale[k]);
+      all.squares(i, k) = off.square;
       all.counts(i, k) = off.counts ? 1.0 : 0.0;
     }
   }
@@ -142,6 +143,18 @@ Vector column_deviations(const std::vector<Matrix>& blocks) {
   return (sum / count).cwiseSqrt().cwiseMax(1e-300);
 }
 
+Vector moving_deviations(const std::vector<Matrix>& blocks) {
+  constexpr double kRounding = 1e-14;  // a fact: what subtracting a mean leaves of a constant
+  Vector deviations = column_deviations(blocks);
+  for (Index k = 0; k < deviations.size(); ++k) {
+    double largest = 1e-300;
+    for (const Matrix& block : blocks)
+      if (block.rows() > 0) largest = std::max(largest, block.col(k).cwiseAbs().maxCoeff());
+    if (deviations[k] <= kRounding * largest || deviations[k] <= 1e-300) deviations[k] = 0.0;
+  }
+  return deviations;
+}
+
 Index window_samples(const std::vector<Matrix>& paths, const std::vector<bool>& measured) {
   double shortest = static_cast<double>(paths.front().rows());
   for (const Matrix& path : paths)
@@ -162,7 +175,7 @@ Index window_samples(const Assimilation& fit) {
 double window_gap(const Assimilation& fit) {
   std::vector<Matrix> paths;
   for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
-  const Vector scale = column_deviations(paths);
+  const Vector scale = moving_deviations(paths);
   const Index length = window_samples(fit);
   const Matrix none;
   WindowSquares all;

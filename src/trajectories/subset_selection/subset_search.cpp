@@ -158,6 +158,7 @@ Subset best_subset(const SubsetProblem& problem, double price,
                    const std::vector<std::vector<Index>>& starts, Exchange exchange,
                    const RunContext& context) {
   const Task task{problem, price, context};
+  if (problem.columns() == 0) return {{}, score_of(task, {})};
   Subset best = stepwise(task, {});
   std::vector<Columns> seen;
   const auto consider = [&](Subset found) {

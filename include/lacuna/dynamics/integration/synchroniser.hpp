@@ -62,6 +62,11 @@ struct SyncResult {
   std::optional<double> conditional_exponent = {};
 
   IntegrationStatus status = IntegrationStatus::Completed;
+
+  /// Whether steps of the integrator's own length diverge and the slaves were integrated with
+  /// steps that adapt (Dopri5): a model or a coupling that is faster than the samples.
+  bool stiff = false;
+
   std::string message;  ///< on divergence: trajectory, time and state; else empty
 };
 
@@ -78,9 +83,10 @@ Matrix default_coupling(const Dataset& record);
 Dataset long_enough(Dataset record, const Integrator& integrator);
 
 /// Synchronises the model with every trajectory of the record. The slave makes one step per
-/// sample; in the step t_n .. t_{n+1} the record (and the inputs) are the Lagrange polynomial
-/// through p points for a method of order p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for
-/// RK4. Delayed variables of the model are those of the record.
+/// sample, and where it diverges so as many as it needs (SyncResult::stiff); in the step t_n ..
+/// t_{n+1} the record (and the inputs) are the Lagrange polynomial through p points for a
+/// method of order p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for RK4. Delayed variables
+/// of the model are those of the record.
 /// @throws DataError when states or inputs of the model are not in the record or when a
 /// trajectory
 ///   has fewer samples than the polynomial needs; ArgumentError for a K or a start of the wrong

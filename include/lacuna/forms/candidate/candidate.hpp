@@ -74,6 +74,11 @@ struct Candidate {
   Index intricacy() const;
 };
 
+/// Whether every shape has a range at all. Records that hardly move along an argument (two
+/// levels, one value), or whose values are beyond doubles, leave none: there is nothing to find
+/// of the form.
+bool has_ranges(const Candidate& candidate);
+
 /// A formula of the candidate with numbers in place of its shape parameters.
 /// @param formula the form, or a memory state's rate or start.
 /// @throws ArgumentError when the number of values is not the number of shapes; ModelError for

@@ -51,14 +51,16 @@ struct Scope {
   double start = 0.0;                    ///< first time
   double duration = 0.0;                 ///< of the longest record
   std::vector<SpectralLine> lines;       ///< strongest first; starts for periodic effects
-  Matrix samples = {};  ///< rows x (m+p+1): some samples of the variables and t, in slot order
+  /// rows x (m+p+1+d): some samples of the variables and t in slot order, then of the delayed
+  /// variables that the model has, as delayed_slots() has them.
+  Matrix samples = {};
 
   /// The range of a state. @throws ArgumentError when there is none.
   const VariableRange& state(Index number) const;
 
   /// How an expression is spread: a variable as it is described above, a formula of variables
   /// with its quantiles, mean and deviation only.
-  /// @throws ModelError when it has other names or delays.
+  /// @throws ModelError when it has other names, or delays that the model does not have.
   VariableRange range_of(const Expression& expression) const;
 
   /// The name itself, or with underscores behind it where the model has a variable of that

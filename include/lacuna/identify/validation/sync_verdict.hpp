@@ -63,4 +63,8 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
 /// off by the coupling and the noise of the record. Both leave it open whether the model holds.
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict);
 
+/// What to try where a slave does not follow: the option that couples twice as strongly what is
+/// coupled, "--coupling x=2,y=2, which is stronger".
+std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix& coupling);
+
 }  // namespace lacuna

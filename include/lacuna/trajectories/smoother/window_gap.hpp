@@ -67,4 +67,7 @@ double window_gap(const Assimilation& fit);
 /// Standard deviation of each column over several blocks of rows.
 Vector column_deviations(const std::vector<Matrix>& blocks);
 
+/// The same, and 0 for a column that does not move: by it nothing can be measured.
+Vector moving_deviations(const std::vector<Matrix>& blocks);
+
 }  // namespace lacuna

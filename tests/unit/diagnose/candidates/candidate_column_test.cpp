@@ -107,5 +107,21 @@ TEST(CandidateColumn, NothingActsBeforeADelayIsKnown) {
   EXPECT_GT(column->norm(), 0.0);
 }
 
+TEST(CandidateColumn, MemoryOfWhatIsDelayedFollowsLater) {
+  const std::vector<double> tau{0.5};
+  const LinearisedRecord record = step_record();
+  const Variables variables = support::oscillator().variables();
+  const Matrix now = memory_along(lag(0.5), tau, variables, record);
+  for (const std::string bend : {"", "*(1+0*lagged^2)"}) {
+    Candidate late = lag(0.5);
+    late.form = parse_expression("lagged-delay(F,1)");
+    late.memory[0].rate = parse_expression("(delay(F,1)-lagged)/tau" + bend);
+    late.memory[0].start = parse_expression("delay(F,1)");
+    const Vector values = form_along(late, tau, variables, record);
+    for (const Index row : {150, 300, 600})
+      EXPECT_NEAR(values[row], now(row - 100, 0) - 1.0, 1e-2) << row << bend;
+  }
+}
+
 }  // namespace
 }  // namespace lacuna

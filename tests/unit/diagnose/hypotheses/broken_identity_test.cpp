@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
 
 namespace lacuna {
@@ -59,6 +60,26 @@ TEST(BrokenIdentity, OfAStateThatWasNotMeasuredAnIdentityIsTheDefinition) {
   ASSERT_FALSE(best.base->given.noise.measurement[1]);
   const Proposals made = BrokenIdentity().propose(asked.problem(), best);
   EXPECT_TRUE(made.accounts.empty() && made.trail.empty());
+}
+
+TEST(BrokenIdentity, AConstantThatNobodyMeasuredIsNotDoubted) {
+  // dv/dt has an offset b, a state of its own: db/dt = 0.
+  const OdeModel nominal =
+      parse_ode("input F\ndq/dt = v\ndv/dt = -4*q - 0.2*v + F + b\ndb/dt = 0\n", "biased");
+  ASSERT_TRUE(nominal.equations()[2].empty());
+  Dataset data = support::hidden_record([](double, double, double) { return 0.3; }, 0.005);
+  data.states.push_back({"b", ""});
+  data.reconstructed = {false, false, true};
+  Matrix& states = data.trajectories[0].states;
+  states.conservativeResize(Eigen::NoChange, 3);
+  states.col(2).setZero();
+  support::Asked asked{.records = observed(data), .nominal = nominal};
+  asked.options.decision.noise_inflation = 0.5;
+  const Account bare = asked.bare();
+  EXPECT_EQ(bare.base->fitted.noise.disturbance[2], 0.0) << "a constant";
+  EXPECT_NEAR(bare.base->fitted.records[0].path(700, 2), 0.3, 0.02);
+  const Proposals made = BrokenIdentity().propose(asked.problem(), bare);
+  EXPECT_TRUE(made.accounts.empty());
 }
 
 }  // namespace

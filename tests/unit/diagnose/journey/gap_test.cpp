@@ -55,5 +55,24 @@ TEST(Gap, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
   EXPECT_LT(gap.after, 0.5 * gap.before);
 }
 
+TEST(Gap, WhatHasNoFiniteValuesOnTheRecordsIsNotMeasured) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  Candidate root = support::plain_candidate("lagged-F");
+  root.memory = {{"lagged", parse_expression("(sqrt(F-2)-lagged)/0.5"), parse_expression("F")}};
+  const Explanation found{{{root, Vector(0), 1.0}}, support::assimilated(data)};
+  const Gap gap = measure_gap(support::oscillator(), found, {data, data}, RunContext{});
+  EXPECT_FALSE(std::isfinite(gap.before) || std::isfinite(gap.after));
+  EXPECT_EQ(gap.records, std::vector<std::string>{"made"});
+}
+
+TEST(Gap, AChannelThatNeverMovesIsLeftOut) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Explanation nothing{{}, support::assimilated(data)};
+  Dataset still = support::hidden_record(support::nothing, 0.01, 5);
+  still.trajectories[0].states.col(0).setConstant(0.1);
+  const Gap gap = measure_gap(support::oscillator(), nothing, {still, still}, RunContext{});
+  EXPECT_TRUE(std::isfinite(gap.before) && std::isfinite(gap.noise_floor)) << gap.before;
+}
+
 }  // namespace
 }  // namespace lacuna

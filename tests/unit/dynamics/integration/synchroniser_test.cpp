@@ -346,5 +346,34 @@ TEST(Synchroniser, TheResponseToNoiseIsThatOfTheSlaveAlone) {
   EXPECT_LT(synchronise(model, clean, Rk4{}, coupling).response[0], 1e-12);
 }
 
+/// A stage whose fast pole lies at 3 / h of records with the step h.
+OdeModel fast_stage(double pole) {
+  return parse_ode("input u hold zero\ndy/dt = " + std::to_string(pole) + "*(u - y)\n", "fast");
+}
+
+TEST(Synchroniser, ASlaveThatIsFasterThanTheSamplesIsIntegratedInShorterSteps) {
+  constexpr double kStep = 1e-3;
+  Dataset data{"s", {{"y", ""}}, {{"u", ""}}, {}, {}};
+  Trajectory record{"fast", Vector::LinSpaced(200, 0.0, 199 * kStep), Matrix(200, 1),
+                    Matrix(200, 1), Matrix()};
+  const double pole = 8.0 / kStep, decay = std::exp(-8.0);
+  double y = 0.0;
+  for (Index i = 0; i < 200; ++i) {
+    record.states(i, 0) = y;
+    record.inputs(i, 0) = i / 20 % 2 == 0 ? 1.0 : -1.0;
+    y = record.inputs(i, 0) + (y - record.inputs(i, 0)) * decay;
+  }
+  data.trajectories = {record};
+  const SyncResult result = synchronise(fast_stage(pole), data, Rk4{});
+  EXPECT_EQ(result.status, IntegrationStatus::Completed) << result.message;
+  EXPECT_TRUE(result.stiff);
+  EXPECT_TRUE(result.settled);
+  EXPECT_LT(result.relative, 0.01);
+  EXPECT_FALSE(synchronise(fast_stage(0.1 / kStep), data, Rk4{}).stiff);
+  const SyncResult away = synchronise(fast_stage(-1e5), data, Rk4{});
+  EXPECT_EQ(away.status, IntegrationStatus::Diverged) << "unstable, not stiff";
+  EXPECT_FALSE(away.stiff);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/diagnosis_scope.hpp"
+#include "support/expect_error.hpp"
 
 namespace lacuna {
 namespace {
@@ -84,6 +88,20 @@ TEST(Scope, RecordsMustFitTheModel) {
   Dataset other = support::oscillator_record();
   other.inputs[0].name = "u";
   EXPECT_THROW(make_scope(support::oscillator(), other, Vector::Zero(2)), ArgumentError);
+}
+
+TEST(Scope, WhatTheModelHasDelayedHasTheRangeOfItsPast) {
+  const OdeModel late =
+      parse_ode("input F\ndq/dt = v\ndv/dt = -4*q + delay(F, 2) - delay(q, 0.5)\n", "late");
+  const Scope scope = make_scope(late, support::oscillator_record(), Vector::Constant(2, 0.01));
+  const VariableRange range = scope.range_of(parse_expression("delay(q,0.5)^2"));
+  EXPECT_NEAR(range.low, 0.0, 1e-3);
+  EXPECT_NEAR(range.high, 1.0, 1e-3);
+  const double late_by = scope.range_of(parse_expression("q-delay(q,0.5)")).high;
+  EXPECT_NEAR(late_by, 2.0 * std::sin(0.5), 1e-3) << "sin(2 t) - sin(2 t - 1)";
+  testing::expect_error<ModelError>(
+      [&] { (void)scope.range_of(parse_expression("delay(q,0.6)")); }, "'delay(q,0.6)'",
+      "no such delay", "of delays of the model");
 }
 
 }  // namespace

@@ -121,5 +121,27 @@ TEST(FormProblem, TriesEachCandidateAndPutsTheBestFirst) {
   EXPECT_LT(trials[0].left, trials[1].left);
 }
 
+TEST(FormProblem, AShapeWithARangeOfOneValueKeepsIt) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  Candidate narrow = form_of_x("x/(a+x)");
+  narrow.shapes = {{"a", "", 0.5, 0.5, true}};
+  narrow.starts = {Vector::Constant(1, 0.5)};
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const std::vector<Trial> trials = problem.with_each(constant, {narrow});
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_EQ(trials[0].equation.forms[0].shapes[0], 0.5);
+  EXPECT_TRUE(std::isfinite(trials[0].left));
+}
+
+TEST(FormProblem, FormsWithoutARangeHaveNoStarts) {
+  Candidate wide = form_of_x("x/(a+x)");
+  wide.shapes = {{"a", "", 1e-3, INFINITY, true}};
+  wide.starts = {Vector::Constant(1, 1.0)};
+  Candidate unknown = wide;
+  unknown.shapes[0].high = 1.0;
+  unknown.starts = {Vector::Constant(1, NAN), Vector::Constant(1, 0.1)};
+  EXPECT_EQ(all_starts({wide, unknown}).size(), 1u);
+}
+
 }  // namespace
 }  // namespace lacuna

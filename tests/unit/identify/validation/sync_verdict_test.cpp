@@ -181,5 +181,16 @@ TEST(SyncVerdict, BesidePredictionsThatSayOtherwiseItIsOpen) {
   EXPECT_EQ(beside(yes, later).sentence, later.sentence);
 }
 
+TEST(SyncVerdict, TheStrongerCouplingIsAnOptionAsItIsRead) {
+  Matrix coupling = Matrix::Zero(2, 2);
+  EXPECT_THAT(stronger_coupling({{"x", ""}, {"v", ""}}, coupling), HasSubstr("NAME=K"));
+  coupling(0, 0) = 1.5;
+  EXPECT_THAT(stronger_coupling({{"x", ""}, {"v", ""}}, coupling),
+              HasSubstr("--coupling x=3,"));
+  coupling(1, 1) = 0.25;
+  EXPECT_THAT(stronger_coupling({{"x", ""}, {"v", ""}}, coupling),
+              HasSubstr("--coupling x=3,v=0.5,"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/random.hpp"
+#include "lacuna/data/records/marks.hpp"
 #include "support/expect_error.hpp"
 #include "support/oscillation.hpp"
 
@@ -90,6 +92,28 @@ TEST(SplitInTime, KeepsTheLastQuarterBack) {
   Dataset unnamed = pieces({piece(0, 100, 1)});
   unnamed.trajectories[0].source.clear();
   EXPECT_EQ(split_in_time(unnamed).check.trajectories[0].source, "last quarter");
+}
+
+TEST(UsableRecords, RecordsOfOneSampleAreTooShort) {
+  const Dataset single = pieces({piece(0, 1, 1), piece(5, 6, 2)});
+  EXPECT_EQ(join_across_gaps(single).trajectories.size(), 2u);
+  testing::expect_error<DataError>([&] { usable_records(single); }, "run.csv, record 1",
+                                   "no record has 20 samples", "longer");
+}
+
+TEST(SplitInTime, AnOutlierAtTheCutIsOneInEitherPart) {
+  for (const Index at : {74, 75}) {
+    Dataset data = pieces({piece(0, 100, 1)});
+    Random random(3);
+    Matrix& states = data.trajectories[0].states;
+    for (double& value : states.reshaped()) value += 0.01 * random.normal();
+    states(at, 0) += 1.0;
+    const auto [find, check] = split_in_time(data);
+    const Trajectory& part = at < 75 ? find.trajectories[0] : check.trajectories[0];
+    const Trajectory& other = at < 75 ? check.trajectories[0] : find.trajectories[0];
+    EXPECT_EQ(mark_of(part.marks, at < 75 ? 74 : 0, 0), Mark::Outlier) << at;
+    EXPECT_TRUE(other.marks.size() == 0 || other.marks.isZero(0.0)) << at;
+  }
 }
 
 }  // namespace

@@ -108,5 +108,25 @@ TEST(WindowGap, SamplesThatSayNothingAreLeftOutAndEndsCountAsFarAsTheModelStaysS
   EXPECT_EQ(squares().count, whole.count);
 }
 
+TEST(WindowGap, AColumnThatNeverMovesMeasuresNothing) {
+  Matrix block = Matrix::Constant(7, 3, 0.1);
+  block.col(1) = Vector::LinSpaced(7, -1e-200, 1e-200);
+  block.col(2).setZero();
+  const Vector deviations = moving_deviations({block, block});
+  EXPECT_EQ(deviations[0], 0.0) << "up to the rounding of its mean";
+  EXPECT_GT(deviations[1], 0.0);
+  EXPECT_EQ(deviations[2], 0.0);
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  const Assimilation fit = support::assimilated(data);
+  Vector scale = Vector::Ones(2);
+  const auto count = [&] {
+    return window_squares(fit.records[0], {fit.measured[0], {}}, fit.noise, scale, {0, 100})
+        .count;
+  };
+  const double both = count();
+  scale[0] = 0.0;
+  EXPECT_EQ(count(), 0.5 * both);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -97,5 +97,14 @@ TEST(SubsetSearch, HonoursAStopRequest) {
   EXPECT_THROW(best_subset(problem, 12.0, {}, Exchange::Pairs, context), Cancelled);
 }
 
+TEST(SubsetSearch, WithoutColumnsNoneIsChosen) {
+  const SubsetProblem problem = subset_problem(Matrix::Constant(1, 1, 3.0));
+  for (const Exchange exchange : {Exchange::Single, Exchange::Pairs}) {
+    const Subset found = best_subset(problem, 12.0, {{}}, exchange);
+    EXPECT_TRUE(found.columns.empty());
+    EXPECT_DOUBLE_EQ(found.score, 9.0) << "all of the target";
+  }
+}
+
 }  // namespace
 }  // namespace lacuna
