@@ -34,13 +34,14 @@ def model_cases():
     for name, text in MODELS.items():
         files = {"m.ode": text.encode(), "r.csv": GOOD}
         start = "1,0" + (",0" if name == "bias" else "")
-        yield Case("model %s: diagnose" % name, "diagnose --model m.ode r.csv", 0, "Verdict", files)
+        yield Case("model %s: diagnose" % name, "diagnose --model m.ode r.csv --json -", 0,
+                   '"verdict":', files)
         yield Case("model %s: sync" % name, "sync m.ode r.csv", 0, "Synchronisation", files)
         yield Case("model %s: simulate" % name,
                    "simulate m.ode --x0 %s --t-end 3 --dt 0.1" % start, 0, "t", files)
-        yield Case("model %s: text" % name, "model m.ode", 0, "dx/dt", files)
+        yield Case("model %s: text" % name, "model m.ode", 0, '"equations"', files)
         yield Case("model %s: check" % name, "check r.csv --model m.ode", 0, "x", files)
-        yield Case("model %s: export" % name, "export m.ode --format c", 0, "x", files)
+        yield Case("model %s: export" % name, "export m.ode --format modelica", 0, "der(x)", files)
 
 
 def record_cases():
@@ -49,7 +50,8 @@ def record_cases():
     model = {"m.ode": MODELS["delay"].encode(), "p.ode": MODELS["one-empty"].encode()}
     for name, value in still.items():
         files = {**model, "r.csv": record(y=constant(value))}
-        yield Case("still %s: diagnose" % name, "diagnose --model p.ode r.csv", 0, "Verdict", files)
+        yield Case("still %s: diagnose" % name, "diagnose --model p.ode r.csv --json -", 0,
+                   '"verdict":', files)
         yield Case("still %s: check" % name, "check r.csv", 0, "y", files)
         yield Case("still %s: sync" % name, "sync p.ode r.csv", 0, "Synchronisation", files)
     for name in ["zero", "tenth"]:
@@ -58,7 +60,7 @@ def record_cases():
     for n in [1, 2, 3, 5, 8, 13, 19]:
         files = {**model, "r.csv": record(n)}
         yield Case("%d samples: diagnose" % n, "diagnose --model p.ode r.csv", 2, "", files)
-        yield Case("%d samples: identify" % n, "identify r.csv --degree 2", 2 if n < 5 else 0, "",
+        yield Case("%d samples: identify" % n, "identify r.csv --degree 2", 2 if n < 10 else 0, "",
                    files)
     blank = {**model, "r.csv": record(x=lambda t: None if 6.0 < t < 9.0 else math.cos(t),
                                       y=lambda t: None if 6.0 < t < 9.0 else -math.sin(t))}
@@ -71,13 +73,15 @@ def library_cases():
     files = {"r.csv": GOOD}
     for degree in [0, 1]:
         yield Case("no column: degree %d" % degree,
-                   'identify r.csv --degree %d --fix "dx: 1 = 0" --fix "dy: 1 = 0"' % degree, 0, "",
+                   'identify r.csv --degree %d --fix "dx: 1 = 0" --fix "dy: 1 = 0"' % degree,
+                   *((0, "Equations") if degree else (1, "no equation was found")),
                    files)
     yield Case("no column: one term",
-               'identify r.csv --terms x --fix "dx: x = 0" --fix "dy: x = 0"', 0, "", files)
-    yield Case("no column: robust",
-               'identify r.csv --preset robust --degree 0 --fix "dx: 1 = 0" --fix "dy: 1 = 0"', 0, "",
+               'identify r.csv --terms x --fix "dx: x = 0" --fix "dy: x = 0"', 1, "no equation was found",
                files)
+    yield Case("no column: robust",
+               'identify r.csv --preset robust --degree 0 --fix "dx: 1 = 0" --fix "dy: 1 = 0"', 1,
+               "no equation was found", files)
 
 
 def stiff_cases():

@@ -68,8 +68,10 @@ Dataset two_stages(Index samples, double noise, std::uint64_t seed) {
     record.inputs(i, 0) = u;
     record.states.row(i) << x + noise * random.normal(), y + noise * random.normal();
     for (int part = 0; part < 10; ++part) {
-      x += 0.005 * (u - x);
-      y += 0.005 * (x - y);
+      constexpr double kStep = 0.005;
+      const double of_x = u - x, of_y = x - y;
+      x += kStep * of_x - 0.5 * kStep * kStep * of_x;
+      y += kStep * of_y + 0.5 * kStep * kStep * (of_x - of_y);
     }
   }
   data.trajectories = {record};

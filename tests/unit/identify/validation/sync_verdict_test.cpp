@@ -134,7 +134,7 @@ TEST(SyncVerdict, AHiddenStateThatTheRecordDoesNotTellLeavesNoVerdict) {
 
 TEST(SyncVerdict, ALostSlaveDoesNotHold) {
   const Dataset data = record(0.01, 0.0);
-  const OdeModel model = oscillator(1.5);
+  const OdeModel model = damped_oscillator(1.5);
   SyncResult sync = synchronise(model, data, Rk4{});
   ASSERT_FALSE(judge(model, data, sync).holds);
   sync.response.setConstant(10.0);
