@@ -68,12 +68,23 @@ std::size_t ByteStream::read_packed(std::span<char> bytes) {
   std::size_t count = 0;
   while (count < bytes.size()) {
     if (waiting_.size() < 2) refill();
-    if (!member_ && !is_gzip(waiting_)) break;
+    if (!member_ && !is_gzip(waiting_)) {
+      check_rest();
+      break;
+    }
     if (!member_) member_.emplace(path_.string());
     count += member_->unpack(waiting_, bytes.subspan(count), has_ended_);
     if (member_->has_ended()) member_.reset();
   }
   return count;
+}
+
+void ByteStream::check_rest() {
+  while (!waiting_.empty()) {
+    check_padding(waiting_, path_.string());
+    waiting_ = {};
+    refill();
+  }
 }
 
 void ByteStream::refill() {

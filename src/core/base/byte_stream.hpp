@@ -15,7 +15,7 @@ namespace lacuna {
 
 /// The bytes of a file or a pipe in their order, unpacked where they are compressed by gzip
 /// (seen by the first bytes, whatever the name). Several members one after the other are
-/// joined; what stands behind the last one is left out.
+/// joined; behind the last one there may be zeros (which tapes and disks add), nothing else.
 class ByteStream {
  public:
   /// @throws FileError when the file cannot be opened or read.
@@ -39,6 +39,7 @@ class ByteStream {
  private:
   std::size_t read_file(std::span<char> bytes);
   std::size_t read_packed(std::span<char> bytes);
+  void check_rest();
   void refill();
 
   std::filesystem::path path_;

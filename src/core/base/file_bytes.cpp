@@ -52,6 +52,7 @@ FileBytes gunzip(std::string_view packed, const std::string& source) {
       });
     }
   }
+  check_padding(packed, source);
   return content;
 }
 

@@ -12,6 +12,12 @@ namespace lacuna {
 
 bool is_gzip(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
 
+void check_padding(std::string_view bytes, const std::string& source) {
+  if (bytes.find_first_not_of('\0') == std::string_view::npos) return;
+  throw DataError(source, "something that is not compressed stands behind the compressed data",
+                  "unpack the file ('gzip -d') and pack all of it again");
+}
+
 uInt zlib_size(std::size_t size) {
   return static_cast<uInt>(std::min<std::size_t>(size, std::numeric_limits<uInt>::max() / 2));
 }

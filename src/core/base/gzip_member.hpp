@@ -17,6 +17,10 @@ inline constexpr int kGzipWindow = 15 + 16;
 /// Whether a member begins here.
 bool is_gzip(std::string_view bytes);
 
+/// Checks what stands behind the last member: zeros.
+/// @throws DataError naming the source where it is anything else.
+void check_padding(std::string_view bytes, const std::string& source);
+
 /// As many bytes as zlib takes at a time.
 uInt zlib_size(std::size_t size);
 

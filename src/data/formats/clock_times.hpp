@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include "stamps.hpp"
 
 namespace lacuna {
 
 /// A time as a clock or a calendar says it.
 struct ClockTime {
-  double day = 0.0;      ///< since 1 January 2000; 0 where there is no date
-  double seconds = 0.0;  ///< of the day
-  bool has_day = false, has_time = false;
+  std::int64_t day = 0;  ///< since 1 January 2000; 0 where there is no date
+  Stamp time = 0;        ///< seconds of the day; a leap second has the number 60 of its minute
+  std::optional<int> zone;  ///< minutes east of UTC
+  bool has_day = false, has_time = false, is_leap = false;
+  std::string problem = {};  ///< why there is no such time; empty where there is
+
+  /// Seconds since 1 January 2000 (or since midnight) in UTC where the zone is known; those of
+  /// a leap second are those of the second behind it.
+  Stamp seconds() const;
 };
 
-/// Reads "2026-11-22T10:00:00.5Z", "2026-11-22 10:00", "22.11.2026 10:00:00", "10:00:00.5" or a
-/// date alone (ISO 8601, with / instead of - too, and days first with dots). A zone is left
-/// out. Nothing for every other text.
+/// Reads "2026-11-22T10:00:00.5Z", "2026-11-22 10:00+02:00", "22.11.2026 10:00:00",
+/// "10:00:00.5" or a date alone (ISO 8601, with / instead of - too, and days first with dots),
+/// with a zone (Z, UTC, +02, +0200, +02:00) or none. 24:00 is the end of a day. Nothing for
+/// every other text; a time that cannot be (30 February, 25:00) has a problem.
 std::optional<ClockTime> read_clock(std::string_view text);
 
 }  // namespace lacuna

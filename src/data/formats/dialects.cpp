@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialects.hpp"
 
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/text_field.hpp"
 
 namespace lacuna {
@@ -45,11 +46,18 @@ std::optional<TextDialect> dialect_of(std::string_view begin) {
   return std::nullopt;
 }
 
-std::string translated(TextDialect& dialect, std::string_view lines) {
+std::string translated(TextDialect& dialect, std::string_view lines,
+                       const std::string& source) {
   std::string text;
   text.reserve(lines.size() + lines.size() / 8);
   Lines rest(without_byte_order_mark(lines));
-  while (const auto line = rest.next()) dialect.translate(*line, text);
+  try {
+    while (const auto line = rest.next()) dialect.translate(*line, text);
+  } catch (const LineProblem& found) {
+    throw DataError(
+        source + ":" + std::to_string(found.line) + ":" + std::to_string(found.column),
+        found.problem, found.remedy);
+  }
   return text;
 }
 

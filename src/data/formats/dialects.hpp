@@ -10,16 +10,27 @@
 
 namespace lacuna {
 
+/// What is wrong with a line, thrown by a dialect that cannot say in which file.
+struct LineProblem {
+  std::size_t line = 0;    ///< from 1
+  std::size_t column = 1;  ///< from 1
+  std::string problem, remedy;
+};
+
 /// How a text becomes a plain table, line by line.
 struct TextDialect {
   std::string note;  ///< what the file is taken for
 
   /// Appends one line of the table, an empty one where there is none, for one line of the file;
-  /// is called for all of them in their order.
+  /// is called for all of them in their order. Throws LineProblem.
   std::function<void(std::string_view line, std::string& text)> translate;
 
   std::string run_column = {};  ///< name of a column that numbers runs, where there are several
   std::string header = {};      ///< line of names that is in front of those of the file
+
+  /// Between the columns of the file, where the first one is made and the others are taken
+  /// over.
+  char delimiter = '\0';
 };
 
 /// How a text is to be taken where it is one of:
@@ -33,7 +44,9 @@ struct TextDialect {
 std::optional<TextDialect> dialect_of(std::string_view begin);
 
 /// The lines of a table that a dialect makes of lines, which have to come in their order.
-std::string translated(TextDialect& dialect, std::string_view lines);
+/// @param source name for messages.
+/// @throws DataError naming it with line and column.
+std::string translated(TextDialect& dialect, std::string_view lines, const std::string& source);
 
 namespace dialects {
 

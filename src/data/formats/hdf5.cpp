@@ -4,10 +4,13 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/base/utf8.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "named_arrays.hpp"
 
@@ -83,15 +86,54 @@ Index packed_together(const Handle& set, bool columns) {
 
 /// What is found in a file.
 struct Found {
-  std::vector<ArrayShape> shapes;   ///< of the data sets that are arrays of numbers
-  std::vector<Handle> sets;         ///< these
-  std::vector<std::string> others;  ///< names of data sets that are none
+  std::vector<ArrayShape> shapes;  ///< of the data sets that are arrays of numbers
+  std::vector<Handle> sets;        ///< these
+  std::vector<std::string> notes;  ///< what is left out
 };
+
+/// How links are followed: never into other files, which a record has no business to name.
+Handle inside_the_file() {
+  Handle access(H5Pcreate(H5P_LINK_ACCESS), H5Pclose);
+  const H5L_elink_traverse_t refuse = [](const char*, const char*, const char*, const char*,
+                                         unsigned*, hid_t, void*) -> herr_t { return -1; };
+  H5Pset_elink_cb(access.get(), refuse, nullptr);
+  return access;
+}
+
+/// What the value of a soft or external link says.
+std::string target_of(const Handle& group, const char* link, std::size_t size,
+                      const std::string& source) {
+  constexpr std::size_t kLongest = std::size_t{1} << 16U;
+  std::string value(std::min(size, kLongest), '\0');
+  if (size > kLongest ||
+      H5Lget_val(group.get(), link, value.data(), value.size(), H5P_DEFAULT) < 0)
+    fail(source);
+  return value;
+}
+
+/// @throws DataError where it leads to another file.
+void note_soft_link(const Handle& group, const char* link, const std::string& name,
+                    const H5L_info_t& info, const std::string& source, Found& found) {
+  const std::string value = target_of(group, link, info.u.val_size, source);
+  if (info.type != H5L_TYPE_SOFT)
+    throw DataError(source, "'" + name + "' is a link to another file, which is not followed",
+                    "copy what it leads to into this file (h5copy)");
+  const Handle access = inside_the_file();
+  const bool leads = H5Oexists_by_name(group.get(), link, access.get()) > 0;
+  const std::string target = printable(value.substr(0, value.find('\0')));
+  found.notes.push_back("the link '" + name + "' leads to '" + target + "', " +
+                        (leads ? "which is read by its own name" : "where nothing is"));
+}
+
+std::string not_numbers(const std::string& name) {
+  return "the data set '" + name +
+         "' is neither a vector nor a matrix of real numbers and is left out";
+}
 
 void collect_set(Handle set, const std::string& name, Found& found) {
   const auto [rows, columns] = extent_of(set);
   if (columns == 0 || !has_real_numbers(set)) {
-    found.others.push_back(name);
+    found.notes.push_back(not_numbers(name));
     return;
   }
   found.shapes.push_back({name, static_cast<Index>(rows), static_cast<Index>(columns)});
@@ -110,32 +152,37 @@ void collect_group(const Handle& group, const std::string& before, int depth,
                            H5P_DEFAULT) < 0)
       fail(source);
     if (link[0] == '#') continue;  // MATLAB's own: contents of cells
-    Handle object(H5Oopen(group.get(), link, H5P_DEFAULT), H5Oclose);
     const std::string name = before + link;
+    H5L_info_t kind_of_link{};
+    if (H5Lget_info(group.get(), link, &kind_of_link, H5P_DEFAULT) < 0) fail(source);
+    if (kind_of_link.type != H5L_TYPE_HARD) {
+      note_soft_link(group, link, name, kind_of_link, source, found);
+      continue;
+    }
+    Handle object(H5Oopen(group.get(), link, H5P_DEFAULT), H5Oclose);
     const H5I_type_t kind = object.is_open() ? H5Iget_type(object.get()) : H5I_BADID;
     if (kind == H5I_GROUP)
       collect_group(object, name + ".", depth + 1, source, found);
     else if (kind == H5I_DATASET)
       collect_set(std::move(object), name, found);
     else
-      found.others.push_back(name);
+      found.notes.push_back(not_numbers(name));
   }
 }
 
 /// The arrays of an open file as rows.
 class ArrayRows {
  public:
-  ArrayRows(Handle file, std::string source)
+  ArrayRows(Handle file, std::string source, const TimeFinder& find)
       : file_(std::move(file)), source_(std::move(source)) {
     if (!file_.is_open()) fail(source_);
     const Handle root(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose);
     if (!root.is_open()) fail(source_);
     collect_group(root, "", 0, source_, found_);
     all_ = arrange_arrays(found_.shapes, source_);
-    for (const std::string& name : found_.others)
-      all_.table.notes.push_back(source_ + ": the data set '" + name +
-                                 "' is neither a vector nor a matrix of real numbers and is "
-                                 "left out");
+    for (const std::string& note : found_.notes)
+      all_.table.notes.push_back(source_ + ": " + note);
+    if (const auto time = find(all_.table)) look_at(*time);
   }
 
   Index samples() const { return all_.samples; }
@@ -159,17 +206,63 @@ class ArrayRows {
       else
         block = part_of(place, {first, 0}, {count, place.columns});
     }
+    if (!origin_) return values;
+    const std::vector<Stamp> stamps = stamps_of(all_.table.counted->column, first, count);
+    for (Index row = 0; row < count; ++row)
+      values(row, all_.table.counted->column) =
+          value_of(stamps[static_cast<std::size_t>(row)] - *origin_);
     return values;
   }
 
  private:
-  using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  template <class Number>
+  using Values = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   struct Pair {
     Index rows = 0, columns = 0;
   };
 
-  Values part_of(const ArrayPlace& place, Pair first, Pair size) const {
+  /// Looks at the first times, which are counted from the first one where that is needed.
+  void look_at(const TimeColumn& time) {
+    const Index looked = std::min(samples(), kFirstTimes);
+    const Handle type(H5Dget_type(found_.sets[place_of(all_, time.column).array].get()),
+                      H5Tclose);
+    if (H5Tget_class(type.get()) == H5T_INTEGER) {
+      origin_ = look_at_times(all_.table, time, stamps_of(time.column, 0, looked));
+    } else {
+      const Vector first = read(0, looked).col(time.column);
+      const double epsilon = H5Tget_size(type.get()) < sizeof(double)
+                                 ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                                 : std::numeric_limits<double>::epsilon();
+      look_at_times(all_.table, time, {first.data(), static_cast<std::size_t>(looked)},
+                    epsilon);
+    }
+  }
+
+  /// Samples [first, first + count) of a column of whole numbers, as they are written.
+  std::vector<Stamp> stamps_of(Index column, Index first, Index count) const {
+    const ArrayPlace& place = place_of(all_, column);
+    const Index line = column - place.first_column;
+    const Pair begin = place.in_columns ? Pair{line, first} : Pair{first, line};
+    const Pair size = place.in_columns ? Pair{1, count} : Pair{count, 1};
+    const Handle type(H5Dget_type(found_.sets[place.array].get()), H5Tclose);
+    std::vector<Stamp> stamps;
+    const auto add = [&](const auto& numbers) {
+      for (Index i = 0; i < count; ++i) stamps.push_back(stamp_of(numbers.data()[i]));
+    };
+    if (H5Tget_sign(type.get()) == H5T_SGN_NONE)
+      add(part_of<std::uint64_t>(place, begin, size, H5T_NATIVE_UINT64));
+    else
+      add(part_of<std::int64_t>(place, begin, size, H5T_NATIVE_INT64));
+    return stamps;
+  }
+
+  Values<double> part_of(const ArrayPlace& place, Pair first, Pair size) const {
+    return part_of<double>(place, first, size, H5T_NATIVE_DOUBLE);
+  }
+
+  template <class Number>
+  Values<Number> part_of(const ArrayPlace& place, Pair first, Pair size, hid_t type) const {
     const Handle& set = found_.sets[place.array];
     const Handle space(H5Dget_space(set.get()), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space.get());
@@ -178,10 +271,9 @@ class ArrayRows {
     const hsize_t counts[2] = {static_cast<hsize_t>(size.rows),
                                static_cast<hsize_t>(size.columns)};
     const Handle target(H5Screate_simple(rank, counts, nullptr), H5Sclose);
-    Values values(size.rows, size.columns);
+    Values<Number> values(size.rows, size.columns);
     if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, from, nullptr, counts, nullptr) < 0 ||
-        H5Dread(set.get(), H5T_NATIVE_DOUBLE, target.get(), space.get(), H5P_DEFAULT,
-                values.data()) < 0)
+        H5Dread(set.get(), type, target.get(), space.get(), H5P_DEFAULT, values.data()) < 0)
       fail(source_);
     return values;
   }
@@ -190,12 +282,13 @@ class ArrayRows {
   std::string source_;
   Found found_;
   ArrayTable all_;
+  std::optional<Stamp> origin_;  ///< from which the times are counted
 };
 
 class Hdf5Blocks final : public RowBlocks {
  public:
-  Hdf5Blocks(const std::filesystem::path& path, BlockSizes sizes)
-      : rows_(open_file(path), path.string()) {
+  Hdf5Blocks(const std::filesystem::path& path, BlockSizes sizes, const TimeFinder& find)
+      : rows_(open_file(path), path.string(), find) {
     // A block that is smaller than what is packed together has all of that unpacked.
     const std::size_t row = rows_.columns().columns.size() * sizeof(double);
     const auto most = static_cast<Index>(sizes.longest / row);
@@ -227,17 +320,18 @@ void tell_errors_ourselves() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 }  // namespace
 
-Table parse_hdf5(std::string_view bytes, const std::string& source) {
+Table parse_hdf5(std::string_view bytes, const std::string& source, const TimeFinder& find) {
   tell_errors_ourselves();
-  const ArrayRows rows(open_file(bytes, source), source);
+  const ArrayRows rows(open_file(bytes, source), source, find);
   Table table = rows.columns();
   table.values = rows.read(0, rows.samples());
   return table;
 }
 
-std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes sizes) {
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes sizes,
+                                       const TimeFinder& find) {
   tell_errors_ourselves();
-  return std::make_unique<Hdf5Blocks>(path, sizes);
+  return std::make_unique<Hdf5Blocks>(path, sizes, find);
 }
 
 }  // namespace lacuna

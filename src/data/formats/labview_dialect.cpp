@@ -128,7 +128,8 @@ std::optional<TextDialect> labview(std::string_view begin) {
                                  begin.find("Separator,Comma") != std::string_view::npos
                              ? ','
                              : '\t';
-  return TextDialect{"taken for a LabVIEW measurement", Measurement(delimiter), "packet"};
+  return TextDialect{"taken for a LabVIEW measurement", Measurement(delimiter), "packet", "",
+                     delimiter};
 }
 
 }  // namespace lacuna::dialects

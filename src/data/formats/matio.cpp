@@ -2,6 +2,8 @@
 // MATLAB files by matio.
 #include <matio.h>
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,6 +69,28 @@ std::optional<Matrix> values_of(const matvar_t& variable) {
   }
 }
 
+/// A variable with all that is in it.
+using OwnedVariable = std::shared_ptr<const matvar_t>;
+
+template <class Whole>
+std::function<Stamp(Index, Index)> stamps_of(const matvar_t& variable, OwnedVariable owner) {
+  const auto rows = static_cast<Index>(variable.dims[0]);
+  return [owner, rows, data = static_cast<const Whole*>(variable.data)](
+             Index row, Index column) { return stamp_of(data[column * rows + row]); };
+}
+
+/// How its numbers are written: those of 64 bits as whole numbers, which doubles do not hold.
+void add_written(const matvar_t& variable, OwnedVariable owner, NamedArray& array) {
+  if (variable.class_type == MAT_C_INT64)
+    array.stamp = stamps_of<mat_int64_t>(variable, std::move(owner));
+  else if (variable.class_type == MAT_C_UINT64)
+    array.stamp = stamps_of<mat_uint64_t>(variable, std::move(owner));
+  else if (variable.class_type == MAT_C_DOUBLE)
+    array.epsilon = std::numeric_limits<double>::epsilon();
+  else if (variable.class_type == MAT_C_SINGLE)
+    array.epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
+}
+
 double elements_of(const matvar_t& variable) {
   double count = 1.0;
   for (int d = 0; d < variable.rank; ++d) count *= static_cast<double>(variable.dims[d]);
@@ -99,25 +123,30 @@ struct Found {
   std::vector<std::string> others;  ///< names of variables that are no arrays of numbers
 };
 
-void collect(const matvar_t& variable, const std::string& name, Found& found);
+void collect(const matvar_t& variable, const OwnedVariable& owner, const std::string& name,
+             Found& found);
 
 /// Adds what stands in the fields of a structure.
-void collect_fields(const matvar_t& variable, const std::string& name, Found& found) {
+void collect_fields(const matvar_t& variable, const OwnedVariable& owner,
+                    const std::string& name, Found& found) {
   auto* structure = const_cast<matvar_t*>(&variable);  // matio's getters only read
   const char* const* fields = Mat_VarGetStructFieldnames(structure);
   const std::size_t count = Mat_VarGetNumberOfFields(structure);
   for (std::size_t f = 0; f < count; ++f)
     if (const matvar_t* field = Mat_VarGetStructFieldByIndex(structure, f, 0))
-      collect(*field, name + "." + fields[f], found);
+      collect(*field, owner, name + "." + fields[f], found);
 }
 
-void collect(const matvar_t& variable, const std::string& name, Found& found) {
-  if (is_structure(variable))
-    collect_fields(variable, name, found);
-  else if (std::optional<Matrix> values = values_of(variable))
+void collect(const matvar_t& variable, const OwnedVariable& owner, const std::string& name,
+             Found& found) {
+  if (is_structure(variable)) {
+    collect_fields(variable, owner, name, found);
+  } else if (std::optional<Matrix> values = values_of(variable)) {
     found.arrays.push_back({name, std::move(*values)});
-  else
+    add_written(variable, owner, found.arrays.back());
+  } else {
     found.others.push_back(name);
+  }
 }
 
 /// Whether a file of so many bytes can hold a variable. What is damaged may say any number.
@@ -136,15 +165,15 @@ bool can_hold(std::size_t file_bytes, const matvar_t& variable) {
 
 }  // namespace
 
-Table read_mat(const std::filesystem::path& path) {
+Table read_mat(const std::filesystem::path& path, const TimeFinder& find) {
   const std::string source = path.string();
   const Warnings warnings;
   const std::unique_ptr<mat_t, CloseMatFile> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) fail(source);
   Found found;
   const auto bytes = static_cast<std::size_t>(std::filesystem::file_size(path));
-  while (
-      const std::unique_ptr<matvar_t, FreeVariable> variable{Mat_VarReadNextInfo(file.get())}) {
+  while (const std::shared_ptr<matvar_t> variable{Mat_VarReadNextInfo(file.get()),
+                                                  FreeVariable()}) {
     if (variable->name == nullptr) fail(source);
     if (!can_hold(bytes, *variable))
       throw DataError(source,
@@ -154,10 +183,10 @@ Table read_mat(const std::filesystem::path& path) {
                           " bytes can hold",
                       "the file is damaged; save it again");
     if (Mat_VarReadDataAll(file.get(), variable.get()) != 0) fail(source);
-    collect(*variable, variable->name, found);
+    collect(*variable, variable, variable->name, found);
   }
   if (warnings.seen()) fail(source);
-  Table table = table_of_arrays(found.arrays, source);
+  Table table = table_of_arrays(found.arrays, source, find);
   for (const std::string& name : found.others)
     table.notes.push_back(source + ": the variable '" + name +
                           "' is neither a vector nor a matrix of real numbers and is left out");

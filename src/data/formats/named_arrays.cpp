@@ -72,11 +72,36 @@ ArrayTable arrange_arrays(const std::vector<ArrayShape>& shapes, const std::stri
   return all;
 }
 
-Table table_of_arrays(const std::vector<NamedArray>& arrays, const std::string& source) {
+const ArrayPlace& place_of(const ArrayTable& all, Index column) {
+  return *std::find_if(all.places.begin(), all.places.end(), [&](const ArrayPlace& place) {
+    return column < place.first_column + place.columns;
+  });
+}
+
+namespace {
+
+void count_times_of_arrays(const std::vector<NamedArray>& arrays, const TimeColumn& time,
+                           ArrayTable& all) {
+  const ArrayPlace& place = place_of(all, time.column);
+  const NamedArray& array = arrays[place.array];
+  const Index line = time.column - place.first_column;
+  WrittenNumbers written{{}, array.epsilon};
+  if (array.stamp)
+    written.stamp = [&](Index sample) {
+      return place.in_columns ? array.stamp(line, sample) : array.stamp(sample, line);
+    };
+  count_times(all.table, time, written);
+}
+
+}  // namespace
+
+Table table_of_arrays(const std::vector<NamedArray>& arrays, const std::string& source,
+                      const TimeFinder& find) {
   std::vector<ArrayShape> shapes;
   for (const NamedArray& array : arrays)
     shapes.push_back({array.name, array.values.rows(), array.values.cols()});
   ArrayTable all = arrange_arrays(shapes, source);
+  const auto time = find(all.table);
   Matrix& values = all.table.values;
   values.resize(all.samples, static_cast<Index>(all.table.columns.size()));
   for (const ArrayPlace& place : all.places) {
@@ -86,6 +111,7 @@ Table table_of_arrays(const std::vector<NamedArray>& arrays, const std::string& 
     else
       block = arrays[place.array].values;
   }
+  if (time) count_times_of_arrays(arrays, *time, all);
   return std::move(all.table);
 }
 

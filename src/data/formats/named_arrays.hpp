@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "counted_times.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {
@@ -12,6 +14,10 @@ namespace lacuna {
 struct NamedArray {
   std::string name;
   Matrix values;
+
+  /// A value as it is written, where these are whole numbers; else empty.
+  std::function<Stamp(Index row, Index column)> stamp = {};
+  double epsilon = 0.0;  ///< of floating numbers
 };
 
 /// The same without its values.
@@ -46,7 +52,12 @@ struct ArrayTable {
 ArrayTable arrange_arrays(const std::vector<ArrayShape>& shapes, const std::string& source);
 
 /// The table of arrays that are in memory.
+/// @param find the time, which is counted from its first value where doubles do not hold it.
 /// @throws DataError when there are no arrays.
-Table table_of_arrays(const std::vector<NamedArray>& arrays, const std::string& source);
+Table table_of_arrays(const std::vector<NamedArray>& arrays, const std::string& source,
+                      const TimeFinder& find = no_time);
+
+/// The place that has a column of the table.
+const ArrayPlace& place_of(const ArrayTable& all, Index column);
 
 }  // namespace lacuna

@@ -14,9 +14,12 @@ namespace {
 
 }  // namespace
 
-Table parse_hdf5(std::string_view, const std::string& source) { fail_without_hdf5(source); }
+Table parse_hdf5(std::string_view, const std::string& source, const TimeFinder&) {
+  fail_without_hdf5(source);
+}
 
-std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes) {
+std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes,
+                                       const TimeFinder&) {
   fail_without_hdf5(path.string());
 }
 

@@ -49,16 +49,21 @@ double float_value(std::uint64_t bits, std::size_t size) {
   return half_value(bits);
 }
 
-double signed_value(std::uint64_t bits, std::size_t size) {
+std::int64_t signed_value(std::uint64_t bits, std::size_t size) {
   const auto unused = static_cast<unsigned>(64 - 8 * size);
-  return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+  return static_cast<std::int64_t>(bits << unused) >> unused;
 }
 
 double load_value(const char* bytes, const NpyField& field) {
   const std::uint64_t bits = load_bits(bytes, field.size, field.big_endian);
   if (field.kind == 'f') return float_value(bits, field.size);
-  if (field.kind == 'i') return signed_value(bits, field.size);
+  if (field.kind == 'i') return static_cast<double>(signed_value(bits, field.size));
   return static_cast<double>(bits);
+}
+
+Stamp load_stamp(const char* bytes, const NpyField& field) {
+  const std::uint64_t bits = load_bits(bytes, field.size, field.big_endian);
+  return field.kind == 'i' ? stamp_of(signed_value(bits, field.size)) : stamp_of(bits);
 }
 
 /// Reads one column whose values lie `stride` bytes apart.
@@ -137,10 +142,31 @@ Matrix npy_values(const NpyHeader& header, std::string_view data) {
   return values;
 }
 
-Table parse_npy(std::string_view bytes, const std::string& source) {
+Stamp npy_stamp(const NpyHeader& header, const char* data, Index row, Index column) {
+  const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
+  if (header.structured)
+    return load_stamp(data + r * header.item_size + header.fields[c].offset, header.fields[c]);
+  const std::size_t place = header.fortran_order ? c * header.rows + r : r * header.columns + c;
+  return load_stamp(data + place * header.item_size, header.fields[0]);
+}
+
+WrittenNumbers npy_written(const NpyHeader& header, const char* data, Index column) {
+  const NpyField& field =
+      header.fields[header.structured ? static_cast<std::size_t>(column) : 0];
+  // Significant bits of doubles, singles and halves (IEEE 754).
+  if (field.kind == 'f')
+    return {{}, std::exp2(field.size == 8 ? -52.0 : field.size == 4 ? -23.0 : -10.0)};
+  return {[&header, data, column](Index row) { return npy_stamp(header, data, row, column); },
+          0.0};
+}
+
+Table parse_npy(std::string_view bytes, const std::string& source, const TimeFinder& find) {
   const NpyHeader header = parse_npy_header(bytes, bytes.size(), source);
+  const std::string_view data = bytes.substr(header.data_begin);
   Table table = npy_columns(header, source);
-  table.values = npy_values(header, bytes.substr(header.data_begin));
+  const auto time = find(table);
+  table.values = npy_values(header, data);
+  if (time) count_times(table, *time, npy_written(header, data.data(), time->column));
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "counted_times.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "npy_header.hpp"
@@ -15,13 +16,21 @@ namespace lacuna {
 /// with named fields; any real or integer type, either byte order, C or Fortran order.
 /// Columns without a name are called c1, c2, ...
 /// @throws DataError naming source and what is not supported.
-Table parse_npy(std::string_view bytes, const std::string& source);
+/// @param find the time, which is counted from its first value where doubles do not hold it.
+Table parse_npy(std::string_view bytes, const std::string& source,
+                const TimeFinder& find = no_time);
 
 /// A table without rows that has the columns of an array.
 Table npy_columns(const NpyHeader& header, const std::string& source);
 
 /// The numbers of an array. @param data header.rows rows of them, without the header.
 Matrix npy_values(const NpyHeader& header, std::string_view data);
+
+/// A whole number of an array. @param data as npy_values().
+Stamp npy_stamp(const NpyHeader& header, const char* data, Index row, Index column);
+
+/// How the numbers of a column are written; refers to header and data.
+WrittenNumbers npy_written(const NpyHeader& header, const char* data, Index column);
 
 /// What stands in front of the numbers of a .npy of version 1; 128 bytes.
 /// @param type of the numbers: "<f8", ">f8".

@@ -30,12 +30,17 @@ class HeaderParser {
     return header_;
   }
 
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw DataError(source_, "this is no NumPy array that can be read: " + problem,
-                    "save an array of numbers with one or two dimensions by numpy.save");
-  }
+  [[noreturn]] void fail(const std::string& problem) const { refuse<DataError>(problem); }
 
  private:
+  template <class Problem>
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw Problem(source_, "this is no NumPy array that can be read: " + problem,
+                  "save an array of numbers with one or two dimensions by numpy.save");
+  }
+
+  [[noreturn]] void fail_kind(const std::string& problem) const { refuse<NoMatrix>(problem); }
+
   void skip_blanks() {
     while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\n'))
       ++position_;
@@ -106,9 +111,9 @@ class HeaderParser {
       expect('(');
       const std::string name = field_name();
       expect(',');
-      if (!peek('\'') && !peek('"')) fail("field '" + name + "' has fields inside");
+      if (!peek('\'') && !peek('"')) fail_kind("field '" + name + "' has fields inside");
       const std::string type = quoted();
-      if (accept(',') && !peek(')')) fail("field '" + name + "' is an array");
+      if (accept(',') && !peek(')')) fail_kind("field '" + name + "' is an array");
       expect(')');
       add_field(name, type);
       if (!accept(',') && !peek(']')) fail("its header is damaged");
@@ -127,15 +132,15 @@ class HeaderParser {
 
   /// Adds a field such as '<f8'; unnamed bytes ('|V4') only fill space.
   void add_field(const std::string& name, const std::string& type) {
-    if (type.size() < 3) fail("the type '" + type + "' is not known");
+    if (type.size() < 3) fail_kind("the type '" + type + "' is not known");
     NpyField field{name, type[1], 0, header_.item_size, type[0] == '>'};
     const char* end = type.data() + type.size();
     const auto [stop, error] = std::from_chars(type.data() + 2, end, field.size);
     const bool number = error == std::errc() && stop == end;
-    if (!number || field.size > kLargestItem) fail("the type '" + type + "' is not known");
+    if (!number || field.size > kLargestItem) fail_kind("the type '" + type + "' is not known");
     header_.item_size += field.size;
     if (header_.structured && field.kind == 'V' && name.empty()) return;
-    if (!is_supported(field)) fail("the type '" + type + "' is not a real number");
+    if (!is_supported(field)) fail_kind("the type '" + type + "' is not a real number");
     if (field.kind == 'b') field.kind = 'u';
     header_.fields.push_back(field);
   }
@@ -161,10 +166,10 @@ class HeaderParser {
   void set_shape() {
     const std::size_t allowed = header_.structured ? 1 : 2;
     if (dimensions_.empty() || dimensions_.size() > allowed)
-      fail("it has " + std::to_string(dimensions_.size()) + " dimensions");
+      fail_kind("it has " + std::to_string(dimensions_.size()) + " dimensions");
     header_.rows = dimensions_[0];
     header_.columns = dimensions_.size() > 1 ? dimensions_[1] : 1;
-    if (header_.rows == 0 || header_.columns == 0) fail("it is empty");
+    if (header_.rows == 0 || header_.columns == 0) fail_kind("it is empty");
   }
 
   static constexpr std::size_t kLargestItem = 1U << 20U;

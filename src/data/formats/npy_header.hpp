@@ -7,7 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "lacuna/core/base/error.hpp"
+
 namespace lacuna {
+
+/// An array that is whole and no matrix of real numbers: text, a single number, more
+/// dimensions.
+class NoMatrix : public DataError {
+ public:
+  using DataError::DataError;
+};
 
 /// One number inside an item of a NumPy array.
 struct NpyField {
@@ -38,7 +47,7 @@ struct NpyHeader {
 /// Reads the header (format versions 1 to 3) and checks it against the size of the file.
 /// @param bytes with which the file begins, the header at least.
 /// @param file_size in bytes.
-/// @throws DataError naming source and what is not supported or does not fit.
+/// @throws DataError naming source and what does not fit; NoMatrix for what is not supported.
 NpyHeader parse_npy_header(std::string_view bytes, std::size_t file_size,
                            const std::string& source);
 

@@ -4,6 +4,8 @@
 #include <zlib.h>
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "lacuna/core/base/error.hpp"
@@ -43,6 +45,10 @@ std::string inflated(std::string_view packed, std::size_t size, const std::strin
   return result;
 }
 
+std::size_t checksum_of(std::string_view bytes) {
+  return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+}
+
 /// One array of the archive.
 struct Entry {
   std::string name;
@@ -55,6 +61,7 @@ Entry entry_at(std::string_view bytes, std::size_t& at, const std::string& sourc
     return number_at(bytes, place, size, source);
   };
   const std::size_t method = number(at + 10, 2), packed = number(at + 20, 4);
+  const std::size_t checksum = number(at + 16, 4);
   const std::size_t size = number(at + 24, 4), name_size = number(at + 28, 2);
   const std::size_t local = number(at + 42, 4);
   if (at + 46 + name_size > bytes.size()) fail(source, "the archive is cut short");
@@ -71,6 +78,8 @@ Entry entry_at(std::string_view bytes, std::size_t& at, const std::string& sourc
     entry.bytes = inflated(content, size, source);
   else
     fail(source, "the packing of '" + entry.name + "' is not known");
+  if (entry.bytes.size() != size || checksum_of(entry.bytes) != checksum)
+    fail(source, "'" + entry.name + "' is damaged: it is not what its checksum says");
   return entry;
 }
 
@@ -93,14 +102,49 @@ std::string name_of(const std::string& file) {
   return end == std::string::npos ? file : file.substr(0, end);
 }
 
+/// The array of an entry, or the fields of a structured one ("run.t").
+/// @throws NoMatrix where it is none.
+void add_arrays(Entry entry, const std::string& source, std::vector<NamedArray>& arrays) {
+  const std::string place = source + ", " + entry.name;
+  if (!entry.name.ends_with(".npy")) throw NoMatrix(place, "this is no array", "leave it out");
+  const auto bytes = std::make_shared<const std::string>(std::move(entry.bytes));
+  const auto header =
+      std::make_shared<const NpyHeader>(parse_npy_header(*bytes, bytes->size(), place));
+  const std::string_view data = std::string_view(*bytes).substr(header->data_begin);
+  const Matrix values = npy_values(*header, data);
+  const Index parts = header->structured ? values.cols() : 1;
+  for (Index part = 0; part < parts; ++part) {
+    NamedArray array{name_of(entry.name), header->structured ? values.col(part) : values};
+    if (header->structured)
+      array.name += "." + header->fields[static_cast<std::size_t>(part)].name;
+    const WrittenNumbers written = npy_written(*header, data.data(), part);
+    array.epsilon = written.epsilon;
+    if (written.stamp)
+      array.stamp = [bytes, header, part, at = data.data()](Index row, Index column) {
+        return npy_stamp(*header, at, row, part + column);
+      };
+    arrays.push_back(std::move(array));
+  }
+}
+
 }  // namespace
 
-Table parse_npz(std::string_view bytes, const std::string& source) {
+Table parse_npz(std::string_view bytes, const std::string& source, const TimeFinder& find) {
   std::vector<NamedArray> arrays;
-  for (const Entry& entry : entries_of(bytes, source))
-    arrays.push_back(
-        {name_of(entry.name), parse_npy(entry.bytes, source + ", " + entry.name).values});
-  return table_of_arrays(arrays, source);
+  std::vector<std::string> others;
+  for (Entry& entry : entries_of(bytes, source)) {
+    const std::string name = name_of(entry.name);
+    try {
+      add_arrays(std::move(entry), source, arrays);
+    } catch (const NoMatrix&) {
+      others.push_back(name);
+    }
+  }
+  Table table = table_of_arrays(arrays, source, find);
+  for (const std::string& name : others)
+    table.notes.push_back(source + ": '" + name +
+                          "' is neither a vector nor a matrix of real numbers and is left out");
+  return table;
 }
 
 }  // namespace lacuna

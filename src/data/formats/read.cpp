@@ -15,11 +15,11 @@
 #include "hdf5.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/data/formats/read_text.hpp"
 #include "lacuna/data/formats/text_field.hpp"
 #include "mat.hpp"
 #include "npy.hpp"
 #include "npz.hpp"
+#include "text_rows.hpp"
 
 namespace lacuna {
 namespace {
@@ -28,11 +28,11 @@ namespace fs = std::filesystem;
 
 /// A MATLAB file of version 5 is read by its name, not from memory.
 /// @throws DataError where there is no such name.
-Table read_named_mat(const fs::path& path) {
+Table read_named_mat(const fs::path& path, const TimeFinder& find) {
   if (path == "-" || lower_case(path.extension().string()) == ".gz")
     throw DataError(path.string(), "a MATLAB file can be read neither from a pipe nor packed",
                     "unpack it and give its name");
-  return read_mat(path);
+  return read_mat(path, find);
 }
 
 bool is_pattern(const std::string& path) {
@@ -72,28 +72,34 @@ void append(Dataset& data, Dataset more) {
 
 }  // namespace
 
-Table read_table(const fs::path& path) {
+namespace {
+
+Table read_any(const fs::path& path, const TimeFinder& find) {
   const bool piped = path == "-";
   const FileBytes content = read_bytes(piped ? fs::path("/dev/stdin") : path);
   const std::string_view bytes = content.view();
   const std::string source = piped ? "standard input" : path.string();
   switch (kind_of(path, bytes, source)) {
     case FileKind::Npy:
-      return parse_npy(bytes, source);
+      return parse_npy(bytes, source, find);
     case FileKind::Npz:
-      return parse_npz(bytes, source);
+      return parse_npz(bytes, source, find);
     case FileKind::Mat:
-      return read_named_mat(path);
+      return read_named_mat(path, find);
     case FileKind::Hdf5:
-      return parse_hdf5(bytes, source);
+      return parse_hdf5(bytes, source, find);
     case FileKind::Text:
       break;
   }
-  return parse_text_table(bytes, source);
+  return parse_text(bytes, source, find);
 }
 
+}  // namespace
+
+Table read_table(const fs::path& path) { return read_any(path, no_time); }
+
 Table read_table(const fs::path& path, const ColumnRoles& roles) {
-  Table table = read_table(path);
+  Table table = read_any(path, time_finder(roles));
   for (const auto& [name, column] : roles.names) rename_column(table, name, column);
   return table;
 }
@@ -106,7 +112,7 @@ Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& r
   const ColumnRoles fixed = fixed_roles(first, roles);
   first.values.resize(0, 0);  // only its columns are looked at from here on
   for (std::size_t i = 1; i < files.size(); ++i) {
-    const Table table = read_table(files[i], roles);
+    const Table table = read_table(files[i], fixed);
     check_same_columns(first, table);
     Dataset more = assign_roles(table, fixed);
     check_same_units(data, more, table.source, first.source);

@@ -16,7 +16,11 @@ TextFormat format_of(std::string_view text, const std::string& source) {
 }  // namespace
 
 Table parse_text_table(std::string_view text, const std::string& source) {
-  TextRows rows(format_of(text, source), source);
+  return parse_text(text, source, no_time);
+}
+
+Table parse_text(std::string_view text, const std::string& source, const TimeFinder& find) {
+  TextRows rows(format_of(text, source), source, find);
   Table table = rows.columns();
   rows.read(text, table);
   return table;

@@ -36,7 +36,8 @@ BlockSizes block_sizes(std::size_t memory) {
   return {std::clamp(memory / 32, kLeast, kMost), std::max(memory / 16, TextFormat::kBegin)};
 }
 
-std::unique_ptr<RowBlocks> row_blocks(std::unique_ptr<OpenedFile> file, std::size_t memory) {
+std::unique_ptr<RowBlocks> row_blocks(std::unique_ptr<OpenedFile> file, std::size_t memory,
+                                      const TimeFinder& find) {
   const BlockSizes sizes = block_sizes(memory);
   switch (file->kind) {
     case FileKind::Npy:
@@ -50,11 +51,11 @@ std::unique_ptr<RowBlocks> row_blocks(std::unique_ptr<OpenedFile> file, std::siz
       if (!file->has_places())
         refuse_blocks(*file, "an HDF5 file that is packed or comes through a pipe",
                       "unpack it and give its name");
-      return hdf5_blocks(file->path, sizes);
+      return hdf5_blocks(file->path, sizes, find);
     case FileKind::Text:
       break;
   }
-  return text_blocks(std::move(file), sizes);
+  return text_blocks(std::move(file), sizes, find);
 }
 
 }  // namespace lacuna

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/byte_stream.hpp"
+#include "counted_times.hpp"
 #include "file_kinds.hpp"
 #include "lacuna/data/records/table.hpp"
 
@@ -60,10 +61,13 @@ BlockSizes block_sizes(std::size_t memory);
 
 /// The rows of a text or of an HDF5 file.
 /// @param memory that reading may take, in bytes.
+/// @param find the time, which is counted from its first value where doubles do not hold it.
 /// @throws FileError, DataError as read_table(); DataError for what cannot be read in blocks.
-std::unique_ptr<RowBlocks> row_blocks(std::unique_ptr<OpenedFile> file, std::size_t memory);
+std::unique_ptr<RowBlocks> row_blocks(std::unique_ptr<OpenedFile> file, std::size_t memory,
+                                      const TimeFinder& find = no_time);
 
 /// Those of a text, packed or not, from a file or a pipe.
-std::unique_ptr<RowBlocks> text_blocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes);
+std::unique_ptr<RowBlocks> text_blocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes,
+                                       const TimeFinder& find = no_time);
 
 }  // namespace lacuna

@@ -57,10 +57,10 @@ TextFormat format_of(PartOfText& part) {
 
 class TextBlocks final : public RowBlocks {
  public:
-  TextBlocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes)
+  TextBlocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes, const TimeFinder& find)
       : part_(std::move(file), sizes),
         block_(sizes.block),
-        rows_(format_of(part_), part_.file().source) {}
+        rows_(format_of(part_), part_.file().source, find) {}
 
   const Table& columns() const override { return rows_.columns(); }
 
@@ -94,8 +94,9 @@ class TextBlocks final : public RowBlocks {
 
 }  // namespace
 
-std::unique_ptr<RowBlocks> text_blocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes) {
-  return std::make_unique<TextBlocks>(std::move(file), sizes);
+std::unique_ptr<RowBlocks> text_blocks(std::unique_ptr<OpenedFile> file, BlockSizes sizes,
+                                       const TimeFinder& find) {
+  return std::make_unique<TextBlocks>(std::move(file), sizes, find);
 }
 
 }  // namespace lacuna

@@ -8,6 +8,7 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/text_field.hpp"
 #include "lacuna/data/records/table.hpp"
+#include "time_names.hpp"
 
 namespace lacuna {
 namespace {
@@ -164,17 +165,31 @@ Start find_start(std::string_view text, std::size_t offset, char line_end,
   fail_no_numbers(before, source);
 }
 
+/// Whether the line below the names has a unit of time where these have the time; what stands
+/// beside it is units then, known or not.
+bool has_unit_of_time(const std::vector<std::string_view>& fields,
+                      const std::vector<Quantity>& headers) {
+  std::size_t time = 0;
+  while (time < headers.size() && !names_time(headers[time].name)) ++time;
+  const bool named = time < headers.size();
+  if (!named) time = 0;
+  return time_unit_symbol(fields[time]) && (named || fields[time].size() > 1);
+}
+
 /// Puts the units of the line below the names into the headers.
 /// @return false when the line is not one of units only.
 bool take_units(std::string_view line, char delimiter, std::vector<Quantity>& headers) {
   std::vector<std::string_view> fields;
   split_fields(line, delimiter, fields);
+  if (fields.size() < headers.size()) return false;
+  const bool any = has_unit_of_time(fields, headers);
   std::vector<std::string> units;
   for (const std::string_view field : fields) {
     units.push_back(unit_symbol(field));
-    if (units.back().empty() && !field.empty()) return false;
+    if (!units.back().empty() || field.empty() || field == "-") continue;
+    if (!any) return false;
+    units.back() = field;
   }
-  if (units.size() < headers.size()) return false;
   for (std::size_t i = 0; i < headers.size(); ++i) headers[i].unit = units[i];
   return true;
 }

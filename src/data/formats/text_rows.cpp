@@ -19,12 +19,15 @@ namespace {
 class RowReader {
  public:
   /// @param line number of the first line.
-  RowReader(std::string_view lines, const TextLayout& layout, std::size_t line, Table& table)
+  RowReader(std::string_view lines, const TextLayout& layout, const NumberStyle& style,
+            std::size_t line, Table& table)
       : cursor_(lines.data()),
         end_(lines.data() + lines.size()),
         layout_(layout),
         delimiter_(layout.delimiter),
         line_end_(layout.line_end),
+        style_(style),
+        counted_(style.time.value_or(-1)),
         table_(table),
         columns_(static_cast<Index>(layout.columns())),
         line_(line) {}
@@ -78,9 +81,16 @@ class RowReader {
       if (end - p > 1 && *p == '+' && p[1] != '-') ++p;
       const auto [stop, error] = std::from_chars(p, end, *value);
       if (error != std::errc()) return false;
+      if (column == counted_) *value = counted({p, stop}, *value);
       p = stop;
     }
     return finish_line(skip_spaces<kBlanks>(p, end));
+  }
+
+  /// A time from the first one on; as a double where it is missing or beyond all stamps.
+  double counted(std::string_view field, double value) const {
+    const auto stamp = read_stamp(field);
+    return stamp ? value_of(*stamp - style_.origin) : value - value_of(style_.origin);
   }
 
   /// Blanks around numbers; a tab may be the delimiter and is left to the exceptions then.
@@ -110,9 +120,32 @@ class RowReader {
       const std::string_view field = fields_[static_cast<std::size_t>(column)];
       const TextField found = read_field(field);
       if (found.kind == TextField::Kind::Text) fail_text(field, column);
-      table_.values(row_, column) = found.value;
+      if (is_doubtful(field)) fail_comma(field, column);
+      table_.values(row_, column) =
+          column == counted_ ? counted(field, found.value) : found.value;
     }
     return true;
+  }
+
+  /// Whether a comma in a number may be one of decimals or of thousands. Beside decimal points
+  /// it is none of decimals; in quotes between commas it may be either.
+  bool is_doubtful(std::string_view field) const {
+    if (field.find(',') == std::string_view::npos) return false;
+    const auto begin = fields_.begin() + static_cast<std::ptrdiff_t>(style_.first_own);
+    const bool points = std::any_of(begin, fields_.end(), has_point);
+    return style_.has_points || points || (style_.delimiter == ',' && may_be_thousands(field));
+  }
+
+  static bool has_point(std::string_view field) {
+    return field.find('.') != std::string_view::npos;
+  }
+
+  /// "1,001", not "0,001" or "1,01".
+  static bool may_be_thousands(std::string_view field) {
+    constexpr std::size_t kThousands = 3;
+    const std::size_t begin = field.find_first_not_of("+-"), comma = field.find(',');
+    return field.size() - comma - 1 == kThousands && field[begin] != '0' &&
+           comma - begin <= kThousands;
   }
 
   std::string line_place() const { return table_.source + ":" + std::to_string(line_); }
@@ -138,11 +171,21 @@ class RowReader {
         "a column of text");
   }
 
+  [[noreturn]] void fail_comma(std::string_view field, Index column) const {
+    const std::string& name = table_.columns[static_cast<std::size_t>(column)].name;
+    throw DataError(line_place() + ":" + std::to_string(column + 1),
+                    "the comma of '" + std::string(field) + "' in column '" + name +
+                        "' may be one of decimals or of thousands",
+                    "write numbers with a decimal point and nothing between thousands");
+  }
+
   const char* cursor_;
   const char* end_;
   const TextLayout& layout_;
   char delimiter_;
   char line_end_;
+  const NumberStyle& style_;
+  Index counted_;  ///< column of times that are counted; -1 where there is none
   Table& table_;
   Index columns_;
   std::size_t line_;
@@ -185,6 +228,54 @@ Table columns_of(const TextFormat& format, const std::string& source) {
   return table;
 }
 
+/// So many lines, or all.
+std::string first_of(std::string_view lines, Index count, char line_end) {
+  std::size_t end = 0;
+  for (Index i = 0; i < count && end < lines.size(); ++i)
+    end = std::min(lines.find(line_end, end), lines.size() - 1) + 1;
+  return std::string(lines.substr(0, end));
+}
+
+/// Calls use(fields) for each of the first lines of numbers.
+template <class Use>
+void for_each_line(const TextFormat& format, const Use& use) {
+  std::string_view rest = format.first_lines;
+  std::vector<std::string_view> fields;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(format.layout.line_end), rest.size());
+    const std::string_view line = strip(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.empty() || line.front() == '#') continue;
+    split_fields(line, format.layout.delimiter, fields);
+    use(fields);
+  }
+}
+
+/// Looks at the first lines; what is worth saying of the times becomes notes of the table.
+NumberStyle style_of(const TextFormat& format, const TimeFinder& find, Table& table) {
+  NumberStyle style;
+  style.delimiter = format.layout.delimiter;
+  if (format.dialect) {
+    style.first_own = 1;
+    if (format.dialect->delimiter != '\0') style.delimiter = format.dialect->delimiter;
+  }
+  std::vector<Stamp> times;
+  const auto time = find(table);
+  for_each_line(format, [&](const std::vector<std::string_view>& fields) {
+    for (std::size_t i = style.first_own; i < fields.size(); ++i)
+      style.has_points = style.has_points || fields[i].find('.') != std::string_view::npos;
+    if (!time || static_cast<std::size_t>(time->column) >= fields.size()) return;
+    if (const auto stamp = read_stamp(fields[static_cast<std::size_t>(time->column)]))
+      times.push_back(*stamp);
+  });
+  if (!time) return style;
+  if (const auto origin = look_at_times(table, *time, times)) {
+    style.time = time->column;
+    style.origin = *origin;
+  }
+  return style;
+}
+
 }  // namespace
 
 std::string_view whole_lines(std::string_view text, char line_end) {
@@ -204,7 +295,7 @@ std::optional<TextFormat> find_format(std::string_view begin, bool is_all,
   std::string plain;
   if (format.dialect) {
     TextDialect dialect = *format.dialect;  // which begins anew when rows are read
-    plain = dialect.header + translated(dialect, begin);
+    plain = dialect.header + translated(dialect, begin, source);
     begin = plain;
   }
   try {
@@ -214,24 +305,27 @@ std::optional<TextFormat> find_format(std::string_view begin, bool is_all,
     return std::nullopt;
   }
   if (!is_all && !shows_layout(begin, format.layout)) return std::nullopt;
+  format.first_lines =
+      first_of(begin.substr(format.layout.data_begin), kFirstTimes, format.layout.line_end);
   return format;
 }
 
-TextRows::TextRows(TextFormat format, const std::string& source)
+TextRows::TextRows(TextFormat format, const std::string& source, const TimeFinder& find)
     : format_(std::move(format)),
       columns_(columns_of(format_, source)),
       skipped_(format_.layout.data_begin),
-      line_(line_in_file(format_.layout.data_line, format_)) {}
+      line_(line_in_file(format_.layout.data_line, format_)),
+      style_(style_of(format_, find, columns_)) {}
 
 void TextRows::read(std::string_view lines, Table& table) {
   std::string plain;
   if (format_.dialect) {
     if (skipped_ > 0) plain = format_.dialect->header;
-    plain += translated(*format_.dialect, lines);
+    plain += translated(*format_.dialect, lines, columns_.source);
     lines = plain;
   }
   lines.remove_prefix(std::exchange(skipped_, 0));
-  line_ = RowReader(lines, format_.layout, line_, table).read();
+  line_ = RowReader(lines, format_.layout, style_, line_, table).read();
 }
 
 }  // namespace lacuna

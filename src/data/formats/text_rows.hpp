@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "counted_times.hpp"
 #include "dialects.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "text_layout.hpp"
@@ -19,6 +20,18 @@ struct TextFormat {
 
   std::optional<TextDialect> dialect;
   TextLayout layout;  ///< of the text, or of what the dialect makes of it
+
+  /// The first kFirstTimes lines of the numbers, as many as the begin has.
+  std::string first_lines = {};
+};
+
+/// What the first lines say of the numbers in a text.
+struct NumberStyle {
+  char delimiter = ',';       ///< in the file
+  std::size_t first_own = 0;  ///< columns in front of it are made by the dialect
+  bool has_points = false;    ///< decimal points, so that commas are none
+  std::optional<Index> time;  ///< column of times that are counted from the first one
+  Stamp origin = 0;           ///< that one
 };
 
 /// The whole lines with which a text begins, up to its last line end.
@@ -36,7 +49,8 @@ std::optional<TextFormat> find_format(std::string_view begin, bool is_all,
 /// fit into it.
 class TextRows {
  public:
-  TextRows(TextFormat format, const std::string& source);
+  /// @param find the time, which is counted from its first value where doubles do not hold it.
+  TextRows(TextFormat format, const std::string& source, const TimeFinder& find = no_time);
 
   /// The table without rows.
   const Table& columns() const noexcept { return columns_; }
@@ -47,7 +61,8 @@ class TextRows {
   /// that are there.
   /// @param lines whole ones, or the rest of the text; the first ones are those in which the
   ///   format was found.
-  /// @throws DataError naming source, line and column of a ragged line or of text in a column.
+  /// @throws DataError naming source, line and column of a ragged line, of text in a column and
+  ///   of a comma that may stand for decimals or for thousands.
   void read(std::string_view lines, Table& table);
 
  private:
@@ -55,6 +70,10 @@ class TextRows {
   Table columns_;
   std::size_t skipped_;  ///< bytes in front of the rows
   std::size_t line_;     ///< number of the next line in the file
+  NumberStyle style_;
 };
+
+/// parse_text_table() with a time that is counted where doubles do not hold it.
+Table parse_text(std::string_view text, const std::string& source, const TimeFinder& find);
 
 }  // namespace lacuna

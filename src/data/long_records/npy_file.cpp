@@ -33,7 +33,7 @@ NpyFile::NpyFile(PositionedFile file, Table columns, LineNumbers lines)
       columns_(std::move(columns)),
       lines_(std::move(lines)) {}
 
-Matrix NpyFile::values(Index first, Index count) const {
+NpyFile::Bytes NpyFile::bytes_of(Index first, Index count) const {
   NpyHeader part = header_;
   part.rows = static_cast<std::size_t>(count);
   // In Fortran order each column lies by itself, else rows lie together.
@@ -41,11 +41,33 @@ Matrix NpyFile::values(Index first, Index count) const {
   const std::size_t blocks = by_column ? header_.columns : 1;
   const std::size_t row = header_.item_size * (by_column ? 1 : header_.columns);
   const std::size_t length = part.rows * row;
-  const auto bytes = std::make_unique_for_overwrite<char[]>(blocks * length);
+  auto bytes = std::make_unique_for_overwrite<char[]>(blocks * length);
   for (std::size_t i = 0; i < blocks; ++i)
     file_.read(header_.data_begin + (i * header_.rows + static_cast<std::size_t>(first)) * row,
                {bytes.get() + i * length, length});
-  return npy_values(part, {bytes.get(), blocks * length});
+  return {std::move(part), std::move(bytes), blocks * length};
+}
+
+void NpyFile::look_at_times(const TimeColumn& time) {
+  Table begin = columns_;
+  const Bytes first = bytes_of(0, std::min(rows(), kFirstTimes));
+  begin.values = npy_values(first.header, first.view());
+  const WrittenNumbers written = npy_written(first.header, first.data.get(), time.column);
+  count_times(begin, time, written);
+  columns_.notes = begin.notes;
+  columns_.counted = begin.counted;
+  if (begin.counted) origin_ = written.stamp(0);
+}
+
+Matrix NpyFile::values(Index first, Index count) const {
+  const Bytes bytes = bytes_of(first, count);
+  Matrix values = npy_values(bytes.header, bytes.view());
+  if (!origin_) return values;
+  const Index time = columns_.counted->column;
+  for (Index row = 0; row < count; ++row)
+    values(row, time) =
+        value_of(npy_stamp(bytes.header, bytes.data.get(), row, time) - *origin_);
+  return values;
 }
 
 std::optional<RowMajorMatrix> NpyFile::plain_rows(Index first, Index count) const {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/positioned_file.hpp"
+#include "data/formats/counted_times.hpp"
 #include "data/formats/npy_header.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "line_numbers.hpp"
@@ -36,6 +39,10 @@ class NpyFile {
   Table& columns() noexcept { return columns_; }
   const Table& columns() const noexcept { return columns_; }
 
+  /// Looks at the first times, and counts them from the first one from here on where doubles do
+  /// not hold them; the columns say so.
+  void look_at_times(const TimeColumn& time);
+
   /// Rows [first, first + count) as a table. Its places count from `first`.
   Table read(Index first, Index count) const;
 
@@ -52,10 +59,21 @@ class NpyFile {
   }
 
  private:
+  /// Rows as they stand in the file.
+  struct Bytes {
+    NpyHeader header;  ///< with the number of these rows
+    std::unique_ptr<char[]> data;
+    std::size_t size = 0;
+
+    std::string_view view() const { return {data.get(), size}; }
+  };
+  Bytes bytes_of(Index first, Index count) const;
+
   PositionedFile file_;
   NpyHeader header_;
   Table columns_;
   LineNumbers lines_;
+  std::optional<Stamp> origin_;  ///< from which the times are counted when they are read
 };
 
 }  // namespace lacuna

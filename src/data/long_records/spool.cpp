@@ -46,11 +46,13 @@ std::span<const char> bytes_of(const RowMajorMatrix& rows) {
 }  // namespace
 
 NpyFile open_rows(const std::filesystem::path& path, std::size_t memory,
-                  const RunContext& context) {
+                  const RunContext& context, const TimeFinder& find) {
   auto file = std::make_unique<OpenedFile>(path);
   if (file->kind != FileKind::Npy)
-    return spooled(*row_blocks(std::move(file), memory), context);
-  return file->has_places() ? NpyFile(path) : unpacked(*file, context);
+    return spooled(*row_blocks(std::move(file), memory, find), context);
+  NpyFile rows = file->has_places() ? NpyFile(path) : unpacked(*file, context);
+  if (const auto time = find(rows.columns())) rows.look_at_times(*time);
+  return rows;
 }
 
 NpyFile spooled(RowBlocks& blocks, const RunContext& context) {

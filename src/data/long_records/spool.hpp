@@ -15,10 +15,11 @@ namespace lacuna {
 /// $TMPDIR, in one pass, which has no name and is gone with what is returned. Messages name the
 /// file that was given, and its lines.
 /// @param memory that the pass may take, in bytes.
+/// @param find the time, which is counted from its first value where doubles do not hold it.
 /// @throws FileError, DataError as read_table(); FileError naming the folder, what is needed
 ///   and what to do where it has no room; DataError for kinds that cannot be read in blocks.
 NpyFile open_rows(const std::filesystem::path& path, std::size_t memory,
-                  const RunContext& context);
+                  const RunContext& context, const TimeFinder& find = no_time);
 
 /// The rows in a temporary file.
 NpyFile spooled(RowBlocks& blocks, const RunContext& context);

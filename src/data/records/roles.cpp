@@ -2,11 +2,13 @@
 #include "lacuna/data/records/roles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "blanks.hpp"
+#include "data/formats/time_names.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
@@ -45,14 +47,30 @@ std::vector<Index> columns_of(const Table& table, const std::vector<std::string>
   return columns;
 }
 
-/// The column called t, time, or one of them in other case, in this order.
+/// The name of a column as the file has it.
+const std::string& written_name(const Table& table, std::size_t column) {
+  const bool has_header = column < table.headers.size() && !table.headers[column].empty();
+  return has_header ? table.headers[column] : table.columns[column].name;
+}
+
+/// The first column whose name is the time with its unit: "time_ms", "Time in s".
+std::optional<Index> time_with_unit(const Table& table) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (const auto found = unit_in_name(written_name(table, i));
+        found && found->is_of_time && found->is_certain)
+      return static_cast<Index>(i);
+  return std::nullopt;
+}
+
+/// The column called t, time, or one of them in other case, or time with a unit, in this order.
 std::optional<Index> time_by_name(const Table& table) {
   const std::vector<std::string> names = names_of(table);
   if (const auto column = find_name(names, "t")) return column;
   std::vector<std::string> lower;
   for (const std::string& name : names) lower.push_back(lower_case(name));
   if (const auto column = find_name(lower, "time")) return column;
-  return find_name(lower, "t");
+  if (const auto column = find_name(lower, "t")) return column;
+  return time_with_unit(table);
 }
 
 bool contains(const std::vector<Index>& columns, Index column) {
@@ -85,6 +103,41 @@ void find_time(const Table& table, const ColumnRoles& roles, ColumnIndices& colu
   if (*columns.time == count)
     throw DataError(table.source, "every column has another role, none is left for the time",
                     "name the time column or give the sampling step");
+}
+
+/// Names of columns that count samples, not time.
+bool is_count(const std::string& name) {
+  constexpr std::array<std::string_view, 10> kCounts{"tick",   "ticks",   "frame", "frames",
+                                                     "sample", "samples", "index", "counter",
+                                                     "cycle",  "cycles"};
+  return std::find(kCounts.begin(), kCounts.end(), lower_case(name)) != kCounts.end();
+}
+
+/// Finds the unit of the time: in the header, or in the name of its column.
+void find_time_unit(const Table& table, const ColumnRoles& roles, ColumnIndices& columns) {
+  if (!columns.time || roles.time_unit) return;
+  const auto column = static_cast<std::size_t>(*columns.time);
+  const std::string& unit = table.columns[column].unit;
+  const std::string name = written_name(table, column);
+  const auto note = [&](const std::string& text) {
+    columns.notes.push_back(table.source + ": " + text);
+  };
+  const auto named = unit_in_name(name);
+  if (!unit.empty()) {
+    columns.time_unit = time_unit_symbol(unit).value_or(unit);
+    if (named && named->is_certain && named->unit != *columns.time_unit)
+      note("the time in column '" + name + "' is taken in its unit " + *columns.time_unit +
+           ", not in " + named->unit + " as its name says");
+  } else if (named && named->is_certain) {
+    columns.time_unit = named->unit;
+    note("the time is in " + named->unit + ", as the name of column '" + name + "' says");
+  } else if (named && named->unit != "s") {
+    note("nobody says the unit of the time in column '" + name + "'; give --time-unit " +
+         named->unit + " if that is meant");
+  } else if (is_count(name)) {
+    note("column '" + name +
+         "' is taken as the time; where it counts samples give their step with --dt");
+  }
 }
 
 /// Every column without a role becomes a state.
@@ -129,11 +182,15 @@ Quantity variable_of(const Table& table, Index column, std::vector<std::string>&
   return quantity;
 }
 
+/// Values that are no times: what was counted from its first value is as it was written again.
 Matrix gather(const Table& table, const TableRows& rows, const std::vector<Index>& columns) {
   Matrix values(rows.count, static_cast<Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    values.col(static_cast<Index>(i)) =
-        table.values.col(columns[i]).segment(rows.first, rows.count);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    auto column = values.col(static_cast<Index>(i));
+    column = table.values.col(columns[i]).segment(rows.first, rows.count);
+    if (table.counted && table.counted->column == columns[i])
+      column.array() += table.counted->first;
+  }
   return values;
 }
 
@@ -172,6 +229,7 @@ ColumnIndices find_columns(const Table& table, const ColumnRoles& roles) {
   else if (!table.run_column.empty())
     columns.trajectory = column_of(table, table.run_column);
   find_time(table, roles, columns);
+  find_time_unit(table, roles, columns);
   find_states(table, roles, columns);
   check_roles(table, columns);
   return columns;
@@ -201,10 +259,7 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   append(data.notes, columns.notes);
   for (const Index i : columns.states) data.states.push_back(variable_of(table, i, data.notes));
   for (const Index i : columns.inputs) data.inputs.push_back(variable_of(table, i, data.notes));
-  if (columns.time) {
-    const std::string& unit = table.columns[static_cast<std::size_t>(*columns.time)].unit;
-    if (!unit.empty()) data.time_unit = unit;
-  }
+  if (columns.time_unit) data.time_unit = *columns.time_unit;
   if (roles.time_unit) data.time_unit = *roles.time_unit;
   const Records records = split_records(table, columns);
   append(data.notes, records.notes);

@@ -93,6 +93,20 @@ struct NumberedRows {
                   "give every line the number of its record");
 }
 
+/// Numbers of records are told apart as whole doubles.
+void check_numbers(const Rows& rows) {
+  constexpr double kLargestExact = 9007199254740992.0;  // 2^53, a fact of doubles
+  if (!rows.columns.trajectory) return;
+  const auto numbers = rows.table.values.col(*rows.columns.trajectory);
+  Index row = 0;
+  if (numbers.size() == 0 || numbers.cwiseAbs().maxCoeff(&row) < kLargestExact) return;
+  const Index column = *rows.columns.trajectory;
+  throw DataError(place(rows.table, row, column),
+                  "the number of the record in column '" + rows.name(column) +
+                      "' has more digits than doubles hold",
+                  "number the records from 1");
+}
+
 [[noreturn]] void fail_no_value(const Rows& rows, Index column) {
   throw DataError(rows.table.source + ", column " + std::to_string(column + 1),
                   "column '" + rows.name(column) + "' has no values",
@@ -250,6 +264,7 @@ std::optional<double> gap_threshold(std::vector<double> steps) {
 
 Records split_records(const Table& table, const ColumnIndices& columns) {
   const Rows rows = with_missing(table, columns);
+  check_numbers(rows);
   const std::vector<NumberedRows> numbered = numbered_rows(rows);
   NoteList notes(table.source);
   std::vector<TableRows> ranges;

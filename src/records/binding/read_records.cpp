@@ -23,9 +23,7 @@ std::vector<std::string> columns_of(const Table& table) {
 Dataset assign_roles_for(const OdeModel& model, const Table& table, const ColumnRoles& roles) {
   Dataset data = assign_roles(table, roles);
   const ColumnIndices columns = find_columns(table, roles);
-  const bool said =
-      roles.time_unit.has_value() ||
-      (columns.time && !table.columns[static_cast<std::size_t>(*columns.time)].unit.empty());
+  const bool said = roles.time_unit || columns.time_unit;
   if (!said && !model.time_unit().empty() && model.time_unit() != "1")
     data.time_unit = model.time_unit();
   return data;

@@ -16,7 +16,9 @@ namespace lacuna {
 /// @throws FileError when it cannot be opened; DataError naming file, line and column.
 Table read_table(const std::filesystem::path& path);
 
-/// The same with columns called as ColumnRoles::names says.
+/// The same with columns called as ColumnRoles::names says and with the time counted from its
+/// first value where doubles do not hold its digits (19-digit nanoseconds, microseconds since
+/// 1970), which Table::counted and a note say.
 Table read_table(const std::filesystem::path& path, const ColumnRoles& roles);
 
 /// Paths with each pattern ("run*.csv") replaced by the files that match it, in the order of

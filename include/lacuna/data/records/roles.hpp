@@ -18,7 +18,7 @@ enum class Blanks {
 };
 
 /// Which column plays which role; what is not said is found by the rules of the data format:
-/// time is the column `t`, `time` or the first one, every other column is a state.
+/// time is the column `t`, `time`, `time_ms` or the first one, every other column is a state.
 /// A column is named as in the dataset ("Ch_1") or as in the file's header ("Ch 1").
 struct ColumnRoles {
   std::optional<std::string> time = {};       ///< name of the time column
@@ -49,14 +49,16 @@ struct ColumnIndices {
   std::vector<Index> inputs;       ///< p
   std::vector<Index> derivatives;  ///< m or none
   std::optional<Index> trajectory;
-  std::vector<std::string> notes;  ///< columns left out that a user might miss
+  std::optional<std::string> time_unit;  ///< in the header or the name of the time, if said
+  std::vector<std::string> notes;        ///< columns left out, units: what a user might miss
 
   /// Every column that has a role, in the order time, states, inputs, derivatives, trajectory.
   std::vector<Index> used() const;
 };
 
 /// Finds the columns. When a step is given, a column named `t` or `time` is left out, not a
-/// state.
+/// state. The unit of the time is that of its header ("msec" is ms), else the one in its name
+/// where that is certain ("time_ms"), which is noted, as is a name that may have one ("t_min").
 /// @throws DataError for a name that is no column, a column with two roles, no state, a number
 /// of
 ///   derivatives other than that of the states; ConfigError for a step that is not positive or

@@ -12,6 +12,12 @@
 
 namespace lacuna {
 
+/// A column whose values are counted from its first one, as doubles do not hold them.
+struct CountedColumn {
+  Index column = 0;
+  double first = 0.0;  ///< the value from which they are counted, rounded
+};
+
 /// Columns of numbers as they stand in a file, before they have roles.
 /// A missing value is NaN.
 struct Table {
@@ -30,6 +36,9 @@ struct Table {
 
   /// Name of a column that numbers the records, where the file says so itself; else empty.
   std::string run_column = {};
+
+  /// The time, where it was counted from its first value before it became doubles.
+  std::optional<CountedColumn> counted = {};
 
   /// What the reader did that a user should know of: names changed, a preamble skipped.
   std::vector<std::string> notes;

@@ -48,11 +48,27 @@ TEST(ByteStream, PartsOfAnySizeMakeUpTheFile) {
     }
 }
 
-TEST(ByteStream, MembersAreJoinedAndWhatIsBehindThemIsLeftOut) {
+TEST(ByteStream, MembersAreJoinedAndZerosBehindThemAreNothing) {
   const TemporaryFolder folder;
   const std::string text = numbered_lines();
   ByteStream stream(folder.write("a.gz", gzip(text) + gzip("end\n") + std::string(99, '\0')));
   EXPECT_EQ(read_in_parts(stream, 4096), text + "end\n");
+}
+
+TEST(ByteStream, WhatIsNotPackedBehindPackedDataIsTold) {
+  const TemporaryFolder folder;
+  const std::string text = numbered_lines();
+  // Behind the member at once, behind zeros, and beyond the first buffer.
+  for (const std::string& rest :
+       {std::string("9,9\n"), std::string(99, '\0') + "9",
+        std::string(std::size_t{1} << 20U, '\0') + "9", std::string("\x1f"), gzip("x") + "y"}) {
+    const std::string path = folder.write("a.gz", gzip(text) + rest);
+    const auto read = [&] {
+      ByteStream stream(path);
+      read_in_parts(stream, 4096);
+    };
+    testing::expect_error<DataError>(read, path, "behind the compressed data", "gzip -d");
+  }
 }
 
 TEST(ByteStream, KnowsHowFarItIs) {

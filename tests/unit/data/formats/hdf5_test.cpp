@@ -12,6 +12,11 @@
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/read.hpp"
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+#if HAS_HDF5
+#include "support/written_hdf5.hpp"
+#endif
 
 namespace lacuna {
 namespace {
@@ -85,6 +90,48 @@ TEST(Hdf5, DamageIsTold) {
   for (std::size_t size = 0; size + 512 < good.size(); size += 1024)
     EXPECT_THROW(parse_hdf5(good.substr(0, size), "a.h5"), DataError) << size;
 }
+
+#if HAS_HDF5
+TEST(Hdf5, LinksAreSaid) {
+  const testing::TemporaryFolder folder;
+  const std::vector<double> numbers{0.0, 1.0, 2.0, 3.0};
+  {
+    const testing::WrittenHdf5 file(folder.file("a.h5"));
+    file.add_group("run");
+    file.add("run/t", H5T_NATIVE_DOUBLE, numbers.data(), 4);
+    file.add("run/x", H5T_NATIVE_DOUBLE, numbers.data(), 4);
+    file.add_soft_link("alias", "/run/x");
+    file.add_soft_link("nothing", "/run/none");
+    file.add_soft_link("run/circle", "/");
+  }
+  for (const bool in_blocks : {false, true}) {
+    const Table table = in_blocks ? hdf5_blocks(folder.file("a.h5"), {1000, 1000})->columns()
+                                  : read_table(folder.file("a.h5"));
+    ASSERT_EQ(table.columns.size(), 2u);
+    EXPECT_EQ(table.columns[1].name, "x");
+    EXPECT_THAT(
+        table.notes,
+        ::testing::UnorderedElementsAre(
+            ::testing::HasSubstr("'alias' leads to '/run/x', which is read by its own name"),
+            ::testing::HasSubstr("'nothing' leads to '/run/none', where nothing is"),
+            ::testing::HasSubstr("'run.circle' leads to '/'")));
+  }
+}
+
+TEST(Hdf5, OtherFilesAreNotOpened) {
+  const testing::TemporaryFolder folder;
+  const std::vector<double> numbers{0.0, 1.0, 2.0};
+  for (const char* name : {"a.h5", "b.h5"}) {
+    const testing::WrittenHdf5 file(folder.file(name));
+    file.add("t", H5T_NATIVE_DOUBLE, numbers.data(), 3);
+    file.add("x", H5T_NATIVE_DOUBLE, numbers.data(), 3);
+    if (name[0] == 'a') file.add_external_link("y", folder.file("b.h5"), "/x");
+  }
+  testing::expect_error<DataError>([&] { read_table(folder.file("a.h5")); },
+                                   folder.file("a.h5"), "'y' is a link to another file",
+                                   "copy what it leads to");
+}
+#endif
 
 }  // namespace
 }  // namespace lacuna

@@ -7,7 +7,9 @@
 
 #include "data/formats/npy.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/written_arrays.hpp"
 
 namespace lacuna {
 namespace {
@@ -40,7 +42,8 @@ std::string archive(const std::vector<std::pair<std::string, Matrix>>& arrays, b
     write_npy(folder.file("a.npy"), values);
     const std::string content = folder.read("a.npy");
     const std::string stored = pack ? deflated(content) : content;
-    const std::string common = little(pack ? 8 : 0, 2) + little(0, 8) +
+    const auto crc = crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
+    const std::string common = little(pack ? 8 : 0, 2) + little(0, 4) + little(crc, 4) +
                                little(stored.size(), 4) + little(content.size(), 4) +
                                little(name.size(), 2);
     directory += "PK\x01\x02" + little(20, 2) + little(20, 2) + little(0, 2) + common +
@@ -66,6 +69,43 @@ TEST(Npz, ArraysAreColumns) {
     EXPECT_EQ(table.values.rightCols(2), x);
     EXPECT_THAT(table.notes.at(0),
                 ::testing::HasSubstr("'note' has 1 x 1 values, not 50 samples"));
+  }
+}
+
+TEST(Npz, WhatIsNoMatrixIsLeftOutAndNoted) {
+  const std::string words = testing::bytes_of({1, 2, 3, 4, 5, 6, 7, 8});
+  const std::string file = testing::zip_archive(
+      {{"t.npy", testing::npy_file("'<i8'", "(8,)", words)},
+       {"fs.npy", testing::npy_file("'<f8'", "()", words.substr(0, 8))},
+       {"who.npy", testing::npy_file("'<U2'", "(8,)", words)},
+       {"cube.npy", testing::npy_file("'<i8'", "(2, 2, 2)", words)},
+       {"z.npy", testing::npy_file("'<c16'", "(4,)", words)},
+       {"o.npy", testing::npy_file("'|O'", "(8,)", words)},
+       {"none.npy", testing::npy_file("'<f8'", "(0,)", "")},
+       {"readme.txt", "made by hand"},
+       {"run.npy",
+        testing::npy_file("[('x', '<i2'), ('y', '<i2'), ('w', '<f4')]", "(8,)", words)}});
+  const Table table = parse_npz(file, "a.npz");
+  std::vector<std::string> names;
+  for (const Quantity& column : table.columns) names.push_back(column.name);
+  EXPECT_THAT(names, ::testing::ElementsAre("t", "run_x", "run_y", "run_w"));
+  EXPECT_EQ(table.values(3, 0), 4.0);
+  EXPECT_EQ(table.values(3, 1), 4.0) << "the first two bytes of the word";
+  for (const char* name : {"fs", "who", "cube", "z", "o", "none", "readme.txt"})
+    EXPECT_THAT(table.notes, ::testing::Contains(::testing::HasSubstr(
+                                 "'" + std::string(name) + "' is neither a vector")));
+}
+
+TEST(Npz, AWrongChecksumIsTold) {
+  const std::string good = archive({{"t.npy", Vector::Ones(9)}}, false);
+  EXPECT_NO_THROW(parse_npz(good, "a.npz"));
+  const std::size_t number = good.find("PK\x01\x02") - 8;  // the last of the numbers
+  for (std::size_t at = number; at < number + 8; ++at) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 1);
+    testing::expect_error<DataError>([&] { parse_npz(bad, "a.npz"); }, "a.npz",
+                                     "'t.npy' is damaged: it is not what its checksum says",
+                                     "numpy.savez");
   }
 }
 

@@ -115,6 +115,29 @@ TEST(ReadText, RefusesWhatIsNoText) {
                           "UTF-8");
 }
 
+TEST(ReadText, ACommaThatMayStandForThousandsIsRefused) {
+  const auto refused = [](const std::string& text, const std::string& place) {
+    expect_error<DataError>([&] { parse(text); }, place, "of decimals or of thousands",
+                            "decimal point");
+  };
+  refused("t,x\n0,\"1,001\"\n1,\"1,002\"\n", "a.csv:2:2");
+  refused("t,x\n0,\"1,5\"\n1,\"-12,002\"\n", "a.csv:3:2");
+  refused("t,x,y\n0,0.5,\"0,5\"\n1,1,2\n", "a.csv:2:3");
+  refused("t;x\n0.1;1\n0.2;1,001\n", "a.csv:3:2");
+  refused("t\tx\n0.1\t999\n0.2\t1,001\n", "a.csv:3:2");
+  refused("time,x\n10:00:00,\"1,001\"\n10:00:01,\"1,002\"\n", "a.csv:2:2");
+}
+
+TEST(ReadText, DecimalCommasThatCanBeNothingElseAreRead) {
+  EXPECT_EQ(parse("t;x\n0;1,001\n1;1,002\n").values.col(1), Eigen::Vector2d(1.001, 1.002));
+  EXPECT_EQ(parse("t,x\n0,\"1,5\"\n1,\"0,125\"\n").values.col(1), Eigen::Vector2d(1.5, 0.125));
+  EXPECT_EQ(parse("t,x\n0,\"1234,567\"\n1,\"1,0015\"\n").values.col(1),
+            Eigen::Vector2d(1234.567, 1.0015));
+  EXPECT_EQ(parse("t;x\n10:00:00,5;1,001\n10:00:01;1,002\n").values.col(1),
+            Eigen::Vector2d(1.001, 1.002))
+      << "the point in the time is made by the reader";
+}
+
 /// A mutated text either parses into a table of the right shape or is refused.
 void parse_mutated(const std::string& text) {
   try {

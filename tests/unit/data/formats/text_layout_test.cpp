@@ -47,6 +47,25 @@ TEST(TextLayout, TakesNamesAndUnitsFromTheHeader) {
   EXPECT_FALSE(layout.note);
 }
 
+TEST(TextLayout, ALineBelowTheNamesThatHasAUnitOfTimeIsOneOfUnits) {
+  const TextLayout layout = find_layout("Time,Speed,Volt\nms,rpm,V\n0,0.5,5\n", "a");
+  EXPECT_THAT(names_of(layout), ElementsAre("Time", "Speed", "Volt"));
+  EXPECT_THAT(units_of(layout), ElementsAre("ms", "rpm", "V"));
+  EXPECT_EQ(layout.header_line, 1u);
+  EXPECT_FALSE(layout.note);
+  EXPECT_THAT(units_of(find_layout("x;t\nm/s^2;us\n1;2\n", "a")), ElementsAre("m/s^2", "us"));
+  EXPECT_THAT(units_of(find_layout("Zeit;T;n\n[min];[\u00b0C];-\n1;2;3\n", "a")),
+              ElementsAre("min", "\u00b0C", ""));
+  EXPECT_THAT(units_of(find_layout("stamp\tx\nsec\tmV\n1\t2\n", "a")), ElementsAre("s", "mV"));
+}
+
+TEST(TextLayout, TwoLinesOfTextAreNotAlwaysNamesAndUnits) {
+  EXPECT_THAT(names_of(find_layout("Channel A,Channel B\ns,x\n0,1\n", "a")),
+              ElementsAre("s", "x"))
+      << "nothing says that the first column is the time";
+  EXPECT_THAT(names_of(find_layout("Time,Speed\nt,w\n0,1\n", "a")), ElementsAre("t", "w"));
+}
+
 TEST(TextLayout, GoesWithoutHeader) {
   const TextLayout layout = find_layout("0 1 2\n", "a");
   EXPECT_EQ(layout.columns(), 3u);

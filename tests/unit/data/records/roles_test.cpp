@@ -142,6 +142,45 @@ TEST(AssignRoles, AStateCalledTGetsAnotherName) {
   EXPECT_THAT(data.notes, Contains(HasSubstr("'t' is called 't_'")));
 }
 
+TEST(AssignRoles, TheNameOfTheTimeMaySayItsUnit) {
+  for (const auto& [header, unit] :
+       std::vector<std::pair<std::string, std::string>>{{"time_ms", "ms"},
+                                                        {"Time in ms", "ms"},
+                                                        {"millis", "ms"},
+                                                        {"t (us)", "us"},
+                                                        {"timestamp_ns", "ns"},
+                                                        {"Time [msec]", "ms"},
+                                                        {"time_s", "s"},
+                                                        {"t", "s"}}) {
+    const Table table = parse_text_table(header + ",x\n0,1\n1,2\n", "a.csv");
+    EXPECT_EQ(assign_roles(table, {}).time_unit, unit) << header;
+  }
+  const Table table = parse_text_table("time_ms,x\n0,1\n1,2\n", "a.csv");
+  EXPECT_THAT(assign_roles(table, {}).notes,
+              ElementsAre("a.csv: the time is in ms, as the name of column 'time_ms' says"));
+  EXPECT_EQ(assign_roles(table, {.time_unit = "us"}).time_unit, "us");
+  EXPECT_THAT(assign_roles(table, {.time_unit = "us"}).notes, IsEmpty());
+}
+
+TEST(AssignRoles, AUnitThatIsNotCertainIsSaid) {
+  const auto notes = [](const std::string& header) {
+    const Dataset data = assign_roles(parse_text_table(header + ",x\n0,1\n1,2\n", "a.csv"), {});
+    EXPECT_EQ(data.time_unit, "s");
+    return data.notes;
+  };
+  EXPECT_THAT(notes("t_min"), ElementsAre(HasSubstr("give --time-unit min if that is meant")));
+  EXPECT_THAT(notes("frame"), ElementsAre(HasSubstr("give their step with --dt")));
+  EXPECT_THAT(notes("time_ms [s]"), ElementsAre(HasSubstr("not in ms as its name says")));
+  EXPECT_THAT(notes("t"), IsEmpty());
+  EXPECT_THAT(notes("s"), IsEmpty());
+}
+
+TEST(FindColumns, TimeWithAUnitIsTheTimeWhereverItStands) {
+  EXPECT_EQ(find_columns(table_of("x,time_ms,y"), {}).time, 1);
+  EXPECT_EQ(find_columns(table_of("x,time_constant_ms,y"), {}).time, 0);
+  EXPECT_EQ(find_columns(table_of("time_ms,t,x"), {}).time, 1) << "t goes before it";
+}
+
 TEST(AssignRoles, AGivenUnitOfTheTimeGoesBeforeTheHeader) {
   const Table table = parse_text_table("t [s],x\n1,2\n2,3\n", "a.csv");
   EXPECT_EQ(assign_roles(table, {}).time_unit, "s");

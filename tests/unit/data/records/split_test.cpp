@@ -163,6 +163,15 @@ TEST(Split, RefusesWhatLeavesNoRecord) {
                           "a.csv:3:1", "number of the record is missing", "every line");
 }
 
+TEST(SplitRecords, NumbersOfRecordsThatDoublesDoNotTellApartAreRefused) {
+  expect_error<DataError>(
+      [] {
+        split("run,t,x\n1,0,1\n1,1,1\n9007199254740993,0,1\n9007199254740992,1,1\n",
+              {.trajectory = "run"});
+      },
+      "a.csv:4:1", "more digits than doubles hold", "number the records from 1");
+}
+
 TEST(GapThreshold, NeedsAUsualStep) {
   EXPECT_DOUBLE_EQ(*gap_threshold({1, 1, 1, 1, 9}), 1.5);
   EXPECT_DOUBLE_EQ(*gap_threshold({1, 1.5, 1.2, 1.4, 1.3, 80}), 7.5);
