@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/check.hpp"
 #include "subset_fit.hpp"
 
 namespace lacuna {
@@ -36,6 +37,11 @@ double sweep(const Matrix& gram, ElasticPenalty penalty, Vector& z, Vector& slop
 
 Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty penalty,
                    Vector start, const RunContext& context) {
+  check_argument(triangle.rows() == target.size() && triangle.cols() == start.size(),
+                 "elastic_net", "triangle, target and start have different sizes");
+  check_argument(triangle.allFinite() && target.allFinite() && start.allFinite() &&
+                     penalty.l1 >= 0.0 && penalty.l2 >= 0.0,
+                 "elastic_net", "a number is not finite or a penalty is negative");
   constexpr int kMostSweeps = 2000;
   constexpr double kTolerance = 1e-9;  // of the target
   const Matrix gram = triangle.transpose() * triangle;

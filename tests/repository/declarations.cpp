@@ -117,16 +117,42 @@ Flat flatten(const std::string& head) {
   return flat;
 }
 
-int count_parameters(const std::string& group) {
-  if (const std::string text = trimmed(group); text.empty() || text == "void") return 0;
-  const std::string text = flatten(group).text;
-  return 1 + static_cast<int>(std::count(text.begin(), text.end(), ','));
+/// The pieces between commas that stand in no brackets, without initialisers.
+std::vector<std::string> pieces_of(const std::string& list) {
+  std::vector<std::string> pieces(1);
+  bool is_value = false;
+  for (std::size_t at = 0; at < list.size(); ++at) {
+    std::size_t end = at;
+    if (std::string("([{").find(list[at]) != std::string::npos) end = closing(list, at);
+    if (list[at] == '<' && !is_value) end = closing_angle(list, at);
+    if (list[at] == ',') pieces.emplace_back();
+    is_value = list[at] == '=' || (is_value && list[at] != ',');
+    if (list[at] != ',' && !is_value) pieces.back() += list.substr(at, end - at + 1);
+    at = end;
+  }
+  return pieces;
 }
 
-/// The name in front of the parameters of a declaration, and their number.
+/// "const Matrix&" of the parameter "const Matrix& a = {}".
+std::string type_of(const std::string& parameter) {
+  static const std::regex blanks(R"(\s+)");
+  static const std::regex named(R"((.*[\s&*>])\w+)");
+  const std::string text = std::regex_replace(trimmed(parameter), blanks, " ");
+  std::smatch match;
+  return trimmed(std::regex_match(text, match, named) ? match[1].str() : text);
+}
+
+std::vector<std::string> types_of(const std::string& group) {
+  if (const std::string text = trimmed(group); text.empty() || text == "void") return {};
+  std::vector<std::string> types;
+  for (const std::string& piece : pieces_of(group)) types.push_back(type_of(piece));
+  return types;
+}
+
+/// The name in front of the parameters of a declaration, and their types.
 struct Signature {
   std::string name;
-  int parameters = 0;
+  std::vector<std::string> types = {};
 };
 
 /// The signature of a function's declaration; an empty name for anything else.
@@ -142,7 +168,7 @@ Signature signature_of(const Flat& flat) {
     for (std::size_t at = flat.text.find("()"); at + 2 < end; at = flat.text.find("()", at + 2))
       ++group;
     if (name == "operator" || name.ends_with("::operator")) ++group;  // operator()
-    return {name, count_parameters(flat.groups.at(group))};
+    return {name, types_of(flat.groups.at(group))};
   }
   return {};
 }
@@ -156,16 +182,22 @@ bool is_class(const std::string& head) {
   return word == "class" || word == "struct" || word == "union";
 }
 
-/// How many members a declaration in a class adds that can change.
-int mutable_members(const std::string& head) {
+/// Names of the members that a declaration in a class adds and that can change.
+std::vector<std::string> mutable_members(const std::string& head) {
   static const std::set<std::string> others = {"using", "typedef", "friend", "static",   "enum",
                                                "class", "struct",  "union",  "template", ""};
   const Flat flat = flatten(head);
-  if (others.contains(first_word(head)) || !flat.groups.empty()) return 0;
+  if (others.contains(first_word(head)) || !flat.groups.empty()) return {};
   const bool is_pointer = flat.text.find('*') != std::string::npos;
-  if (flat.text.find('&') != std::string::npos) return 0;
-  if (first_word(head) == "const" && !is_pointer) return 0;
-  return 1 + static_cast<int>(std::count(flat.text.begin(), flat.text.end(), ','));
+  if (flat.text.find('&') != std::string::npos) return {};
+  if (first_word(head) == "const" && !is_pointer) return {};
+  std::vector<std::string> names;
+  for (const std::string& piece : pieces_of(flat.text)) {
+    const std::string text = trimmed(piece);
+    const auto begin = std::find_if_not(text.rbegin(), text.rend(), is_word);
+    names.emplace_back(begin.base(), text.end());
+  }
+  return names;
 }
 
 /// Whether the "{" at the end of a function's head begins the value of a member: " : x_".
@@ -182,7 +214,9 @@ struct Scope {
   std::string owner;
   bool is_class = false;
   bool is_public = true;
-  std::size_t place = 0;  ///< of the class among those read
+  std::size_t place = 0;     ///< of the class among those read
+  bool is_reachable = true;  ///< the class itself is public
+  bool is_template = false;
 };
 
 class Reader {
@@ -205,9 +239,11 @@ class Reader {
       if (c == ';') {
         declare(head, start, at, scope);
         start = at + 1;
+        is_template_ = false;
       } else if (c == '<' && head == "template") {
         at = closing_angle(text_, at);
         start = at + 1;
+        is_template_ = true;
       } else if (c == ':' && (head == "public" || head == "private" || head == "protected")) {
         scope.is_public = head == "public";
         start = at + 1;
@@ -220,7 +256,10 @@ class Reader {
                    : at + 1;
       } else if (c == '{') {
         const std::size_t close = closing(text_, at);
-        if (open(head, start, at, scope)) start = close + 1;
+        if (open(head, start, at, scope)) {
+          start = close + 1;
+          is_template_ = false;
+        }
         at = close;
       }
     }
@@ -230,26 +269,38 @@ class Reader {
   bool open(const std::string& head, std::size_t start, std::size_t at, const Scope& scope) {
     const std::size_t close = closing(text_, at);
     const std::string word = first_word(head);
+    const bool is_template = is_template_ || scope.is_template;
     if (word == "namespace") {
       read_scope(at + 1, close, {});
       return true;
     }
     if (is_class(head)) {
-      const Scope inner = add_class(head, start, scope);
+      Scope inner = add_class(head, start, scope);
+      inner.is_template = found_.classes.back().is_template = is_template;
+      is_template_ = false;
       read_scope(at + 1, close, inner);
       return false;
     }
     if (word == "enum" || initialises_member(head)) return false;
     if (signature_of(flatten(head)).name.empty()) return false;
-    add_function(head, start, close, scope).has_body = true;
+    FunctionText& function = add_function(head, start, close, scope);
+    function.has_body = true;
+    function.is_template = is_template;
     return true;
   }
 
   void declare(const std::string& head, std::size_t start, std::size_t at, const Scope& scope) {
     static const std::set<std::string> others = {"using", "typedef", "friend", "static_assert"};
     if (others.contains(first_word(head))) return;
-    if (scope.is_class) found_.classes[scope.place].mutable_members += mutable_members(head);
+    if (scope.is_class) add_members(mutable_members(head), at, scope);
     if (!signature_of(flatten(head)).name.empty()) add_function(head, start, at, scope);
+  }
+
+  void add_members(const std::vector<std::string>& names, std::size_t at, const Scope& scope) {
+    ClassText& type = found_.classes[scope.place];
+    type.mutable_members += static_cast<int>(names.size());
+    if (!scope.is_public) return;
+    for (const std::string& name : names) type.members.push_back({name, line_at(at)});
   }
 
   Scope add_class(const std::string& head, std::size_t start, const Scope& scope) {
@@ -258,8 +309,9 @@ class Reader {
     std::smatch match;
     std::regex_search(text, match, pattern);
     const std::string name = (scope.owner.empty() ? "" : scope.owner + "::") + match[1].str();
-    found_.classes.push_back({name, line_at(start), 0});
-    return {name, true, first_word(head) != "class", found_.classes.size() - 1};
+    const bool is_reachable = scope.is_public && scope.is_reachable;
+    found_.classes.push_back({.name = name, .line = line_at(start), .is_public = is_reachable});
+    return {name, true, first_word(head) != "class", found_.classes.size() - 1, is_reachable};
   }
 
   FunctionText& add_function(const std::string& head, std::size_t start, std::size_t end,
@@ -272,8 +324,13 @@ class Reader {
     function.name = is_qualified ? signature.name.substr(colon + 2) : signature.name;
     function.first = line_at(start);
     function.last = line_at(end);
-    function.parameters = signature.parameters;
-    function.is_public = scope.is_public;
+    static const std::regex deleted(R"(=\s*delete\s*$)");
+    function.types = signature.types;
+    function.parameters = static_cast<int>(signature.types.size());
+    function.is_public = scope.is_public && scope.is_reachable;
+    function.is_static = first_word(head) == "static";
+    function.is_template = is_template_ || scope.is_template;
+    function.is_deleted = std::regex_search(head, deleted);
     found_.functions.push_back(function);
     return found_.functions.back();
   }
@@ -287,6 +344,7 @@ class Reader {
 
   const std::string text_;
   Declarations found_;
+  bool is_template_ = false;  ///< the declaration that is being read is one
 };
 
 }  // namespace

@@ -16,16 +16,29 @@ struct FunctionText {
   std::size_t first = 0;  ///< line where it begins, from 1
   std::size_t last = 0;   ///< line of its ";" or of the "}" of its body
   int parameters = 0;
+  std::vector<std::string> types = {};  ///< of the parameters, as they are written
   bool has_body = false;
-  bool is_public = true;  ///< not below "private:" or "protected:"
+  bool is_public = true;     ///< not below "private:" or "protected:", nor is its class
+  bool is_static = false;    ///< a member that needs no object
+  bool is_template = false;  ///< or a member of a class template
+  bool is_deleted = false;
 
   std::size_t lines() const { return last - first + 1; }
+};
+
+/// A member that is data and can change.
+struct MemberText {
+  std::string name;
+  std::size_t line = 0;
 };
 
 /// A class, struct or union with its body.
 struct ClassText {
   std::string name;  ///< with the classes around it: "A::B"
   std::size_t line = 0;
+  bool is_public = true;                 ///< not below "private:" or "protected:"
+  bool is_template = false;              ///< or in a class template
+  std::vector<MemberText> members = {};  ///< those that are public
   int mutable_members = 0;  ///< data that is neither static nor const nor a reference
 };
 

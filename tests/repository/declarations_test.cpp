@@ -120,6 +120,40 @@ TEST(Declarations, ConstructorWithManyInitialisersIsOneFunction) {
   EXPECT_EQ(function.last, 7u);
 }
 
+TEST(Declarations, ParametersHaveTypesAsTheyAreWritten) {
+  const auto types = [](const std::string& code) { return only_function(code).types; };
+  using Types = std::vector<std::string>;
+  EXPECT_EQ(types("void f();"), Types{});
+  EXPECT_EQ(types("void f(const Matrix& a, std::span<const double> b = {}, Index = 1 << 2);"),
+            (Types{"const Matrix&", "std::span<const double>", "Index"}));
+  EXPECT_EQ(types("void f(std::map<int, int> a, const std::function<void(int, int)>&);"),
+            (Types{"std::map<int, int>", "const std::function<void(int, int)>&"}));
+  EXPECT_EQ(types("void f(const std::vector<Index>&\n     numbers, double* out);"),
+            (Types{"const std::vector<Index>&", "double*"}));
+}
+
+TEST(Declarations, FunctionsSayWhatTheyAre) {
+  EXPECT_TRUE(only_function("struct A { static A of(int a); };").is_static);
+  EXPECT_TRUE(only_function("struct A { A(int) = delete; };").is_deleted);
+  EXPECT_FALSE(only_function("struct A { A(int) = default; };").is_deleted);
+  const Declarations found = read(R"(
+template <class T> struct A { void f(T a); };
+void g(int a);
+template <class T> void h(T a) {}
+class B { struct C { int d; void i(); }; int e; public: int f, g; };
+)");
+  ASSERT_EQ(found.functions.size(), 4u);
+  EXPECT_TRUE(found.functions[0].is_template);
+  EXPECT_FALSE(found.functions[1].is_template);
+  EXPECT_TRUE(found.functions[2].is_template);
+  EXPECT_FALSE(found.functions[3].is_public);
+  ASSERT_EQ(found.classes.size(), 3u);
+  EXPECT_FALSE(found.classes[2].is_public);
+  ASSERT_EQ(found.classes[1].members.size(), 2u);
+  EXPECT_EQ(found.classes[1].members[1].name, "g");
+  EXPECT_EQ(found.classes[1].members[1].line, 5u);
+}
+
 TEST(Declarations, OnlyMembersThatCanChangeCount) {
   EXPECT_EQ(members_of("struct A { int a; const int b = 1; int& c; const int& d; };"), 1);
   EXPECT_EQ(members_of("struct A { const int* a; static int b; mutable int c = f(1); };"), 2);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include "lacuna/core/base/options.hpp"
@@ -41,6 +42,7 @@ struct ElasticPenalty {
 /// argmin_z |c - R z|^2 + l1 sum_j |z_j| + l2 / 2 sum_j z_j^2 by coordinate descent from
 /// `start`.
 /// @param triangle R, k x k; @param target c, k.
+/// @throws ArgumentError when sizes differ, a number is not finite or a penalty is negative.
 Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty penalty,
                    Vector start, const RunContext& context = {});
 

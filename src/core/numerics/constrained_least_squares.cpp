@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/core/numerics/least_squares.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 
@@ -27,6 +27,9 @@ ConstrainedSolution constrained_least_squares(const Matrix& r, const Vector& c, 
   if (r.cols() != a.cols() || r.rows() != c.size() || a.rows() != b.size())
     throw ArgumentError("constrained least squares", "the shapes do not fit",
                         "give one row of A for each entry of b, one column for each unknown");
+  if (!r.allFinite() || !c.allFinite() || !a.allFinite() || !b.allFinite())
+    return {Vector::Constant(r.cols(), std::numeric_limits<double>::quiet_NaN()),
+            Vector::Constant(r.cols(), std::numeric_limits<double>::infinity())};
   // Columns of unit length, so that pivots can be compared.
   Vector scale = r.colwise().norm();
   for (double& norm : scale) norm = norm > 0.0 ? 1.0 / norm : 1.0;
@@ -51,6 +54,8 @@ ConstrainedSolution constrained_least_squares(const Matrix& r, const Vector& c, 
 }
 
 bool is_feasible(const Matrix& a, const Vector& b) {
+  check_argument(a.rows() == b.size(), "is_feasible", "A and b differ in rows",
+                 "give one row of A for each entry of b");
   if (a.rows() == 0) return true;
   const Vector h = smallest_least_squares(a, b);
   constexpr double kRounding = 1e-9;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -107,6 +109,10 @@ class GramDeflation {
   Matrix shares_;  ///< of the columns in the directions that were taken
 };
 
+void check_first(const ForwardLimits& limits, Index columns) {
+  for (const Index j : limits.first) check_number(j, columns, "forward_order", "column");
+}
+
 template <class Columns>
 ForwardOrder ordered(Columns columns, const ForwardLimits& limits, const RunContext& context) {
   ForwardOrder order;
@@ -128,11 +134,19 @@ ForwardOrder ordered(Columns columns, const ForwardLimits& limits, const RunCont
 
 ForwardOrder forward_order(const Eigen::Ref<const Matrix>& columns, const Vector& target,
                            const ForwardLimits& limits, const RunContext& context) {
+  check_argument(columns.rows() == target.size(), "forward_order",
+                 "columns and target differ in rows");
+  check_first(limits, columns.cols());
   return ordered(Deflation(columns, target), limits, context);
 }
 
 ForwardOrder forward_order_in_gram(const Matrix& gram, Index q, Index target,
                                    const ForwardLimits& limits, const RunContext& context) {
+  check_argument(gram.rows() == gram.cols(), "forward_order", "the Gram matrix is not square");
+  check_number(target, gram.cols(), "forward_order", "target");
+  check_argument(q >= 0 && q <= target, "forward_order", "the target is among the columns",
+                 "give the columns first");
+  check_first(limits, q);
   return ordered(GramDeflation(gram, q, target), limits, context);
 }
 

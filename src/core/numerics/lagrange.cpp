@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 
 namespace lacuna {
 namespace {
@@ -16,6 +16,7 @@ void check_samples(const Vector& time, const Matrix& values, Index points) {
                         std::to_string(time.size()) + " samples are too few for a polynomial " +
                             "through " + std::to_string(points),
                         "use a method of lower order or a longer record");
+  check_times(time, 1, "interpolation");
 }
 
 }  // namespace
@@ -39,8 +40,10 @@ LagrangeInterpolant::LagrangeInterpolant(const Vector& time, const Matrix& value
 }
 
 void LagrangeInterpolant::select(Index interval) {
-  const Index first =
-      std::clamp<Index>(interval - window_.before, 0, time_.size() - window_.points);
+  const Index last = time_.size() - 1;
+  const Index first = std::clamp<Index>(
+      std::clamp<Index>(interval, 0, last) - std::clamp<Index>(window_.before, -last, last), 0,
+      time_.size() - window_.points);
   if (first == first_) return;
   first_ = first;
   prepare();

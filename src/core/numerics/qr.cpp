@@ -2,8 +2,32 @@
 #include "lacuna/core/numerics/qr.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "core/base/check.hpp"
 
 namespace lacuna {
+namespace {
+
+using PivotedFactor = Eigen::ColPivHouseholderQR<Matrix>;
+
+bool is_empty(const PivotedFactor& factor) { return factor.rows() == 0 || factor.cols() == 0; }
+
+/// Whether nothing is decomposed, so that Q is the identity.
+bool is_void(const PivotedFactor& factor) {
+  return is_empty(factor) || !factor.matrixQR().allFinite();
+}
+
+double void_solution(const PivotedFactor& factor) {
+  return is_empty(factor) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+}
+
+void check_qr_rows(Index rows, Index given) {
+  check_argument(given == rows, "QR", "the argument has not as many rows as the matrix");
+}
+
+}  // namespace
 
 Qr::Qr(const Matrix& a) : factor_(a) {}
 
@@ -18,14 +42,19 @@ Matrix Qr::basis() const {
   return factor_.householderQ() * Matrix::Identity(n, std::min(n, factor_.cols()));
 }
 
-Matrix Qr::times(const Matrix& b) const { return factor_.householderQ() * b; }
+Matrix Qr::times(const Matrix& b) const {
+  check_qr_rows(factor_.rows(), b.rows());
+  return factor_.householderQ() * b;
+}
 
 Matrix Qr::transposed_times(const Matrix& b) const {
+  check_qr_rows(factor_.rows(), b.rows());
   return factor_.householderQ().adjoint() * b;
 }
 
 // Q = H_1 ... H_m = 1 - V T V' (Schreiber & Van Loan 1989).
 void Qr::apply_on_the_right(Eigen::Ref<Matrix> b) const {
+  check_argument(b.cols() == factor_.rows(), "QR", "the argument has other columns than Q");
   const Index m = std::min(factor_.rows(), factor_.cols());
   Matrix v = factor_.matrixQR().leftCols(m).triangularView<Eigen::StrictlyLower>();
   v.diagonal().setOnes();
@@ -42,40 +71,62 @@ void Qr::apply_on_the_right(Eigen::Ref<Matrix> b) const {
 PivotedQr::PivotedQr(const Matrix& a, std::optional<double> share)
     : factor_(a.rows(), a.cols()) {
   if (share) factor_.setThreshold(*share);
-  factor_.compute(a);
+  if (a.size() > 0) factor_.compute(a);
 }
 
-Index PivotedQr::rank() const { return factor_.rank(); }
+Index PivotedQr::rank() const { return is_void(factor_) ? 0 : factor_.rank(); }
 
-Vector PivotedQr::pivots() const { return factor_.matrixQR().diagonal().cwiseAbs(); }
+Vector PivotedQr::pivots() const {
+  if (is_void(factor_)) return Vector::Zero(std::min(factor_.rows(), factor_.cols()));
+  return factor_.matrixQR().diagonal().cwiseAbs();
+}
 
 std::vector<Index> PivotedQr::order() const {
+  if (is_void(factor_)) {
+    std::vector<Index> order(static_cast<std::size_t>(factor_.cols()));
+    std::iota(order.begin(), order.end(), Index{0});
+    return order;
+  }
   const auto& indices = factor_.colsPermutation().indices();
   return {indices.begin(), indices.end()};
 }
 
 Matrix PivotedQr::basis() const {
+  if (is_void(factor_)) return Matrix(factor_.rows(), 0);
   return factor_.householderQ() * Matrix::Identity(factor_.rows(), rank());
 }
 
 Matrix PivotedQr::complement() const {
   const Index n = factor_.rows();
+  if (is_void(factor_)) return Matrix::Identity(n, n);
   return factor_.householderQ() * Matrix::Identity(n, n).rightCols(n - rank());
 }
 
 Matrix PivotedQr::inverse_triangle() const {
   const Index r = rank();
+  if (r == 0) return Matrix(0, 0);
   return factor_.matrixQR().topLeftCorner(r, r).triangularView<Eigen::Upper>().solve(
       Matrix::Identity(r, r));
 }
 
 Vector PivotedQr::transposed_times(const Vector& b) const {
+  check_qr_rows(factor_.rows(), b.rows());
+  if (is_void(factor_)) return b;
   return factor_.householderQ().adjoint() * b;
 }
 
-Matrix PivotedQr::solve(const Matrix& b) const { return factor_.solve(b); }
+Matrix PivotedQr::solve(const Matrix& b) const {
+  check_qr_rows(factor_.rows(), b.rows());
+  if (is_void(factor_))
+    return Matrix::Constant(factor_.cols(), b.cols(), void_solution(factor_));
+  return factor_.solve(b);
+}
 
-Vector PivotedQr::solve(const Vector& b) const { return factor_.solve(b); }
+Vector PivotedQr::solve(const Vector& b) const {
+  check_qr_rows(factor_.rows(), b.rows());
+  if (is_void(factor_)) return Vector::Constant(factor_.cols(), void_solution(factor_));
+  return factor_.solve(b);
+}
 
 Matrix orthonormal_basis(const Matrix& a) {
   if (a.cols() == 0) return Matrix(a.rows(), 0);

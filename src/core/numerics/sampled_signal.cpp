@@ -6,11 +6,24 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
+namespace {
+
+/// Checked before a member is made of them.
+Vector checked_times(Vector time, Index values) {
+  check_argument(time.size() == values, "SampledSignal", "times and values differ in number",
+                 "give one value for each time");
+  check_times(time, 1, "SampledSignal");
+  return time;
+}
+
+}  // namespace
 
 SampledSignal::SampledSignal(Vector time, const Eigen::Ref<const Vector>& values,
                              Interpolation interpolation)
-    : time_(std::move(time)),
+    : time_(checked_times(std::move(time), values.size())),
       points_(std::min(static_cast<Index>(interpolation), time_.size())),
       before_((static_cast<Index>(interpolation) - 1) / 2),
       differences_(Matrix::Zero(points_, time_.size())) {

@@ -2,6 +2,7 @@
 #include "lacuna/core/numerics/serial_correlation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 
@@ -10,7 +11,7 @@ SerialCorrelation serial_correlation(const Vector& residuals) {
   const Index n = residuals.size();
   const double square = residuals.squaredNorm();
   SerialCorrelation result;
-  if (!(square > 0.0)) return result;
+  if (!(square > 0.0) || !std::isfinite(square)) return result;
   double sum = 0.0;
   while (result.reach < n / 4 && static_cast<double>(result.reach) < kWindow * result.time) {
     const Index pairs = n - ++result.reach;

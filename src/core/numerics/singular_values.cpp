@@ -2,6 +2,8 @@
 #include "lacuna/core/numerics/singular_values.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
+#include <limits>
 
 namespace lacuna {
 
@@ -14,7 +16,13 @@ Matrix SingularValues::null_space(double share) const {
 }
 
 SingularValues singular_values(const Matrix& a) {
-  if (a.rows() == 0) return {Vector(0), Matrix(0, 0), Matrix::Identity(a.cols(), a.cols())};
+  const Index n = a.rows(), l = a.cols(), least = std::min(n, l);
+  if (least == 0) return {Vector(0), Matrix(n, 0), Matrix::Identity(l, l)};
+  if (!a.allFinite()) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return {Vector::Constant(least, kNan), Matrix::Constant(n, least, kNan),
+            Matrix::Constant(l, l, kNan)};
+  }
   const Eigen::BDCSVD<Matrix> found(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
   return {found.singularValues(), found.matrixU(), found.matrixV()};
 }

@@ -17,9 +17,16 @@ void check_shapes(const std::string& where, const Vector& time,
                         std::to_string(time.size()) + " times for " +
                             std::to_string(values.rows()) + " rows of values",
                         "give one time for each row");
-  if (order < 0)
+  constexpr int kHighest = 1000;  // a fact of doubles: the factorial of less is beyond them
+  if (order < 0 || order > kHighest)
     throw ArgumentError(where, "the order of the derivative is " + std::to_string(order),
                         "give 0 for the signal itself, 1 for its first derivative, ...");
+}
+
+void check_noise(const std::optional<Vector>& noise, Index states, std::string_view where) {
+  if (noise && noise->size() != states)
+    throw ArgumentError(std::string(where), "the noise is not one number per state",
+                        "give one standard deviation for each state");
 }
 
 void check_time(const std::string& where, const Vector& time) {
@@ -78,6 +85,8 @@ Matrix Differentiator::differentiate(const Vector& time, const Eigen::Ref<const 
 
 Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data,
                                 const std::optional<Vector>& noise) {
+  check_form(data);
+  check_noise(noise, data.state_count(), method->info().name);
   auto fitted = method->do_fit(data, noise);
   return fitted ? Stage<Differentiator>(std::move(fitted)) : method;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
@@ -106,6 +106,22 @@ Vector power_derivatives(double s, int degree, int order) {
   return result;
 }
 
+Vector finite_weights(Vector weights, const char* where) {
+  check_argument(weights.allFinite(), where, "the weights are not finite",
+                 "give nodes that are finite, distinct and not too near to each other");
+  return weights;
+}
+
+void check_rule(const StencilRule& rule, Index times, Index rows, Index margin) {
+  const char* where = "apply_stencil";
+  check_argument(
+      rule.weights && rule.order >= 0 && rule.radius >= 0 && rule.width > 2 * rule.radius,
+      where, "the rule has no weights or no width");
+  check_argument(times == rows, where, "times and values differ in number",
+                 "give one row of values for each time");
+  check_argument(margin >= 0 && margin <= times / 2, where, "the margin leaves no samples");
+}
+
 }  // namespace
 
 std::optional<double> common_step(const Vector& time) {
@@ -114,16 +130,27 @@ std::optional<double> common_step(const Vector& time) {
   if (last < 1) return std::nullopt;
   const double step = (time[last] - time[0]) / static_cast<double>(last);
   for (Index i = 1; i < last; ++i)
-    if (std::abs(time[i] - time[0] - static_cast<double>(i) * step) > kTolerance * step)
+    if (!(std::abs(time[i] - time[0] - static_cast<double>(i) * step) <= kTolerance * step))
       return std::nullopt;
+  if (!(step > 0.0) || !std::isfinite(step)) return std::nullopt;
   return step;
 }
 
 Vector interpolation_weights(const Vector& nodes, double at, int order) {
-  return FornbergTable(nodes, at, order).column(order);
+  constexpr const char* kWhere = "interpolation_weights";
+  check_argument(order >= 0 && nodes.size() > order, kWhere,
+                 "the order is negative or has not more nodes than it", "give order + 1 nodes");
+  return finite_weights(FornbergTable(nodes, at, order).column(order), kWhere);
 }
 
 Vector fit_weights(const Vector& nodes, double at, int degree, int order) {
+  constexpr const char* kWhere = "fit_weights";
+  check_argument(degree >= 0 && order >= 0 && nodes.size() > degree, kWhere,
+                 "degree or order is negative, or the degree has not more nodes than it",
+                 "give degree + 1 nodes");
+  check_times(nodes, 1, kWhere);
+  if (order > degree) return Vector::Zero(nodes.size());
+  if (nodes.size() == 1) return Vector::Ones(1);
   const double centre = 0.5 * (nodes[0] + nodes[nodes.size() - 1]);
   const double scale = 0.5 * (nodes[nodes.size() - 1] - nodes[0]);
   const Vector s = (nodes.array() - centre) / scale;
@@ -135,12 +162,13 @@ Vector fit_weights(const Vector& nodes, double at, int degree, int order) {
   Vector weights = Vector::Zero(nodes.size());
   weights.head(degree + 1) = qr.triangle().triangularView<Eigen::Upper>().transpose().solve(
       power_derivatives((at - centre) / scale, degree, order));
-  return qr.times(weights) / std::pow(scale, order);
+  return finite_weights(qr.times(weights) / std::pow(scale, order), kWhere);
 }
 
 Matrix apply_stencil(const StencilRule& rule, const Vector& time,
                      const Eigen::Ref<const Matrix>& values, Index margin) {
   const Index n = time.size();
+  check_rule(rule, n, values.rows(), margin);
   if (n < rule.width)
     throw DataError(rule.name,
                     "needs at least " + std::to_string(rule.width) + " samples and has " +

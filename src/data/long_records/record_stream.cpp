@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -15,7 +17,10 @@ constexpr Index kPassages = 32;
 
 Index total_samples(const Sources& records) {
   Index all = 0;
-  for (const auto& record : records) all += record->samples();
+  for (const auto& record : records) {
+    check_argument(record != nullptr, "records", "a record is not given");
+    all += record->samples();
+  }
   return all;
 }
 

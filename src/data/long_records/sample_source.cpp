@@ -4,8 +4,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 namespace {
+
+void check_stretch(const SampleSource& record, Index first, Index step, Index count) {
+  const Index room = step > 0 ? (record.samples() - first + step - 1) / step : 0;
+  if (first < 0 || first > record.samples())
+    check_part(first, count, record.samples(), "read_every");
+  check_part(0, count, room, "read_every");
+}
 
 Matrix every(const Matrix& values, Index first, Index step, Index count) {
   if (values.rows() == 0) return values;
@@ -53,6 +62,7 @@ class RecordInMemory final : public SampleSource {
     return rows_of(record_, first, count);
   }
   Trajectory read_every(Index first, Index step, Index count) const override {
+    check_stretch(*this, first, step, count);
     return thinned_rows(record_, first, step, count);
   }
   const Trajectory* in_memory() const override { return &record_; }
@@ -81,6 +91,7 @@ class ThinnedRecord final : public SampleSource {
 
 Trajectory SampleSource::read_every(Index first, Index step, Index count) const {
   // Facts of the machines: what is read in one go, and from where on each sample is by itself.
+  check_stretch(*this, first, step, count);
   constexpr Index kSamplesAtOnce = Index{1} << 16, kFarApart = 256;
   const Index together = step > kFarApart ? 1 : std::max<Index>(kSamplesAtOnce / step, 1);
   Trajectory all = room_for(read(first, 1), count);
@@ -94,6 +105,7 @@ Trajectory SampleSource::read_every(Index first, Index step, Index count) const 
 
 std::shared_ptr<const SampleSource> thinned(std::shared_ptr<const SampleSource> record,
                                             Index step) {
+  check_argument(record != nullptr, "thinned", "no record is given");
   if (step <= 1) return record;
   return std::make_shared<const ThinnedRecord>(std::move(record), step);
 }

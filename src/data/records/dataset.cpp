@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <set>
 
+#include "core/base/check.hpp"
 #include "core/base/finite.hpp"
-#include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/data/records/table.hpp"
@@ -142,6 +142,7 @@ std::optional<Index> Dataset::rate_state(Index state) const {
 }
 
 const Trajectory& longest_record(const Dataset& data) {
+  check_argument(!data.trajectories.empty(), "longest_record", "there is no record");
   return *std::max_element(
       data.trajectories.begin(), data.trajectories.end(),
       [](const Trajectory& a, const Trajectory& b) { return a.samples() < b.samples(); });
@@ -152,6 +153,10 @@ double median_step(const Dataset& data) {
   for (const Trajectory& record : data.trajectories)
     for (Index i = 1; i < record.samples(); ++i)
       steps.push_back(record.time[i] - record.time[i - 1]);
+  check_argument(!steps.empty(), "median_step", "no record has two samples");
+  check_argument(
+      std::all_of(steps.begin(), steps.end(), [](double step) { return std::isfinite(step); }),
+      "median_step", "the times are not finite");
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/data/records/marks.hpp"
 
+#include <algorithm>
 #include <vector>
+
+#include "data/formats/check_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -21,7 +24,7 @@ void fill_between(Index before, Index behind, Eigen::Ref<Vector> values) {
 }  // namespace
 
 Matrix filled(Matrix states, const Matrix& marks) {
-  for (Index k = 0; k < marks.cols(); ++k) {
+  for (Index k = 0; k < std::min(marks.cols(), states.cols()); ++k) {
     Index before = -1;
     for (Index i = 0; i <= states.rows(); ++i) {
       const bool end = i == states.rows();
@@ -41,10 +44,14 @@ Matrix marks_of(const Trajectory& record) {
 
 void set_mark(Trajectory& record, Index sample, Index state, Mark mark) {
   if (record.marks.size() == 0) record.marks = marks_of(record);
+  check_number(sample, record.marks.rows(), "set_mark", "sample");
+  check_number(state, record.marks.cols(), "set_mark", "state");
   record.marks(sample, state) = number_of(mark);
 }
 
 Trajectory values_of(const Trajectory& record, Index state) {
+  check_rows(record, "values_of");
+  check_number(state, record.states.cols(), "values_of", "state");
   std::vector<Index> kept;
   for (Index i = 0; i < record.samples(); ++i)
     if (mark_of(record.marks, i, state) == Mark::Value) kept.push_back(i);

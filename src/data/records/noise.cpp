@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/column_kernels.hpp"
+#include "data/formats/check_record.hpp"
 #include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
 
@@ -295,6 +296,8 @@ std::string to_string(NoiseKind kind) {
 }
 
 Vector difference_sizes(const Trajectory& record, Index state, Index order) {
+  check_state(record, state, "difference_sizes");
+  if (order >= record.samples()) return Vector(0);
   Differences differences(record, state);
   std::vector<double> sizes;
   for (Index k = 1; k <= order; ++k) {
@@ -313,6 +316,9 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, doubl
 
 std::vector<Index> outlying_samples(const Trajectory& record, Index state, const Vector& sigma,
                                     double deviations) {
+  check_state(record, state, "outlying_samples");
+  check_argument(sigma.size() == record.samples(), "outlying_samples",
+                 "there is not one sigma for each sample");
   std::vector<Index> outliers;
   if (record.samples() < static_cast<Index>(kFewest)) return outliers;
   const Vector deviation =
@@ -328,6 +334,7 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
 }
 
 std::vector<StateNoise> analyse_noise(const Dataset& data, int threads) {
+  check_states(data, "analyse_noise");
   std::vector<StateNoise> noise(static_cast<std::size_t>(data.state_count()));
   parallel_for(noise.size(), threads, [&](std::size_t k) {
     const auto state = static_cast<Index>(k);
@@ -338,6 +345,7 @@ std::vector<StateNoise> analyse_noise(const Dataset& data, int threads) {
 }
 
 Vector estimate_noise(const Dataset& data, int threads) {
+  check_states(data, "estimate_noise");
   Vector noise(data.state_count());
   parallel_for(static_cast<std::size_t>(noise.size()), threads, [&](std::size_t k) {
     const auto state = static_cast<Index>(k);

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "blanks.hpp"
+#include "core/base/check.hpp"
 #include "data/formats/time_names.hpp"
-#include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/text_field.hpp"
@@ -237,6 +237,9 @@ ColumnIndices find_columns(const Table& table, const ColumnRoles& roles) {
 
 Trajectory take_record(const Table& table, const ColumnIndices& columns,
                        const std::optional<double>& step, const TableRows& rows) {
+  check_part(rows.first, rows.count, table.values.rows(), "take_record");
+  for (const Index column : columns.used())
+    check_number(column, table.values.cols(), "take_record", "column");
   Trajectory record;
   record.source = table.source;
   record.time = times_of(table, columns, step, rows);

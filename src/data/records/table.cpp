@@ -162,7 +162,7 @@ namespace {
 std::optional<std::size_t> place_of_column(const Table& table, const std::string& text) {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     if (table.columns[i].name == text) return i;
-  for (std::size_t i = 0; i < table.headers.size(); ++i)
+  for (std::size_t i = 0; i < std::min(table.headers.size(), table.columns.size()); ++i)
     if (table.headers[i] == text) return i;
   const std::optional<double> number = parse_number(text);
   if (!number || *number != std::floor(*number) || *number < 1.0 ||

@@ -4,22 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/formats/check_record.hpp"
+
 namespace lacuna {
 
 double mean_step(const Trajectory& trajectory) {
-  return trajectory.duration() / static_cast<double>(trajectory.samples() - 1);
+  constexpr const char* kWhere = "mean_step";
+  check_argument(trajectory.samples() >= 2, kWhere, "the record has fewer than two samples");
+  const double mean = trajectory.duration() / static_cast<double>(trajectory.samples() - 1);
+  check_argument(std::isfinite(mean), kWhere, "the times are not finite");
+  return mean;
 }
 
 std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance) {
   const Vector& time = trajectory.time;
   if (time.size() < 2) return std::nullopt;
-  const double mean = mean_step(trajectory);
+  const double mean = trajectory.duration() / static_cast<double>(time.size() - 1);
+  if (!std::isfinite(mean)) return std::nullopt;
   const auto steps = (time.tail(time.size() - 1) - time.head(time.size() - 1)).array();
   const bool uniform = ((steps - mean).abs() <= tolerance * std::abs(mean)).all();
   return uniform ? std::optional<double>(mean) : std::nullopt;
 }
 
 Trajectory rows_of(const Trajectory& trajectory, Index first, Index count) {
+  check_rows(trajectory, "rows_of");
+  check_part(first, count, trajectory.samples(), "rows_of");
   const auto part = [&](const Matrix& values) -> Matrix {
     if (values.rows() == 0) return Matrix(0, 0);
     return values.middleRows(first, count);
@@ -34,6 +43,7 @@ std::string file_of(const Trajectory& trajectory) {
 }
 
 bool goes_on(const Trajectory& before, const Trajectory& after, double longest_gap) {
+  if (before.samples() == 0 || after.samples() == 0) return false;
   const double gap = after.time[0] - before.time[before.samples() - 1];
   return file_of(before) == file_of(after) && gap > 0.0 && gap <= longest_gap;
 }

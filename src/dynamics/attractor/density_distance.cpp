@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 
 namespace lacuna {
 namespace {
@@ -46,7 +46,10 @@ Histogram histogram(const Matrix& points, const Vector& edges) {
 double density_distance(const Matrix& a, const Matrix& b) {
   if (a.cols() != b.cols() || a.rows() == 0 || b.rows() == 0)
     throw ArgumentError("density_distance", "the records differ in states or are empty", "");
+  check_argument(a.allFinite() && b.allFinite(), "density_distance", "a sample is not finite");
   const Vector edges = cell_edges(a, b);
+  check_argument(edges.allFinite(), "density_distance",
+                 "the samples are too large to be squared", "use larger units");
   const Histogram p = histogram(a, edges);
   const Histogram q = histogram(b, edges);
   double overlap = 0.0;

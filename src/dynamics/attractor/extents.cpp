@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
@@ -63,12 +63,17 @@ AttractorExtents attractor_extents(const Dataset& record, Index blocks) {
   check_dataset(record);
   if (blocks < 2)
     throw ArgumentError("attractor_extents", "an interval needs at least 2 blocks", "");
+  check_argument(blocks <= record.samples(), "attractor_extents",
+                 "there are more blocks than samples", "use fewer blocks");
   const Vector reach = half_widths(block_sizes(record, blocks));
   AttractorExtents extents;
   extents.size = size_of(bounds_of(record));
   extents.half_width = reach.head(extents.size.size());
   extents.volume = extents.size.prod();
   extents.volume_half_width = reach[extents.size.size()];
+  check_argument(reach.allFinite() && extents.size.allFinite() && std::isfinite(extents.volume),
+                 "attractor_extents", "the sizes or their product are beyond the numbers",
+                 "use larger units");
   return extents;
 }
 

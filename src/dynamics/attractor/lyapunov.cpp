@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 
@@ -20,6 +20,12 @@ void check(const OdeModel& model, CompiledModel& compiled, const Vector& x0,
                         "give an autonomous model");
   if (x0.size() != model.dimension())
     throw ArgumentError("lyapunov_spectrum", "the start does not have one entry per state", "");
+  constexpr double kMostSteps = 9e15;  // a fact of doubles: more cannot be counted
+  check_argument(x0.allFinite(), "lyapunov_spectrum", "the start is not finite");
+  check_argument((options.transient + options.duration) / options.step < kMostSteps ||
+                     !(options.step > 0.0),
+                 "lyapunov_spectrum", "the steps are too many to be counted",
+                 "use longer ones");
   if (!(options.step > 0.0) || !(options.transient >= 0.0) ||
       !(options.duration >= static_cast<double>(kBlocks) * options.step))
     throw ArgumentError("lyapunov_spectrum", "step and durations do not fit",
@@ -48,7 +54,10 @@ class VariationalOrbit {
                           "start on the attractor, or use a smaller step");
     const Qr qr(directions());
     directions() = qr.basis();
-    return qr.triangle().diagonal().cwiseAbs().array().log();
+    const Vector logs = qr.triangle().diagonal().cwiseAbs().array().log();
+    check_argument(logs.allFinite(), "lyapunov_spectrum",
+                   "the directions become zero or infinite", "use a smaller step");
+    return logs;
   }
 
  private:
@@ -100,6 +109,7 @@ LyapunovSpectrum lyapunov_spectrum(const OdeModel& model, const Integrator& inte
 }
 
 double kaplan_yorke_dimension(const Vector& exponents) {
+  check_argument(exponents.allFinite(), "kaplan_yorke_dimension", "an exponent is not finite");
   double sum = 0.0;
   for (Index j = 0; j < exponents.size(); ++j) {
     if (sum + exponents[j] < 0.0) return static_cast<double>(j) + sum / std::abs(exponents[j]);

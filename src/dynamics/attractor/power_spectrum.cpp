@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/numerics/periodogram.hpp"
-#include "lacuna/core/base/error.hpp"
+#include "data/formats/check_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -34,6 +34,7 @@ void normalise(Matrix& density) {
 
 PowerSpectrum power_spectrum(const Trajectory& record, Index segments) {
   const double step = step_of(record);
+  check_rows(record, "power spectrum");
   const Index length = segments > 0 ? record.samples() / segments : 0;
   if (length < 8)
     throw ArgumentError("power spectrum", "a segment has fewer than 8 samples",
@@ -51,12 +52,18 @@ PowerSpectrum power_spectrum(const Trajectory& record, Index segments) {
   const double spacing = 1.0 / (static_cast<double>(length) * step);
   spectrum.frequency =
       Vector::LinSpaced(length / 2 + 1, 0.0, spacing * static_cast<double>(length / 2));
+  check_argument(spectrum.density.allFinite() && spectrum.frequency.allFinite(),
+                 "power spectrum", "a sample or its square is not finite",
+                 "leave it out, or use larger units");
   return spectrum;
 }
 
 double power_spectrum_distance(const Trajectory& a, const Trajectory& b, Index segments) {
   if (a.states.cols() != b.states.cols())
     throw ArgumentError("power_spectrum_distance", "the records differ in states", "");
+  check_argument(a.states.cols() > 0, "power_spectrum_distance", "the records have no state");
+  check_rows(a, "power_spectrum_distance");
+  check_rows(b, "power_spectrum_distance");
   if (std::abs(step_of(a) / step_of(b) - 1.0) > 1e-3)
     throw ArgumentError("power_spectrum_distance", "the records differ in sampling step",
                         "resample one of them");

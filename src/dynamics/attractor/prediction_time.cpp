@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/records/binding/model_view.hpp"
@@ -94,6 +94,7 @@ PredictionTime valid_prediction_time(const OdeModel& model, const Dataset& recor
                                      const PredictionOptions& options) {
   if (!(options.threshold > 0.0) || options.starts < 1)
     throw ArgumentError("valid_prediction_time", "threshold and starts must be positive", "");
+  check_dataset(record);
   const Dataset view = model_view(model, record);
   const Vector spread = spread_of(view);
   std::vector<double> times;
@@ -108,6 +109,7 @@ PredictionTime valid_prediction_time(const OdeModel& model, const Dataset& recor
       times.push_back(run.time[std::min(end, run.samples() - 1)] - run.time[first]);
     }
   }
+  check_argument(!times.empty(), "valid_prediction_time", "there is no record");
   result.times = Eigen::Map<const Vector>(times.data(), static_cast<Index>(times.size()));
   result.median = median_of(std::move(times));
   return result;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "lacuna/core/base/error.hpp"
+#include "data/formats/check_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -114,9 +114,15 @@ Divergence rosenstein_divergence(const Trajectory& record, Index references) {
   if (!step || record.samples() < 3 || references < 1)
     throw ArgumentError("rosenstein_divergence", "the record is not sampled uniformly",
                         "resample it");
+  check_rows(record, "rosenstein_divergence");
   const Matrix points = standardised(record.states);
+  check_argument(points.size() > 0 && points.allFinite(), "rosenstein_divergence",
+                 "there is no state, or a sample or its square is not finite");
   Divergence result;
   result.mean_period = mean_period(points, *step);
+  if (!(result.mean_period / *step < static_cast<double>(record.samples())))
+    throw ArgumentError("rosenstein_divergence", "the record is shorter than 20 mean periods",
+                        "give a longer one");
   const Index period = std::max<Index>(1, std::llround(result.mean_period / *step));
   const Index horizon = kHorizon * period;
   if (record.samples() < horizon + 5 * period)

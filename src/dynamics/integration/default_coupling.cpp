@@ -77,6 +77,7 @@ double duration(const Dataset& record) {
 }  // namespace
 
 Matrix default_coupling(const Dataset& record) {
+  check_dataset(record);
   double squares = 0.0;
   Index moving = 0;
   for (Index i = 0; i < record.state_count(); ++i) {

@@ -272,8 +272,20 @@ void StepControl::describe(OptionVisitor& visitor) {
       along_jump);
 }
 
+namespace {
+
+void check_dimension(Index dimension) {
+  constexpr Index kMost = Index{1} << 22;  // a fact of memory: steppers hold tens of states
+  if (dimension < 1 || dimension > kMost)
+    throw ArgumentError("integrator",
+                        "there is no system of " + std::to_string(dimension) + " states", "");
+}
+
+}  // namespace
+
 std::unique_ptr<Stepper> fixed_stepper(const ButcherTableau& tableau, Index dimension,
                                        int substeps) {
+  check_dimension(dimension);
   return std::make_unique<FixedStepper>(tableau, dimension, substeps);
 }
 
@@ -282,6 +294,7 @@ std::unique_ptr<Stepper> adaptive_stepper(const ButcherTableau& tableau, Index d
   if (tableau.embedded.empty())
     throw ArgumentError("adaptive_stepper", "the tableau has no embedded solution",
                         "use fixed_stepper");
+  check_dimension(dimension);
   return std::make_unique<AdaptiveStepper>(tableau, dimension, control);
 }
 

@@ -6,8 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 namespace {
+
+constexpr Index kMostSamples = Index{1} << 32;  // a fact of memory: more have no room
 
 /// The orbit so far, for delayed states: points with slopes, cubic Hermite polynomials between.
 class OrbitHistory {
@@ -262,6 +266,9 @@ Solution simulate(const DrivenModel& driven, const Integrator& integrator, const
 }
 
 Vector sample_times(double t0, double h, Index n) {
+  check_argument(n >= 0 && n <= kMostSamples, "sample_times", "there are no so many samples",
+                 "give 0 or more, as many as the memory holds");
+  check_argument(std::isfinite(t0) && std::isfinite(h), "sample_times", "a time is not finite");
   Vector times(n);
   for (Index i = 0; i < n; ++i) times[i] = t0 + static_cast<double>(i) * h;
   return times;

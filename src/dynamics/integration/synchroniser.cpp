@@ -416,6 +416,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
                        const Integrator& integrator, const SyncOptions& options,
                        const RunContext& context) {
   check_flow(model, "synchronise");
+  check_dataset(record);
   check_shapes(model, options);
   const LagrangeWindow window = LagrangeWindow::driving(integrator.order());
   const Dataset view = model_view(model, record);

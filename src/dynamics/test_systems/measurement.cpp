@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/formats/check_record.hpp"
 #include "lacuna/core/base/random.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 
@@ -28,7 +29,9 @@ Matrix rates_of(const OdeModel& model, const Solution& orbit) {
 }
 
 void check_sigma(const Dataset& record, const Vector& sigma) {
-  if (sigma.size() == record.state_count() && (sigma.array() >= 0.0).all()) return;
+  check_columns(record, "add_noise");
+  if (sigma.size() == record.state_count() && (sigma.array() >= 0.0).all() && sigma.allFinite())
+    return;
   throw ArgumentError("add_noise", "sigma is not one number >= 0 per state",
                       "the record has " + std::to_string(record.state_count()) + " states");
 }
@@ -70,6 +73,7 @@ Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed
 }
 
 Dataset add_relative_noise(const Dataset& record, double share, std::uint64_t seed) {
+  check_columns(record, "add_relative_noise");
   Vector sigma(record.state_count());
   for (Index k = 0; k < sigma.size(); ++k) sigma[k] = share * deviation(record, k);
   return add_noise(record, sigma, seed);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/dynamics/test_systems/spice_record.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/core/numerics/lagrange.hpp"
 
 namespace lacuna {
@@ -72,9 +73,13 @@ Dataset read_spice_output(const std::filesystem::path& path) {
 }
 
 Dataset resampled(const Dataset& record, double begin, double unit, double h, Index n) {
+  constexpr Index kMost = Index{1} << 32;  // a fact of memory: more have no room
+  check_dataset(record);
+  check_argument(n >= 1 && n <= kMost && h > 0.0 && unit > 0.0 && std::isfinite(begin),
+                 "resampled", "there are no such samples", "give a step and a unit above 0");
   const Trajectory& run = record.trajectories[0];
   const double end = begin + h * unit * static_cast<double>(n - 1);
-  if (run.time[run.time.size() - 1] < end)
+  if (!(run.time[run.time.size() - 1] >= end))
     throw DataError(run.source, "the simulation ends before " + std::to_string(end) + " s",
                     "look at its log");
   Dataset result = record;

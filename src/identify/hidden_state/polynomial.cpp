@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 
 void Polynomial::add(const Exponents& exponents, Estimate coefficient) {
@@ -11,6 +13,17 @@ void Polynomial::add(const Exponents& exponents, Estimate coefficient) {
   entry.value += coefficient.value;
   entry.variance += coefficient.variance;
 }
+
+namespace {
+
+/// Where the exponent of a variable stands.
+std::size_t place_of(const Polynomial& p, Index variable) {
+  for (const auto& [exponents, coefficient] : p.terms())
+    check_number(variable, static_cast<Index>(exponents.size()), "polynomial", "variable");
+  return static_cast<std::size_t>(variable);
+}
+
+}  // namespace
 
 Polynomial sum(const Polynomial& a, const Polynomial& b) {
   Polynomial result = a;
@@ -38,7 +51,7 @@ Polynomial product(const Polynomial& p, const Polynomial& exact) {
 }
 
 Polynomial derivative(const Polynomial& p, Index variable) {
-  const auto place = static_cast<std::size_t>(variable);
+  const std::size_t place = place_of(p, variable);
   Polynomial result;
   for (const auto& [exponents, coefficient] : p.terms()) {
     const double power = exponents[place];
@@ -51,7 +64,7 @@ Polynomial derivative(const Polynomial& p, Index variable) {
 }
 
 Polynomial substituted(const Polynomial& p, Index variable, const Polynomial& exact) {
-  const auto place = static_cast<std::size_t>(variable);
+  const std::size_t place = place_of(p, variable);
   Polynomial result;
   for (const auto& [exponents, coefficient] : p.terms()) {
     Polynomial::Exponents rest = exponents;
@@ -65,7 +78,7 @@ Polynomial substituted(const Polynomial& p, Index variable, const Polynomial& ex
 }
 
 Polynomial evaluated(const Polynomial& p, Index variable, double value) {
-  const auto place = static_cast<std::size_t>(variable);
+  const std::size_t place = place_of(p, variable);
   Polynomial result;
   for (const auto& [exponents, coefficient] : p.terms()) {
     const double factor = std::pow(value, exponents[place]);

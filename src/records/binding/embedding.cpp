@@ -172,6 +172,13 @@ Dataset embed(const Dataset& data, const std::vector<EmbeddingOrder>& orders,
               const Differentiator& differentiator) {
   if (lacks_input_columns(data)) return embed(with_input_columns(data), orders, differentiator);
   check_dataset(data);
+  constexpr int kHighest = 100;  // no differentiator goes further
+  for (const EmbeddingOrder& order : orders)
+    if (order.order > kHighest || order.order < -kHighest)
+      throw ArgumentError("embedding",
+                          "no system of order " + std::to_string(order.order) +
+                              " can be made of '" + order.state + "'",
+                          "give a lower order");
   const std::vector<Column> columns = plan_columns(data, orders_by_state(data, orders));
   Dataset result = data;
   result.states.clear();

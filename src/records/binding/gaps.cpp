@@ -5,7 +5,7 @@
 #include <iterator>
 #include <span>
 
-#include "lacuna/core/base/error.hpp"
+#include "data/formats/check_record.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "records/channels/outliers.hpp"
@@ -113,6 +113,7 @@ Dataset without_blank_stretches(Dataset data, double longest) {
 }  // namespace
 
 Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
+  check_columns(data, "join_across_gaps");
   if (longest_record(data).samples() < 2) return data;  // there is no step to measure gaps by
   // Times are not exact multiples of the step: half of one more is still the same gap.
   const double longest_gap = (options.longest_gap + 0.5) * median_step(data);
@@ -152,6 +153,7 @@ UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
 }
 
 SplitRecords split_in_time(const Dataset& data) {
+  check_columns(data, "split_in_time");
   SplitRecords parts{data, data};
   parts.find.trajectories.clear();
   parts.check.trajectories.clear();

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "data/formats/check_record.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/formats/text_field.hpp"
 #include "lacuna/records/binding/time_unit.hpp"
@@ -140,6 +141,7 @@ Dataset read_records(const OdeModel& model, const std::vector<std::string>& path
 }
 
 Dataset used_part(const OdeModel& model, Dataset data) {
+  check_columns(data, "used_part");
   const Index used = used_inputs(model, data);
   if (used == data.input_count()) return data;
   data.inputs.resize(static_cast<std::size_t>(used));
@@ -149,6 +151,7 @@ Dataset used_part(const OdeModel& model, Dataset data) {
 }
 
 Dataset unused_part(const OdeModel& model, const Dataset& data) {
+  check_columns(data, "unused_part");
   const Index used = used_inputs(model, data), rest = data.input_count() - used;
   Dataset result = data;
   result.inputs.erase(result.inputs.begin(), result.inputs.begin() + used);

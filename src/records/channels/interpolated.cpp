@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "data/formats/check_record.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "value_spacing.hpp"
 
@@ -63,6 +64,8 @@ bool are_regular(const std::vector<Stretch>& stretches, Index samples) {
 std::vector<Index> interpolated_samples(const Vector& time,
                                         const Eigen::Ref<const Vector>& values,
                                         double spacing) {
+  check_argument(values.size() == time.size(), "interpolated_samples",
+                 "times and values differ in number", "give one value for each time");
   const std::vector<Stretch> stretches = stretches_of(time, values, spacing);
   std::vector<Index> samples;
   if (!are_regular(stretches, time.size())) return samples;
@@ -72,6 +75,8 @@ std::vector<Index> interpolated_samples(const Vector& time,
 }
 
 std::vector<Index> interpolated_samples(const Trajectory& record, Index input) {
+  check_rows(record, "interpolated_samples");
+  check_number(input, record.inputs.cols(), "interpolated_samples", "input");
   const auto values = record.inputs.col(input);
   return interpolated_samples(record.time, values, spacing_of_digits(values));
 }
@@ -83,6 +88,7 @@ bool is_interpolated(const Dataset& data, Index input) {
 }
 
 Dataset with_interpolated_marked(Dataset data) {
+  check_states(data, "with_interpolated_marked");
   const Vector spacings = value_spacings(data);
   for (Trajectory& record : data.trajectories)
     for (Index k = 0; k < data.state_count(); ++k) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "data/formats/check_record.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "value_spacing.hpp"
 
@@ -86,6 +87,7 @@ void mark(Trajectory& record, Index state, const Limits& limits) {
 
 std::vector<Limits> visible_limits(const Dataset& data, double pile_up) {
   std::vector<Limits> limits(static_cast<std::size_t>(data.state_count()));
+  check_states(data, "visible_limits");
   const Vector spacings = value_spacings(data);
   for (Index k = 0; k < data.state_count(); ++k) {
     if (!data.is_measured(k)) continue;
@@ -98,6 +100,9 @@ std::vector<Limits> visible_limits(const Dataset& data, double pile_up) {
 }
 
 Dataset with_limits(Dataset data, const std::vector<Limits>& limits) {
+  check_columns(data, "with_limits");
+  check_argument(limits.size() == data.states.size(), "with_limits",
+                 "there are not limits for each state");
   for (Trajectory& record : data.trajectories)
     for (std::size_t k = 0; k < limits.size(); ++k)
       mark(record, static_cast<Index>(k), limits[k]);

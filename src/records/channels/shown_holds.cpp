@@ -3,12 +3,16 @@
 
 #include <vector>
 
+#include "data/formats/check_record.hpp"
+
 namespace lacuna {
 
 std::optional<Hold> shown_hold(const Dataset& data, Index input) {
+  check_input(data, input, "shown_hold");
   bool moves = false, held = true;
   for (const Trajectory& record : data.trajectories) {
     const auto values = record.inputs.col(input);
+    if (values.size() == 0) continue;
     if (values.minCoeff() == values.maxCoeff()) continue;
     moves = true;
     held = held && shows_hold(values);

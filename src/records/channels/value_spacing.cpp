@@ -9,6 +9,7 @@ namespace lacuna {
 
 double spacing_of_digits(const Eigen::Ref<const Vector>& values) {
   constexpr double kSevenDigits = 1e-6;
+  if (values.size() == 0) return 0.0;
   return kSevenDigits * values.cwiseAbs().maxCoeff();
 }
 

@@ -6,12 +6,16 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/check.hpp"
 #include "sparse_cholesky.hpp"
 
 namespace lacuna {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double, Index>>;
+
+/// A fact of memory: more rows than this have no room.
+constexpr double kMostRows = 1e8;
 
 /// Gauss-Legendre points and weights on (0, 1), exact for cubics.
 constexpr double kGauss[2] = {0.21132486540518713, 0.7886751345948129};
@@ -58,6 +62,10 @@ double TestFunction::slope(double t) const {
 
 Matrix Projection::covariance(Index first, Index count, const Matrix& sensitivity,
                               const Vector& noise, Index state) const {
+  check_part(first, count, rows(), "Projection::covariance");
+  const bool fits = sensitivity.size() == 0 ||
+                    (sensitivity.rows() == values.cols() && sensitivity.cols() >= noise.size());
+  check_argument(fits, "Projection::covariance", "sensitivity and noise do not fit");
   Matrix total = Matrix::Zero(count, count);
   const SparseRows term_rows = values.middleRows(first, count);
   const SparseRows state_rows = rates.middleRows(first, count);
@@ -71,6 +79,8 @@ Matrix Projection::covariance(Index first, Index count, const Matrix& sensitivit
 }
 
 SparseRows Projection::target_factor(Index first, Index count) const {
+  check_part(first, count, rates.rows(), "Projection::target_factor");
+  if (count == 0) return SparseRows(0, 0);
   const SparseRows part = rates.middleRows(first, count);
   SparseRows covariance = part * SparseRows(part.transpose());
   const double mean = covariance.diagonal().sum() / static_cast<double>(count);
@@ -79,6 +89,7 @@ SparseRows Projection::target_factor(Index first, Index count) const {
 }
 
 Vector quadrature_weights(const Vector& time) {
+  check_times(time, 0, "quadrature_weights");
   const Index n = time.size();
   const Index points = std::min<Index>(n, 4);
   Vector weights = Vector::Zero(n);
@@ -90,6 +101,11 @@ Vector quadrature_weights(const Vector& time) {
 Projection weak_projection(const Trajectory& record, const TestFunction& function,
                            double spacing) {
   const Vector& time = record.time;
+  check_times(time, 1, "weak_projection");
+  check_argument(function.radius > 0.0 && function.order >= 2 && spacing > 0.0 &&
+                     record.duration() / spacing < kMostRows,
+                 "weak_projection", "there are no such test functions",
+                 "give a radius and a spacing above 0");
   const Index n = record.samples();
   const double room = time[n - 1] - time[0] - 2.0 * function.radius;
   const Index rows = room >= 0.0 ? static_cast<Index>(room / spacing) + 1 : 0;
@@ -107,7 +123,12 @@ Projection weak_projection(const Trajectory& record, const TestFunction& functio
 }
 
 Projection integral_projection(const Trajectory& record, Index span, Index stride) {
+  check_times(record.time, 0, "integral_projection");
+  check_argument(span >= 1 && stride >= 1, "integral_projection",
+                 "an integral has no span or no stride");
   const Index n = record.samples();
+  if (span >= n) return {SparseRows(0, n), SparseRows(0, n)};
+  stride = std::min(stride, n);
   Triplets values, rates;
   Index rows = 0;
   for (Index first = 0; first + span < n; first += stride, ++rows) {

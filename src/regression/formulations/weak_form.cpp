@@ -125,6 +125,7 @@ int order_for(double radius_in_steps, double level) {
 TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options,
                                   int threads) {
   constexpr double kFewestSteps = 6.0;
+  check_dataset(data, threads);
   const Vector noise = estimate_noise(data, threads);
   const double step = median_step(data);
   const double level = std::clamp(0.01 * relative_noise(data, noise), kFloor, 1e-3);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/check.hpp"
 #include "core/base/parts.hpp"
 #include "lacuna/regression/linear/row_pass.hpp"
 #include "lacuna/regression/linear/tile_kernels.hpp"
@@ -43,11 +44,14 @@ Matrix fold_gram(const RowSource& rows, const RunContext& context) {
 }
 
 Matrix fold_deflated_gram(const RowSource& rows, const Matrix& h, const RunContext& context) {
+  check_argument(h.rows() == rows.terms() && h.cols() == rows.targets(), "fold_deflated_gram",
+                 "the coefficients do not fit the rows", "give one for each term and target");
   return fold_prepared(rows, context,
                        [&](Tile& tile) { deflate_targets(tile.scratch(), tile.rows(), h); });
 }
 
 GramFactor factor_gram(const Matrix& gram, Index terms, const RunContext& context) {
+  check_argument(gram.rows() == gram.cols(), "factor_gram", "the Gram matrix is not square");
   const Index columns = gram.cols();
   const double tolerance =
       4.0 * static_cast<double>(columns) * std::numeric_limits<double>::epsilon();

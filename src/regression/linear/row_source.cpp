@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 
 namespace lacuna {
 namespace {
@@ -51,6 +51,7 @@ std::shared_ptr<const RowSource> make_row_source(Matrix theta, Matrix targets) {
 
 std::shared_ptr<const RowSource> kept_in_memory(std::shared_ptr<const RowSource> source,
                                                 Index most_bytes) {
+  check_argument(source != nullptr, "kept_in_memory", "no rows are given");
   const Index row_bytes = (source->terms() + source->targets()) * Index{sizeof(double)};
   if (source->rows() * row_bytes > most_bytes) return source;
   Matrix theta(source->rows(), source->terms()), targets(source->rows(), source->targets());

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/regression/linear/triangular.hpp"
 
 namespace lacuna {
@@ -105,6 +105,8 @@ Vector Subproblem::solve() const {
 }
 
 Vector Subproblem::solve_normal(const Vector& gradient) const {
+  check_argument(gradient.size() == size(), "Subproblem::solve_normal",
+                 "the gradient has not one entry per active term");
   const auto [problem, kept] = determined_part();
   const auto upper = problem.triangle.triangularView<Eigen::Upper>();
   const Vector norms = column_norms_(kept);
@@ -120,6 +122,8 @@ double Subproblem::residual_norm() const {
 }
 
 double Subproblem::residual_norm(const Vector& h) const {
+  check_argument(h.size() == size(), "Subproblem::residual_norm",
+                 "there is not one coefficient per active term");
   const Vector scaled = h.cwiseProduct(column_norms_);
   const Vector fitted = triangle_.triangularView<Eigen::Upper>() * scaled;
   return std::hypot(remainder_, (projected_target_ - fitted).norm());
@@ -140,6 +144,8 @@ void Subproblem::remove(Index position) {
 }
 
 Subproblem Subproblem::renumbered(Index target, TermSet active) const {
+  check_argument(static_cast<Index>(active.size()) == size(), "Subproblem::renumbered",
+                 "there is not one number per active term");
   Subproblem result = *this;
   result.target_ = target;
   result.active_ = std::move(active);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -68,6 +70,18 @@ double inverse_norm_estimate(const Matrix& triangle) {
   return estimate;
 }
 
+void check_heights(const TermSet& heights, Index rows, Index columns) {
+  bool rise = static_cast<Index>(heights.size()) == columns;
+  Index last = -1;
+  for (const Index height : heights) {
+    rise = rise && height > last && height < rows;
+    last = height;
+  }
+  check_argument(rise, "retriangularise",
+                 "the heights do not increase below the number of rows",
+                 "give one for each column");
+}
+
 double largest_diagonal(const Matrix& triangle) {
   return triangle.size() == 0 ? 0.0 : triangle.diagonal().cwiseAbs().maxCoeff();
 }
@@ -76,6 +90,9 @@ double largest_diagonal(const Matrix& triangle) {
 
 TriangularProblem retriangularise(Matrix columns, Vector target, const TermSet& heights) {
   const Index size = columns.cols();
+  check_heights(heights, columns.rows(), size);
+  check_argument(target.size() == columns.rows(), "retriangularise",
+                 "the target has not as many rows as the columns");
   for (Index j = 0; j < size; ++j) {
     reflect_column(columns, target, j, heights[static_cast<std::size_t>(j)]);
   }
@@ -86,6 +103,9 @@ TriangularProblem retriangularise(Matrix columns, Vector target, const TermSet& 
 void remove_column(TriangularProblem& problem, Index position) {
   Matrix& r = problem.triangle;
   const Index size = r.cols();
+  check_argument(r.rows() == size && problem.target.size() == size, "remove_column",
+                 "triangle and target have different sizes");
+  check_number(position, size, "remove_column", "column");
   std::vector<Rotation> rotations(static_cast<std::size_t>(size));
   for (Index j = position + 1; j < size; ++j) {
     double* column = r.col(j).data();
@@ -105,6 +125,7 @@ void remove_column(TriangularProblem& problem, Index position) {
 }
 
 double rank_tolerance(Index columns, Index rows) {
+  check_argument(columns >= 0 && rows >= 0, "rank_tolerance", "a number of rows is negative");
   const double growth = static_cast<double>(columns) + std::sqrt(static_cast<double>(rows));
   return 8.0 * std::numeric_limits<double>::epsilon() * growth;
 }
@@ -130,6 +151,8 @@ TermSet remove_dependent_columns(TriangularProblem& problem, double tolerance) {
 }
 
 double condition_estimate(const Matrix& triangle) {
+  check_argument(triangle.rows() == triangle.cols(), "condition_estimate",
+                 "the triangle is not square");
   if (triangle.size() == 0) return 1.0;
   if ((triangle.diagonal().array() == 0.0).any())
     return std::numeric_limits<double>::infinity();

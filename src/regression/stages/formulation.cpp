@@ -137,6 +137,10 @@ std::optional<Vector> Formulation::target_noise(const Dataset& data,
 
 Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data,
                              const std::optional<Vector>& noise) {
+  check_form(data);
+  if (noise && noise->size() != data.state_count())
+    throw ArgumentError("formulation", "the noise is not one number per state",
+                        "give one standard deviation for each state");
   auto fitted = form->do_fit(data, noise);
   return fitted ? Stage<Formulation>(std::move(fitted)) : form;
 }

@@ -139,6 +139,7 @@ std::string format_json(const DataSummary& summary) {
 }
 
 std::string data_line(const Dataset& data, Index known) {
+  check_form(data);
   std::vector<std::string> files;
   for (const Trajectory& record : data.trajectories)
     if (const std::string file = short_name(file_of(record));
@@ -147,7 +148,7 @@ std::string data_line(const Dataset& data, Index known) {
   const std::string first =
       files.size() > 2 ? files.front() + " and " + std::to_string(files.size() - 1) + " more"
                        : join(files, ", ");
-  const auto inputs = static_cast<std::size_t>(std::min(known, data.input_count()));
+  const auto inputs = static_cast<std::size_t>(std::clamp<Index>(known, 0, data.input_count()));
   std::vector<Quantity> seen, hidden;
   for (std::size_t k = 0; k < data.states.size(); ++k)
     (is_hidden(data, static_cast<Index>(k)) ? hidden : seen).push_back(data.states[k]);

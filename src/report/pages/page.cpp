@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "core/base/check.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "page_parts.hpp"
 
@@ -99,6 +100,9 @@ std::vector<Picture> pictures_of(const Page& page) {
 
 Markup table(const std::vector<std::string>& heads,
              const std::vector<std::vector<std::string>>& rows) {
+  for (const auto& row : rows)
+    check_argument(row.size() <= heads.size(), "table",
+                   "a row has more cells than there are heads");
   const std::vector<bool> numbers = number_columns(heads.size(), rows);
   const auto cells = [&](std::string_view name, const std::vector<std::string>& texts) {
     Markup all;

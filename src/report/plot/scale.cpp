@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/check.hpp"
 #include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
@@ -24,7 +25,7 @@ double round_step(double raw) {
 std::vector<Tick> decades(const Scale& scale, int count) {
   const int first = static_cast<int>(std::ceil(std::log10(scale.low) - 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(scale.high) + 1e-9));
-  const int every = std::max(1, (last - first) / std::max(1, count) + 1);
+  const int every = std::max(1, (last - first) / std::clamp(count, 1, 1000) + 1);
   std::vector<Tick> ticks;
   for (int power = first; power <= last; power += every) {
     const double value = std::pow(10.0, power);
@@ -82,6 +83,9 @@ Scale scale_of(const std::vector<const Vector*>& values, bool logarithmic) {
 }
 
 std::vector<Tick> ticks_of(const Scale& scale, int count) {
+  const bool is_range = std::isfinite(scale.low) && std::isfinite(scale.high - scale.low) &&
+                        scale.high > scale.low && (!scale.logarithmic || scale.low > 0.0);
+  check_argument(is_range, "ticks_of", "the scale has no range that is finite");
   if (scale.logarithmic) return decades(scale, count);
   const double step = round_step((scale.high - scale.low) / std::max(1, count));
   const double first = std::ceil(scale.low / step - 1e-9);
@@ -101,7 +105,9 @@ std::vector<Tick> ticks_of(const Scale& scale, int count) {
 
 std::vector<Index> shown_samples(const Vector& x, const Vector& y, const Scale& scale,
                                  Index columns) {
-  if (x.size() <= 2 * columns) return every_few(x.size(), std::max<Index>(x.size(), 1));
+  check_argument(x.size() == y.size(), "shown_samples", "x and y differ in number");
+  check_argument(columns > 0, "shown_samples", "there is no column of pixels");
+  if (columns >= x.size() / 2 + 1) return every_few(x.size(), std::max<Index>(x.size(), 1));
   if (goes_back(x)) return every_few(x.size(), 4 * columns);
   std::vector<Index> shown;
   std::optional<Column> column;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "data/formats/check_record.hpp"
 #include "data/records/number_range.hpp"
 #include "fit_errors.hpp"
 #include "fit_quality.hpp"
@@ -216,6 +217,9 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
         const FitOptions& options, const RunContext& context) {
   check_flow(system.symbolic(), "fit");
   check_is_view(system.model(), data);
+  check_columns(data, "fit");
+  if (!held_out.trajectories.empty()) check_is_view(system.model(), held_out);
+  check_columns(held_out, "fit");
   check_number_range(data);
   check_number_range(held_out);
   check_are_others(data, held_out);

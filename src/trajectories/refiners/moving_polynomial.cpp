@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
@@ -89,6 +90,10 @@ Matrix smooth_by_polynomials(const Vector& time, const Vector& values, double no
 
 Matrix smooth_by_polynomials(const Vector& time, const Vector& values, const Vector& noise) {
   const Index n = time.size();
+  check_argument(values.size() == n && noise.size() == n, "smooth_by_polynomials",
+                 "times, values and noise differ in number",
+                 "give one of each for each sample");
+  check_times(time, 1, "smooth_by_polynomials");
   Smoothed best = smooth(time, values, std::min<Index>(5, n));
   if (!(noise.minCoeff() > 0.0)) return best.values;
   const auto risk = [&](const Smoothed& s) {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "lacuna/core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/trajectories/sensitivities/node_grid.hpp"
 #include "lacuna/trajectories/sensitivities/rates.hpp"
@@ -22,6 +22,9 @@ void check(const OdeModel& model, const Trajectory& record, const Matrix& path) 
   if (record.samples() < 4)
     throw ArgumentError("linearise", "the record has fewer than four samples",
                         "give a longer record");
+  check_times(record.time, 1, "linearise");
+  check_argument(record.inputs.rows() == record.samples(), "linearise",
+                 "the inputs have not as many rows as times");
 }
 
 /// Length of the part of a step around each node.
@@ -109,6 +112,8 @@ Matrix switching_density(const std::vector<Quantity>& inputs, const StepSlots& s
 LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, const Matrix& path,
                            const Vector& accuracy) {
   check(model, record, path);
+  check_argument(accuracy.size() == path.cols(), "linearise",
+                 "there is not one accuracy for each state");
   const Index m = path.cols();
   LinearisedRecord result = grid_of(model.inputs(), record, path);
   Rates rates(model);
@@ -133,6 +138,8 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
 }
 
 LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count) {
+  check_part(first, count, record.samples(), "part_of");
+  check_argument(count >= 1, "part_of", "there is no sample");
   LinearisedRecord part{
       record.time.segment(first, count),
       record.path.middleRows(first, count),
@@ -160,6 +167,8 @@ LinearisedRecord grid_of(const std::vector<Quantity>& inputs, const Trajectory& 
 }
 
 Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVariable>& delays) {
+  for (const DelayedVariable& delay : delays)
+    check_number(delay.slot, record.slots.cols(), "with_delays", "variable");
   const Index width = record.slots.cols(), count = static_cast<Index>(delays.size());
   Matrix result(record.slots.rows(), width + count);
   result.leftCols(width) = record.slots;

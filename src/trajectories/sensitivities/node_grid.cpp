@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 
 Vector node_times(const Vector& time, Index parts) {
+  constexpr Index kMost = Index{1} << 32;  // a fact of memory: more nodes have no room
   const Index n = time.size();
+  check_argument(n >= 1 && parts >= 1 && parts <= kMost / n, "node_times",
+                 "there are no samples or no parts", "give one at least");
   Vector nodes((n - 1) * parts + 1);
   for (Index i = 0; i + 1 < n; ++i)
     for (Index s = 0; s < parts; ++s)
@@ -56,6 +61,13 @@ StepGrid step_grid(std::vector<Interpolation> signals) {
 }
 
 Matrix step_slots(const Vector& time, const Matrix& values, const StepGrid& grid) {
+  check_times(time, 1, "step_slots");
+  check_argument(values.rows() == time.size(), "step_slots",
+                 "times and values differ in number");
+  check_argument(grid.stride == 2 || grid.stride == 3, "step_slots", "there is no such grid");
+  check_argument(
+      grid.signals.empty() || static_cast<Index>(grid.signals.size()) >= values.cols(),
+      "step_slots", "the grid has not a signal for each column");
   const Index width = values.cols(), steps = time.size() - 1;
   const Vector nodes = node_times(time, 2);
   Matrix slots(grid.rows(time.size()), width + 1);

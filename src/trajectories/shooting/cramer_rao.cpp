@@ -10,6 +10,11 @@ namespace lacuna {
 Vector cramer_rao_bound(const ParametrisedModel& model, const Dataset& truth,
                         const Vector& sigma, const WindowPlan& windows) {
   check_dataset(truth);
+  for (const Window& window : windows)
+    if (window.first < 0 || window.samples < 1 || window.intervals < 0 ||
+        window.first > truth.samples() - window.samples ||
+        window.intervals > truth.samples() - window.first)
+      throw ArgumentError("cramer_rao_bound", "a window is not inside the record", "");
   ShootingProblem problem(model, truth, {});
   const auto measured = static_cast<Index>(problem.record().measured.size());
   if (sigma.size() != measured || !(sigma.minCoeff() > 0.0))

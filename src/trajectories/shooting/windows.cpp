@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -61,10 +63,26 @@ Index without_rest(Index next, Index end, Index shortest) {
   return end - next < shortest ? end : next;
 }
 
+void check_begins(const std::vector<Index>& begins, const char* where) {
+  constexpr Index kMost = Index{1} << 40;  // a fact of memory: more samples have no room
+  bool rise = begins.empty() || begins.front() >= 0;
+  for (std::size_t r = 1; r < begins.size(); ++r) rise = rise && begins[r] >= begins[r - 1];
+  check_argument(rise && (begins.empty() || begins.back() <= kMost), where,
+                 "the begins of the records do not increase",
+                 "give the first sample of each record, then the number of all samples");
+}
+
 }  // namespace
 
 WindowPlan plan_windows(const std::vector<Index>& begins, const ErrorGrowth& growth,
                         const WindowLimits& limits) {
+  check_begins(begins, "plan_windows");
+  const Index intervals = begins.empty() ? 0 : begins.back() - 1;
+  check_argument(growth.dimension >= 0 && growth.transitions.rows() >= intervals &&
+                     growth.transitions.cols() >= growth.dimension * growth.dimension,
+                 "plan_windows", "there are not the matrices of each interval");
+  check_argument(limits.shortest >= 1 && limits.longest >= 1, "plan_windows",
+                 "a window has no sample");
   WindowPlan plan;
   GrowthWalk walk(growth);
   for (std::size_t r = 0; r + 1 < begins.size(); ++r) {
@@ -80,6 +98,8 @@ WindowPlan plan_windows(const std::vector<Index>& begins, const ErrorGrowth& gro
 }
 
 WindowPlan equal_windows(const std::vector<Index>& begins, Index samples) {
+  check_begins(begins, "equal_windows");
+  check_argument(samples > 0, "equal_windows", "a window has no sample");
   WindowPlan plan;
   for (std::size_t r = 0; r + 1 < begins.size(); ++r) {
     const Index count = begins[r + 1] - begins[r];

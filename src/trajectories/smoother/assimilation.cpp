@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "data/formats/check_record.hpp"
 #include "determined_step.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/numerics/least_squares.hpp"
@@ -336,6 +337,8 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
 }  // namespace
 
 Vector resolution_of(const Dataset& data) {
+  check_states(data, "resolution_of");
+  check_argument(data.samples() > 0, "resolution_of", "there is no sample");
   // Text with six digits, the least that is in use, leaves steps of 1e-6 of the span; of a
   // channel that never moves, of its value.
   Vector sizes = spans(data);

@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/trajectories/subset_selection/subset_problem.hpp"
 
+#include "core/base/check.hpp"
 #include "deflated_columns.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
+namespace {
+
+void check_subset(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  const Index columns = problem.columns();
+  check_argument(problem.scaled.cols() == columns + 1, "subset problem",
+                 "the triangle has not one column for each length and one for the target");
+  for (const Index j : subset) check_number(j, columns, "subset problem", "column");
+  check_argument(static_cast<Index>(subset.size()) <= problem.scaled.rows(), "subset problem",
+                 "the subset has more columns than the triangle has rows");
+}
+
+}  // namespace
 
 SubsetProblem subset_problem(const Matrix& triangle) {
+  check_argument(triangle.cols() > 0 && triangle.rows() > 0, "subset_problem",
+                 "the triangle is empty", "give the target as its last column");
   const Index q = triangle.cols() - 1;
   SubsetProblem problem{triangle, triangle.leftCols(q).colwise().norm()};
   for (Index j = 0; j < q; ++j)
@@ -15,6 +30,7 @@ SubsetProblem subset_problem(const Matrix& triangle) {
 }
 
 SubsetFit fit_subset(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  check_subset(problem, subset);
   const Matrix& scaled = problem.scaled;
   const auto k = static_cast<Index>(subset.size());
   Matrix part(scaled.rows(), k + 1);
@@ -34,6 +50,7 @@ Vector losses_of(const SubsetFit& fit) {
 }
 
 Vector gains_of(const SubsetProblem& problem, const std::vector<Index>& subset) {
+  check_subset(problem, subset);
   Vector result = deflate(problem, subset).gains();
   for (const Index j : subset) result[j] = 0.0;
   return result;

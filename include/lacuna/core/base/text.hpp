@@ -21,6 +21,7 @@ std::string format_number(double value, int significant_digits);
 std::string join(std::span<const std::string> parts, std::string_view separator);
 
 /// The text with blanks after it up to `width` bytes.
+/// @throws ArgumentError for a width of which no line is.
 std::string padded(std::string text, std::size_t width);
 
 /// The text without blanks and tabs at either end.

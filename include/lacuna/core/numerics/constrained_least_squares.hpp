@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include "lacuna/core/base/types.hpp"
@@ -17,11 +18,13 @@ struct ConstrainedSolution {
 /// Loan, Matrix Computations, 4th ed., 6.2.3).
 /// @param r any matrix with q columns. @param c as many entries as r has rows.
 /// @param a constraints x q. @param b one entry for each.
+/// @return NaN with infinite variances where an entry is not finite.
 /// @throws ArgumentError when the shapes do not fit.
 ConstrainedSolution constrained_least_squares(const Matrix& r, const Vector& c, const Matrix& a,
                                               const Vector& b);
 
-/// Whether A h = b has a solution, to rounding.
+/// Whether A h = b has a solution, to rounding; no where an entry is not finite.
+/// @throws ArgumentError when A and b differ in rows.
 bool is_feasible(const Matrix& a, const Vector& b);
 
 }  // namespace lacuna

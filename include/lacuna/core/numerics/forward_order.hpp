@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <vector>
@@ -24,6 +25,8 @@ struct ForwardLimits {
 /// Takes the column of A (h x q) that lowers |y - A h|^2 most beside those taken before it, one
 /// after the other: O(h q) each. Columns of which less than a millionth is new are left out.
 /// (Chen, Billings, Luo 1989, with modified inner products instead of deflated columns.)
+/// Columns that are not finite are left out; of such a target none is taken and NaN is left.
+/// @throws ArgumentError when columns and target differ in rows, or a first one does not exist.
 ForwardOrder forward_order(const Eigen::Ref<const Matrix>& columns, const Vector& target,
                            const ForwardLimits& limits, const RunContext& context = {});
 
@@ -31,6 +34,7 @@ ForwardOrder forward_order(const Eigen::Ref<const Matrix>& columns, const Vector
 /// columns of which less than 1e-5 is new are left out.
 /// @param gram symmetric; its first q columns are those that may be taken.
 /// @param target its column that is explained, q or later.
+/// @throws ArgumentError when there are no such columns, or the matrix is not square.
 ForwardOrder forward_order_in_gram(const Matrix& gram, Index q, Index target,
                                    const ForwardLimits& limits, const RunContext& context = {});
 

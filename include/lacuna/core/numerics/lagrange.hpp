@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <vector>
@@ -29,8 +30,8 @@ struct LagrangeWindow {
 class LagrangeInterpolant {
  public:
   /// @param time n increasing times; @param values n x q.
-  /// @throws ArgumentError when shapes do not fit or there are fewer than `window.points`
-  /// samples.
+  /// @throws ArgumentError when shapes do not fit, times do not increase, or there are fewer
+  /// than `window.points` samples.
   LagrangeInterpolant(const Vector& time, const Matrix& values, LagrangeWindow window);
 
   /// Uses the polynomial of the interval t_n .. t_{n+1} from now on (n from 0).

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <Eigen/QR>
@@ -10,7 +11,8 @@
 namespace lacuna {
 
 /// A = Q R by Householder reflections (Golub & Van Loan 2013, section 5.2): A is n x L, Q n x n
-/// and orthogonal, R n x L and upper triangular.
+/// and orthogonal, R n x L and upper triangular. What is not finite in A or B makes products
+/// NaN. Functions with an argument throw ArgumentError when its shape does not fit.
 class Qr {
  public:
   explicit Qr(const Matrix& a);
@@ -35,7 +37,9 @@ class Qr {
 };
 
 /// A P = Q R, each next column the one that is longest without those before (Businger & Golub
-/// 1965). Columns whose pivot is below a share of the largest count as dependent.
+/// 1965). Columns whose pivot is below a share of the largest count as dependent. Of an A with
+/// NaN or infinite entries the rank is 0 and solutions are NaN. Functions with an argument
+/// throw ArgumentError when its shape does not fit.
 class PivotedQr {
  public:
   /// @param share by default the smaller side of A times the rounding of a double.
@@ -70,7 +74,8 @@ class PivotedQr {
   Eigen::ColPivHouseholderQR<Matrix> factor_;
 };
 
-/// Orthonormal columns with the range of A, whatever the lengths of its columns.
+/// Orthonormal columns with the range of A, whatever the lengths of its columns; none where an
+/// entry is not finite.
 Matrix orthonormal_basis(const Matrix& a);
 
 }  // namespace lacuna

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +28,11 @@ struct SpanLine {
 /// polynomial wants use what there is. A value; not for use from several threads at once.
 class SampledSignal {
  public:
-  /// @param time n >= 1, strictly increasing; @param values n.
+  /// @param time n >= 1, strictly increasing; @param values n; of one that is NaN or infinite,
+  /// or
+  ///   of differences beyond the finite numbers, the polynomials near it are NaN.
+  /// @throws ArgumentError when shapes do not fit, there is no sample or the times do not
+  /// increase.
   SampledSignal(Vector time, const Eigen::Ref<const Vector>& values,
                 Interpolation interpolation = Interpolation::Cubic);
 
@@ -66,7 +71,7 @@ class SampledSignal {
 
  private:
   Index first_of(Index interval) const {
-    return std::clamp<Index>(interval - before_, 0, time_.size() - points_);
+    return std::clamp(interval, before_, time_.size() - points_ + before_) - before_;
   }
 
   Vector time_;
@@ -76,12 +81,17 @@ class SampledSignal {
 };
 
 /// Values between samples by the cubic through the four samples nearest to each query.
-/// @param time n >= 1, strictly increasing; @param values n; @param queries inside the record.
+/// @param time n >= 1, strictly increasing; @param values n; not finite near values that are
+/// not.
+/// @param queries outside of the record the first or last sample holds; NaN at NaN.
+/// @throws ArgumentError as SampledSignal.
 Vector interpolate_cubic(const Vector& time, const Vector& values, const Vector& queries);
 
 /// Integral from the first sample to each sample of the same piecewise cubic, 0 at the first:
 /// exact for cubics, else the error falls as step^4.
-/// @param time n >= 1, strictly increasing; @param values n.
+/// @param time n >= 1, strictly increasing; @param values n; not finite from one on that is
+/// not.
+/// @throws ArgumentError as SampledSignal.
 Vector integrate_cubic(const Vector& time, const Vector& values);
 
 }  // namespace lacuna

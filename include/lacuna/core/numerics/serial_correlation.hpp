@@ -17,7 +17,7 @@ struct SerialCorrelation {
 ///
 /// The sum ends at the first W >= 5 tau(W) (Sokal's self-consistent window, Functional
 /// Integration (1997) 131), or at n / 4; from each rho^2 what chance leaves, 1 / n, is taken
-/// off.
+/// off. Residuals of zeros and of numbers that are not finite have time 1.
 SerialCorrelation serial_correlation(const Vector& residuals);
 
 }  // namespace lacuna

@@ -18,7 +18,7 @@ struct SingularValues {
   Matrix null_space(double share) const;
 };
 
-/// @param a n x L, n >= 0, L >= 1.
+/// @param a n x L; all numbers are NaN where an entry is not finite.
 SingularValues singular_values(const Matrix& a);
 
 }  // namespace lacuna

@@ -63,6 +63,7 @@ class Differentiator : public StageInterface {
 /// The method with those of its parameters that were left open chosen for these records; the
 /// method itself when none is. @param noise of the states (estimate_noise) where it is known
 /// already; else it is estimated where it is needed.
+/// @throws ArgumentError when noise is not one number per state; DataError as check_form().
 Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data,
                                 const std::optional<Vector>& noise = {});
 

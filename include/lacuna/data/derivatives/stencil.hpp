@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <functional>
@@ -11,13 +12,16 @@ namespace lacuna {
 
 /// The step h of a uniform grid: no time stamp is further than h/1000 from t_0 + i h. Stamps
 /// are often rounded to a few digits, which must not count, while a drifting clock must.
-/// @return nothing for other grids and for fewer than two samples.
+/// @return nothing for other grids, those that do not rise, are not finite or have fewer than
+/// two
+///   samples among them.
 std::optional<double> common_step(const Vector& time);
 
 /// Weights w of the rule x^(k)(at) ~ sum_j w_j x(nodes_j), which is exact for polynomials of
 /// degree below the number of nodes; B. Fornberg, Math. Comp. 51 (1988) 699-706.
 /// @param order k >= 0; @param nodes distinct, at least k + 1 of them.
 /// @return one weight per node, in units of 1 / time^k.
+/// @throws ArgumentError for other nodes or orders, and where weights would not be finite.
 Vector interpolation_weights(const Vector& nodes, double at, int order);
 
 /// Weights of the k-th derivative at `at` of the polynomial of the given degree that fits the
@@ -25,6 +29,9 @@ Vector interpolation_weights(const Vector& nodes, double at, int order);
 /// (1964) 1627-1639, for any nodes.
 /// @param nodes strictly increasing, more than `degree` of them.
 /// @return one weight per node, in units of 1 / time^k; all 0 when k exceeds the degree.
+/// @throws ArgumentError for other nodes, a negative degree or order, and where weights would
+/// not
+///   be finite.
 Vector fit_weights(const Vector& nodes, double at, int degree, int order);
 
 /// A linear rule for a derivative from the samples near a point.
@@ -44,7 +51,9 @@ struct StencilRule {
 /// ends and on other grids each row has weights of its own, from the `width` samples nearest in
 /// number. Derivatives are sums of differences of samples, so that a constant gives exactly 0.
 /// @param margin samples at either end that have no row in the result.
-/// @throws DataError when there are fewer than `width` samples.
+/// @throws DataError when there are fewer than `width` samples; ArgumentError when shapes do
+/// not
+///   fit, the margin leaves nothing, or the rule is none.
 Matrix apply_stencil(const StencilRule& rule, const Vector& time,
                      const Eigen::Ref<const Matrix>& values, Index margin = 0);
 

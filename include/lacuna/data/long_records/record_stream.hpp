@@ -72,6 +72,7 @@ struct Stretch {
 /// to 16 stretches of equal length at equal distances over all records, the last at the end,
 /// cut where a record ends; fewer and longer ones where the slowest state would pass its mean
 /// less than 32 times in one.
+/// @throws ArgumentError when a record is null.
 std::vector<Stretch> excerpt_of(
     const std::vector<std::shared_ptr<const SampleSource>>& records);
 
@@ -80,6 +81,7 @@ std::vector<Stretch> excerpt_of(
 /// covers the records; never so many that less than 1000 samples remain between two passages of
 /// the fastest state or input. Passages go from a quarter of the standard deviation on one side
 /// to as much on the other and are counted at the begin of the longest record.
+/// @throws ArgumentError when a record is null.
 Index thinning_of(const std::vector<std::shared_ptr<const SampleSource>>& records);
 
 }  // namespace lacuna

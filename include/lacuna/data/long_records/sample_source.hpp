@@ -22,6 +22,7 @@ class SampleSource {
 
   /// Samples first, first + step, ..., `count` of them, which must be there.
   /// @throws FileError as read().
+  /// ArgumentError when there are none such.
   virtual Trajectory read_every(Index first, Index step, Index count) const;
 
   /// All samples, where they are in memory anyway; else nullptr.
@@ -32,6 +33,7 @@ class SampleSource {
 std::shared_ptr<const SampleSource> source_of(const Trajectory& record);
 
 /// Every `step`-th sample of a record.
+/// @throws ArgumentError when there is no record.
 std::shared_ptr<const SampleSource> thinned(std::shared_ptr<const SampleSource> record,
                                             Index step);
 

@@ -52,19 +52,22 @@ struct Dataset {
   /// Whether every trajectory brings dx/dt.
   bool has_derivatives() const noexcept;
 
-  /// Whether a state was measured and not made from others.
+  /// Whether a state was measured and not made from others, as nothing else is said of it.
   bool is_measured(Index state) const noexcept {
-    return reconstructed.empty() || !reconstructed[static_cast<std::size_t>(state)];
+    const auto index = static_cast<std::size_t>(state);
+    return index >= reconstructed.size() || !reconstructed[index];
   }
 
   /// The state that is dx_i/dt by an identity, if there is one.
   std::optional<Index> rate_state(Index state) const;
 };
 
-/// The trajectory with the most samples, the first of several; there must be one.
+/// The trajectory with the most samples, the first of several.
+/// @throws ArgumentError when there is none.
 const Trajectory& longest_record(const Dataset& data);
 
-/// Median of the sampling steps of all trajectories; there must be one.
+/// Median of the sampling steps of all trajectories.
+/// @throws ArgumentError when there is none or one is not finite.
 double median_step(const Dataset& data);
 
 /// Whether a dataset without inputs has trajectories whose inputs are 0 x 0, as they are when

@@ -20,9 +20,12 @@ enum class Mark {
 inline constexpr double number_of(Mark mark) { return static_cast<double>(mark); }
 
 /// The mark of a sample; Value where there are none.
-/// @param marks n x m or 0 x 0; further states than it has columns have values.
+/// @param marks n x m or 0 x 0; samples and states beyond it have values.
 inline Mark mark_of(const Matrix& marks, Index sample, Index state) {
-  if (sample >= marks.rows() || state >= marks.cols()) return Mark::Value;
+  const auto is_beyond = [](Index number, Index count) {
+    return static_cast<std::size_t>(number) >= static_cast<std::size_t>(count);
+  };
+  if (is_beyond(sample, marks.rows()) || is_beyond(state, marks.cols())) return Mark::Value;
   return static_cast<Mark>(static_cast<int>(marks(sample, state)));
 }
 
@@ -36,15 +39,19 @@ inline bool says_something(Mark mark) { return mark == Mark::Value || is_clipped
 Matrix marks_of(const Trajectory& record);
 
 /// Sets the mark of a sample; the record gets marks where it has none.
+/// @throws ArgumentError when there is no such sample or state.
 void set_mark(Trajectory& record, Index sample, Index state, Mark mark);
 
 /// States of a record with those of its samples that say nothing put on the straight line
 /// between the ones before and behind them, at the ends on the nearest. A column in which no
 /// sample says anything stays as it is.
-/// @param marks n x m or 0 x 0.
+/// @param marks n x m or 0 x 0. Values that are not finite are as good as others.
 Matrix filled(Matrix states, const Matrix& marks);
 
 /// One state of a record by those of its samples that are values, with their times.
+/// @throws ArgumentError when there is no such state, or not as many rows as times. Values may
+/// be
+///   NaN or infinite.
 Trajectory values_of(const Trajectory& record, Index state);
 
 }  // namespace lacuna

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <optional>
@@ -33,7 +34,11 @@ struct StateNoise {
 };
 
 /// Sizes of a state's differences of one order, with weights of norm 1: of white noise their
-/// root mean square is its deviation. n - order entries (none where there are fewer samples).
+/// root mean square is its deviation. n - order entries (none where there are fewer samples, or
+/// for orders below 1).
+/// @throws ArgumentError when there is no such state, not as many rows as times, or a sample
+/// that
+///   is not finite.
 Vector difference_sizes(const Trajectory& record, Index state, Index order);
 
 /// Deviations of the noise that a sample must be off to be an outlier: one of 5e8 samples of
@@ -54,6 +59,7 @@ constexpr double kOutlyingDeviations = 6.0;
 ///   noise in common.
 /// - Outliers are counted as outlying_samples() finds them.
 /// @param threads that states are divided among.
+/// @throws ArgumentError as difference_sizes().
 std::vector<StateNoise> analyse_noise(const Dataset& data, int threads = 1);
 
 /// Samples of one state that noise of deviation sigma does not explain: e_i = x_i minus the
@@ -61,6 +67,7 @@ std::vector<StateNoise> analyse_noise(const Dataset& data, int threads = 1);
 /// than `deviations` sigma sqrt(3/2) and by more than `deviations` robust deviations of all e;
 /// of neighbours the worst.
 /// @param sigma of the noise, one for all or one for each sample.
+/// @throws ArgumentError as difference_sizes(), and when there is another number of sigmas.
 std::vector<Index> outlying_samples(const Trajectory& record, Index state, double sigma,
                                     double deviations = kOutlyingDeviations);
 std::vector<Index> outlying_samples(const Trajectory& record, Index state, const Vector& sigma,
@@ -68,6 +75,7 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
 
 /// Standard deviation of white measurement noise per state as by analyse_noise().
 /// @return m entries in the units of the states; 0 where no noise can be told from the signal.
+/// @throws ArgumentError as difference_sizes().
 Vector estimate_noise(const Dataset& data, int threads = 1);
 
 }  // namespace lacuna

@@ -75,6 +75,7 @@ Dataset assign_roles(const Table& table, const ColumnRoles& roles);
 
 /// Rows of a table as a record.
 /// @param step of the samples where no column is the time.
+/// @throws ArgumentError when there are no such rows or columns. Missing values are NaN.
 Trajectory take_record(const Table& table, const ColumnIndices& columns,
                        const std::optional<double>& step, const TableRows& rows);
 

@@ -27,23 +27,26 @@ struct Trajectory {
   double duration() const noexcept { return time[time.size() - 1] - time[0]; }
 };
 
-/// Mean of the sampling steps; at least two samples.
+/// Mean of the sampling steps.
+/// @throws ArgumentError when there are fewer than two samples or it is not a finite number.
 double mean_step(const Trajectory& trajectory);
 
 /// The common sampling step of a record.
-/// @return nothing when steps differ by more than `tolerance` times the mean step, or when
-/// there
-///   are fewer than two samples.
+/// @return nothing when steps differ by more than `tolerance` times the mean step, when there
+/// are
+///   fewer than two samples, or when times are not finite.
 std::optional<double> uniform_step(const Trajectory& trajectory, double tolerance = 1e-3);
 
 /// Samples [first, first + count) of a record.
+/// @throws ArgumentError when they are not there, or the record has not as many rows as times.
 Trajectory rows_of(const Trajectory& trajectory, Index first, Index count);
 
 /// File that a record comes from: "run.csv" of "run.csv, record 2".
 std::string file_of(const Trajectory& trajectory);
 
 /// Whether a record goes on where another one of the same file ends, as after missing samples:
-/// it begins later, by `longest_gap` at most.
+/// it begins later, by `longest_gap` at most. Nothing goes on from or to a record without
+/// samples.
 bool goes_on(const Trajectory& before, const Trajectory& after, double longest_gap);
 
 }  // namespace lacuna

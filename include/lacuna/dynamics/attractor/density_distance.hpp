@@ -12,7 +12,8 @@ namespace lacuna {
 /// Multivariate Density Estimation, 1992, Sect. 3.4). Samples that repeat orbits of another
 /// length have a distance of a few per cent by chance alone; compare it with that of two orbits
 /// of one system.
-/// @param a, b samples x m. @throws ArgumentError when states differ or a record is empty.
+/// @param a, b samples x m. @throws ArgumentError when states differ, a record is empty, or a
+///   sample or its square is not finite.
 double density_distance(const Matrix& a, const Matrix& b);
 
 }  // namespace lacuna

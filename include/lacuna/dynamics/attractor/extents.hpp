@@ -19,6 +19,8 @@ struct AttractorExtents {
 /// of that length would differ; parts are a little smaller than the whole, which is not
 /// counted.
 /// @throws ArgumentError for fewer than 2 blocks or less than 2 samples in a block.
+/// The same for more blocks than samples and for sizes whose product is beyond doubles;
+///   DataError as check_dataset().
 AttractorExtents attractor_extents(const Dataset& record, Index blocks = 5);
 
 }  // namespace lacuna

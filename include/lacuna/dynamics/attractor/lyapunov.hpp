@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include "lacuna/dynamics/integration/integrator.hpp"
@@ -31,6 +32,7 @@ LyapunovSpectrum lyapunov_spectrum(const OdeModel& model, const Integrator& inte
 /// j + (lambda_1 + .. + lambda_j) / |lambda_{j+1}| with the largest j whose sum is not negative
 /// (Kaplan and Yorke 1979); the number of exponents when their whole sum is not negative.
 /// @param exponents from the largest on.
+/// @throws ArgumentError when one is NaN or infinite.
 double kaplan_yorke_dimension(const Vector& exponents);
 
 }  // namespace lacuna

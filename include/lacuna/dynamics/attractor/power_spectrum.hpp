@@ -16,6 +16,7 @@ struct PowerSpectrum {
 /// is about the variance.
 /// @param segments number of non-overlapping segments the record is divided by.
 /// @throws ArgumentError when the record is not uniform or a segment has fewer than 8 samples.
+/// The same when a sample or its square is not finite, or rows and times differ in number.
 PowerSpectrum power_spectrum(const Trajectory& record, Index segments = 16);
 
 /// Hellinger's distance of two spectra, each normalised to the sum 1, the mean over the states:

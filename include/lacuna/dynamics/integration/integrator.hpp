@@ -66,6 +66,7 @@ class Integrator : public StageInterface {
   virtual int order() const = 0;
 
   /// A stepper for m states; it takes the size of divergence from the state it first sees.
+  /// @throws ArgumentError for fewer than one state, or so many that there is no room.
   virtual std::unique_ptr<Stepper> make_stepper(Index dimension) const = 0;
 
   /// The orbit through x0 at the given times (increasing; the first is the time of x0).

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include "lacuna/dynamics/integration/integrator.hpp"
@@ -31,6 +32,8 @@ Solution simulate(const DrivenModel& driven, const Integrator& integrator, const
                   const Vector& times, const RunContext& context = {});
 
 /// t0, t0 + h, ... with n entries.
+/// @throws ArgumentError for a negative number of samples, one of which there is no room, or a
+///   time that is NaN or infinite.
 Vector sample_times(double t0, double h, Index n);
 
 }  // namespace lacuna

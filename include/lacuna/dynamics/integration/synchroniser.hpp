@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <optional>
@@ -76,6 +77,7 @@ struct SyncResult {
 /// state i: w_i = arccos(3/4) / lag_i. For clean data this is about sqrt(mean var(dx_i/dt) /
 /// var(x_i)); unlike that it does not grow with noise and with fast sampling. In 1 / time unit;
 /// 1 over the length of the record when no state changes.
+/// @throws DataError as check_dataset().
 Matrix default_coupling(const Dataset& record);
 
 /// The record without trajectories that are too short for synchronise() by an integrator, as

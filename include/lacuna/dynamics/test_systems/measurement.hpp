@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@ Dataset record_of(const OdeModel& model, const Integrator& integrator, const Vec
 /// The record with white Gaussian noise of standard deviation sigma_i (unit of the state) added
 /// to each state. Derivatives that came with the record are dropped: they are not measured.
 /// @throws ArgumentError when sigma does not have one entry >= 0 per state.
+/// @throws ArgumentError unless there is one finite sigma >= 0 per state; the same below.
 Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed);
 
 /// The same relative noise on all states: sigma_i = share times the standard deviation of state

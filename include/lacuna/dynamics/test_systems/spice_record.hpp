@@ -15,6 +15,8 @@ Dataset read_spice_output(const std::filesystem::path& path);
 /// The record on the uniform grid t = 0, h, 2h, ... with n samples, time in units of `unit` s
 /// after `begin` s, by polynomials through six of ngspice's own, unevenly spaced samples.
 /// @throws DataError when the record ends before.
+/// @throws ArgumentError when there are no such samples; DataError as check_dataset() and when
+///   the record ends before.
 Dataset resampled(const Dataset& record, double begin, double unit, double h, Index n);
 
 }  // namespace lacuna

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <algorithm>
@@ -78,6 +79,8 @@ struct Scope {
 /// @param noise standard deviation of the measurement noise, m entries.
 /// @param lines see Scope::lines.
 /// @throws ArgumentError when the records' states or inputs are not those of the model.
+/// @throws ArgumentError when names do not fit, or noise is not one number per state; DataError
+///   as check_dataset().
 Scope make_scope(const OdeModel& model, const Dataset& data, const Vector& noise,
                  std::vector<SpectralLine> lines = {});
 

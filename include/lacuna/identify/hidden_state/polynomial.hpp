@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <map>
@@ -38,6 +39,7 @@ Polynomial scaled(const Polynomial& p, double factor);
 Polynomial product(const Polynomial& p, const Polynomial& exact);
 
 /// dp/dx of one variable.
+/// @throws ArgumentError when there is no such variable; the same below.
 Polynomial derivative(const Polynomial& p, Index variable);
 
 /// p with a polynomial, known exactly, in place of a variable.

@@ -32,6 +32,7 @@ struct EmbeddingOrder {
 /// @throws ConfigError for an unknown state, a state named twice, order 0, a name that is
 /// taken;
 ///   DataError when a record is too short for the differentiator or unusable (check_dataset).
+/// @throws ArgumentError for an order beyond 100.
 Dataset embed(const Dataset& data, const std::vector<EmbeddingOrder>& orders,
               const Differentiator& differentiator);
 

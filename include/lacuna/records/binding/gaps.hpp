@@ -30,6 +30,7 @@ struct GapOptions {
 /// GapOptions::longest_gap usual steps (the median of all): a model goes on from one sample to
 /// the next however far they are apart. A joined record is named like its file.
 /// @param data at least one record.
+/// @throws ArgumentError when a record has not the columns of the dataset.
 Dataset join_across_gaps(const Dataset& data, const GapOptions& options = {});
 
 /// Records that can be worked with, and what was done to get them.
@@ -50,6 +51,7 @@ struct SplitRecords {
 };
 
 /// Splits every record in time.
+/// @throws ArgumentError when a record has not the columns of the dataset.
 SplitRecords split_in_time(const Dataset& data);
 
 }  // namespace lacuna

@@ -13,10 +13,12 @@ namespace lacuna {
 /// times). None where that is not so: dense samples of a smooth signal lie nearly on lines as
 /// well, but not so regularly.
 /// @param time, values n. @param spacing of the digits of the values.
+/// @throws ArgumentError when times and values differ in number.
 std::vector<Index> interpolated_samples(const Vector& time,
                                         const Eigen::Ref<const Vector>& values, double spacing);
 
 /// Such samples of an input of a record, whose numbers have seven digits.
+/// @throws ArgumentError when there is no such input.
 std::vector<Index> interpolated_samples(const Trajectory& record, Index input);
 
 /// Whether some record has such samples of an input.

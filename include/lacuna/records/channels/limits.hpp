@@ -20,11 +20,14 @@ struct Limits {
 /// the last of which is one of the lattice; what is stopped by a force repeats no value, as its
 /// noise goes on.
 /// @param data samples that are no values are not looked at. @return m entries.
+/// @throws ArgumentError when a record has not the columns of the dataset, or a sample is not
+///   finite.
 std::vector<Limits> visible_limits(const Dataset& data, double pile_up);
 
 /// The records with the samples marked that are at an end of their channel or beyond, where
 /// they get the value of the end. Samples that say nothing keep their marks.
 /// @param limits m entries.
+/// @throws ArgumentError when a record has not the columns of the dataset.
 Dataset with_limits(Dataset data, const std::vector<Limits>& limits);
 
 }  // namespace lacuna

@@ -11,6 +11,7 @@ namespace lacuna {
 /// How an input goes on between samples as far as its samples tell: Hold::Zero where most of
 /// them repeat the one before in every record in which it moves (shows_hold()), else
 /// Hold::Smooth; nothing where it never moves.
+/// @throws ArgumentError when there is no such input.
 std::optional<Hold> shown_hold(const Dataset& data, Index input);
 
 /// The model with the shown holds of those inputs of which it does not say how they go on.

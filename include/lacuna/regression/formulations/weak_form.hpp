@@ -57,6 +57,7 @@ class WeakForm final : public Configured<Formulation, WeakFormOptions> {
 /// Gaussian of deviation sqrt(2 p + 3) / radius, passes the signal up to the frequency at which
 /// it sinks into the noise.
 /// @param options values that are given are kept.
+/// @throws DataError as check_dataset().
 TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options = {},
                                   int threads = 1);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include "lacuna/core/base/run_context.hpp"
@@ -12,6 +13,7 @@ Matrix fold_gram(const RowSource& rows, const RunContext& context = {});
 
 /// The same of [Theta, Y - Theta H]: what coefficients H leave of the targets.
 /// @param h L x m.
+/// @throws ArgumentError when H does not fit.
 Matrix fold_deflated_gram(const RowSource& rows, const Matrix& h,
                           const RunContext& context = {});
 
@@ -25,6 +27,7 @@ struct GramFactor {
 /// G). Columns that depend on earlier ones, and columns of zeros, get a row of zeros in R.
 /// @param terms columns that are looked at for a breakdown; columns of zeros do not count.
 /// @param context asked between columns whether to stop
+/// @throws ArgumentError when the matrix is not square.
 GramFactor factor_gram(const Matrix& gram, Index terms, const RunContext& context = {});
 
 }  // namespace lacuna

@@ -40,6 +40,7 @@ std::shared_ptr<const RowSource> make_row_source(Matrix theta, Matrix targets);
 
 /// The same rows in memory if they take at most `most_bytes`, otherwise `source` itself: for
 /// rows that are costlier to make than to keep and are passed over many times.
+/// @throws ArgumentError when there is no source.
 std::shared_ptr<const RowSource> kept_in_memory(std::shared_ptr<const RowSource> source,
                                                 Index most_bytes = Index{1} << 26);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <utility>
@@ -45,12 +46,14 @@ class Subproblem {
 
   /// Solves R'R dh = g for a gradient g = Theta_A' r (refinement). Coefficients that solve()
   /// sets to 0 do not change.
+  /// @throws ArgumentError unless there is one entry per active term.
   Vector solve_normal(const Vector& gradient) const;
 
   /// |y - Theta_A h| of the least-squares solution; O(|A|^3) where terms depend on each other.
   double residual_norm() const;
 
   /// |y - Theta_A h| of any h.
+  /// @throws ArgumentError unless there is one entry per active term.
   double residual_norm(const Vector& h) const;
 
   /// Takes the term at a position of active() out: O(|A|^2).

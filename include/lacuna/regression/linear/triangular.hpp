@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include "lacuna/core/base/types.hpp"
@@ -16,12 +17,15 @@ struct TriangularProblem {
 /// @param columns h x k; column j is zero below row heights[j].
 /// @param heights strictly increasing.
 /// @param target h, in the same coordinates.
+/// @throws ArgumentError when shapes do not fit.
 TriangularProblem retriangularise(Matrix columns, Vector target, const TermSet& heights);
 
 /// Takes column `position` out by Givens rotations; what it alone explained goes to rho.
+/// @throws ArgumentError when there is no such column.
 void remove_column(TriangularProblem& problem, Index position);
 
 /// Smallest |R_ii| of unit columns that rounding in `rows` rows cannot have made.
+/// @throws ArgumentError for negative numbers.
 double rank_tolerance(Index columns, Index rows);
 
 /// Columns whose diagonal is at most tolerance * max |R_ii| when the earlier such columns have

@@ -74,6 +74,7 @@ class Formulation : public StageInterface {
 /// The form with those of its parameters that were left open chosen for these records, so that
 /// they are chosen once; the form itself when none is. @param data checked (check_dataset).
 /// @param noise of the states (estimate_noise) where it is known already.
+/// @throws ArgumentError when noise is not one number per state; DataError as check_form().
 Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data,
                              const std::optional<Vector>& noise = {});
 

@@ -51,6 +51,7 @@ std::string format_text(const DataSummary& summary);
 std::string format_json(const DataSummary& summary);
 
 /// One line: files, columns with roles and units, rows, step, records.
+/// @throws DataError as check_form().
 std::string data_line(const Dataset& data, Index known);
 
 }  // namespace lacuna

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <string>
@@ -30,12 +31,14 @@ Scale scale_of(const std::vector<const Vector*>& values, bool logarithmic = fals
 
 /// Round values in the range: multiples of 1, 2 or 5 times a power of ten, about `count` of
 /// them; on a logarithmic axis powers of ten, every n-th where there are many.
+/// @throws ArgumentError when the scale has no range.
 std::vector<Tick> ticks_of(const Scale& scale, int count);
 
 /// Samples that show a curve as well as all of them do where `columns` pixels are side by side:
 /// of every column the first, the last, the least and the largest value, in their order. NaN
 /// splits a curve: one stays for each run of them. Where x goes back and forth (an orbit)
 /// every k-th sample stands, no more than four for each column.
+/// @throws ArgumentError when x and y differ in number, or there is no column.
 std::vector<Index> shown_samples(const Vector& x, const Vector& y, const Scale& scale,
                                  Index columns);
 

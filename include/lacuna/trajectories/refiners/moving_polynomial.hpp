@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include "lacuna/core/base/types.hpp"
@@ -12,6 +13,8 @@ namespace lacuna {
 /// @param noise sigma of the samples, one for all or one for each; 0 gives the narrowest
 /// window.
 /// @return n x 2: the signal, its rate. Fewer than five samples are interpolated.
+/// @throws ArgumentError when shapes do not fit, there is no sample or the times do not
+///   increase.
 Matrix smooth_by_polynomials(const Vector& time, const Vector& values, double noise);
 Matrix smooth_by_polynomials(const Vector& time, const Vector& values, const Vector& noise);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <span>
@@ -55,6 +56,7 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
                            const Vector& accuracy);
 
 /// Samples [first, first + count) of a linearised record.
+/// @throws ArgumentError when they are not there or none.
 LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count);
 
 /// Only the grid of a record along a path: time, path and slots.
@@ -65,10 +67,12 @@ LinearisedRecord grid_of(const std::vector<Quantity>& inputs, const Trajectory& 
 /// Values of delayed variables on the grid of `slots`, which holds the variables in its first
 /// columns; what lies before the record is held at its first sample (delayed_step_slots()).
 /// @return R x (m+p+1+d): `slots` and one column for each delayed variable.
+/// @throws ArgumentError when there is no such variable.
 Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVariable>& delays);
 
 /// Values of formulas at begins, middles and ends of steps, R x count.
 /// @throws ModelError when one uses a name that is not a variable of the model.
+/// Not finite where a formula is not.
 Matrix evaluate_on(const LinearisedRecord& record, const Variables& variables,
                    std::span<const Expression> formulas);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <vector>
@@ -11,6 +12,7 @@ namespace lacuna {
 
 /// Times of the nodes of a record: each sampling interval in `parts` equal parts.
 /// @param time n samples. @return (n-1) parts + 1.
+/// @throws ArgumentError when there are no samples or no parts.
 Vector node_times(const Vector& time, Index parts);
 
 /// What was sampled, at the nodes, and t behind it: the slots of a program without delayed
@@ -48,6 +50,7 @@ StepGrid step_grid(std::vector<Interpolation> signals);
 /// What was sampled at begins, middles and ends of steps, and t behind it. At the end of a step
 /// a held signal has the value that it had all along.
 /// @param values n x q. @return grid.rows(n) x (q+1).
+/// @throws ArgumentError when shapes do not fit or the times do not increase.
 Matrix step_slots(const Vector& time, const Matrix& values, const StepGrid& grid);
 
 /// Delayed variables at begins, middles and ends of steps. Of a held signal, which jumps

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 // Integration of a model over the sampling steps of a record, each from its own begin.
 #pragma once
 

@@ -19,6 +19,8 @@ namespace lacuna {
 /// @param sigma noise of each state that the record has.
 /// @return P entries; infinite where the record says nothing.
 /// @throws ArgumentError when sigma does not fit; DataError as refine().
+/// @throws ArgumentError unless there is one positive sigma per state, and windows lie in the
+///   record.
 Vector cramer_rao_bound(const ParametrisedModel& model, const Dataset& truth,
                         const Vector& sigma, const WindowPlan& windows);
 

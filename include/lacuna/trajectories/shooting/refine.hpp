@@ -95,6 +95,7 @@ struct Refinement {
 /// @throws DataError as the record must have the model's inputs and at least one of its states,
 ///   and every other state must follow from an equation; ArgumentError for options of a wrong
 ///   size; Cancelled.
+/// Errors are not finite where the record does not determine a number.
 Refinement refine(const ParametrisedModel& model, const Dataset& record,
                   const RefineOptions& options = {}, const RunContext& context = {});
 

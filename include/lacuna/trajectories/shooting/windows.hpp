@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <vector>
@@ -42,10 +43,13 @@ struct WindowLimits {
 /// Cuts trajectories into windows, each as long as the limits let it be; the samples of a
 /// trajectory are shared out so that no window is much shorter than the one before it.
 /// @param begins first sample of each trajectory, then the number of all samples.
+/// @throws ArgumentError when begins do not increase, there are not the matrices of each
+///   interval, or a window may have no sample.
 WindowPlan plan_windows(const std::vector<Index>& begins, const ErrorGrowth& growth,
                         const WindowLimits& limits);
 
 /// The same number of samples in each window, as far as trajectories go.
+/// @throws ArgumentError when begins do not increase or a window has no sample.
 WindowPlan equal_windows(const std::vector<Index>& begins, Index samples);
 
 /// Largest |Phi|_F / sqrt(m) that errors reach within any window of a plan.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 // What a model leaves when it runs freely in windows of records.
 #pragma once
 

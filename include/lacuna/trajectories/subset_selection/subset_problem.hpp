@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <vector>
@@ -17,6 +18,7 @@ struct SubsetProblem {
 };
 
 /// @param triangle R, upper triangular; the last column is the target.
+/// @throws ArgumentError when it is empty.
 SubsetProblem subset_problem(const Matrix& triangle);
 
 /// Least squares in a subset.
@@ -26,6 +28,8 @@ struct SubsetFit {
   double residual = 0.0;  ///< |y - A_S h|^2
 };
 
+/// Not finite where columns of the subset depend on each other. @throws ArgumentError when
+///   there are no such columns; the same below.
 SubsetFit fit_subset(const SubsetProblem& problem, const std::vector<Index>& subset);
 
 /// Increase of the sum of squares when each member leaves, in the order of the subset.
@@ -35,9 +39,11 @@ Vector losses_of(const SubsetFit& fit);
 Vector gains_of(const SubsetProblem& problem, const std::vector<Index>& subset);
 
 /// Coefficients h of a subset, in the units of the columns of A.
+/// Not finite where columns of the subset depend on each other.
 Vector solution_of(const SubsetProblem& problem, const std::vector<Index>& subset);
 
 /// Diagonal of (A_S' A_S)^-1.
+/// Not finite where columns of the subset depend on each other.
 Vector variances_of(const SubsetProblem& problem, const std::vector<Index>& subset);
 
 }  // namespace lacuna

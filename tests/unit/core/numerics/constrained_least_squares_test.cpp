@@ -93,5 +93,10 @@ TEST(ConstrainedLeastSquares, ContradictionsAreSeen) {
                ArgumentError);
 }
 
+TEST(ConstrainedLeastSquares, FeasibleShapesHaveToFit) {
+  EXPECT_THROW(is_feasible(Matrix::Ones(2, 3), Vector::Ones(3)), ArgumentError);
+  EXPECT_FALSE(is_feasible(Matrix::Constant(1, 1, NAN), Vector::Ones(1)));
+}
+
 }  // namespace
 }  // namespace lacuna

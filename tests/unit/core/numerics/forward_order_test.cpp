@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <random>
 
+#include "lacuna/core/base/error.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -84,6 +86,19 @@ TEST(ForwardOrder, EndsOnRequest) {
   context.stop = source.get_token();
   const Matrix a = random_numbers(30, 6, 7);
   EXPECT_THROW(forward_order(a, a.col(2), {.fewest = 3}, context), Cancelled);
+}
+
+TEST(ForwardOrder, NumbersAndShapesHaveToFit) {
+  const Matrix a = Matrix::Identity(3, 3);
+  EXPECT_THROW(forward_order(a, Vector::Ones(2), {}), ArgumentError);
+  for (const Index j : {Index{-1}, Index{3}}) {
+    EXPECT_THROW(forward_order(a, Vector::Ones(3), {.first = {j}}), ArgumentError);
+    EXPECT_THROW(forward_order_in_gram(a, 2, j, {}), ArgumentError);
+  }
+  EXPECT_THROW(forward_order_in_gram(a, 3, 2, {}), ArgumentError);
+  EXPECT_THROW(forward_order_in_gram(a, -1, 2, {}), ArgumentError);
+  EXPECT_THROW(forward_order_in_gram(a, 2, 2, {.first = {2}}), ArgumentError);
+  EXPECT_THROW(forward_order_in_gram(Matrix::Ones(3, 2), 1, 1, {}), ArgumentError);
 }
 
 }  // namespace

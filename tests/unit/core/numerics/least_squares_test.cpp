@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/numerics/qr.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -36,6 +41,30 @@ TEST(LeastSquares, TheSmallestSharesAmongEqualColumns) {
   const Matrix h = smallest_least_squares(Matrix::Ones(3, 2), Matrix::Constant(3, 1, 4.0));
   EXPECT_NEAR(h(0, 0), 2.0, 1e-14);
   EXPECT_NEAR(h(1, 0), 2.0, 1e-14);
+}
+
+TEST(LeastSquares, ShapesHaveToFit) {
+  const Matrix a = Matrix::Ones(3, 2), b = Matrix::Ones(4, 1);
+  EXPECT_THROW(least_squares(a, b), ArgumentError);
+  EXPECT_THROW(smallest_least_squares(a, b), ArgumentError);
+  EXPECT_THROW(solve_symmetric(Matrix::Identity(2, 2), b), ArgumentError);
+  EXPECT_THROW(solve_symmetric(a, Matrix::Ones(3, 1)), ArgumentError);
+}
+
+TEST(LeastSquares, WithoutRowsAllIsZero) {
+  const Matrix none = least_squares(Matrix(0, 2), Matrix(0, 3));
+  EXPECT_EQ(none, Matrix::Zero(2, 3));
+  EXPECT_EQ(smallest_least_squares(Matrix(0, 2), Matrix(0, 3)), none);
+  EXPECT_EQ(least_squares(Matrix(3, 0), Matrix(3, 1)).rows(), 0);
+}
+
+TEST(LeastSquares, WhatIsNotFiniteHasNoSolution) {
+  Matrix a = Matrix::Identity(2, 2);
+  a(1, 0) = std::numeric_limits<double>::quiet_NaN();
+  const Matrix b = Matrix::Ones(2, 1);
+  for (const Matrix& h : {least_squares(a, b), smallest_least_squares(a, b),
+                          solve_symmetric(a, b), Matrix(PivotedQr(a).solve(b))})
+    EXPECT_TRUE(h.array().isNaN().all()) << h;
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {
@@ -108,6 +111,31 @@ TEST(OrthonormalBasis, LengthsOfColumnsDoNotMatter) {
 TEST(OrthonormalBasis, OfNothingIsNothing) {
   EXPECT_EQ(orthonormal_basis(Matrix(3, 0)).cols(), 0);
   EXPECT_EQ(orthonormal_basis(Matrix(3, 0)).rows(), 3);
+}
+
+TEST(PivotedQr, OfNothingHasTheIdentity) {
+  for (const auto& [rows, columns] : {std::pair<Index, Index>{0, 3}, {3, 0}, {0, 0}}) {
+    const PivotedQr factor(Matrix(rows, columns));
+    EXPECT_EQ(factor.rank(), 0);
+    EXPECT_EQ(factor.pivots().size(), 0);
+    EXPECT_EQ(static_cast<Index>(factor.order().size()), columns);
+    EXPECT_EQ(factor.basis().cols(), 0);
+    EXPECT_EQ(factor.complement(), Matrix::Identity(rows, rows));
+    EXPECT_EQ(factor.inverse_triangle().size(), 0);
+    EXPECT_EQ(factor.solve(Vector(Vector::Ones(rows))), Vector::Zero(columns));
+  }
+}
+
+TEST(Qr, ArgumentsHaveToFit) {
+  const Qr qr(Matrix::Ones(3, 2));
+  EXPECT_THROW(qr.times(Matrix::Ones(2, 2)), ArgumentError);
+  EXPECT_THROW(qr.transposed_times(Matrix::Ones(4, 2)), ArgumentError);
+  Matrix wide = Matrix::Ones(2, 4);
+  EXPECT_THROW(qr.apply_on_the_right(wide), ArgumentError);
+  const PivotedQr pivoted(Matrix::Ones(3, 2));
+  EXPECT_THROW(pivoted.solve(Matrix(Matrix::Ones(2, 2))), ArgumentError);
+  EXPECT_THROW(pivoted.solve(Vector(Vector::Ones(4))), ArgumentError);
+  EXPECT_THROW(pivoted.transposed_times(Vector::Ones(4)), ArgumentError);
 }
 
 }  // namespace

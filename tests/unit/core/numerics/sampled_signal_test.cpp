@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "lacuna/core/base/error.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -98,6 +100,15 @@ TEST(SampledSignal, TheLineOfAHeldSignalHasItsMeanAndMoment) {
   EXPECT_NEAR(line.slope, -0.1, 1e-15) << "no value below 0: -0.27 would be the best line";
   EXPECT_DOUBLE_EQ(signal.held_line(-2.0, -1.0).mean, 0.0) << "before the record";
   EXPECT_DOUBLE_EQ(signal.held_line(4.0, 5.0).mean, 5.0) << "behind it";
+}
+
+TEST(SampledSignal, SamplesHaveToFitAndTimesToIncrease) {
+  const Vector three = Vector::LinSpaced(3, 0.0, 1.0), two = Vector::Ones(2);
+  EXPECT_THROW(SampledSignal(three, two), ArgumentError);
+  EXPECT_THROW(SampledSignal(Vector(), Vector()), ArgumentError);
+  EXPECT_THROW(SampledSignal(two, two), ArgumentError);
+  EXPECT_THROW(interpolate_cubic(three, two, three), ArgumentError);
+  EXPECT_THROW(integrate_cubic(Vector(), Vector()), ArgumentError);
 }
 
 }  // namespace

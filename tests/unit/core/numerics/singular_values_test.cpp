@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace lacuna {
 namespace {
 
@@ -49,6 +51,14 @@ TEST(SingularValues, FewerRowsThanColumnsLeaveTheRestUndetermined) {
 
 TEST(SingularValues, NothingHasNoRank) {
   EXPECT_EQ(singular_values(Matrix::Zero(3, 2)).rank(1e-12), 0);
+}
+
+TEST(SingularValues, OfNoColumnsAndOfNan) {
+  const SingularValues none = singular_values(Matrix(3, 0));
+  EXPECT_EQ(none.values.size(), 0);
+  EXPECT_EQ(none.right.size(), 0);
+  const Matrix nan = Matrix::Constant(3, 2, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(singular_values(nan).values.array().isNaN().all());
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {
@@ -25,6 +28,20 @@ TEST(SymmetricEigen, OfAPairIsScaledByTheSecond) {
   EXPECT_NEAR(found->values[0], 3.0, 1e-14);
   EXPECT_NEAR(found->values[1], 4.0, 1e-14);
   EXPECT_NEAR(std::abs(found->vectors(0, 1)), std::sqrt(0.5), 1e-14);
+}
+
+TEST(SymmetricEigen, MatricesHaveToBeSquareAndOfOneSize) {
+  EXPECT_THROW(symmetric_eigen(Matrix::Ones(3, 2)), ArgumentError);
+  EXPECT_THROW(symmetric_eigen(Matrix::Ones(3, 2), Matrix::Identity(3, 3)), ArgumentError);
+  EXPECT_THROW(symmetric_eigen(Matrix::Identity(2, 2), Matrix::Identity(3, 3)), ArgumentError);
+}
+
+TEST(SymmetricEigen, OfNothingIsNothingAndOfNanIsNan) {
+  EXPECT_EQ(symmetric_eigen(Matrix()).values.size(), 0);
+  EXPECT_EQ(symmetric_eigen(Matrix(), Matrix())->values.size(), 0);
+  const Matrix nan = Matrix::Constant(2, 2, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(symmetric_eigen(nan).values.array().isNaN().all());
+  EXPECT_FALSE(symmetric_eigen(nan, Matrix::Identity(2, 2)));
 }
 
 }  // namespace

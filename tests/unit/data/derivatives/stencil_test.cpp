@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "grids.hpp"
 #include "lacuna/core/base/error.hpp"
 
@@ -93,6 +95,36 @@ TEST(ApplyStencil, LeavesOutTheMarginOnAnyGrid) {
     const Matrix all = apply_stencil(second_order_rule(), time, values);
     EXPECT_EQ(apply_stencil(second_order_rule(), time, values, 5), all.middleRows(5, 30));
   }
+}
+
+TEST(Stencil, WeightsNeedNodes) {
+  const Vector two{{0.0, 1.0}}, same{{1.0, 1.0, 1.0}};
+  EXPECT_THROW(interpolation_weights(Vector(), 0.0, 0), ArgumentError);
+  EXPECT_THROW(interpolation_weights(two, 0.0, 2), ArgumentError);
+  EXPECT_THROW(interpolation_weights(two, 0.0, -1), ArgumentError);
+  EXPECT_THROW(interpolation_weights(same, 0.0, 1), ArgumentError);
+  EXPECT_THROW(fit_weights(Vector(), 0.0, 0, 0), ArgumentError);
+  EXPECT_THROW(fit_weights(two, 0.0, 2, 1), ArgumentError);
+  EXPECT_THROW(fit_weights(two, 0.0, -1, 0), ArgumentError);
+  EXPECT_THROW(fit_weights(two, 0.0, 1, -1), ArgumentError);
+  EXPECT_THROW(fit_weights(same, 0.0, 1, 1), ArgumentError);
+  EXPECT_EQ(fit_weights(two, 0.0, 1, 2), Vector::Zero(2));
+}
+
+TEST(Stencil, RuleAndSamplesHaveToFit) {
+  StencilRule rule{"made", 1, 1, 3, [](const Vector& nodes, double at) {
+                     return interpolation_weights(nodes, at, 1);
+                   }};
+  const Vector time = Vector::LinSpaced(5, 0.0, 4.0);
+  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(4, 1)), ArgumentError);
+  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1), -1), ArgumentError);
+  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1), 3), ArgumentError);
+  rule.radius = 2;
+  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1)), ArgumentError);
+  rule.weights = nullptr;
+  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1)), ArgumentError);
+  EXPECT_FALSE(common_step(Vector{{0.0, std::numeric_limits<double>::quiet_NaN(), 2.0}}));
+  EXPECT_FALSE(common_step(Vector::Zero(3)));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "lacuna/core/base/error.hpp"
@@ -160,6 +161,15 @@ TEST(LongestRecord, IsTheFirstOfThoseWithMostSamples) {
     data.trajectories.push_back(record);
   }
   EXPECT_EQ(&longest_record(data), &data.trajectories[1]);
+}
+
+TEST(Dataset, StepsAndRecordsHaveToBeThere) {
+  EXPECT_THROW(longest_record({}), ArgumentError);
+  EXPECT_THROW(median_step({}), ArgumentError);
+  Dataset data;
+  data.trajectories.resize(1);
+  data.trajectories[0].time = Vector{{0.0, std::nan(""), 1.0}};
+  EXPECT_THROW(median_step(data), ArgumentError);
 }
 
 }  // namespace

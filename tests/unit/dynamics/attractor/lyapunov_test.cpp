@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
@@ -59,6 +61,10 @@ TEST(KaplanYorkeDimension, FillsTheSumOfTheExponents) {
   EXPECT_DOUBLE_EQ(kaplan_yorke_dimension(Vector{{0.5, 0.0, -2.0}}), 2.25);
   EXPECT_DOUBLE_EQ(kaplan_yorke_dimension(Vector{{-0.1, -0.2}}), 0.0);
   EXPECT_DOUBLE_EQ(kaplan_yorke_dimension(Vector{{0.3, -0.1}}), 2.0);
+}
+
+TEST(KaplanYorke, ExponentsHaveToBeFinite) {
+  EXPECT_THROW(kaplan_yorke_dimension(Vector{{std::nan(""), -1.0}}), ArgumentError);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lacuna/core/base/error.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -79,6 +81,12 @@ TEST(FactorGram, TakesColumnsOfZerosAndExactTargets) {
   EXPECT_FALSE(factor.broke_down);
   EXPECT_TRUE(factor.triangle.col(1).isZero(0.0));
   EXPECT_TRUE(factor.triangle.allFinite());
+}
+
+TEST(Gram, ShapesHaveToFit) {
+  const auto rows = make_row_source(Matrix::Ones(4, 2), Matrix::Ones(4, 1));
+  EXPECT_THROW(fold_deflated_gram(*rows, Matrix::Ones(2, 2)), ArgumentError);
+  EXPECT_THROW(factor_gram(Matrix::Ones(3, 2), 1), ArgumentError);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
+#include "lacuna/regression/linear/row_source.hpp"
 
 namespace lacuna {
 namespace {
@@ -136,6 +137,15 @@ TEST(Subproblem, RenumberedKeepsTheNumbers) {
   EXPECT_EQ(renumbered.target(), 2);
   EXPECT_EQ(renumbered.active(), (TermSet{3, 8}));
   EXPECT_EQ(renumbered.solve(), problem.solve());
+}
+
+TEST(Subproblem, CoefficientsHaveToFit) {
+  const LeastSquaresSystem system(make_row_source(Matrix::Identity(4, 2), Matrix::Ones(4, 1)),
+                                  {"a", "b"}, {"y"});
+  const Subproblem problem = system.subproblem(0, {0, 1});
+  EXPECT_THROW(problem.solve_normal(Vector::Ones(1)), ArgumentError);
+  EXPECT_THROW(problem.residual_norm(Vector::Ones(3)), ArgumentError);
+  EXPECT_THROW(problem.renumbered(0, {0}), ArgumentError);
 }
 
 }  // namespace

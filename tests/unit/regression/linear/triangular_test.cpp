@@ -6,6 +6,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "lacuna/core/base/error.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -101,6 +103,21 @@ TEST(ConditionEstimate, HandlesTheExtremes) {
   EXPECT_EQ(condition_estimate(Matrix(0, 0)), 1.0);
   EXPECT_DOUBLE_EQ(condition_estimate(Matrix::Identity(4, 4)), 1.0);
   EXPECT_TRUE(std::isinf(condition_estimate(Matrix::Zero(2, 2))));
+}
+
+TEST(Triangular, ShapesAndNumbersHaveToFit) {
+  const Matrix columns = Matrix::Identity(3, 2);
+  EXPECT_THROW(retriangularise(columns, Vector::Ones(2), {0, 1}), ArgumentError);
+  EXPECT_THROW(retriangularise(columns, Vector::Ones(3), {0}), ArgumentError);
+  EXPECT_THROW(retriangularise(columns, Vector::Ones(3), {1, 0}), ArgumentError);
+  EXPECT_THROW(retriangularise(columns, Vector::Ones(3), {0, 3}), ArgumentError);
+  TriangularProblem problem{Matrix::Identity(2, 2), Vector::Ones(2), 0.0};
+  EXPECT_THROW(remove_column(problem, -1), ArgumentError);
+  EXPECT_THROW(remove_column(problem, 2), ArgumentError);
+  problem.target = Vector::Ones(3);
+  EXPECT_THROW(remove_column(problem, 0), ArgumentError);
+  EXPECT_THROW(rank_tolerance(2, -1), ArgumentError);
+  EXPECT_THROW(condition_estimate(columns), ArgumentError);
 }
 
 }  // namespace

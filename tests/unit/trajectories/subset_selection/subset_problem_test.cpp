@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "lacuna/core/base/error.hpp"
 #include "support/correlated_rows.hpp"
 
 namespace lacuna {
@@ -45,6 +46,18 @@ TEST(SubsetProblem, AColumnOfZerosBringsNothing) {
   const SubsetProblem problem = subset_problem(triangle_of(rows));
   EXPECT_EQ(problem.columns(), 12);
   EXPECT_EQ(gains_of(problem, {1, 4})[3], 0.0);
+}
+
+TEST(SubsetProblem, ColumnsHaveToBeThere) {
+  EXPECT_THROW(subset_problem(Matrix()), ArgumentError);
+  const SubsetProblem problem = subset_problem(Matrix::Identity(3, 3));
+  for (const Index j : {Index{-1}, Index{2}}) {
+    EXPECT_THROW(fit_subset(problem, {j}), ArgumentError);
+    EXPECT_THROW(gains_of(problem, {0, j}), ArgumentError);
+    EXPECT_THROW(solution_of(problem, {j}), ArgumentError);
+    EXPECT_THROW(variances_of(problem, {j}), ArgumentError);
+  }
+  EXPECT_THROW(fit_subset({Matrix::Identity(3, 3), Vector::Ones(3)}, {0}), ArgumentError);
 }
 
 }  // namespace
