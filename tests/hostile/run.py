@@ -1,51 +1,117 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Runs lacuna on every case of cases.py. Usage: run.py PROGRAM [PART OF A NAME]
+"""Runs lacuna on every case of cases.py and of cases_*.py, as many at once as there are cores.
+Usage: run.py PROGRAM [PART OF A NAME]
 
-For all of them: the status is the expected one; an error is one line "lacuna: error: PLACE:
-PROBLEM; REMEDY" without control characters; nothing takes longer than 20 s; no temporary file is
-left; inputs are as they were.
+For all of them: the status is the expected one and no crash; an error is one line "lacuna: error:
+PLACE: PROBLEM; REMEDY" without control characters; an answer does not contradict itself
+(consistency.py); nothing takes longer than 20 s; no temporary file is left; inputs are as they
+were. All together there are at least 700, and they take less than 10 minutes of a core.
 """
+import concurrent.futures
+import glob
+import importlib
+import json
 import os
+import re
+import resource
+import shlex
+import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-from cases import all_cases
+import cases
+import consistency
 
 LONGEST = 20.0  # seconds
+FEWEST = 700  # cases
+MOST = 600.0  # seconds of a core for all: 5 minutes on two
+
+
+def all_cases():
+    """Those of cases.py, then those of each cases_*.py, in the order of names."""
+    yield from cases.all_cases()
+    for path in sorted(glob.glob(os.path.join(os.path.dirname(__file__), "cases_*.py"))):
+        yield from importlib.import_module(os.path.basename(path)[:-3]).cases()
 
 
 def run(program, case, folder):
-    """Status, standard output, errors; -1 where it did not end."""
+    """Status (none where it did not end), standard output, errors."""
     command = "%s; '%s' %s > '%s' 2> err" % (case.before, program, case.arguments, case.out)
+    shell = subprocess.Popen(["bash", "-c", os.fsencode(command)], cwd=folder,
+                             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                             stderr=subprocess.DEVNULL, start_new_session=True)
     try:
-        status = subprocess.run(["bash", "-c", os.fsencode(command)], cwd=folder, timeout=LONGEST,
-                                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                stderr=subprocess.DEVNULL).returncode
+        status = shell.wait(LONGEST)
     except subprocess.TimeoutExpired:
-        status = -1
+        os.killpg(shell.pid, signal.SIGKILL)
+        shell.wait()
+        status = None
     out = os.path.join(folder, case.out)
     return status, read(out) if os.path.isfile(out) else b"", read(os.path.join(folder, "err"))
 
 
 def read(path):
+    if not os.path.isfile(path):
+        return b""
     with open(path, "rb") as stream:
         return stream.read()
 
 
+def status_faults(case, status):
+    if status is None:
+        return ["does not end within %g s" % LONGEST]
+    if status < 0 or status > 130:  # by a signal, as this process or as the shell sees it
+        return ["crashes: status %d" % status]
+    return [] if status == case.status else ["status %d, not %d" % (status, case.status)]
+
+
+def json_name(arguments):
+    """The file that --json names; "-" is standard output, none where it is not asked for."""
+    try:
+        words = shlex.split(arguments)
+    except ValueError:
+        return None
+    for i, word in enumerate(words):
+        if word.startswith("--json="):
+            return word[len("--json="):]
+        if word == "--json" and i + 1 < len(words):
+            return words[i + 1]
+    return None
+
+
+def answer_faults(case, out, folder):
+    """Contradictions of what was answered; JSON has to be read whole."""
+    name = json_name(case.arguments)
+    answer = None
+    if name is not None and case.out == "out":
+        text = out if name == "-" else read(os.path.join(folder, name))
+        try:
+            answer = json.loads(text)
+        except ValueError as error:
+            return ["JSON cannot be read: %s" % error]
+    return consistency.faults(case.arguments, out.decode("utf-8", "replace"), answer)
+
+
+def error_faults(err):
+    found = []
+    if not re.fullmatch(rb"lacuna: error: [^\n]*; [^\n]*\n", err):
+        found.append("not one line of place, problem and remedy")
+    return found
+
+
 def faults(case, status, out, err, folder):
     """What is wrong with a run, in words."""
-    found = []
-    if status != case.status:
-        found.append("status %d, not %d" % (status, case.status))
+    found = status_faults(case, status)
     text = err if case.status else out
     if case.part and case.part.encode() not in text:
         found.append("no %r" % case.part)
-    if status > 0 and (not err.startswith(b"lacuna: error: ") or err.count(b"\n") != 1 or
-                       b"; " not in err):
-        found.append("not one line of place, problem and remedy")
+    if status:
+        found += error_faults(err)
+    elif status == 0:
+        found += answer_faults(case, out, folder)
     if any(byte < 32 and byte not in (9, 10) or byte == 127 for byte in err):
         found.append("control characters")
     found += ["leaves " + name for name in os.listdir(folder) if name.endswith(".tmp")]
@@ -54,24 +120,38 @@ def faults(case, status, out, err, folder):
     return found
 
 
+def examine(program, case):
+    """What is wrong with one case, and its message."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in case.files.items():
+            with open(os.path.join(folder, name), "wb") as stream:
+                stream.write(content)
+        status, out, err = run(program, case, folder)
+        return faults(case, status, out, err, folder), err
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     part = sys.argv[2] if len(sys.argv) > 2 else ""
-    cases = [case for case in all_cases() if part in case.name]
+    chosen = [case for case in all_cases() if part in case.name]
     begin = time.monotonic()
     mishandled = 0
-    for case in cases:
-        with tempfile.TemporaryDirectory() as folder:
-            for name, content in case.files.items():
-                with open(os.path.join(folder, name), "wb") as stream:
-                    stream.write(content)
-            status, out, err = run(program, case, folder)
-            wrong = faults(case, status, out, err, folder)
-        if wrong:
-            mishandled += 1
-            print("%s: %s\n    %s" % (ascii(case.name), "; ".join(wrong), ascii(err[:200])))
-    print("%d inputs, %d mishandled, %.0f s" % (len(cases), mishandled, time.monotonic() - begin))
-    return 1 if mishandled else 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = pool.map(lambda case: examine(program, case), chosen)
+        for case, (wrong, err) in zip(chosen, results):
+            if wrong:
+                mishandled += 1
+                print("%s: %s\n    %s" % (ascii(case.name), "; ".join(wrong), ascii(err[:200])),
+                      flush=True)
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    core = used.ru_utime + used.ru_stime
+    print("%d inputs, %d mishandled, %.0f s, %.0f s of a core" % (
+        len(chosen), mishandled, time.monotonic() - begin, core))
+    if not part and len(chosen) < FEWEST:
+        print("fewer than %d inputs" % FEWEST)
+    if core > MOST:
+        print("more than %.0f s of a core" % MOST)
+    return 1 if mishandled or core > MOST or not part and len(chosen) < FEWEST else 0
 
 
 if __name__ == "__main__":
