@@ -1,21 +1,39 @@
 #!/usr/bin/env bash
 # Changes one line of the library at a time and counts how many changes the tests notice.
-# Usage: scripts/mutants.sh [--check] [PATTERN]
+# Usage: scripts/mutants.sh [--check] [--preset NAME] [--day COUNT] [PATTERN]
 #   --check   only looks whether every entry's text is found exactly once
+#   --preset  builds as this preset does; default dev
+#   --day     only so many entries, whose turn it is by the day of the year; the table stays
 #   PATTERN   only entries that hold this text; the others keep the result of an earlier run
 # Works on the last commit, in a copy below build/mutants; the list is tests/mutants/mutants.txt,
 # the result the table in docs/testing.md. A change that does not build is an error, not noticed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-check=false
-if [ "${1:-}" = --check ]; then check=true; shift; fi
+check=false preset=dev day=0
+while [ $# -gt 0 ]; do
+  case $1 in
+    --check) check=true; shift ;;
+    --preset) preset=$2; shift 2 ;;
+    --day) day=$2; shift 2 ;;
+    *) break ;;
+  esac
+done
 pattern=${1:-}
 list=tests/mutants/mutants.txt
 tree=build/mutants
 results=build/mutants.results  # "RESULT in COMMIT<tab>ENTRY" of all runs
 limit=300  # seconds for the tests of one change; one that goes on longer is noticed
 
-entries() { grep -v '^#' "$list" | grep -F -- "$pattern"; }
+# So many in turn, each day those behind the ones of the day before.
+of_the_day() {
+  awk -v count="$day" -v day="$(date -u +%j)" '{ all[NR] = $0 }
+    END { for (i = 0; i < count && i < NR; ++i) print all[(day * count + i) % NR + 1] }'
+}
+
+entries() {
+  grep -v '^#' "$list" | grep -F -- "$pattern" |
+    if [ "$day" -gt 0 ]; then of_the_day; else cat; fi
+}
 
 # occurrences FILE TEXT
 occurrences() {
@@ -35,7 +53,10 @@ read_entry() {
   other=${rest%% | *} tests=${rest#* | }
 }
 
-build() { nice ninja -C "$tree/build/dev" "$@" > "$tree/build/log" 2>&1; }
+# Paths are told ccache as relative ones: what another checkout has compiled is known here.
+build() {
+  CCACHE_BASEDIR=$PWD/$tree nice ninja -C "$tree/build/$preset" "$@" > "$tree/build/log" 2>&1
+}
 
 check_entries() {
   local bad=0
@@ -51,25 +72,35 @@ check_entries() {
   return "$bad"
 }
 
-# A copy of the last commit, configured as the dev preset is, so that ccache knows most of it.
+# A copy of the last commit, of which ccache knows what is as it was.
 prepare() {
   mkdir -p "$tree"
   find "$tree" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
   git archive HEAD | tar -x -m -C "$tree"  # all newer than what was built
-  (cd "$tree" && cmake --preset dev) > /dev/null
+  (cd "$tree" && cmake --preset "$preset") > /dev/null
 }
+
+# run_tests TEST: one executable, or its tests that "EXECUTABLE:FILTER" names
+run_tests() {
+  local filter='*'
+  case $1 in *:*) filter=${1#*:} ;; esac
+  timeout "$limit" "$tree/build/$preset/tests/${1%%:*}" --gtest_brief=1 --gtest_fail_fast \
+    --gtest_filter="$filter" > /dev/null 2>&1
+}
+
+# targets_of TESTS...: their executables
+targets_of() { printf '%s\n' "${@%%:*}" | sort -u; }
 
 # One change: "noticed", "not noticed" or "does not build".
 try_entry() {
   cp "$tree/$file" "$tree/build/original"
   replace "$tree/$file" "$text" "$other"
   local result="not noticed" test
-  if ! build $tests; then
+  if ! build $(targets_of $tests); then
     result="does not build"
   else
     for test in $tests; do
-      if ! timeout "$limit" "$tree/build/dev/tests/$test" --gtest_brief=1 \
-          --gtest_fail_fast > /dev/null 2>&1; then
+      if ! run_tests "$test"; then
         result=noticed
         break
       fi
@@ -92,7 +123,7 @@ rows() {
     read_entry "$line"
     printf '| `%s` | `%s` | `%s` | %s | %s |\n' \
       "$file" "${text//|/\\|}" "${other//|/\\|}" "$tests" "$(result_of "$line")"
-  done < <(pattern='' entries)
+  done < <(pattern='' day=0 entries)
 }
 
 # Puts the table between the two marks in docs/testing.md.
@@ -119,7 +150,11 @@ check_entries .
 if $check; then exit 0; fi
 prepare
 check_entries "$tree"
-build $(entries | sed 's/.* | //' | tr ' ' '\n' | sort -u) || { cat "$tree/build/log"; exit 1; }
+build $(targets_of $(entries | sed 's/.* | //')) || { cat "$tree/build/log"; exit 1; }
+# What is not noticed where nothing is changed says nothing.
+for test in $(entries | sed 's/.* | //' | tr ' ' '\n' | sort -u); do
+  run_tests "$test" || { echo "$test fails without a change" >&2; exit 1; }
+done
 touch "$results"
 commit=$(git rev-parse --short HEAD)
 all=0 noticed=0 broken=0
@@ -131,7 +166,7 @@ while IFS= read -r line; do
   if [ "$result" = "does not build" ]; then broken=$((broken + 1)); fi
   echo "$result: $file: $text -> $other"
   printf '%s in %s\t%s\n' "$result" "$commit" "$line" >> "$results"
-  write_table
+  if [ "$day" -eq 0 ]; then write_table; fi
 done < <(entries)
 echo "$noticed of $all noticed, $broken do not build"
-[ "$broken" -eq 0 ]
+[ "$broken" -eq 0 ] && { [ "$day" -eq 0 ] || [ "$noticed" -eq "$all" ]; }

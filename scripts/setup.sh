@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what lacuna needs from the packages of Debian 12 or Ubuntu 24.04. Does nothing when all
 # of it is there. Run as root, or as a user who may use sudo.
-# Usage: scripts/setup.sh [clang|docs|coverage]   (clang: and what builds with sanitizers and fuzzing
-# need; docs: and what makes the documentation; coverage: and what counts lines that tests run)
+# Usage: scripts/setup.sh [check|clang|docs|coverage]...   (check: and the programs without which tests
+# are skipped; clang: and what builds with sanitizers and fuzzing need; docs: and what makes the
+# documentation; coverage: and what counts lines that tests run)
 set -euo pipefail
 
 packages=(
@@ -46,17 +47,27 @@ install() {
   installed=true
 }
 
+# What runs, compiles or shows an answer in tests.
+test_packages=(
+  python3 python3-numpy python3-scipy  # hostile inputs; models in Python
+  octave                   # models in MATLAB's language
+  ngspice                  # models as circuits
+  texlive-latex-base       # equations in LaTeX
+  python3-pygments         # words of the languages of exports
+)
+# Reports; Ubuntu's Chromium is no package but a snap.
+grep -q '^ID=ubuntu' /etc/os-release || test_packages+=(chromium)
+
 installed=false
 install "${packages[@]}"
-if [ "${1:-}" = clang ]; then
-  install clang
-  # The sanitizers of the clang that there is now.
-  install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"
-fi
-if [ "${1:-}" = docs ]; then
-  install doxygen
-fi
-if [ "${1:-}" = coverage ]; then
-  install gcovr
-fi
+for part in "$@"; do
+  case $part in
+    check) install "${test_packages[@]}" ;;
+    # The sanitizers of the clang that there is now.
+    clang) install clang; install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev" ;;
+    docs) install doxygen ;;
+    coverage) install gcovr ;;
+    *) echo "setup: '$part' is none of check, clang, docs, coverage" >&2; exit 2 ;;
+  esac
+done
 $installed || echo "setup: nothing to install"

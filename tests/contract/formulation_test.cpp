@@ -90,7 +90,8 @@ TEST_P(EveryFormulation, NoiseOfTheTargetGrowsWithThatOfTheStates) {
   const Dataset data = oscillator(1000);
   const auto once = formulation->target_noise(data, Eigen::Vector2d(1e-3, 1e-2));
   const auto twice = formulation->target_noise(data, Eigen::Vector2d(2e-3, 2e-2));
-  if (!once) GTEST_SKIP() << "cannot say";
+  ASSERT_EQ(once.has_value(), twice.has_value());
+  if (!once) return;  // it cannot say
   EXPECT_GT((*once)[0], 0.0);
   EXPECT_NEAR((*twice)[0], 2.0 * (*once)[0], 1e-9 * (*once)[0]);
   EXPECT_NEAR((*once)[1], 10.0 * (*once)[0], 1e-9 * (*once)[1]);
