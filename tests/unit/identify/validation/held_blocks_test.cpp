@@ -88,6 +88,11 @@ TEST(HeldBlocks, ShortStretchesOfTheRestAreDropped) {
   EXPECT_EQ(rest.samples(), 15);
 }
 
+TEST(HeldBlocks, OneSampleIsNoStretch) {
+  const Dataset rest = without_blocks(counted({10}), {{0, 1, 3}, {0, 5, 5}}, 1);
+  EXPECT_TRUE(rest.trajectories.empty());
+}
+
 TEST(HeldBlocks, AreLimitedInNumberAndThenInLength) {
   const std::vector<Block> many =
       limited(all_blocks(counted(std::vector<Index>(10, 100))), 300);

@@ -114,6 +114,26 @@ TEST(Judgement, FewSamplesTellNothing) {
   EXPECT_THAT(validation.sentence, HasSubstr("samples"));
 }
 
+TEST(Judgement, AStateWithoutFreedomDoesNotCount) {
+  Validation validation{.samples = 500, .refitted = true};
+  PredictionError alone = error_of(5.0, 0.01, true, 1.0, 0.5);
+  alone.state = "y";
+  validation.windows = {1.0, 20, 0, {error_of(0.01, 0.01, true, 1.0), alone}};
+  judge({}, validation);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::FitsToNoise) << validation.sentence;
+}
+
+TEST(Judgement, ErrorsAreToldInNoiseUpToThreeTimesOfItAndElseInMotion) {
+  const auto told = [](double error, double noise) {
+    const PredictionError state = error_of(error, noise, true, 1.0);
+    return judged(state, state).sentence;
+  };
+  EXPECT_THAT(told(0.029, 0.01), HasSubstr("2.9 times the noise of x"));
+  EXPECT_THAT(told(0.031, 0.01), HasSubstr("3.1 % of the motion of x"));
+  EXPECT_THAT(told(0.4567, 0.01), HasSubstr("46 % of the motion of x"));
+  EXPECT_THAT(told(1.234, 0.01), HasSubstr("123 % of the motion of x"));
+}
+
 TEST(Judgement, WhatWasFittedProvesNothing) {
   const PredictionError fine = error_of(0.01, 0.01, true, 1.0);
   Validation validation;

@@ -133,6 +133,21 @@ TEST(MapPredictions, ABoundOfTheNoiseHasTheSlopesOfTheMap) {
   EXPECT_NEAR(state.noise, std::sqrt(1.25), 0.06);
 }
 
+TEST(MapPredictions, SlopesOfSeveralStepsAreAProduct) {
+  // Two steps of 0.7 x: noise of sqrt(1 + 0.7^2), an offset of 0.245 (1 + 0.7), a slope of
+  // 0.7^2.
+  const auto map = [](const Vector& x) { return Vector{{0.7 * x[0]}}; };
+  const Dataset data = orbit_of_map(map, Vector{{0.0}}, 4000, {.disturbance = 1.0, .seed = 3});
+  const OdeModel off = parse_ode("x[n+1] = 0.7*x + 0.245\n", "test");
+  ValidationOptions strict;
+  strict.noise_slack = 0.0;
+  strict.scatter = 0.0;
+  const PredictionError state = predict_map(off, data, whole(data), 2, strict).states[0];
+  EXPECT_FALSE(state.noise_seen);
+  EXPECT_NEAR(state.error, std::sqrt(1.49 + std::pow(0.245 * 1.7, 2)), 0.05);
+  EXPECT_NEAR(state.noise, std::sqrt(1.49 * (1.0 + std::pow(0.7, 4))), 0.06);
+}
+
 TEST(MapPredictions, ACubicApproximatesASine) {
   const Dataset data =
       orbit_of_map([](const Vector& x) { return Vector{{0.95 * std::sin(3.14159 * x[0])}}; },

@@ -111,6 +111,36 @@ TEST(Relations, AStateThatDoesNotMoveIsAConstant) {
   EXPECT_THAT(names_of(found[1]), ElementsAre("x^2", "y^2"));
 }
 
+TEST(Relations, ErrorsAreTheSpreadOverDrawsOfTheNoise) {
+  constexpr int kDraws = 40;
+  Vector coefficients(kDraws), errors(kDraws);
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const std::vector<Relation> found =
+        find_relations(add_relative_noise(orbit(), 0.01, static_cast<std::uint64_t>(draw)));
+    ASSERT_EQ(found.size(), 1U) << draw;
+    coefficients[draw] = found[0].terms[1].coefficient;
+    errors[draw] = found[0].terms[1].error;
+  }
+  const double spread =
+      std::sqrt((coefficients.array() - coefficients.mean()).square().sum() / (kDraws - 1.0));
+  EXPECT_NEAR(spread / errors.mean(), 1.0, 0.45);
+}
+
+TEST(Relations, EachIsSolvedForItsLastMonomial) {
+  // y = 1 - x and z = 3 - x; that y and z differ by 2 follows.
+  Dataset data = orbit();
+  data.states = {{"x", ""}, {"y", ""}, {"z", ""}};
+  Matrix& states = data.trajectories[0].states;
+  states.conservativeResize(Eigen::NoChange, 3);
+  states.col(1) = 1.0 - states.col(0).array();
+  states.col(2) = 3.0 - states.col(0).array();
+  const std::vector<Relation> found = find_relations(add_relative_noise(data, 0.01, 5));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_THAT(names_of(found[0]), ElementsAre("x", "y"));
+  EXPECT_THAT(names_of(found[1]), ElementsAre("x", "z"));
+  EXPECT_NEAR(found[1].value, 3.0, 0.01);
+}
+
 TEST(Relations, FewSamplesTellNone) {
   Dataset data = orbit();
   data.trajectories[0] = rows_of(data.trajectories[0], 0, 30);

@@ -57,6 +57,13 @@ TEST(FitRecords, StartsAreMeasuredKnownOrSlopes) {
   EXPECT_NEAR(records.time_scale, 0.5, 0.25) << "1 / 2 rad/s";
 }
 
+TEST(FitRecords, ASlopeThatIsNoiseIsNoStart) {
+  const SystemModel system = parse_ode_system(kText, "m.ode");
+  Dataset view = view_of(system.model());
+  view.trajectories[0].states(2, 0) += 1.0;  // 25 per time unit, where rates are about 2
+  EXPECT_EQ(fit_records(system.parametrised(), view).starts(0, 1), 0.0);
+}
+
 TEST(FitRecords, WhatIsHiddenIsGuessed) {
   const SystemModel system =
       parse_ode_system("input u\ndx/dt = -x + z\ndz/dt = u - 3*z\ny = x\n", "m.ode");
