@@ -80,6 +80,7 @@ TEST(Ordinary, ClippedChannelsPileUpAtTheirEnds) {
 TEST(Ordinary, ASlowChannelHasEveryFifthSample) {
   const Records records = make_records(pendulum(Ordinary::SlowChannel), 0.005, 2);
   const Trajectory& run = records.find.trajectories.front();
+  ASSERT_GT(run.samples(), 0);
   for (Index i = 0; i < run.samples(); ++i) {
     EXPECT_EQ(mark_of(run.marks, i, 1) == Mark::Missing, i % 5 != 0);
     EXPECT_EQ(mark_of(run.marks, i, 0), Mark::Value);

@@ -134,6 +134,7 @@ TEST(Slips, AreToldAndNoEffectIsNamed) {
 }
 
 TEST(Slips, AreNotSeenWhereThereAreNone) {
+  ASSERT_FALSE(all_cases().empty());
   for (const HiddenCase& hidden : all_cases()) {
     const Dataset clean = clean_record(hidden, 3);
     for (const double level : {0.0, 0.03}) {

@@ -89,6 +89,7 @@ void expect_rates(const std::vector<double>& numbers, const RatesAtPoints& at,
 
 TEST(Exports, RatesAreTheModelsInC) {
   if (!can_run("cc --version")) GTEST_SKIP() << "there is no C compiler";
+  ASSERT_FALSE(exported_models().empty());
   for (const auto& [name, model] : exported_models()) {
     const TemporaryFolder place;
     const RatesAtPoints at = rates_at_points(model);
@@ -110,6 +111,7 @@ TEST(Exports, RatesAreTheModelsInC) {
 TEST(Exports, RatesAreTheModelsInPython) {
   const std::string python = python_with("numpy");
   if (python.empty()) GTEST_SKIP() << "there is no numpy";
+  ASSERT_FALSE(exported_models().empty());
   for (const auto& [name, model] : exported_models()) {
     const TemporaryFolder place;
     const RatesAtPoints at = rates_at_points(model);
@@ -122,6 +124,7 @@ TEST(Exports, RatesAreTheModelsInPython) {
 
 TEST(Exports, RatesAreTheModelsInOctave) {
   if (!can_run("octave-cli --version")) GTEST_SKIP() << "there is no Octave";
+  ASSERT_FALSE(exported_models().empty());
   for (const auto& [name, model] : exported_models()) {
     const TemporaryFolder place;
     const RatesAtPoints at = rates_at_points(model);

@@ -46,7 +46,8 @@ std::size_t end_of_blank(const std::string& text, std::size_t at) {
   return at;
 }
 
-/// The source as one text, with blanks in place of comments, literals and directives.
+}  // namespace
+
 std::string code_of(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
@@ -59,7 +60,6 @@ std::string code_of(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// The place of the bracket that closes the one at `at`; kinds are not told apart.
 std::size_t closing(const std::string& text, std::size_t at) {
   int depth = 0;
   for (std::size_t i = at; i < text.size(); ++i) {
@@ -68,6 +68,8 @@ std::size_t closing(const std::string& text, std::size_t at) {
   }
   throw std::runtime_error("a bracket is not closed: " + text.substr(at, 40));
 }
+
+namespace {
 
 /// The place of the ">" that closes the "<" at `at`.
 std::size_t closing_angle(const std::string& text, std::size_t at) {

@@ -51,4 +51,11 @@ struct Declarations {
 /// Reads a source that compiles. Local classes and lambdas belong to the function around them.
 Declarations read_declarations(const std::vector<std::string>& lines);
 
+/// The source as one text, with blanks in place of comments, literals and directives.
+std::string code_of(const std::vector<std::string>& lines);
+
+/// The place of the bracket that closes the one at `at`; kinds are not told apart.
+/// @throws std::runtime_error where none does.
+std::size_t closing(const std::string& text, std::size_t at);
+
 }  // namespace lacuna::repository

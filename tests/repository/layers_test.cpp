@@ -72,6 +72,7 @@ const std::vector<std::string> kFolders = {"include", "src", "bases", "solvers",
 
 TEST(Layers, IncludesPointDownwards) {
   std::size_t edges = 0;
+  ASSERT_FALSE(sources_below(kFolders).empty());
   for (const SourceFile& file : sources_below(kFolders)) {
     if (file.path == kUmbrella) continue;
     for (const std::string& line : file.lines) {
@@ -108,6 +109,7 @@ TEST(Layers, AWingHasAtMostEightChildren) {
 }
 
 TEST(Layers, PipelineReachesConcreteStagesOnlyInPresets) {
+  ASSERT_FALSE(sources_below(kFolders).empty());
   for (const SourceFile& file : sources_below(kFolders)) {
     if (folder_of(file.path) != "identify/pipeline" || file.path.stem() == "presets") continue;
     for (const std::string& line : file.lines) {
@@ -151,6 +153,7 @@ TEST(Layers, NoConcreteStageIncludesAnother) {
 TEST(Layers, PublicHeadersNeedOnlyEigenAndTheStandardLibrary) {
   const std::set<std::string> banned = {"<nlohmann", "<CLI",  "<ceres",
                                         "<nlopt",    "<zlib", "<fmt"};
+  ASSERT_FALSE(sources_below("include").empty());
   for (const SourceFile& file : sources_below("include"))
     for (const std::string& line : file.lines)
       for (const std::string& name : banned)

@@ -35,6 +35,7 @@ std::map<std::string, std::string> covered_elsewhere() {
 
 TEST(Mirrors, EverySourceThatIsNotSmallHasATest) {
   const auto covered = covered_elsewhere();
+  ASSERT_FALSE(covered.empty());
   for (const SourceFile& file : sources_below({"src", "bases", "solvers", "effects"}))
     if (file.lines.size() > kSmall && !std::filesystem::exists(kRoot / mirror_of(file.path))) {
       EXPECT_TRUE(covered.contains(file.path.string()))
@@ -44,6 +45,7 @@ TEST(Mirrors, EverySourceThatIsNotSmallHasATest) {
 }
 
 TEST(Mirrors, WhatIsCoveredElsewhereIsThereAndHasNoTestOfItsOwn) {
+  ASSERT_FALSE(covered_elsewhere().empty());
   for (const auto& [source, test] : covered_elsewhere()) {
     EXPECT_TRUE(std::filesystem::exists(kRoot / source)) << source << " is gone";
     EXPECT_TRUE(std::filesystem::exists(kRoot / test)) << test << " is gone";
@@ -60,6 +62,7 @@ bool has_source(const std::filesystem::path& folder, const std::string& stem) {
 }
 
 TEST(Mirrors, EveryHeaderWithASourceHasATest) {
+  ASSERT_FALSE(sources_below("include").empty());
   for (const SourceFile& file : sources_below("include")) {
     const auto folder = std::filesystem::relative(file.path.parent_path(), "include/lacuna");
     if (!has_source(folder, file.path.stem().string())) continue;

@@ -15,6 +15,7 @@ const std::vector<std::string> kOwnCode = {
     "include", "src", "bases", "solvers", "effects", "apps", "tests", "examples", "benchmarks"};
 
 TEST(Sizes, NoFileIsOver450Lines) {
+  ASSERT_FALSE(sources_below(kOwnCode).empty());
   for (const SourceFile& file : sources_below(kOwnCode))
     EXPECT_LE(file.lines.size(), 450u) << file.path;
 }
@@ -29,6 +30,7 @@ TEST(Sizes, MedianFileIsAtMost120Lines) {
 }
 
 TEST(Sizes, LinesHaveAtMost100Columns) {
+  ASSERT_FALSE(sources_below(kOwnCode).empty());
   for (const SourceFile& file : sources_below(kOwnCode))
     for (std::size_t i = 0; i < file.lines.size(); ++i)
       EXPECT_LE(file.lines[i].size(), 100u) << file.path << ":" << i + 1;
@@ -38,10 +40,12 @@ TEST(Sizes, AtMost12HeadersInAFolder) {
   std::map<std::string, int> headers;
   for (const SourceFile& file : sources_below({"include", "src", "bases", "solvers", "effects"}))
     if (file.path.extension() == ".hpp") ++headers[file.path.parent_path().string()];
+  ASSERT_FALSE(headers.empty());
   for (const auto& [folder, count] : headers) EXPECT_LE(count, 12) << folder;
 }
 
 TEST(Sizes, NoFunctionIsOver60Lines) {
+  ASSERT_FALSE(sources_below(kOwnCode).empty());
   for (const SourceFile& file : sources_below(kOwnCode))
     for (const FunctionText& function : read_declarations(file.lines).functions)
       if (function.has_body) {

@@ -54,6 +54,7 @@ TEST(Monomials, TermsEvaluateAsNamed) {
   std::vector<double> out(static_cast<std::size_t>(library.size()));
   const double x = 1.3, u = -0.7, slots[] = {x, u, 9.0};
   program.evaluate(slots, out.data(), workspace);
+  ASSERT_FALSE(out.empty());
   for (std::size_t i = 0; i < out.size(); ++i) {
     const std::vector<int>& e = *library.terms[i].exponents();
     EXPECT_NEAR(out[i], std::pow(x, e[0]) * std::pow(u, e[1]), 1e-14)

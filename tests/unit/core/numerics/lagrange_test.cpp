@@ -67,6 +67,7 @@ TEST(LagrangeInterpolant, IsExactForPolynomialsOfItsDegree) {
 TEST(LagrangeInterpolant, GoesThroughTheSamples) {
   const Matrix values = samples_of(9);
   LagrangeInterpolant interpolant(kUneven, values, LagrangeWindow::centred(4));
+  ASSERT_GT(kUneven.size(), 0);
   for (Index i = 0; i < kUneven.size(); ++i) {
     double out[2];
     interpolant.select(interpolant.interval_of(kUneven[i]));

@@ -71,6 +71,7 @@ void expect_every(Index step, const Dataset& data, Index first, Index count,
 
 TEST(SampleSource, ThinnedGivesEverySoManyth) {
   const Dataset data = full_record();
+  ASSERT_FALSE(both_kinds(data).empty());
   for (const auto& record : both_kinds(data)) {
     expect_every(7, data, 3, 140, record);
     expect_every(8, data, 0, 125, record);
@@ -80,6 +81,7 @@ TEST(SampleSource, ThinnedGivesEverySoManyth) {
 
 TEST(SampleSource, ThinnedReadsPieceByPieceWhatIsLong) {
   const Dataset data = testing::long_oscillation(200000, 50.0);
+  ASSERT_FALSE(both_kinds(data).empty());
   for (const auto& record : both_kinds(data)) {
     const auto source = thinned(record, 3);
     ASSERT_EQ(source->samples(), 66667);

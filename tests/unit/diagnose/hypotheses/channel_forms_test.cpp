@@ -32,6 +32,7 @@ void expect_name(const Candidate& form, double coefficient, const std::string& n
 
 TEST(ChannelForms, StandInTheChannelAndCanBeStarted) {
   const Scope scope = support::oscillator_scope();
+  ASSERT_FALSE(channel_forms(scope, 1).empty());
   for (const Candidate& form : channel_forms(scope, 1)) {
     EXPECT_EQ(form.place, Place::Channel);
     EXPECT_EQ(form.equation, 1);

@@ -35,6 +35,7 @@ std::vector<Stage<Integrator>> integrators() {
 
 TEST(Integrator, SamplesAreAtTheGivenTimes) {
   const Vector uneven{{0.0, 0.1, 0.15, 0.9, 1.0, 2.5}};
+  ASSERT_FALSE(integrators().empty());
   for (const auto& integrator : integrators()) {
     const Solution solution = integrator->integrate(oscillator, Vector{{1.0, 0.0}}, uneven);
     ASSERT_EQ(solution.status, IntegrationStatus::Completed);
@@ -47,6 +48,7 @@ TEST(Integrator, SamplesAreAtTheGivenTimes) {
 }
 
 TEST(Integrator, DivergenceIsReportedWithTimeAndState) {
+  ASSERT_FALSE(integrators().empty());
   for (const auto& integrator : integrators()) {
     const Solution solution = integrator->integrate(explosion, Vector{{1.0}}, times(0.1, 41));
     EXPECT_EQ(solution.status, IntegrationStatus::Diverged) << integrator->info().name;
@@ -62,6 +64,7 @@ TEST(Integrator, DivergenceIsReportedWithTimeAndState) {
 }
 
 TEST(Integrator, NotANumberIsDivergence) {
+  ASSERT_FALSE(integrators().empty());
   for (const auto& integrator : integrators()) {
     const Solution solution =
         integrator->integrate(not_a_number, Vector{{1.0}}, times(0.1, 21));

@@ -43,6 +43,7 @@ TEST(TestSystems, AreOrderedAndComplete) {
 }
 
 TEST(TestSystems, AreDescribedWholly) {
+  ASSERT_FALSE(test_systems().empty());
   for (const TestSystem& system : test_systems()) {
     EXPECT_FALSE(system.summary.empty()) << system.name;
     EXPECT_FALSE(system.reference.empty()) << system.name;
@@ -52,11 +53,13 @@ TEST(TestSystems, AreDescribedWholly) {
 }
 
 TEST(TestSystems, StayBounded) {
+  ASSERT_FALSE(test_systems().empty());
   for (const TestSystem& system : test_systems())
     EXPECT_LT(orbit(system.name, 300.0, 0.0).cwiseAbs().maxCoeff(), 60.0) << system.name;
 }
 
 TEST(TestSystems, UsualStepResolvesTheMotion) {
+  ASSERT_FALSE(test_systems().empty());
   for (const TestSystem& system : test_systems()) {
     const Matrix states = orbit(system.name, 200.0, 50.0);
     const Matrix steps =

@@ -63,6 +63,7 @@ TEST_F(ExtendedPipelines, EquationsAreOfferedTheFormsOfAllOthersOnce) {
                             {1, pipeline_.library().terms, {form(1, 0.50001)}}});
   const std::vector<EquationForms> kept =
       kept_in(found, {{0, {}, {form(0, 0.5)}}, {1, {}, {form(1, 0.50001)}}});
+  ASSERT_FALSE(kept.empty());
   for (const EquationForms& equation : kept) {
     ASSERT_EQ(equation.forms.size(), 1u) << equation.equation;
     EXPECT_EQ(equation.forms[0].shapes[0], 0.5);

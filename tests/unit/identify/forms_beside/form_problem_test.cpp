@@ -74,6 +74,7 @@ TEST(FormProblem, RatesStartsBesideEachEquation) {
   const EquationForms linear{0, problem.linear_terms(), {}};
   const std::vector<Start> starts = all_starts({form_of_x("exp(x)"), form_of_x("sin(x)")});
   const Matrix left = problem.rated({{constant}, {linear}}, starts);
+  ASSERT_GT(left.rows(), 0);
   for (Index i = 0; i < left.rows(); ++i) {
     EquationForms with = constant;
     with.forms.push_back(starts[static_cast<std::size_t>(i)].form);

@@ -52,8 +52,9 @@ TEST(RationalForms, ADenominatorNeedsNoConstant) {
 }
 
 TEST(RationalForms, AreNotReducibleAndHaveNoPole) {
-  for (const Candidate& candidate :
-       fractions_of("dx/dt = y\ndy/dt = -x", Eigen::Vector2d(1.0, 0.0))) {
+  const auto all = fractions_of("dx/dt = y\ndy/dt = -x", Eigen::Vector2d(1.0, 0.0));
+  ASSERT_FALSE(all.empty());
+  for (const Candidate& candidate : all) {
     const std::string form = candidate.form.to_string();
     EXPECT_EQ(form.find("a*x+"), std::string::npos) << form;
     EXPECT_NE(form, "x/(x+a*x*y)");

@@ -124,6 +124,7 @@ TEST(Identify, IntervalsHoldTheTruthNineteenTimesInTwenty) {
 TEST(Identify, GivesNoErrorsWhereNoRowsAreLeftForThem) {
   Pipeline pipeline = linear_fit();
   const IdentificationResult result = identify(noisy_decay(2, 0.1, 3), pipeline);
+  ASSERT_FALSE(result.model.equations()[0].empty());
   for (const WeightedTerm& term : result.model.equations()[0]) {
     EXPECT_FALSE(term.standard_error);
     EXPECT_FALSE(term.ci95);

@@ -16,6 +16,7 @@ namespace {
 using testing::rossler_record;
 
 TEST(Presets, AreFoundByName) {
+  ASSERT_FALSE(presets().empty());
   for (const Preset& entry : presets())
     EXPECT_EQ(preset(entry.name).regressor->info().name,
               entry.make(Tolerances::Repaired).regressor->info().name);
@@ -33,6 +34,7 @@ TEST(Presets, OnlyThoseOfThePaperHavePaperTolerances) {
 }
 
 TEST(Presets, EachIdentifiesRosslerFromExactDerivatives) {
+  ASSERT_FALSE(presets().empty());
   for (const Preset& entry : presets()) {
     const IdentificationResult result = identify(rossler_record(3000), preset(entry.name));
     for (Index k = 0; k < 3; ++k)

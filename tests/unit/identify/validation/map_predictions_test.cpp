@@ -51,6 +51,7 @@ TEST(MapPredictions, NoiseIsThatOfTheDisturbance) {
   const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 3000, {.disturbance = 2e-3});
   const OdeModel model = parse_ode("x[n+1] = 1 + y - 1.4*x^2\ny[n+1] = 0.3*x\n", "test");
   const PredictionTest test = predict_map(model, data, whole(data), 1);
+  ASSERT_FALSE(test.states.empty());
   for (const PredictionError& state : test.states) {
     EXPECT_NEAR(state.error, 2e-3, 2e-4);
     EXPECT_NEAR(state.noise, 2e-3, 2e-4);
@@ -75,6 +76,7 @@ TEST(MapPredictions, NoiseIsNotSeenWhereNoNeighbourIsNear) {
   std::string text;
   for (const Quantity& state : data.states) text += state.name + "[n+1] = 0.5\n";
   const PredictionTest test = predict_map(parse_ode(text, "test"), data, whole(data), 1);
+  ASSERT_EQ(test.states.size(), 8u);
   for (const PredictionError& state : test.states)
     EXPECT_FALSE(state.noise_seen) << state.state;
 }

@@ -24,6 +24,7 @@ TEST(ValueNumbering, OperandsStandInFront) {
   const int x = numbering.slot(0);
   numbering.operation(Operation::Sin, {numbering.power(x, numbering.number(5.0)), -1, -1});
   const std::vector<ProgramValue>& values = numbering.values();
+  ASSERT_FALSE(values.empty());
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!values[i].is_leaf()) {
       for (const int operand : values[i].operands) EXPECT_LT(operand, static_cast<int>(i));

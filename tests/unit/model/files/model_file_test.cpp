@@ -219,6 +219,7 @@ TEST(ModelFile, NamesAndEquationsThatDoNotFit) {
 
 TEST(ModelFile, NothingCutShortIsAcceptedOrCrashes) {
   const std::string text = kPendulum;
+  ASSERT_FALSE(text.empty());
   for (std::size_t length = 0; length < text.size(); ++length)
     EXPECT_THROW(parse_model(text.substr(0, length), "m.json"), ModelError) << length;
 }
@@ -264,7 +265,7 @@ TEST(ModelFile, ReadsTheModelsOfTheMeasuredRecords) {
       ++models;
     }
   }
-  if (models == 0) GTEST_SKIP() << "no nominal.json under " << root;
+  EXPECT_GT(models, 0) << "no nominal.json under " << root;
 }
 
 TEST(ModelFile, TimeIsContinuousOrDiscrete) {

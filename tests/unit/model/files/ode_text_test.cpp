@@ -68,6 +68,7 @@ TEST(OdeText, LatinLettersInUnitsBecomeUtf8) {
 }
 
 TEST(OdeText, EveryTestSystemComesBackFromItsText) {
+  ASSERT_FALSE(test_systems().empty());
   for (const TestSystem& system : test_systems()) {
     const OdeModel& model = system.model;
     const std::string& name = system.name;

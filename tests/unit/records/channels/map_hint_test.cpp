@@ -64,6 +64,7 @@ TEST(MapHint, RoughnessOfASineIsThatOfItsStep) {
 }
 
 TEST(MapHint, DoesNotTakeSamplesFarApartOfAFlowForAMap) {
+  ASSERT_FALSE(test_systems().empty());
   for (const TestSystem& system : test_systems()) {
     for (const double step : {1.0, 10.0, 30.0, 100.0}) {
       const Dataset clean =

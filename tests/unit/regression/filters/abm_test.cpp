@@ -35,6 +35,7 @@ TEST(Abm, RemovesWhatLowerTermsExpress) {
 
 TEST(Abm, KeepsAllTermsOfRosslersAttractorUpToDegree5) {
   const auto& data = testing::rossler_10000();
+  ASSERT_FALSE(testing::rewritings().empty());
   for (const auto& r : testing::rewritings()) {
     const auto system = testing::rewritten(data.states, data.derivatives, 5, r);
     EXPECT_EQ(Abm().filter(system).kept.size(), 56u) << r.name;

@@ -31,6 +31,7 @@ TEST(SvdFilter, KeepsAsManyTermsAsTheRankAndPrefersTheFirst) {
 
 TEST(SvdFilter, KeepsAllTermsOfRosslersAttractorHoweverWritten) {
   const auto& data = testing::rossler_10000();
+  ASSERT_FALSE(testing::rewritings().empty());
   for (const auto& r : testing::rewritings()) {
     const auto system = testing::rewritten(data.states, data.derivatives, 5, r);
     EXPECT_EQ(SvdFilter().filter(system).kept.size(), 56u) << r.name;

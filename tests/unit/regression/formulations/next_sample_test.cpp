@@ -110,6 +110,7 @@ const std::vector<KnownMap>& known_maps() {
 }
 
 TEST(NextSample, StructureOfMapsIsExactCleanAndDisturbed) {
+  ASSERT_FALSE(known_maps().empty());
   for (const KnownMap& known : known_maps())
     for (const double disturbance : {0.0, 1e-3})
       for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
@@ -124,6 +125,7 @@ TEST(NextSample, StructureOfMapsIsExactCleanAndDisturbed) {
 }
 
 TEST(NextSample, StructureBearsALittleNoiseOfTheMeasurement) {
+  ASSERT_FALSE(known_maps().empty());
   for (const KnownMap& known : known_maps())
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
       const Dataset data =

@@ -19,6 +19,7 @@ class EliminationTest : public ::testing::Test {
 
 TEST_F(EliminationTest, LossesAreWhatTheSquaredResidualGains) {
   const Vector losses = full_.losses();
+  ASSERT_GT(full_.size(), 0);
   for (Index i = 0; i < full_.size(); ++i) {
     const Elimination without = full_.without({i});
     const double gain = without.residual_norm() * without.residual_norm() -
@@ -29,6 +30,7 @@ TEST_F(EliminationTest, LossesAreWhatTheSquaredResidualGains) {
 
 TEST_F(EliminationTest, ContributionsAreNormsOfTerms) {
   const Vector contributions = full_.contributions();
+  ASSERT_GT(full_.size(), 0);
   for (Index i = 0; i < full_.size(); ++i)
     EXPECT_DOUBLE_EQ(contributions[i],
                      std::abs(full_.coefficients()[i]) * system_.factor().column_norms[i]);

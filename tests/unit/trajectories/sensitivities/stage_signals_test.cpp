@@ -26,6 +26,7 @@ StageSignals written(Interpolation interpolation) {
 TEST(StageSignals, AreThoseOfTheTimesOfTheStages) {
   const StageSignals signals = written(Interpolation::Cubic);
   const Vector time = samples().time;
+  ASSERT_GT(time.size(), 0);
   for (Index i = 0; i + 1 < time.size(); ++i)
     for (Index j = 0; j < 2; ++j)
       for (std::size_t a = 0; a < 4; ++a) {

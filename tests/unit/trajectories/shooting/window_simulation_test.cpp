@@ -37,6 +37,7 @@ TEST(WindowSimulator, FollowsTheModelFromEachStart) {
   windows.problem.rates().set(windows.model.values());
   const Orbits orbits = windows.simulated({0, 6});
   const double step = test_system("van-der-pol").step;
+  ASSERT_FALSE(windows.plan.empty());
   for (std::size_t w = 0; w < windows.plan.size(); ++w) {
     const Window& window = windows.plan[w];
     const Solution alone =

@@ -33,8 +33,9 @@ TEST(Windows, EndWhereErrorsHaveGrown) {
 
 TEST(Windows, AreNotShorterThanAsked) {
   WindowLimits limits{.growth = 3.0, .turn = 1e9, .shortest = 7, .longest = 1000};
-  for (const Window& window : plan_windows({0, 100}, constant_growth(100, 10.0), limits))
-    EXPECT_GE(window.samples, 7);
+  const auto plan = plan_windows({0, 100}, constant_growth(100, 10.0), limits);
+  ASSERT_FALSE(plan.empty());
+  for (const Window& window : plan) EXPECT_GE(window.samples, 7);
 }
 
 TEST(Windows, TurningStatesEndWindowsWithoutGrowth) {

@@ -42,6 +42,7 @@ TEST(SubsetExchanges, TheReplacementIsTheColumnThatLeavesLeast) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const SubsetProblem problem = dependent_columns(seed);
     const SubsetExchanges exchanges = exchanges_of(problem, subset);
+    ASSERT_FALSE(subset.empty());
     for (std::size_t i = 0; i < subset.size(); ++i)
       for (std::size_t j = i; j < subset.size(); ++j) {
         const std::vector<Index> rest = without(subset, i, j);
