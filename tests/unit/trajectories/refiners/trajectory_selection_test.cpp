@@ -63,12 +63,14 @@ TEST(TrajectorySelection, DoesNotDependOnThreads) {
 TEST(TrajectorySelection, IntervalsContainTheTruth) {
   const OdeModel& truth = test_system("lorenz").model;
   const RefinedModel found = search(noisy_record("lorenz", 2000, 0.02, 3), truth);
-  for (std::size_t k = 0; k < 3; ++k) ASSERT_FALSE(found.model.equations()[k].empty());
-  for (const WeightedTerm& summand : found.model.equations()[k]) {
-    const double expected = truth.coefficient(static_cast<Index>(k), summand.term.name());
-    ASSERT_TRUE(summand.standard_error);
-    EXPECT_LT(std::abs(summand.coefficient - expected), 4.0 * *summand.standard_error);
-    EXPECT_LT(*summand.standard_error, 0.02 * std::abs(expected) + 0.05);
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_FALSE(found.model.equations()[k].empty());
+    for (const WeightedTerm& summand : found.model.equations()[k]) {
+      const double expected = truth.coefficient(static_cast<Index>(k), summand.term.name());
+      ASSERT_TRUE(summand.standard_error);
+      EXPECT_LT(std::abs(summand.coefficient - expected), 4.0 * *summand.standard_error);
+      EXPECT_LT(*summand.standard_error, 0.02 * std::abs(expected) + 0.05);
+    }
   }
 }
 
