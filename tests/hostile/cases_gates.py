@@ -37,7 +37,8 @@ def value_cases():
         for option, values in {"--seed": NO_COUNT, "--dt": NO_SIZE + ["0"]}.items():
             for value in values[::2]:
                 yield case("%s %s %s" % (command.split()[0], option, value),
-                           "%s %s=%s" % (command, option, value), 2, option)
+                           "%s %s=%s" % (command, option, value), 2,
+                           "step" if value in ["-1", "inf", "0"] and option == "--dt" else option)
     for option, values in {"--start-samples": NO_COUNT + ["0"], "--ahead": NO_COUNT + ["0"],
                            "--restarts": NO_COUNT + ["101"]}.items():
         for value in values:
@@ -55,10 +56,10 @@ def value_cases():
         yield case("simulate --hold " + value,
                    "simulate d.json --x0 1,0 --t-end 1 --dt .1 --input-data u.csv --hold=" + value,
                    2, "--hold")
-    for value in ["x", "=x", "x=", "x=none", "x=99", "x=-1", "''"]:
-        yield case("fit --map " + value, "%s --map=%s" % (FIT, value), 2, "--map")
-    for value in ["parsec", "''", "-1", "m/s"]:
-        yield case("check --time-unit " + value, "%s --time-unit=%s" % (CHECK, value), 2, "time-unit")
+    for value, part in {"x": "--map", "=x": "name of a column", "x=": "no column ''", "''": "--map",
+                        "x=none": "no column 'none'", "x=99": "no column '99'",
+                        "x=-1": "no column '-1'"}.items():
+        yield case("fit --map " + value, "%s --map=%s" % (FIT, value), 2, part)
 
 
 def repeated_cases():
@@ -78,6 +79,7 @@ def unknown_cases():
             DIAGNOSE: ["--degree 1", "--efect none", "--differentiator none"],
             FIT: ["--degree 1", "--preset robust"], SYNC: ["--report", "--cupling x=1"],
             CHECK: ["--model none", "--differentiator none"], COMPARE: ["o.csv --json", "--report a"],
+            "compare r.csv o.csv": ["--integrator none"],
             SIMULATE: ["--json a", "r.csv"], "list": ["--json a", "basis filter"],
             "describe": ["ols none", "--json a"], "completion": ["fish", "bash zsh", ""],
             "model m.json": ["r.csv", "--format c"],
@@ -115,9 +117,9 @@ def source_cases():
 def pipe_cases():
     """Pipes are read like files; one that nobody fills any more is an empty file."""
     for command in ["identify p --degree 1", "check p", "fit m.json p", "sync m.json p"]:
-        yield case("pipe: " + command, command, 0, "", before="mkfifo p; cat r.csv > p &")
-        yield case("empty pipe: " + command, command, 2, "p", before="mkfifo p; true > p &")
-    yield case("pipe: model", "model p", 0, "", before="mkfifo p; cat m.json > p &")
+        yield case("pipe: " + command, command, 0, "", before="mkfifo p; (cat r.csv > p &)")
+        yield case("empty pipe: " + command, command, 2, "p", before="mkfifo p; (true > p &)")
+    yield case("pipe: model", "model p", 0, "", before="mkfifo p; (cat m.json > p &)")
     yield case("pipe as standard input", "identify /dev/stdin --degree 1", 0, "Equations",
                before="exec < <(cat r.csv)")
 

@@ -27,13 +27,12 @@ bool is_all_measured(const OdeModel& model, const Dataset& data) {
 }
 
 /// The records in the variables of a model, with what is odd about the two together.
-DataSummary summary_for(const Session& session, const CheckArguments& options) {
+DataSummary summary_for(const Differentiator& differentiator, const CheckArguments& options) {
   const OdeModel model = with_holds(load_flow(*options.model, "check --model"), options.data);
-  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   ColumnRoles roles = common_roles(options.data);
   roles.blanks = Blanks::Mark;
   const Dataset data =
-      read_records(model, options.data.paths, roles, *differentiator, Columns::All);
+      read_records(model, options.data.paths, roles, differentiator, Columns::All);
   DataSummary summary = summarise(data, static_cast<Index>(model.inputs().size()));
   if (!is_all_measured(model, data)) return summary;  // slips are looked for where all is seen
   const UsableRecords usable = usable_records(data);
@@ -46,11 +45,12 @@ int check_command(const Session& session, const CheckArguments& options) {
   check_outputs(files_read(options.data, options.model ? std::vector{*options.model}
                                                        : std::vector<std::string>{}),
                 {{"--json", options.json}});
+  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
   const RunContext context = make_context(session, options.run);
   context.report("reading data", 0.0);
   DataSummary summary;
   if (options.model) {
-    summary = summary_for(session, options);
+    summary = summary_for(*differentiator, options);
   } else {
     const Dataset data = read_data(options.data);
     summary = summarise(data, data.input_count());

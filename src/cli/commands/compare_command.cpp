@@ -53,14 +53,14 @@ int show_comparison(const Session& session, const CompareArguments& options,
   return 0;
 }
 
-int compare_model(const Session& session, const CompareArguments& options) {
+int compare_model(const Session& session, const CompareArguments& options,
+                  const Integrator& integrator) {
   const OdeModel model = with_holds(load_flow(options.first, "compare"), options.data);
   const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
-  const auto integrator = session.registry.make<Integrator>(options.integrator);
   const RunContext context = make_context(session, options.run);
   const Dataset data =
       read_records(model, options.data.paths, common_roles(options.data), *differentiator);
-  Solution orbit = orbit_of(with_shown_holds(model, data), data, *integrator, context);
+  Solution orbit = orbit_of(with_shown_holds(model, data), data, integrator, context);
   if (orbit.status != IntegrationStatus::Completed) {
     session.streams.err << "lacuna: error: " << options.first << ": " << orbit.message
                         << "; the model has no orbit as long as the record\n";
@@ -89,7 +89,8 @@ int compare_records(const Session& session, const CompareArguments& options) {
 
 int compare_command(const Session& session, const CompareArguments& options) {
   check_outputs(files_read(options.data, {options.first}), {{"--json", options.json}});
-  return is_model(options.first) ? compare_model(session, options)
+  const auto integrator = session.registry.make<Integrator>(options.integrator);
+  return is_model(options.first) ? compare_model(session, options, *integrator)
                                  : compare_records(session, options);
 }
 

@@ -15,6 +15,9 @@
 namespace lacuna::cli {
 namespace {
 
+/// What fits into no number is read as the largest one, which no record is as long as.
+constexpr Index kMostSamples = Index{1} << 50U;
+
 struct FitArguments {
   std::string model;
   DataOptions data;
@@ -84,11 +87,11 @@ Command declare_fit(CLI::App& root) {
   declare_column_options(*app, options->data, false);
   app->add_option("--start-samples", options->fit.window,
                   "First samples of a held-out record, which give its initial state")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(Index{1}, kMostSamples))
       ->capture_default_str();
   app->add_option("--ahead", options->fit.prediction,
                   "Samples ahead of the error of prediction")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(Index{1}, kMostSamples))
       ->capture_default_str();
   app->add_option("--restarts", options->fit.restarts,
                   "Other starts, at most, where residuals stay above the noise")

@@ -53,6 +53,12 @@ TEST(CheckCommand, FilesThatAreNoRecordsAreNamed) {
   expect_failure(run_command({"check", book}), 2, {"Excel workbook", "save the sheet as .csv"});
 }
 
+TEST(CheckCommand, ADifferentiatorThatIsNotThereIsNamedThoughNoneIsNeeded) {
+  const Records records;
+  expect_failure(run_command({"check", records.oscillator(), "--differentiator", "none"}), 2,
+                 {"none"});
+}
+
 TEST(CheckCommand, SaysThatARecordLooksLikeAMap) {
   const Records records;
   std::string text = "n,x\n";

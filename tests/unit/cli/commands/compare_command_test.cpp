@@ -39,6 +39,7 @@ TEST(CompareCommand, TwoRecordsAreCompared) {
   EXPECT_THAT(result.out, HasSubstr("extent of x"));
   EXPECT_THAT(result.out, HasSubstr("pass"));
   expect_failure(run_command({"compare", a, b, b}), 2, {"two records"});
+  expect_failure(run_command({"compare", a, b, "--integrator", "none"}), 2, {"none"});
 }
 
 TEST(CompareCommand, AnotherModelDoesNot) {

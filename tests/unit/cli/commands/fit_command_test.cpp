@@ -89,6 +89,10 @@ TEST(FitCommand, ErrorsAreOneLine) {
   expect_failure(run_command({"fit", model, records.oscillator()}), 2,
                  {"osc.csv", "no column for the output 'y'", "--map"});
   expect_failure(run_command({"fit", model}), 2, {"DATA"});
+  for (const char* option : {"--start-samples", "--ahead"})
+    expect_failure(
+        run_command({"fit", model, records.oscillator(), option, "99999999999999999999999"}), 2,
+        {option});
 }
 
 }  // namespace

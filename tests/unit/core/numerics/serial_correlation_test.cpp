@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
@@ -21,6 +24,20 @@ TEST(SerialCorrelation, WhiteNoiseHasNone) {
   const SerialCorrelation found = serial_correlation(first_order_series(0.0, 20000));
   EXPECT_NEAR(found.time, 1.0, 0.01);
   EXPECT_EQ(found.reach, 5);
+}
+
+TEST(SerialCorrelation, ChanceIsNotCountedAsCorrelation) {
+  // Squares of chance add 5 / 100 to the sum of a series of 100; without them it scatters by
+  // sqrt(5 * 2) / 100 around 0, of which the half above counts, twice.
+  Random random(8);
+  double sum = 0.0;
+  for (int draw = 0; draw < 400; ++draw) {
+    Vector series(100);
+    for (double& entry : series) entry = random.normal();
+    sum += serial_correlation(series).time;
+  }
+  EXPECT_NEAR(sum / 400.0,
+              1.0 + 2.0 * std::sqrt(10.0) / 100.0 / std::sqrt(2.0 * std::numbers::pi), 0.03);
 }
 
 TEST(SerialCorrelation, SumsTheSquaresOfAFirstOrderSeries) {

@@ -36,6 +36,14 @@ TEST(LineNumbers, OfRowsThatAreNotThereAreNotKnown) {
   EXPECT_THAT(numbers.of(1, 2), IsEmpty());
 }
 
+TEST(LineNumbers, OfEveryThirdLineAreAllKnown) {
+  LineNumbers numbers;
+  std::vector<std::size_t> lines(2 * LineNumbers::kMost);
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = 3 * i + 5;
+  numbers.append(lines);
+  EXPECT_THAT(numbers.of(static_cast<Index>(lines.size()) - 1, 1), ElementsAre(lines.back()));
+}
+
 TEST(LineNumbers, TakeABoundedMemory) {
   LineNumbers numbers;
   std::vector<std::size_t> lines;

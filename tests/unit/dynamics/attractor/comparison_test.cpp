@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
@@ -49,6 +51,26 @@ TEST(Comparison, OrbitsOfAnotherOneDoNot) {
   const auto names = failures(compare_attractors(lorenz(1.0, 28.0), lorenz(1.0, 35.0)));
   EXPECT_THAT(names, ::testing::Contains("extent of z"));
   EXPECT_THAT(names, ::testing::Contains("density"));
+}
+
+/// A sine whose size in five stretches is given.
+Dataset swings(const std::vector<double>& sizes) {
+  constexpr Index kEach = 600;
+  const Index n = kEach * static_cast<Index>(sizes.size());
+  Trajectory run{"swings", Vector::LinSpaced(n, 0.0, 0.05 * static_cast<double>(n - 1)),
+                 Matrix(n, 1), Matrix(n, 0), Matrix()};
+  for (Index i = 0; i < n; ++i)
+    run.states(i, 0) = sizes[static_cast<std::size_t>(i / kEach)] * std::sin(run.time[i]);
+  return {"s", {{"x", ""}}, {}, {run}, {}};
+}
+
+TEST(Comparison, IntervalsOfBothRecordsCount) {
+  // Extents of 2 +- 0 and of 1.8 +- 0.39, Student's t of 1, 1.2, 1.4, 1.6, 1.8.
+  const auto measures =
+      compare_attractors(swings({1, 1, 1, 1, 1}), swings({0.5, 0.6, 0.7, 0.8, 0.9}));
+  EXPECT_LT(measures[0].first_half, 0.01);
+  EXPECT_NEAR(measures[0].second_half, 2.776 * std::sqrt(0.1) / std::sqrt(5.0), 0.01);
+  EXPECT_EQ(measures[0].agree, true);
 }
 
 TEST(Comparison, WhatCannotBeToldIsNotJudged) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lacuna/core/base/random.hpp"
+#include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {
 namespace {
@@ -43,6 +44,15 @@ TEST(ModelComparison, MisfitsCountWhereTheNoiseIsSeenElseWhatIsLeftOfTheRates) {
   const ModelComparison models(orbit(0.05));
   EXPECT_NEAR(models.excess(one, other), std::log(3.0) + std::log(0.5), 1e-12);
   EXPECT_NEAR(models.excess(other, one), -models.excess(one, other), 1e-12);
+}
+
+TEST(ModelComparison, NoiseOfAPartOfEachStepIsNotSeen) {
+  // A ten-thousandth of a step of y, which is 0.02 / sqrt(2), is 1.4e-6.
+  const auto one = result_of(fit_of(1.0, 1.0, true), fit_of(0.3, 1.0, true));
+  const auto other = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 2.0, true));
+  ASSERT_NE(analyse_noise(orbit(5e-7))[1].kind, NoiseKind::None);
+  EXPECT_NEAR(ModelComparison(orbit(5e-7)).excess(one, other), std::log(3.0), 1e-12);
+  EXPECT_NEAR(ModelComparison(orbit(5e-6)).excess(one, other), std::log(0.5), 1e-12);
 }
 
 TEST(ModelComparison, AMisfitThatIsNotFiniteIsNone) {

@@ -74,6 +74,33 @@ TEST(SyncVerdict, WhatChangesHoldsUpToThen) {
   EXPECT_THAT(found.sentence, HasSubstr("Holds up to"));
 }
 
+/// A slave of the right model, with something added to its states.
+SyncVerdict verdict_with(Index first, Index count, double added, bool settled = true) {
+  const Dataset data = record(0.01, 0.0);
+  const OdeModel model = damped_oscillator(1.0);
+  SyncResult sync = synchronise(model, data, Rk4{});
+  sync.states[0].middleRows(first, count).array() += added;
+  sync.settled = settled;
+  return judge(model, data, sync);
+}
+
+TEST(SyncVerdict, ASlaveComesToTheRecordInTheFirstQuarter) {
+  EXPECT_TRUE(verdict_with(0, 900, 5.0).holds);
+  EXPECT_FALSE(verdict_with(0, 1100, 5.0).holds);
+}
+
+TEST(SyncVerdict, OnePieceThatIsOffIsNoEndOfHolding) {
+  const SyncVerdict found = verdict_with(2000, 150, 5.0);
+  EXPECT_FALSE(found.holds);
+  EXPECT_FALSE(found.until);
+  EXPECT_TRUE(verdict_with(2000, 2000, 5.0).until);
+}
+
+TEST(SyncVerdict, ASlaveThatDoesNotSettleDoesNotHold) {
+  EXPECT_TRUE(verdict_with(0, 1, 0.0).holds);
+  EXPECT_FALSE(verdict_with(0, 1, 0.0, false).holds);
+}
+
 /// Rosenzweig and MacArthur's prey and predator: errors grow for much of each turn.
 OdeModel prey_and_predator(double growth) {
   return parse_ode("dx/dt = " + format_number(growth) +

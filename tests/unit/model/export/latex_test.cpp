@@ -35,6 +35,7 @@ TEST(ExportLatex, ParenthesesAndSignsStandWhereTheyAreNeeded) {
   EXPECT_EQ(latex_of("-x"), "-x");
   EXPECT_EQ(latex_of("2.5e-7*x - 3"), "2.5\\cdot 10^{-7}\\,x - 3");
   EXPECT_EQ(latex_of("sin(x-(-y))"), "\\sin\\left(x - \\left(-y\\right)\\right)");
+  EXPECT_EQ(latex_of("sin(x-(y+u))"), "\\sin\\left(x - \\left(y + u\\right)\\right)");
   EXPECT_EQ(latex_of("(x*u)^2"), "x^{2}\\,u^{2}");
   EXPECT_EQ(latex_of("exp(x)^-y"), "\\exp\\left(x\\right)^{-y}");
   EXPECT_EQ(latex_of("sign(u)*delay(u,0.5)"),

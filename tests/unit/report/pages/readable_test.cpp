@@ -19,6 +19,7 @@ TEST(Readable, DigitsFollowTheError) {
   EXPECT_EQ(with_error(-0.400412345, 0.00082), "-0.4004 +- 0.00082");
   EXPECT_EQ(with_error(1234.5, 100.0), "1.23e+03 +- 1e+02");
   EXPECT_EQ(with_error(0.123456, 0.0), "0.1235");
+  EXPECT_EQ(with_error(0.01234, 0.5), "0.012 +- 0.5");
   EXPECT_EQ(digits_of(1.0, 0.0), 4);
 }
 

@@ -53,6 +53,13 @@ TEST(Ticks, TellNeighboursOfALargeOffsetApart) {
   EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size());
 }
 
+TEST(Ticks, OfLogarithmsAreEveryFewDecades) {
+  const std::vector<Tick> ticks = ticks_of({1e-3, 1e9, true}, 5);
+  ASSERT_EQ(ticks.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(std::log10(ticks[i].value), 3.0 * static_cast<double>(i) - 3.0, 1e-12);
+}
+
 TEST(ShownSamples, KeepTheExtremesOfEveryColumn) {
   const Index n = 100000, columns = 50;
   const Vector x = Vector::LinSpaced(n, 0.0, 1.0);

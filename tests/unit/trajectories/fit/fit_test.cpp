@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
@@ -117,6 +118,23 @@ y = x2
   EXPECT_TRUE(number(found, "x1: x1").ci95);
   EXPECT_NEAR(number(found, "k12").value, 0.39, 0.06) << "as near as can be to the start";
   EXPECT_FALSE(found.initial[0][1].standard_error) << "known up to its scale only";
+}
+
+TEST(Fit, TheErrorOfAStartHasThoseOfTheParametersInIt) {
+  // x = a exp(-k t): standard errors by the normal equations of dx/da and dx/dk.
+  const SystemModel system =
+      parse_ode_system("input u\nparam k = 1\ndx/dt = -k*x\ny = x\n", "m.ode");
+  const Dataset data = support::grey_box(
+      system.model(), {.start = Vector::Constant(1, 2.0), .step = 0.01, .samples = 200});
+  const Vector t = data.trajectories[0].time, x = 2.0 * (-t.array()).exp();
+  Matrix slopes(200, 2);
+  slopes << x / 2.0, -x.cwiseProduct(t);
+  const double sigma = 0.01 * std::sqrt((x.array() - x.mean()).square().mean());
+  const Matrix covariance = (slopes.transpose() * slopes).inverse() * sigma * sigma;
+  const Fit found = fit(system, data, {});
+  ASSERT_TRUE(found.initial[0][0].standard_error);
+  EXPECT_NEAR(*found.initial[0][0].standard_error / std::sqrt(covariance(0, 0)), 1.0, 0.2);
+  EXPECT_NEAR(*number(found, "k").standard_error / std::sqrt(covariance(1, 1)), 1.0, 0.2);
 }
 
 TEST(Fit, ASumIsNoProduct) {
