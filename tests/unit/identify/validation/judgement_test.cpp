@@ -129,7 +129,8 @@ TEST(Judgement, ErrorsAreToldInNoiseUpToThreeTimesOfItAndElseInMotion) {
     return judged(state, state).sentence;
   };
   EXPECT_THAT(told(0.029, 0.01), HasSubstr("2.9 times the noise of x"));
-  EXPECT_THAT(told(0.031, 0.01), HasSubstr("3.1 % of the motion of x"));
+  // What is no noise: sqrt(0.035^2 - 0.01^2).
+  EXPECT_THAT(told(0.035, 0.01), HasSubstr("3.4 % of the motion of x"));
   EXPECT_THAT(told(0.4567, 0.01), HasSubstr("46 % of the motion of x"));
   EXPECT_THAT(told(1.234, 0.01), HasSubstr("123 % of the motion of x"));
 }
