@@ -7,7 +7,8 @@
 
 namespace lacuna {
 
-/// The equations as an align* environment of amsmath: \dot{x} &= -10\,x + 10\,y.
+/// The equations as align* environments of amsmath, of 40 lines each: \dot{x} &= -10\,x +
+/// 10\,y.
 std::string export_latex(const OdeModel& model);
 
 }  // namespace lacuna

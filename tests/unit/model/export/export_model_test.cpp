@@ -4,12 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
+#include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "model/export/languages.hpp"
 #include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -17,6 +21,7 @@ namespace lacuna {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// All operations, names that are words of languages, signs and powers that need parentheses.
 constexpr const char* kModel = R"(time s
@@ -128,7 +133,7 @@ TEST(ExportModel, SpiceWritesWholePowersAsProducts) {
       parse_ode("input x2\ndx/dt = x^3 + x2^-2 + abs(x)^0.5 + t\n", "x.ode"), "spice");
   EXPECT_THAT(text, HasSubstr("I=(1*(v(x))*(v(x))*(v(x)))"));
   EXPECT_THAT(text, HasSubstr("(1/(1*(v(x2))*(v(x2))))"));
-  EXPECT_THAT(text, HasSubstr("pow((abs(v(x))), 0.5)"));
+  EXPECT_THAT(text, HasSubstr("sqrt(abs(v(x)))"));
   EXPECT_THAT(text, HasSubstr(" + time"));
 }
 
@@ -137,7 +142,8 @@ TEST(ExportModel, ModelicaHasUnitsAndDelays) {
       parse_ode("input u [V]\nstate x [m]\ndx/dt = -x + delay(u,0.5) + step(x)\n", "x.ode"),
       "modelica");
   EXPECT_THAT(text, HasSubstr("input Real u(unit=\"V\");"));
-  EXPECT_THAT(text, HasSubstr("der(x) = -x + delay(u, 0.5) + (if x >= 0 then 1.0 else 0.0);"));
+  EXPECT_THAT(text,
+              HasSubstr("der(x) = -x + delay(u, 0.5) + (if x >= 0.0 then 1.0 else 0.0);"));
 }
 
 TEST(ExportModel, RefusesWhatALanguageDoesNotHave) {
@@ -147,6 +153,124 @@ TEST(ExportModel, RefusesWhatALanguageDoesNotHave) {
     EXPECT_THROW(export_model(delayed, format), ModelError) << format;
   }
   EXPECT_THROW(export_model(delayed, "fortran"), ConfigError);
+}
+
+OdeModel delayed_by_parameter() {
+  return parse_ode_system("param T = 2\nstate x\ndx/dt = -delay(x,T)\n", "x.ode").symbolic();
+}
+
+TEST(ExportModel, RefusesWhatIsNoRate) {
+  for (const char* format : {"modelica", "latex"})
+    EXPECT_THROW(export_model(delayed_by_parameter(), format), ModelError) << format;
+  const OdeModel channel({formula_channel("y", "V")}, {}, {{}});
+  for (const std::string& format : export_formats())
+    EXPECT_THROW(export_model(channel, format), ModelError) << format;
+}
+
+/// A unit that would be code in every language.
+OdeModel with_unit(const std::string& unit) {
+  return OdeModel({{"x", unit}}, {}, {{}}, unit)
+      .with_outputs({{"y", unit, Expression::variable("x")}});
+}
+
+/// Number of lines that are no comments.
+std::ptrdiff_t code_lines(const std::string& text) {
+  std::istringstream lines(text);
+  std::ptrdiff_t count = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (line.empty() || std::string("/%#*").find(line[0]) == std::string::npos) ++count;
+  return count;
+}
+
+TEST(ExportModel, UnitsAreNoCode) {
+  for (const char* unit : {"s\rint evil = 42; //", "\nevil", "coding:unicode_escape\\nevil",
+                           "\"); evil(\"", "\\", "*/ evil /*", "\xe2\x80\xae", "\xff"})
+    for (const std::string& format : export_formats()) {
+      const std::string text = export_model(with_unit(unit), format);
+      const std::string plain = export_model(with_unit("V"), format);
+      EXPECT_EQ(code_lines(text), code_lines(plain)) << text;
+      for (const char c : text) EXPECT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << format;
+      EXPECT_EQ(text.find("evil = 42; //"), std::string::npos) << format;
+    }
+  EXPECT_THAT(export_model(with_unit("\""), "modelica"), HasSubstr("(unit=\"<U+0022>\")"));
+  EXPECT_THAT(export_model(with_unit("V"), "c"), HasSubstr("// Left out: the outputs y [V]."));
+}
+
+TEST(ExportModel, PythonHasItsEncodingInTheFirstLine) {
+  EXPECT_EQ(
+      export_model(with_unit("coding: utf-7"), "python").rfind("# -*- coding: ascii -*-\n", 0),
+      0u);
+}
+
+/// Names of the language and of the export itself, names that are one, names of other names.
+TEST(ExportModel, NamesAreOthersWhereTheyMeanSomething) {
+  const OdeModel model = parse_ode(
+      "input input\ndlambda/dt = X - lambda_\ndlambda_/dt = input\ndx/dt = gnd\n"
+      "dX/dt = state\ndgnd/dt = void\ndstate/dt = x\ndvoid/dt = _x\nd_x/dt = 1\n",
+      "x.ode");
+  EXPECT_THAT(
+      export_model(model, "python"),
+      HasSubstr("# Names that are others here: lambda is lambda_2, state is state_, _x is "
+                "v_x, input is\n#   input_.\n"));
+  EXPECT_THAT(export_model(model, "c"), HasSubstr("= void_;"));
+  EXPECT_THAT(export_model(model, "matlab"), HasSubstr("  input_ = input(1);"));
+  EXPECT_THAT(export_model(model, "modelica"), HasSubstr("der(x) = gnd;"));
+  const std::string spice = export_model(model, "spice");
+  EXPECT_THAT(spice, HasSubstr("Blambda 0 lambda I=v(X_) - v(lambda_)"));
+  EXPECT_THAT(spice, HasSubstr("Bx 0 x I=v(gnd_)"));
+}
+
+/// ngspice rounds what has more than 11 digits.
+TEST(ExportModel, SpiceHasAllDigits) {
+  EXPECT_THAT(export_model(parse_ode("dx/dt = -1.2345678901234567*x + 0.5", "x.ode"), "spice"),
+              HasSubstr("I=(-1.23456789 - 1.234568003e-10)*v(x) + 0.5"));
+}
+
+TEST(ExportModel, SpiceKeepsTheSignsOfPowers) {
+  const std::string text =
+      export_model(parse_ode("dx/dt = x^11 + x^12 + x^1.5\n", "x.ode"), "spice");
+  EXPECT_THAT(text, HasSubstr("(pwr(v(x), 11)) + (pow(v(x), 12)) + "
+                              "((v(x)) >= 0 ? pow(v(x), 1.5) : sqrt(v(x)))"));
+}
+
+/// Powers of powers would double the text with every one.
+TEST(ExportModel, SpiceIsNoLongerThanItsFormula) {
+  std::string formula = "x";
+  for (int i = 0; i < 30; ++i) formula = "(" + formula + "+1)^3";
+  EXPECT_LT(export_model(parse_ode("dx/dt = sin(" + formula + ")\n", "x.ode"), "spice").size(),
+            20000u);
+}
+
+TEST(ExportModel, MatlabIsNotComplex) {
+  const std::string text = export_model(
+      parse_ode("dx/dt = sqrt(x) + log(x) + asin(x) + acos(x) + x^0.5 + x^2\n", "x.ode"),
+      "matlab");
+  EXPECT_THAT(text,
+              HasSubstr("(lacuna_real(sqrt(x)) + lacuna_real(log(x)) + lacuna_real(asin(x)) "
+                        "+ lacuna_real(acos(x)) + lacuna_real(x^0.5) + x^2)"));
+  EXPECT_THAT(text, HasSubstr("\nfunction v = lacuna_real(v)\n"));
+  EXPECT_THAT(text, Not(HasSubstr("lacuna_min")));
+}
+
+/// Object-like macros of the headers, as the compiler on this machine lists them.
+TEST(ExportModel, MacrosAreNoNamesInC) {
+  if (!testing::can_run("cc --version")) GTEST_SKIP() << "there is no C compiler";
+  const testing::TemporaryFolder place;
+  place.write("c.c", "#include <math.h>\n");
+  place.write("c.cpp", "#include <array>\n#include <cmath>\n");
+  std::string macros;
+  for (const char* call : {"cc -std=c99 c.c", "cc -std=gnu17 c.c", "c++ -std=gnu++20 c.cpp"}) {
+    ASSERT_TRUE(testing::can_run("cd " + place.file("") + " && " + call + " -dM -E -o macros"));
+    macros += place.read("macros");
+  }
+  std::istringstream lines(macros);
+  int known = 0;
+  for (std::string define, macro; lines >> define >> macro; std::getline(lines, define)) {
+    if (!is_identifier(macro) || macro.front() == '_') continue;
+    EXPECT_NE(foreign_names(std::vector<std::string>{macro}, c_names()).at(macro), macro);
+    ++known;
+  }
+  EXPECT_GT(known, 50);
 }
 
 }  // namespace
