@@ -27,8 +27,9 @@ std::optional<Reading> cross_term_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (!candidate.shapes.empty() || !candidate.memory.empty()) return std::nullopt;
   const Term term(candidate.form, fitted.scope.model.variables());
-  if (!term.exponents() || term.exponents()->back() != 0) return std::nullopt;
-  const std::vector<int>& powers = *term.exponents();
+  const auto exponents = term.exponents();
+  if (!exponents || exponents->back() != 0) return std::nullopt;
+  const std::vector<int>& powers = *exponents;
   const auto factors =
       std::count_if(powers.begin(), powers.end(), [](int power) { return power > 0; });
   const bool negative =

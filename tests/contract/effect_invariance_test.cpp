@@ -46,7 +46,8 @@ Scope scaled(const EffectSystem& system, double scale, double pace) {
   for (Equation& equation : equations)
     for (WeightedTerm& summand : equation) {
       int degree = 0;
-      for (const int power : *summand.term.exponents()) degree += power;
+      const std::vector<int> powers = *summand.term.exponents();
+      for (const int power : powers) degree += power;
       summand.coefficient *= std::pow(scale, 1 - degree) / pace;
     }
   scope.model = {scope.model.states(), scope.model.inputs(), equations,

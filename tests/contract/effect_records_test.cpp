@@ -109,7 +109,8 @@ Scope mirrored(const EffectSystem& system) {
   for (Equation& equation : equations)
     for (WeightedTerm& summand : equation) {
       int degree = 0;
-      for (const int power : *summand.term.exponents()) degree += power;
+      const std::vector<int> powers = *summand.term.exponents();
+      for (const int power : powers) degree += power;
       if (degree % 2 == 0) summand.coefficient = -summand.coefficient;
     }
   scope.model = {scope.model.states(), scope.model.inputs(), equations,

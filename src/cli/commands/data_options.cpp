@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include "assignments.hpp"
 #include "lacuna/core/base/file_bytes.hpp"
+#include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/text.hpp"
 
@@ -25,24 +27,19 @@ ColumnRoles roles_of(const DataOptions& options) {
 }
 
 void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity>& inputs) {
-  for (const std::string& text : assignments)
-    for (const std::string& part : split_list(text)) {
-      const std::size_t equals = part.find('=');
-      const std::string name(trim(part.substr(0, equals)));
-      const std::string value(equals == std::string::npos
-                                  ? std::string_view{}
-                                  : trim(std::string_view(part).substr(equals + 1)));
-      const auto input =
-          std::find_if(inputs.begin(), inputs.end(),
-                       [&](const Quantity& quantity) { return quantity.name == name; });
-      if (input == inputs.end())
-        throw ConfigError("--hold " + part, "there is no input '" + name + "'",
-                          "name an input, e.g. --hold u=zero");
-      input->hold = hold_named(value);
-      if (!input->hold && value != "auto")
-        throw ConfigError("--hold " + part, "'" + value + "' is not a hold",
-                          "write zero, linear, smooth, switching or auto");
-    }
+  for (const Assignment& part :
+       read_assignments({"--hold", "NAME=HOLD", "--hold u=zero"}, assignments)) {
+    const auto input =
+        std::find_if(inputs.begin(), inputs.end(),
+                     [&](const Quantity& quantity) { return quantity.name == part.name; });
+    if (input == inputs.end())
+      throw ConfigError("--hold " + part.text, "there is no input '" + part.name + "'",
+                        "name an input, e.g. --hold u=zero");
+    input->hold = hold_named(part.value);
+    if (!input->hold && part.value != "auto")
+      throw ConfigError("--hold " + part.text, "'" + part.value + "' is not a hold",
+                        "write zero, linear, smooth, switching or auto");
+  }
 }
 
 }  // namespace
@@ -103,15 +100,19 @@ ColumnRoles common_roles(const DataOptions& options) {
   roles.time_unit = options.time_unit;
   roles.step = options.step;
   roles.trajectory = options.trajectory;
-  for (const std::string& text : options.names)
-    for (const std::string& part : split_list(text)) {
-      const std::size_t equals = part.find('=');
-      if (equals == std::string::npos)
-        throw ConfigError("--map " + part, "this is not NAME=COLUMN",
-                          "write e.g. --map th=Winkel,u=3");
-      roles.names.emplace_back(trim(std::string_view(part).substr(0, equals)),
-                               trim(std::string_view(part).substr(equals + 1)));
-    }
+  if (const auto fault = options.time_unit ? unit_fault(*options.time_unit) : std::nullopt)
+    throw ConfigError("--time-unit", fault->problem, fault->remedy);
+  for (const auto& [part, name, column] :
+       read_assignments({"--map", "NAME=COLUMN", "--map th=Winkel,u=3"}, options.names)) {
+    if (const auto fault = name == "t" ? std::nullopt : name_fault(name))
+      throw ConfigError("--map " + part, fault->problem, fault->remedy);
+    for (const auto& [other, same] : roles.names)
+      if (same == column)
+        throw ConfigError("--map " + part,
+                          "the column '" + column + "' is called '" + other + "' already",
+                          "keep one");
+    roles.names.emplace_back(name, column);
+  }
   return roles;
 }
 
@@ -153,17 +154,14 @@ bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
 
 std::vector<EmbeddingOrder> embedding_orders(const DataOptions& options) {
   std::vector<EmbeddingOrder> orders;
-  for (const std::string& text : options.embed) {
-    for (const std::string& part : split_list(text)) {
-      const std::size_t equals = part.find('=');
-      const auto order = equals == std::string::npos
-                             ? std::nullopt
-                             : parse_number(trim(std::string_view(part).substr(equals + 1)));
-      if (!order || std::abs(*order) > 10.0 || *order != std::round(*order))
-        throw ConfigError("--embed " + part, "this is not NAME=ORDER",
-                          "write e.g. --embed q=2, with a whole number from -10 to 10");
-      orders.push_back({std::string(trim(part.substr(0, equals))), static_cast<int>(*order)});
-    }
+  constexpr std::string_view kExample = "--embed q=2, with a whole number from -10 to 10";
+  for (const auto& [part, name, value] :
+       read_assignments({"--embed", "NAME=ORDER", kExample}, options.embed)) {
+    const auto order = parse_number(value);
+    if (!order || std::abs(*order) > 10.0 || *order != std::round(*order))
+      throw ConfigError("--embed " + part, "this is not NAME=ORDER",
+                        "write e.g. " + std::string(kExample));
+    orders.push_back({name, static_cast<int>(*order)});
   }
   return orders;
 }

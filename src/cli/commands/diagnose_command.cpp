@@ -75,8 +75,15 @@ DiagnosisOptions make_options(const Session& session, const OdeModel& model,
   for (const std::string& name : options.effects)
     result.effects.push_back(session.registry.make<Effect>(name));
   if (options.effects.empty()) result.effects = session.registry.make_all<Effect>();
-  for (const std::string& text : options.tolerances)
-    result.tolerances.push_back(parse_tolerance(model, text));
+  for (const std::string& text : options.tolerances) {
+    const CoefficientPrior next = parse_tolerance(model, text);
+    for (std::size_t i = 0; i < result.tolerances.size(); ++i)
+      if (result.tolerances[i].place == next.place)
+        throw ConfigError("--tolerance " + text,
+                          "it is given twice, first as '" + options.tolerances[i] + "'",
+                          "keep one");
+    result.tolerances.push_back(next);
+  }
   if (options.max_effects) result.decision.max_effects = *options.max_effects;
   result.fill_gap = result.fill_gap || options.fill_gap;
   return result;

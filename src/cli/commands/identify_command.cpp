@@ -38,10 +38,12 @@ void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
       ->type_name("NAME");
   app.add_option("--config", options.config, "JSON file that overrides the preset by stages")
       ->type_name("FILE");
-  app.add_option("--degree", options.degree, "Monomials up to this degree [default: 3]")
-      ->type_name("D");
+  CLI::Option* degree =
+      app.add_option("--degree", options.degree, "Monomials up to this degree [default: 3]")
+          ->type_name("D");
   app.add_option("--terms", options.terms, "Candidate terms outright, e.g. \"sign(q_d1),1,F\"")
-      ->type_name("LIST");
+      ->type_name("LIST")
+      ->excludes(degree);
   app.add_flag("--discrete", options.discrete,
                "Find a map x[n+1] = f(x[n]) instead of a flow dx/dt = f(x)");
   app.add_option("--hidden", options.hidden,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "assignments.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/text.hpp"
 
@@ -29,23 +30,23 @@ std::size_t state_in(const Dataset& data, const std::string& text, const std::st
   return static_cast<std::size_t>(found - data.states.begin());
 }
 
-void read_limits(const Dataset& data, const std::string& text, std::vector<Limits>& limits) {
-  const std::size_t equals = text.find('=');
-  const std::size_t colon = text.find(':', equals == std::string::npos ? 0 : equals);
-  if (equals == std::string::npos || colon == std::string::npos)
-    fail(text, "this is not NAME=LOW:HIGH");
-  const Limits given{end_in(text, text.substr(equals + 1, colon - equals - 1)),
-                     end_in(text, text.substr(colon + 1))};
+void read_limits(const Dataset& data, const Assignment& part, std::vector<Limits>& limits) {
+  const auto& [text, name, ends] = part;
+  const std::size_t colon = ends.find(':');
+  if (colon == std::string::npos) fail(text, "this is not NAME=LOW:HIGH");
+  const Limits given{end_in(text, ends.substr(0, colon)), end_in(text, ends.substr(colon + 1))};
   if (given.low && given.high && !(*given.low < *given.high))
     fail(text, "the lower end is not below the upper one");
-  limits[state_in(data, text, std::string(trim(text.substr(0, equals))))] = given;
+  limits[state_in(data, text, name)] = given;
 }
 
 }  // namespace
 
 Dataset with_given_limits(Dataset data, const std::vector<std::string>& texts) {
   std::vector<Limits> limits(data.states.size());
-  for (const std::string& text : texts) read_limits(data, text, limits);
+  for (const Assignment& part : read_assignments(
+           {"--limits", "NAME=LOW:HIGH", "--limits q=-5:5 or --limits q=:5"}, texts))
+    read_limits(data, part, limits);
   return texts.empty() ? data : with_limits(std::move(data), limits);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "assignments.hpp"
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/core/base/random.hpp"
@@ -128,14 +129,15 @@ Dataset as_dataset(const OdeModel& model, Run run) {
   const Matrix outputs = output_values(model, orbit.time, orbit.states, run.inputs);
   trajectory.time = std::move(orbit.time);
   trajectory.states = std::move(orbit.states);
+  trajectory.states.conservativeResize(Eigen::NoChange, data.state_count() + outputs.cols());
   for (std::size_t i = 0; i < model.outputs().size(); ++i) {
     const Output& output = model.outputs()[i];
     const auto state = state_of(model, output);
     if (state && model.states()[static_cast<std::size_t>(*state)].name == output.name) continue;
+    trajectory.states.col(data.state_count()) = outputs.col(static_cast<Index>(i));
     data.states.push_back({output.name, output.unit});
-    trajectory.states.conservativeResize(Eigen::NoChange, data.state_count());
-    trajectory.states.rightCols(1) = outputs.col(static_cast<Index>(i));
   }
+  trajectory.states.conservativeResize(Eigen::NoChange, data.state_count());
   data.trajectories.push_back(std::move(trajectory));
   return data;
 }
@@ -143,18 +145,17 @@ Dataset as_dataset(const OdeModel& model, Run run) {
 /// Standard deviations of the noise by column, as NAME=SD gives them.
 Vector parse_noise(const std::vector<std::string>& assignments, const Dataset& data) {
   Vector sigma = Vector::Zero(data.state_count());
-  for (const std::string& text : split_list(join(assignments, ","))) {
-    const std::size_t equals = text.find('=');
-    const auto column = std::find_if(
-        data.states.begin(), data.states.end(),
-        [&](const Quantity& state) { return state.name == text.substr(0, equals); });
-    const auto number = equals == std::string::npos ? std::optional<double>()
-                                                    : parse_number(text.substr(equals + 1));
+  for (const Assignment& part :
+       read_assignments({"--noise", "NAME=SD", "--noise x=0.01"}, assignments)) {
+    const auto column =
+        std::find_if(data.states.begin(), data.states.end(),
+                     [&](const Quantity& state) { return state.name == part.name; });
+    const auto number = parse_number(part.value);
     if (column == data.states.end())
-      throw ConfigError("--noise " + text, "the simulation has no such column",
+      throw ConfigError("--noise " + part.text, "the simulation has no such column",
                         "name a state or an output, as in x=0.01");
     if (!number || !std::isfinite(*number) || *number < 0.0)
-      throw ConfigError("--noise " + text, "the standard deviation is no number from 0 on",
+      throw ConfigError("--noise " + part.text, "the standard deviation is no number from 0 on",
                         "write " + column->name + "=0.01");
     sigma[column - data.states.begin()] = *number;
   }

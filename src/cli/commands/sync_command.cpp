@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "assignments.hpp"
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/core/base/text.hpp"
@@ -29,15 +30,14 @@ struct SyncArguments {
 std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& text) {
   if (text.empty()) return std::nullopt;
   Matrix coupling = Matrix::Zero(model.dimension(), model.dimension());
-  for (const std::string& part : split_list(text)) {
-    const std::size_t equals = part.find('=');
-    const auto strength = equals == std::string::npos
-                              ? std::nullopt
-                              : parse_number(trim(std::string_view(part).substr(equals + 1)));
+  const std::string example = "--coupling x=1,y=0.5, in 1/" + model.time_unit();
+  for (const auto& [part, name, value] :
+       read_assignments({"--coupling", "NAME=NUMBER", example}, {text})) {
+    const auto strength = parse_number(value);
     if (!strength || !std::isfinite(*strength))
       throw ConfigError("--coupling " + part, "this is not NAME=NUMBER",
-                        "write e.g. --coupling x=1,y=0.5, in 1/" + model.time_unit());
-    const Index state = model.state_index(std::string(trim(part.substr(0, equals))));
+                        "write e.g. " + example);
+    const Index state = model.state_index(name);
     coupling(state, state) = *strength;
   }
   return coupling;

@@ -2,19 +2,29 @@
 #include "lacuna/cli/configuration/configuration.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <map>
 
 #include "core/base/json_text.hpp"
 #include "core/base/utf8.hpp"
+#include "lacuna/core/base/file_bytes.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
+#include "model/files/strict_json.hpp"
 #include "option_reader.hpp"
 
 namespace lacuna {
 
 struct Configuration::Document {
   Json root = Json::object();
+  std::map<std::string, std::string> said;  ///< by set() and its like: what, and how
+
+  /// @throws ConfigError that names both when it has been said before.
+  void say(const std::string& what, const std::string& option, const std::string& text) {
+    const auto [first, is_new] = said.emplace(what, text);
+    if (is_new) return;
+    throw ConfigError(option + " " + text,
+                      what + " is given twice, first as '" + first->second + "'", "keep one");
+  }
 };
 
 namespace {
@@ -50,7 +60,11 @@ Json parse_document(std::string_view text, const std::string& source) {
     return true;
   };
   try {
-    return Json::parse(text, check_depth);
+    Json parsed = Json::parse(text, check_depth);
+    if (const auto path = repeated_key(text))
+      throw ConfigError(source + ": " + *path, "the key stands twice in its object",
+                        "remove one of them");
+    return parsed;
   } catch (const Json::parse_error& error) {
     throw ConfigError(source + ":" + line_and_column(text, error.byte), "this is not JSON",
                       "check quotes, commas and brackets up to this place");
@@ -243,11 +257,7 @@ void Configuration::merge_text(std::string_view json, const std::string& source)
 }
 
 void Configuration::merge_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path, "cannot be opened", "check the path of the configuration");
-  std::ostringstream text;
-  text << file.rdbuf();
-  merge_text(text.str(), path);
+  merge_text(read_text_file(path, "configuration"), path);
 }
 
 void Configuration::set(std::string_view assignment) {
@@ -262,6 +272,7 @@ void Configuration::set(std::string_view assignment) {
     throw ConfigError(source, "this is not PATH=VALUE",
                       "write e.g. --set regressor.threshold=0.05");
   if (std::count(path.begin(), path.end(), '.') >= kDeepest) fail_too_deep(source);
+  document_->say("'" + std::string(path) + "'", "--set", std::string(assignment));
   const Json value = value_of(trim(assignment.substr(equals + 1)), source);
   merge_into(document_->root, with_stage_objects(nested_value(path, value)));
 }
@@ -291,11 +302,15 @@ void Configuration::set_equation(std::string_view text) {
   if (colon == std::string_view::npos)
     throw ConfigError("--equation " + std::string(text), "there is no colon",
                       "write e.g. --equation \"w: sin(th), w, u\"");
-  document_->root["equations"][std::string(trim(text.substr(0, colon)))] =
-      split_list(text.substr(colon + 1));
+  const std::string state(trim(text.substr(0, colon)));
+  document_->say("the equation of '" + state + "'", "--equation", std::string(text));
+  document_->root["equations"][state] = split_list(text.substr(colon + 1));
 }
 
 void Configuration::add_constraint(const std::string& text) {
+  std::string summands = text.substr(0, text.rfind('='));
+  std::erase(summands, ' ');
+  document_->say("what " + summands + " is", "--fix", text);
   Json& constraints = document_->root["constraints"];
   if (!constraints.is_array()) constraints = Json::array();
   constraints.push_back(text);

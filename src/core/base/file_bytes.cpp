@@ -95,6 +95,31 @@ FileBytes read_bytes(const fs::path& path) {
   }
 }
 
+std::string read_text_file(const fs::path& path, const std::string& what) {
+  std::error_code unreadable;
+  const File file(fs::is_directory(path, unreadable) ? nullptr
+                                                     : std::fopen(path.c_str(), "rb"));
+  if (!file)
+    throw FileError(path.string(), "the " + what + " cannot be read",
+                    "check that it exists and that it may be read");
+  std::string text;
+  std::size_t size = 0, added = 1;
+  while (added > 0 && size <= kLargestText) {
+    text.resize(size + kChunk);
+    added = std::fread(text.data() + size, 1, kChunk, file.get());
+    size += added;
+  }
+  if (std::ferror(file.get()) != 0)
+    throw FileError(path.string(), "reading failed", "check the disk");
+  if (size > kLargestText)
+    throw FileError(
+        path.string(),
+        "the " + what + " is larger than " + std::to_string(kLargestText >> 20U) + " MiB",
+        "check that it is the right file");
+  text.resize(size);
+  return text;
+}
+
 bool is_packed(const fs::path& path) {
   std::error_code none;
   if (!fs::is_regular_file(path, none)) return false;

@@ -17,8 +17,19 @@ bool is_utf8(std::string_view text);
 /// The text as UTF-8: what is not UTF-8 is read as Latin-1 (ISO 8859-1), byte by byte.
 std::string to_utf8(std::string_view text);
 
-/// The text with what a terminal would act on made visible: control characters other than line
-/// feed and tab, and bytes that are not UTF-8, become "\x1b" in letters.
+/// The character that begins at `at`. @pre utf8_length() there is not 0.
+char32_t code_point(std::string_view text, std::size_t at);
+
+/// A character as UTF-8.
+std::string utf8_of(char32_t character);
+
+/// Whether a character has no picture of its own but acts on the text around it: controls (C0,
+/// DEL, C1), separators of lines and paragraphs, marks of direction, characters of no width,
+/// tags. Such a text looks otherwise than it is read.
+bool is_unseen(char32_t character) noexcept;
+
+/// The text with what a terminal would act on made visible: unseen characters other than line
+/// feed and tab, and bytes that are not UTF-8, become "\x1b" or "\u202e" in letters.
 std::string printable(std::string_view text);
 
 }  // namespace lacuna

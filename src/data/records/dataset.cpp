@@ -34,15 +34,15 @@ void check_names(const Dataset& data) {
   all.insert(all.end(), data.inputs.begin(), data.inputs.end());
   for (const Quantity& quantity : all) {
     const std::string& name = quantity.name;
-    if (!is_identifier(name))
-      fail("dataset", "'" + name + "' is not a name",
-           "use letters, digits and underscores, a letter first");
-    if (is_reserved_name(name))
-      fail("dataset", "'" + name + "' has a meaning in expressions", "choose another name");
+    if (const auto fault = name_fault(name)) fail("dataset", fault->problem, fault->remedy);
+    if (const auto fault = unit_fault(quantity.unit))
+      fail("dataset, unit of " + name, fault->problem, fault->remedy);
     if (!seen.insert(name).second)
       fail("dataset", "the name '" + name + "' is used twice",
            "give every state and input a name of its own");
   }
+  if (const auto fault = unit_fault(data.time_unit))
+    fail("dataset, unit of time", fault->problem, fault->remedy);
   if (data.states.empty()) fail("dataset", "there is no state", "give at least one state");
 }
 

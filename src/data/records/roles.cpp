@@ -220,6 +220,8 @@ std::vector<Index> ColumnIndices::used() const {
 
 ColumnIndices find_columns(const Table& table, const ColumnRoles& roles) {
   check_step(roles);
+  if (const auto fault = roles.time_unit ? unit_fault(*roles.time_unit) : std::nullopt)
+    throw ConfigError("time unit", fault->problem, fault->remedy);
   ColumnIndices columns;
   columns.states = columns_of(table, roles.states);
   columns.inputs = columns_of(table, roles.inputs);

@@ -78,7 +78,7 @@ std::string usable_name(const std::string& header, std::size_t column) {
   std::string name = is_identifier(header) ? header : to_identifier(header);
   if (name.empty()) return default_name(column);
   if (name != "t" && is_reserved_name(name)) name += '_';
-  return name;
+  return name.substr(0, kLongestName);
 }
 
 std::string header_place(const Table& table, std::optional<std::size_t> line,
@@ -147,12 +147,16 @@ void name_columns(Table& table, const std::vector<Quantity>& headers,
   for (std::size_t i = 0; i < headers.size(); ++i) {
     const std::string header = to_utf8(headers[i].name);
     table.headers.push_back(header);
-    table.columns.push_back({usable_name(header, i), printable(to_utf8(headers[i].unit))});
+    const std::string unit = to_utf8(headers[i].unit);
+    table.columns.push_back({usable_name(header, i), cleaned_unit(unit)});
     check_distinct(table, i, line, places);
-    const std::string& name = table.columns.back().name;
-    if (header.empty() || name == header) continue;
-    table.notes.push_back(header_place(table, line, i) + ": column '" + header +
-                          "' is called '" + name + "'");
+    const Quantity& column = table.columns.back();
+    if (!header.empty() && column.name != header)
+      table.notes.push_back(header_place(table, line, i) + ": column '" + printable(header) +
+                            "' is called '" + column.name + "'");
+    if (column.unit != trim(unit))
+      table.notes.push_back(header_place(table, line, i) + ": the unit '" + printable(unit) +
+                            "' of '" + column.name + "' is read as '" + column.unit + "'");
   }
 }
 
@@ -180,9 +184,8 @@ void rename_column(Table& table, const std::string& name, const std::string& col
   if (!place)
     throw DataError(table.source, "there is no column '" + column + "' to be called " + name,
                     suggestion(column, known));
-  if (!is_identifier(name))
-    throw DataError(table.source, "'" + name + "' cannot be the name of a column",
-                    "use letters, digits and underscores, a letter first");
+  const auto fault = name == "t" ? std::nullopt : name_fault(name);
+  if (fault) throw DataError(table.source, fault->problem, fault->remedy);
   const auto other = std::find(known.begin(), known.end(), name);
   if (other != known.end() && other != known.begin() + static_cast<std::ptrdiff_t>(*place))
     throw DataError(table.source, "another column is called '" + name + "' already",

@@ -28,8 +28,9 @@ std::optional<double> made_by(const OdeModel& model, const Slip& slip, Index equ
   for (const Index channel : slip.channels) {
     if (channel == equation) factor /= slip.correction;
     if (!used.contains(channel_name(model, channel))) continue;
-    if (!term.exponents()) return std::nullopt;
-    factor *= std::pow(slip.correction, (*term.exponents())[static_cast<std::size_t>(channel)]);
+    const auto exponents = term.exponents();
+    if (!exponents) return std::nullopt;
+    factor *= std::pow(slip.correction, (*exponents)[static_cast<std::size_t>(channel)]);
   }
   return factor;
 }

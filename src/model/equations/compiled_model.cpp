@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -18,10 +19,11 @@ class SumBuilder {
     entries_.push_back({coefficient, place->second});
   }
 
-  void end_row() { row_ends_.push_back(entries_.size()); }
+  /// @param target where the sum of the row goes.
+  void end_row(std::size_t target) { rows_.push_back({target, entries_.size()}); }
 
   CompiledModel::Sums build(const Variables& variables) {
-    return {Program(distinct_, variables), std::move(entries_), std::move(row_ends_),
+    return {Program(distinct_, variables), std::move(entries_), std::move(rows_),
             std::vector<double>(distinct_.size())};
   }
 
@@ -33,7 +35,7 @@ class SumBuilder {
   std::vector<Expression> distinct_;
   std::unordered_map<Expression, std::size_t, Hash> numbers_;
   std::vector<CompiledModel::Sums::Entry> entries_;
-  std::vector<std::size_t> row_ends_;
+  std::vector<CompiledModel::Sums::Row> rows_;
 };
 
 CompiledModel::CompiledModel(const OdeModel& model)
@@ -41,30 +43,37 @@ CompiledModel::CompiledModel(const OdeModel& model)
       input_count_(static_cast<Index>(model.inputs().size())),
       rate_(compile_rate(model)),
       model_(std::make_shared<const OdeModel>(model)),
-      slots_(static_cast<std::size_t>(rate_.program.slots())),
-      entries_(static_cast<std::size_t>(dimension_ * dimension_)) {}
+      slots_(static_cast<std::size_t>(rate_.program.slots())) {}
 
 CompiledModel::Sums CompiledModel::compile_rate(const OdeModel& model) {
   SumBuilder builder;
+  std::size_t row = 0;
   for (const Equation& equation : model.equations()) {
     for (const WeightedTerm& summand : equation)
       builder.add(summand.coefficient, summand.term.expression());
-    builder.end_row();
+    builder.end_row(row++);
   }
   return builder.build(model.variables());
 }
 
-/// Rows are the entries of the Jacobian, column by column.
+/// Rows are the entries of the Jacobian that can be other than 0; it is stored by columns.
 CompiledModel::Sums CompiledModel::compile_jacobian(const OdeModel& model) {
   SumBuilder builder;
-  for (const Quantity& state : model.states()) {
-    for (const Equation& equation : model.equations()) {
-      for (const WeightedTerm& summand : equation) {
-        const Expression derivative = differentiate(summand.term.expression(), state.name);
-        if (!is_number(derivative, 0.0)) builder.add(summand.coefficient, derivative);
-      }
-      builder.end_row();
+  const std::size_t dimension = model.states().size();
+  const VariableIndex index(model.variables());
+  std::map<std::size_t, std::vector<const WeightedTerm*>> entries;
+  for (std::size_t k = 0; k < dimension; ++k)
+    for (const WeightedTerm& summand : model.equations()[k])
+      for (const std::string& name : summand.term.expression().variables())
+        if (const Index slot = *index.find(name); slot < index.states())
+          entries[static_cast<std::size_t>(slot) * dimension + k].push_back(&summand);
+  for (const auto& [target, summands] : entries) {
+    for (const WeightedTerm* summand : summands) {
+      const Expression derivative =
+          differentiate(summand->term.expression(), index.names()[target / dimension]);
+      if (!is_number(derivative, 0.0)) builder.add(summand->coefficient, derivative);
     }
+    builder.end_row(target);
   }
   return builder.build(model.variables());
 }
@@ -82,14 +91,15 @@ void CompiledModel::fill_delays(const Program& program, const double* delayed) {
     *slot++ = delayed[std::find(delays().begin(), delays().end(), wanted) - delays().begin()];
 }
 
-void CompiledModel::add_up(Sums& sums, double* out) {
+template <class Put>
+void CompiledModel::add_up(Sums& sums, Put put) {
   sums.program.evaluate(slots_.data(), sums.values.data(), workspace_);
   const Sums::Entry* entry = sums.entries.data();
-  for (const std::size_t row_end : sums.row_ends) {
+  for (const Sums::Row& row : sums.rows) {
     double sum = 0.0;
-    for (const Sums::Entry* end = sums.entries.data() + row_end; entry != end; ++entry)
+    for (const Sums::Entry* end = sums.entries.data() + row.end; entry != end; ++entry)
       sum += entry->coefficient * sums.values[entry->value];
-    *out++ = sum;
+    put(row.target, sum);
   }
 }
 
@@ -97,7 +107,7 @@ void CompiledModel::evaluate(double t, const double* x, const double* u, const d
                              double* dxdt) {
   fill_slots(t, x, u);
   std::copy_n(delayed, delays().size(), slots_.data() + dimension_ + input_count_ + 1);
-  add_up(rate_, dxdt);
+  add_up(rate_, [&](std::size_t row, double sum) { dxdt[row] = sum; });
 }
 
 void CompiledModel::jacobian(double t, const double* x, const double* u, const double* delayed,
@@ -110,8 +120,11 @@ void CompiledModel::jacobian(double t, const double* x, const double* u, const d
   if (!jacobian_) jacobian_ = compile_jacobian(*model_);
   fill_slots(t, x, u);
   fill_delays(jacobian_->program, delayed);
-  add_up(*jacobian_, entries_.data());
-  derivative = Eigen::Map<const Matrix>(entries_.data(), dimension_, dimension_);
+  derivative.setZero();
+  add_up(*jacobian_, [&](std::size_t target, double sum) {
+    const auto place = static_cast<Index>(target);
+    derivative(place % dimension_, place / dimension_) = sum;
+  });
 }
 
 }  // namespace lacuna

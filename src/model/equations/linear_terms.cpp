@@ -8,6 +8,7 @@
 
 #include "lacuna/core/base/error.hpp"
 #include "model/expressions/operations.hpp"
+#include "summand_list.hpp"
 
 namespace lacuna {
 namespace {
@@ -101,7 +102,7 @@ Expression product_of(const std::vector<Expression>& factors) {
   return product;
 }
 
-Term term_of(const Product& product, const Variables& variables) {
+Term term_of(const Product& product, const VariableIndex& variables) {
   const Expression above = product_of(product.factors);
   return Term(product.divisors.empty() ? above : above / product_of(product.divisors),
               variables);
@@ -109,20 +110,16 @@ Term term_of(const Product& product, const Variables& variables) {
 
 }  // namespace
 
-Equation linear_terms(const Expression& formula, const Variables& variables) {
-  Equation equation;
-  for (const Product& product : expanded(formula)) {
-    Term term = term_of(product, variables);
-    if (!std::isfinite(product.coefficient))
-      throw ModelError("the coefficient of " + term.name(), "it is not finite",
+Equation linear_terms(std::span<const Expression> summands, const VariableIndex& variables) {
+  SummandList list;
+  for (const Expression& summand : summands)
+    for (const Product& product : expanded(summand))
+      list.add({term_of(product, variables), product.coefficient});
+  Equation equation = list.take();
+  for (const WeightedTerm& summand : equation)
+    if (!std::isfinite(summand.coefficient))
+      throw ModelError("the coefficient of " + summand.term.name(), "it is not finite",
                        "look for a division by 0");
-    const auto same = std::find_if(equation.begin(), equation.end(),
-                                   [&](const auto& other) { return other.term == term; });
-    if (same == equation.end())
-      equation.push_back({std::move(term), product.coefficient});
-    else
-      same->coefficient += product.coefficient;
-  }
   std::erase_if(equation, [](const auto& summand) { return summand.coefficient == 0.0; });
   return equation;
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <unordered_set>
 #include <utility>
 
 #include "lacuna/core/base/error.hpp"
@@ -11,26 +11,31 @@
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/model/equations/formula_channel.hpp"
 #include "model/expressions/operations.hpp"
+#include "output_fault.hpp"
 
 namespace lacuna {
 namespace {
 
-void check_name(const std::string& name, std::set<std::string>& taken) {
-  if (!is_identifier(name))
-    throw ModelError("model", "the name '" + name + "' is not an identifier",
-                     "use letters, digits and underscores, a letter first");
-  if (is_reserved_name(name))
-    throw ModelError("model", "the name '" + name + "' is a word of the formula language",
-                     "rename the state or input");
+using TakenNames = std::unordered_set<std::string>;
+
+void check_name(const std::string& name, TakenNames& taken) {
+  if (const auto fault = name_fault(name))
+    throw ModelError("model", fault->problem, fault->remedy);
   if (!taken.insert(name).second)
     throw ModelError("model", "the name '" + name + "' is given twice",
                      "give every state and input a name of its own");
 }
 
-void check_names(const Variables& variables) {
-  std::set<std::string> taken;
-  for (const std::string& name : variables.states) check_name(name, taken);
-  for (const std::string& name : variables.inputs) check_name(name, taken);
+void check_unit(const std::string& unit, const std::string& where) {
+  if (const auto fault = unit_fault(unit))
+    throw ModelError(where, fault->problem, fault->remedy);
+}
+
+void check_quantities(const std::vector<Quantity>& quantities, TakenNames& taken) {
+  for (const Quantity& quantity : quantities) {
+    check_name(quantity.name, taken);
+    check_unit(quantity.unit, "unit of " + quantity.name);
+  }
 }
 
 void check_counts(std::size_t states, std::size_t equations) {
@@ -43,9 +48,9 @@ void check_counts(std::size_t states, std::size_t equations) {
 }
 
 Equation checked_equation(const Equation& equation, const std::string& state,
-                          const Variables& variables) {
+                          const VariableIndex& variables) {
   const std::string where = "equation of " + state;
-  std::set<std::string> taken;
+  std::unordered_set<std::string> taken;
   Equation checked;
   for (const WeightedTerm& summand : equation) {
     checked.push_back(summand);
@@ -60,15 +65,6 @@ Equation checked_equation(const Equation& equation, const std::string& state,
                        "add the coefficients up in one term");
   }
   return checked;
-}
-
-void check_output(const Output& output, const Variables& variables,
-                  std::set<std::string>& taken) {
-  check_name(output.name, taken);
-  Term(output.formula, variables);  // knows all names
-  if (contains(output.formula, Operation::Delay))
-    throw ModelError("output " + output.name, "an output cannot be delayed",
-                     "measure the states as they are, or model the sensor as a state");
 }
 
 void check_initial(const InitialValue& initial, const std::string& state) {
@@ -96,8 +92,11 @@ OdeModel::OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
       equations_(std::move(equations)),
       time_unit_(std::move(time_unit)) {
   check_counts(states_.size(), equations_.size());
-  const Variables names = variables();
-  check_names(names);
+  TakenNames taken;
+  check_quantities(states_, taken);
+  check_quantities(inputs_, taken);
+  check_unit(time_unit_, "unit of time");
+  const VariableIndex names(variables());
   for (std::size_t i = 0; i < states_.size(); ++i)
     equations_[i] = checked_equation(equations_[i], states_[i].name, names);
   initial_.resize(states_.size());
@@ -106,12 +105,12 @@ OdeModel::OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
 Variables OdeModel::variables() const { return {names_of(states_), names_of(inputs_)}; }
 
 Index OdeModel::state_index(const std::string& name) const {
-  const std::vector<std::string> names = names_of(states_);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
+  const auto found = std::find_if(states_.begin(), states_.end(),
+                                  [&](const Quantity& state) { return state.name == name; });
+  if (found == states_.end())
     throw ModelError("model", "there is no state '" + name + "'",
-                     "the states are " + join(names, ", "));
-  return found - names.begin();
+                     "the states are " + join(names_of(states_), ", "));
+  return found - states_.begin();
 }
 
 double OdeModel::coefficient(Index equation, const std::string& term) const {
@@ -155,18 +154,35 @@ OdeModel OdeModel::with_evolution(Evolution evolution) const {
   return result;
 }
 
+std::optional<TextFault> output_fault(const Output& output, const VariableIndex& variables) {
+  if (const auto fault = name_fault(output.name)) return fault;
+  if (const auto fault = unit_fault(output.unit)) return fault;
+  for (const std::string& name : output.formula.variables())
+    if (!variables.find(name))
+      return TextFault{"unknown name '" + name + "'", suggestion(name, variables.names())};
+  if (contains(output.formula, Operation::Delay))
+    return TextFault{"an output cannot be delayed",
+                     "measure the states as they are, or model the sensor as a state"};
+  const std::optional<Index> taken = variables.find(output.name);
+  if (taken && *taken >= variables.states())
+    return TextFault{"the name '" + output.name + "' is given twice, first to an input",
+                     "rename the output"};
+  const bool is_state =
+      output.formula.operation() == Operation::Variable && output.formula.name() == output.name;
+  if (taken && !is_state)
+    return TextFault{"a state has the same name and is not it", "rename the output"};
+  return std::nullopt;
+}
+
 OdeModel OdeModel::with_outputs(std::vector<Output> outputs) const {
   OdeModel result = *this;
   result.outputs_ = std::move(outputs);
-  std::set<std::string> taken;
-  for (const Quantity& input : inputs_) taken.insert(input.name);
+  const VariableIndex names(variables());
+  TakenNames taken;
   for (const Output& output : result.outputs_) {
-    check_output(output, variables(), taken);
-    const auto state = state_of(*this, output);
-    for (Index k = 0; k < dimension(); ++k)
-      if (states_[static_cast<std::size_t>(k)].name == output.name && state != k)
-        throw ModelError("output " + output.name, "a state has the same name and is not it",
-                         "rename the output");
+    if (const auto fault = output_fault(output, names))
+      throw ModelError("output " + output.name, fault->problem, fault->remedy);
+    check_name(output.name, taken);
   }
   return result;
 }
@@ -218,11 +234,8 @@ std::optional<Index> identity_of(const OdeModel& model, Index equation) {
   if (model.is_map() || summands.size() != 1 || summands.front().coefficient != 1.0 ||
       is_formula_channel(model.states()[static_cast<std::size_t>(equation)]))
     return std::nullopt;
-  const std::string& name = summands.front().term.name();
-  for (Index other = 0; other < model.dimension(); ++other)
-    if (other != equation && model.states()[static_cast<std::size_t>(other)].name == name)
-      return other;
-  return std::nullopt;
+  const std::optional<Index> other = summands.front().term.variable();
+  return other < model.dimension() && other != equation ? other : std::nullopt;
 }
 
 std::optional<Index> state_of(const OdeModel& model, const Output& output) {

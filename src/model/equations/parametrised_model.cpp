@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lacuna/core/base/error.hpp"
+#include "summand_list.hpp"
 
 namespace lacuna {
 namespace {
@@ -65,14 +66,15 @@ std::map<std::string, Expression> numbers_of(const std::vector<FreeShape>& shape
   return numbers;
 }
 
+/// Terms that are one with these numbers become one.
 Equation substituted(const Equation& equation, const std::map<std::string, Expression>& numbers,
-                     const Variables& variables) {
-  Equation result;
+                     const VariableIndex& variables) {
+  SummandList result;
   for (const WeightedTerm& summand : equation)
-    result.push_back({.term = Term(substitute(summand.term.expression(), numbers), variables),
-                      .coefficient = summand.coefficient,
-                      .fixed = summand.fixed});
-  return result;
+    result.add({.term = Term(substitute(summand.term.expression(), numbers), variables),
+                .coefficient = summand.coefficient,
+                .fixed = summand.fixed});
+  return result.take();
 }
 
 }  // namespace
@@ -157,9 +159,7 @@ OdeModel ParametrisedModel::model() const {
   if (shapes_.empty()) return symbolic_;
   std::vector<Quantity> inputs = symbolic_.inputs();
   inputs.resize(static_cast<std::size_t>(record_inputs()));
-  Variables variables;
-  for (const Quantity& state : symbolic_.states()) variables.states.push_back(state.name);
-  for (const Quantity& input : inputs) variables.inputs.push_back(input.name);
+  const VariableIndex variables({names_of(symbolic_.states()), names_of(inputs)});
   const std::map<std::string, Expression> numbers = numbers_of(shapes_);
   std::vector<Equation> equations;
   for (const Equation& equation : symbolic_.equations())

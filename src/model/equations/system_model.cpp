@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "model/expressions/operations.hpp"
+#include "summand_list.hpp"
 
 namespace lacuna {
 namespace {
@@ -61,17 +63,19 @@ bool is_sized(const Expression& term, const Names& parameters, const Names& some
   bool found = false;
   each_factor(term, [&](const Expression& factor) {
     const Names used = factor.variables();
-    found = found ||
-            (has_any(factor, some) &&
-             std::includes(parameters.begin(), parameters.end(), used.begin(), used.end()));
+    const auto is_parameter = [&](const std::string& name) {
+      return parameters.contains(name);
+    };
+    found =
+        found || (has_any(factor, some) && std::all_of(used.begin(), used.end(), is_parameter));
   });
   return found;
 }
 
-Names names_of(const std::vector<Parameter>& parameters, bool only_free) {
+Names free_names(const std::vector<Parameter>& parameters) {
   Names names;
   for (const Parameter& parameter : parameters)
-    if (parameter.free || !only_free) names.insert(parameter.name);
+    if (parameter.free) names.insert(parameter.name);
   return names;
 }
 
@@ -83,20 +87,9 @@ Numbers numbers_of(const std::vector<Parameter>& parameters, bool free_too) {
   return numbers;
 }
 
-void add_to(Equation& equation, WeightedTerm summand) {
-  const auto same = std::find_if(equation.begin(), equation.end(),
-                                 [&](const WeightedTerm& w) { return w.term == summand.term; });
-  if (same == equation.end())
-    equation.push_back(std::move(summand));
-  else
-    *same = {.term = same->term,
-             .coefficient = same->coefficient + summand.coefficient,
-             .fixed = same->fixed && summand.fixed};
-}
-
 /// A summand with numbers for parameters. @param sized by free parameters.
 WeightedTerm with_numbers(const WeightedTerm& summand, const Numbers& numbers, bool sized,
-                          const Variables& variables) {
+                          const VariableIndex& variables) {
   const Split split = split_number(substitute(summand.term.expression(), numbers));
   return {.term = Term(split.rest, variables),
           .coefficient = summand.coefficient * split.number,
@@ -114,6 +107,42 @@ bool delays_depend_on(const Expression& e, const Names& names) {
     return has_any(e.operands()[0], names);
   return std::any_of(e.operands().begin(), e.operands().end(),
                      [&](const Expression& part) { return delays_depend_on(part, names); });
+}
+
+/// An equation with numbers for fixed parameters.
+struct NumberedEquation {
+  Equation summands;
+  std::vector<Index> places;  ///< of the summands that were there before
+  std::vector<bool> free;     ///< which coefficients are to be estimated
+};
+
+NumberedEquation numbered(const SystemModel& system, Index k, const Numbers& numbers,
+                          const VariableIndex& variables) {
+  const bool exact = identity_of(system.symbolic(), k).has_value();
+  NumberedEquation result;
+  SummandList list;
+  const auto equation = static_cast<std::size_t>(k);
+  for (const WeightedTerm& summand : system.symbolic().equations()[equation]) {
+    const Expression& term = summand.term.expression();
+    WeightedTerm numeric = summand;
+    numeric.term = Term(substitute(term, numbers), variables);
+    const std::size_t place = list.add(std::move(numeric));
+    result.places.push_back(static_cast<Index>(place));
+    result.free.resize(std::max(result.free.size(), place + 1), false);
+    if (!exact && !summand.fixed && !system.gives_size(term)) result.free[place] = true;
+  }
+  result.summands = list.take();
+  return result;
+}
+
+/// The model without equations; its last inputs are the free parameters.
+OdeModel frame_of_free(const SystemModel& system) {
+  const OdeModel& model = system.symbolic();
+  std::vector<Quantity> inputs = system.inputs();
+  for (const Parameter& p : system.parameters())
+    if (p.free) inputs.push_back({p.name, p.unit});
+  return {model.states(), std::move(inputs), std::vector<Equation>(model.states().size()),
+          model.time_unit()};
 }
 
 }  // namespace
@@ -141,9 +170,13 @@ SystemModel::SystemModel(OdeModel symbolic, std::vector<Parameter> parameters)
   if (!fits)
     throw ModelError("model", "its last inputs are not its parameters",
                      "make the parameters the last inputs, in the same order");
-  for (const Parameter& parameter : parameters_)
+  for (const Parameter& parameter : parameters_) {
+    names_.insert(parameter.name);
     if (const std::string problem = range_problem(parameter); !problem.empty())
       throw ModelError("parameter " + parameter.name, problem, "mend value or range");
+    if (const auto fault = unit_fault(parameter.unit))
+      throw ModelError("parameter " + parameter.name, fault->problem, fault->remedy);
+  }
 }
 
 std::vector<Quantity> SystemModel::inputs() const {
@@ -153,32 +186,32 @@ std::vector<Quantity> SystemModel::inputs() const {
 }
 
 bool SystemModel::gives_size(const Expression& term) const {
-  const Names all = names_of(parameters_, false);
-  return is_sized(term, all, all);
+  return is_sized(term, names_, names_);
 }
 
 OdeModel SystemModel::model() const {
   if (parameters_.empty()) return symbolic_;
   OdeModel frame(symbolic_.states(), inputs(), std::vector<Equation>(symbolic_.states().size()),
                  symbolic_.time_unit());
-  const Variables variables = frame.variables();
+  const VariableIndex variables(frame.variables());
   const Numbers numbers = numbers_of(parameters_, true);
-  const Names all = names_of(parameters_, false), free = names_of(parameters_, true);
+  const Names free = free_names(parameters_);
   std::vector<Equation> equations;
   for (const Equation& equation : symbolic_.equations()) {
-    Equation& plain = equations.emplace_back();
+    SummandList plain;
     for (const WeightedTerm& summand : equation) {
       const Expression& term = summand.term.expression();
-      if (!has_any(term, all)) {
-        plain.push_back(summand);
+      if (!has_any(term, names_)) {
+        plain.add(summand);
         continue;
       }
-      WeightedTerm numeric =
-          with_numbers(summand, numbers, is_sized(term, all, free), variables);
+      const bool by_free = is_sized(term, names_, free);
+      WeightedTerm numeric = with_numbers(summand, numbers, by_free, variables);
       // Parameters alone give the size of the term, and all of them are known.
-      if (is_sized(term, all, all) && !is_sized(term, all, free)) numeric.fixed = true;
-      if (numeric.coefficient != 0.0) add_to(plain, std::move(numeric));
+      if (!by_free && gives_size(term)) numeric.fixed = true;
+      if (numeric.coefficient != 0.0) plain.add(std::move(numeric));
     }
+    equations.push_back(plain.take());
   }
   return frame.with_equations(std::move(equations))
       .with_outputs(substituted(symbolic_.outputs(), numbers))
@@ -187,37 +220,40 @@ OdeModel SystemModel::model() const {
 }
 
 ParametrisedModel SystemModel::parametrised() const {
-  const Names all = names_of(parameters_, false), free = names_of(parameters_, true);
+  const Names free = free_names(parameters_);
   const Numbers numbers = numbers_of(parameters_, false);
-  std::vector<Quantity> inputs = this->inputs();
   std::vector<FreeShape> shapes;
   for (const Parameter& p : parameters_)
-    if (p.free) {
-      inputs.push_back({p.name, p.unit});
+    if (p.free)
       shapes.push_back({.name = p.name, .value = p.value, .lower = p.min, .upper = p.max});
-    }
-  const OdeModel frame(symbolic_.states(), inputs,
-                       std::vector<Equation>(symbolic_.states().size()), symbolic_.time_unit());
+  for (const Equation& equation : symbolic_.equations())
+    for (const WeightedTerm& summand : equation)
+      if (delays_depend_on(summand.term.expression(), free))
+        throw ModelError("term " + summand.term.name(), "a delay cannot be estimated here",
+                         "make its parameter fixed and try several values");
+  const OdeModel frame = frame_of_free(*this);
+  const VariableIndex variables(frame.variables());
   std::vector<FreeCoefficient> coefficients;
   std::vector<Equation> equations;
   for (Index k = 0; k < symbolic_.dimension(); ++k) {
-    Equation& equation = equations.emplace_back();
-    const bool exact = identity_of(symbolic_, k).has_value();
-    for (const WeightedTerm& summand : symbolic_.equations()[static_cast<std::size_t>(k)]) {
-      const Expression& term = summand.term.expression();
-      if (delays_depend_on(term, free))
-        throw ModelError("term " + summand.term.name(), "a delay cannot be estimated here",
-                         "make its parameter fixed and try several values");
-      if (!exact && !summand.fixed && !is_sized(term, all, all))
-        coefficients.push_back({k, static_cast<Index>(equation.size())});
-      equation.push_back(summand);
-      equation.back().term = Term(substitute(term, numbers), frame.variables());
-    }
+    NumberedEquation equation = numbered(*this, k, numbers, variables);
+    for (std::size_t i = 0; i < equation.free.size(); ++i)
+      if (equation.free[i]) coefficients.push_back({k, static_cast<Index>(i)});
+    equations.push_back(std::move(equation.summands));
   }
   OdeModel model = frame.with_equations(std::move(equations))
                        .with_outputs(substituted(symbolic_.outputs(), numbers))
                        .with_initial(symbolic_.initial());
   return {std::move(model), std::move(coefficients), std::move(shapes)};
+}
+
+std::vector<std::vector<Index>> SystemModel::places_in_parametrised() const {
+  const Numbers numbers = numbers_of(parameters_, false);
+  const VariableIndex variables(frame_of_free(*this).variables());
+  std::vector<std::vector<Index>> places;
+  for (Index k = 0; k < symbolic_.dimension(); ++k)
+    places.push_back(numbered(*this, k, numbers, variables).places);
+  return places;
 }
 
 }  // namespace lacuna

@@ -12,29 +12,32 @@
 namespace lacuna {
 namespace {
 
-using Exponents = std::vector<int>;
+/// Exponents that are not 0, by slot.
+using Powers = std::map<Index, int>;
 
 /// Beyond it a power is no monomial of any library, and sums of exponents cannot overflow.
 constexpr int kLargestExponent = 1000;
 
-std::optional<Exponents> bounded(Exponents exponents) {
-  for (const int exponent : exponents)
+std::optional<Powers> bounded(Powers powers) {
+  std::erase_if(powers, [](const auto& power) { return power.second == 0; });
+  for (const auto& [slot, exponent] : powers)
     if (std::abs(exponent) > kLargestExponent) return std::nullopt;
-  return exponents;
+  return powers;
 }
 
 /// Reads an expression as a product of integer powers of the variables.
 class MonomialReader {
  public:
-  explicit MonomialReader(const std::vector<std::string>& names) : names_(names) {}
+  explicit MonomialReader(const VariableIndex& variables) : variables_(variables) {}
 
-  std::optional<Exponents> read(const Expression& e) const {
+  std::optional<Powers> read(const Expression& e) const {
     switch (e.operation()) {
       case Operation::Number:
         if (e.value() != 1.0) return std::nullopt;
-        return Exponents(names_.size(), 0);
+        return Powers{};
       case Operation::Variable:
-        return of_variable(e.name());
+        if (const auto slot = variables_.find(e.name())) return Powers{{*slot, 1}};
+        return std::nullopt;
       case Operation::Multiply:
         return of_product(e, 1);
       case Operation::Divide:
@@ -47,35 +50,27 @@ class MonomialReader {
   }
 
  private:
-  std::optional<Exponents> of_variable(const std::string& name) const {
-    const auto found = std::find(names_.begin(), names_.end(), name);
-    if (found == names_.end()) return std::nullopt;
-    Exponents exponents(names_.size(), 0);
-    exponents[static_cast<std::size_t>(found - names_.begin())] = 1;
-    return exponents;
-  }
-
-  std::optional<Exponents> of_product(const Expression& e, int sign) const {
-    std::optional<Exponents> first = read(e.operands()[0]);
+  std::optional<Powers> of_product(const Expression& e, int sign) const {
+    std::optional<Powers> first = read(e.operands()[0]);
     if (!first) return std::nullopt;
-    const std::optional<Exponents> second = read(e.operands()[1]);
+    const std::optional<Powers> second = read(e.operands()[1]);
     if (!second) return std::nullopt;
-    for (std::size_t i = 0; i < first->size(); ++i) (*first)[i] += sign * (*second)[i];
+    for (const auto& [slot, exponent] : *second) (*first)[slot] += sign * exponent;
     return bounded(std::move(*first));
   }
 
-  std::optional<Exponents> of_power(const Expression& e) const {
+  std::optional<Powers> of_power(const Expression& e) const {
     const Expression& exponent = e.operands()[1];
     if (exponent.operation() != Operation::Number) return std::nullopt;
     const double power = exponent.value();
     if (power != std::floor(power) || std::abs(power) > kLargestExponent) return std::nullopt;
-    std::optional<Exponents> base = read(e.operands()[0]);
+    std::optional<Powers> base = read(e.operands()[0]);
     if (!base) return std::nullopt;
-    for (int& entry : *base) entry *= static_cast<int>(power);
+    for (auto& [slot, entry] : *base) entry *= static_cast<int>(power);
     return bounded(std::move(*base));
   }
 
-  const std::vector<std::string>& names_;
+  const VariableIndex& variables_;
 };
 
 Expression power(const std::string& name, int exponent) {
@@ -84,36 +79,51 @@ Expression power(const std::string& name, int exponent) {
   return Expression::make(Operation::Power, {variable, Expression::number(exponent)});
 }
 
-Expression monomial_expression(const Exponents& exponents,
-                               const std::vector<std::string>& names) {
+Expression monomial_expression(const Powers& powers, const std::vector<std::string>& names) {
   std::optional<Expression> product;
-  for (std::size_t i = 0; i < exponents.size(); ++i) {
-    if (exponents[i] == 0) continue;
-    const Expression factor = power(names[i], exponents[i]);
+  for (const auto& [slot, exponent] : powers) {
+    const Expression factor = power(names[static_cast<std::size_t>(slot)], exponent);
     product = product ? *product * factor : factor;
   }
   return product.value_or(Expression::number(1.0));
 }
 
-void check_names(const Expression& expression, const std::vector<std::string>& names) {
+void check_names(const Expression& expression, const VariableIndex& variables) {
   for (const std::string& name : expression.variables())
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    if (!variables.find(name))
       throw ModelError("term '" + expression.to_string() + "'", "unknown name '" + name + "'",
-                       suggestion(name, names));
+                       suggestion(name, variables.names()));
 }
 
 }  // namespace
 
-Term::Term(const Expression& expression, const Variables& variables) : expression_(expression) {
-  const std::vector<std::string> names = variables.names();
-  check_names(expression, names);
-  exponents_ = MonomialReader(names).read(expression);
-  if (exponents_) expression_ = monomial_expression(*exponents_, names);
+Term::Term(const Expression& expression, const Variables& variables)
+    : Term(expression, VariableIndex(variables)) {}
+
+Term::Term(const Expression& expression, const VariableIndex& variables)
+    : expression_(expression), slots_(static_cast<Index>(variables.names().size())) {
+  check_names(expression, variables);
+  powers_ = MonomialReader(variables).read(expression);
+  if (powers_) expression_ = monomial_expression(*powers_, variables.names());
   name_ = expression_.to_string();
 }
 
+std::optional<std::vector<int>> Term::exponents() const {
+  if (!powers_) return std::nullopt;
+  std::vector<int> exponents(static_cast<std::size_t>(slots_), 0);
+  for (const auto& [slot, exponent] : *powers_)
+    exponents[static_cast<std::size_t>(slot)] = exponent;
+  return exponents;
+}
+
+std::optional<Index> Term::variable() const noexcept {
+  if (!powers_ || powers_->size() != 1 || powers_->begin()->second != 1) return std::nullopt;
+  return powers_->begin()->first;
+}
+
 Term Term::parse(std::string_view text, const Variables& variables) {
-  return Term(parse_expression(text, variables.names()), variables);
+  const VariableIndex index(variables);
+  return Term(parse_expression(text, index.names()), index);
 }
 
 Term Term::monomial(const std::vector<int>& exponents, const Variables& variables) {
@@ -122,7 +132,11 @@ Term Term::monomial(const std::vector<int>& exponents, const Variables& variable
                         std::to_string(exponents.size()) + " exponents for " +
                             std::to_string(variables.count()) + " variables",
                         "give one exponent per variable, time last");
-  return Term(monomial_expression(exponents, variables.names()), variables);
+  Powers powers;
+  for (std::size_t i = 0; i < exponents.size(); ++i)
+    if (exponents[i] != 0) powers.emplace(static_cast<Index>(i), exponents[i]);
+  const VariableIndex index(variables);
+  return Term(monomial_expression(powers, index.names()), index);
 }
 
 std::vector<std::string> TermLibrary::names() const {

@@ -282,15 +282,36 @@ Expression primary(Cursor& at) {
   return inside;
 }
 
-}  // namespace
-
-Expression parse_expression(std::string_view text, std::span<const std::string> known) {
+Cursor begin_of(std::string_view text, std::span<const std::string> known) {
   Cursor at(text, known);
   if (at.at_end())
     at.fail(at.position(), "the formula is empty", "write 1 for the constant term");
+  return at;
+}
+
+}  // namespace
+
+Expression parse_expression(std::string_view text, std::span<const std::string> known) {
+  Cursor at = begin_of(text, known);
   Expression result = sum(at);
   if (!at.at_end()) fail_unexpected(at);
   return result;
+}
+
+std::vector<Expression> parse_summands(std::string_view text,
+                                       std::span<const std::string> known) {
+  Cursor at = begin_of(text, known);
+  std::vector<Expression> summands{product(at)};
+  while (!at.at_end()) {
+    const std::size_t position = at.position();
+    if (at.take('+'))
+      summands.push_back(product(at));
+    else if (at.take('-'))
+      summands.push_back(make(at, Operation::Negate, {product(at)}, position));
+    else
+      fail_unexpected(at);
+  }
+  return summands;
 }
 
 }  // namespace lacuna

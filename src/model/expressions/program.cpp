@@ -101,6 +101,19 @@ std::vector<std::string> Variables::names() const {
   return names;
 }
 
+VariableIndex::VariableIndex(const Variables& variables)
+    : names_(variables.names()), states_(static_cast<Index>(variables.states.size())) {
+  slots_.reserve(names_.size());
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    slots_.emplace(names_[i], static_cast<Index>(i));
+}
+
+std::optional<Index> VariableIndex::find(const std::string& name) const {
+  const auto found = slots_.find(name);
+  if (found == slots_.end()) return std::nullopt;
+  return found->second;
+}
+
 Program::Program(std::span<const Expression> outputs, const Variables& variables) {
   ProgramBuilder::build(*this, outputs, variables);
 }

@@ -15,16 +15,14 @@
 namespace lacuna {
 namespace {
 
-Index slot_of(const Expression& variable, const std::vector<std::string>& names) {
-  const auto found = std::find(names.begin(), names.end(), variable.name());
-  if (found == names.end())
-    throw ModelError("expression", "unknown name '" + variable.name() + "'",
-                     suggestion(variable.name(), names));
-  return found - names.begin();
+Index slot_of(const Expression& variable, const VariableIndex& names) {
+  if (const auto slot = names.find(variable.name())) return *slot;
+  throw ModelError("expression", "unknown name '" + variable.name() + "'",
+                   suggestion(variable.name(), names.names()));
 }
 
 /// Adds the distinct delayed variables of an expression to those found before.
-void collect_delays(const Expression& expression, const std::vector<std::string>& names,
+void collect_delays(const Expression& expression, const VariableIndex& names,
                     std::vector<DelayedVariable>& delays) {
   if (expression.operation() == Operation::Delay) {
     if (!expression.operands().empty())
@@ -41,7 +39,7 @@ void collect_delays(const Expression& expression, const std::vector<std::string>
 /// Translates expressions into numbered values, each distinct one once.
 class Translator {
  public:
-  Translator(const std::vector<std::string>& names, const std::vector<DelayedVariable>& delays)
+  Translator(const VariableIndex& names, const std::vector<DelayedVariable>& delays)
       : names_(names), delays_(delays) {}
 
   int value_of(const Expression& expression) {
@@ -78,10 +76,10 @@ class Translator {
   int slot_of_delay(const Expression& delayed) const {
     const DelayedVariable wanted{slot_of(delayed, names_), delayed.value()};
     const auto found = std::find(delays_.begin(), delays_.end(), wanted);
-    return static_cast<int>(names_.size()) + static_cast<int>(found - delays_.begin());
+    return static_cast<int>(names_.names().size()) + static_cast<int>(found - delays_.begin());
   }
 
-  const std::vector<std::string>& names_;
+  const VariableIndex& names_;
   const std::vector<DelayedVariable>& delays_;
   ValueNumbering numbering_;
   std::unordered_map<Expression, int, Hash> translated_;
@@ -131,9 +129,9 @@ std::vector<int> scheduled(const std::vector<ProgramValue>& values,
 
 void ProgramBuilder::build(Program& program, std::span<const Expression> outputs,
                            const Variables& variables) {
-  const std::vector<std::string> names = variables.names();
+  const VariableIndex names(variables);
   for (const Expression& output : outputs) collect_delays(output, names, program.delays_);
-  program.slot_count_ = static_cast<Index>(names.size() + program.delays_.size());
+  program.slot_count_ = static_cast<Index>(names.names().size() + program.delays_.size());
   Translator translator(names, program.delays_);
   std::vector<int> shown;
   for (const Expression& output : outputs) shown.push_back(translator.value_of(output));

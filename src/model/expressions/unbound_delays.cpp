@@ -13,11 +13,9 @@ std::set<std::string> names_in_delay_times(const Expression& formula) {
   return names;
 }
 
-void check_delay_times(const Expression& formula, const std::vector<std::string>& states) {
-  std::set<std::string> moving(states.begin(), states.end());
-  moving.insert("t");
+void check_delay_times(const Expression& formula, const VariableIndex& variables) {
   for (const std::string& name : names_in_delay_times(formula))
-    if (moving.contains(name))
+    if (name == "t" || variables.find(name).value_or(variables.states()) < variables.states())
       throw ModelError(formula.to_string(), "a delay depends on '" + name + "'",
                        "give it a number or a parameter");
 }

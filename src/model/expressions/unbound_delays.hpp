@@ -13,6 +13,6 @@ std::set<std::string> names_in_delay_times(const Expression& formula);
 
 /// @throws ModelError where the time of a delay depends on a state or on t: delays have numbers
 ///   or parameters.
-void check_delay_times(const Expression& formula, const std::vector<std::string>& states);
+void check_delay_times(const Expression& formula, const VariableIndex& variables);
 
 }  // namespace lacuna

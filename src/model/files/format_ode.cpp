@@ -44,10 +44,11 @@ std::string choices_text(const SystemModel& system) {
 
 /// The equations; a sum that is one term is to be read as one term again.
 std::string equations_text(const OdeModel& model) {
+  const VariableIndex variables(model.variables());
   std::vector<Equation> equations = model.equations();
   for (Equation& equation : equations)
     for (WeightedTerm& summand : equation)
-      summand.term = Term(kept_together(summand.term.expression()), model.variables());
+      summand.term = Term(kept_together(summand.term.expression()), variables);
   return to_text(model.with_equations(std::move(equations))) + "\n";
 }
 
@@ -57,12 +58,18 @@ std::string initial_text(const std::string& state, const InitialValue& initial) 
          (initial.fixed ? " fixed\n" : "\n");
 }
 
+/// A unit that would be a comment or an output stands in brackets.
+std::string time_line(const std::string& unit) {
+  if (unit.empty()) return "time\n";
+  const bool plain = unit.front() != '=' && unit.find('#') == std::string::npos;
+  return plain ? "time " + unit + "\n" : "time [" + unit + "]\n";
+}
+
 }  // namespace
 
 std::string format_ode(const SystemModel& system) {
   const OdeModel& model = system.symbolic();
-  std::string text = "time";
-  text += (model.time_unit().empty() ? "" : " " + model.time_unit()) + "\n";
+  std::string text = time_line(model.time_unit());
   for (const Quantity& input : system.inputs())
     text += "input " + with_unit(input.name, input.unit) +
             (input.hold ? " hold " + to_string(*input.hold) : "") + "\n";

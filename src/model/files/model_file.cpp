@@ -2,20 +2,19 @@
 #include "lacuna/model/files/model_file.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <set>
+#include <unordered_map>
 #include <utility>
 
-#include "core/base/utf8.hpp"
 #include "lacuna/core/base/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/file_bytes.hpp"
 #include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "model/equations/known_formula.hpp"
+#include "model/equations/output_fault.hpp"
 #include "model/expressions/formula_error.hpp"
 #include "model/expressions/operations.hpp"
-#include "model/expressions/unbound_delays.hpp"
 #include "strict_json.hpp"
 
 namespace lacuna {
@@ -31,16 +30,20 @@ void check_format(const JsonPlace& root) {
                 "this program reads '" + std::string(kFormat) + "'");
 }
 
-void check_quantity_name(const JsonPlace& place, const std::string& name,
-                         std::set<std::string>& taken) {
-  if (!is_identifier(name))
-    place.fail("the name '" + name + "' is not an identifier",
-               "use letters, digits and underscores, a letter first");
-  if (is_reserved_name(name))
-    place.fail("the name '" + name + "' is a word of the formula language", "choose another");
-  if (!taken.insert(name).second)
-    place.fail("the name '" + name + "' is given twice",
-               "give every state and input a name of its own");
+/// Where names stood first.
+using FirstPaths = std::unordered_map<std::string, std::string>;
+
+/// @throws ModelError that names both places where `name` has stood before.
+void add_first(const JsonPlace& place, const std::string& what, const std::string& name,
+               const std::string& remedy, FirstPaths& first) {
+  const auto [before, is_new] = first.try_emplace(name, place.path());
+  if (!is_new)
+    place.fail(what + " '" + name + "' is given twice, first at " + before->second, remedy);
+}
+
+void check_quantity_name(const JsonPlace& place, const std::string& name, FirstPaths& taken) {
+  if (const auto fault = name_fault(name)) place.fail(fault->problem, fault->remedy);
+  add_first(place, "the name", name, "give every state and input a name of its own", taken);
 }
 
 Hold read_hold(const JsonPlace& place) {
@@ -51,19 +54,16 @@ Hold read_hold(const JsonPlace& place) {
   return *hold;
 }
 
-/// A unit is shown wherever its quantity is: nothing in it may act on a terminal.
 std::optional<std::string> read_unit(const JsonPlace& entry, const std::string& key) {
   const std::optional<JsonPlace> unit = entry.find(key);
   if (!unit) return std::nullopt;
   std::string text = unit->text();
-  if (printable(text) != text || text.find('\n') != std::string::npos)
-    unit->fail("a unit has control characters", "remove them");
+  if (const auto fault = unit_fault(text)) unit->fail(fault->problem, fault->remedy);
   return text;
 }
 
 /// @param driven whether they are inputs, which may have a hold.
-std::vector<Quantity> read_quantities(const JsonPlace& list, std::set<std::string>& taken,
-                                      bool driven) {
+std::vector<Quantity> read_quantities(const JsonPlace& list, FirstPaths& taken, bool driven) {
   std::vector<Quantity> quantities;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
@@ -80,17 +80,9 @@ std::vector<Quantity> read_quantities(const JsonPlace& list, std::set<std::strin
   return quantities;
 }
 
-/// Delays may have parameters in them, which formulas of known names may not.
-Expression read_formula(const JsonPlace& place, const Variables& variables) {
-  const std::string text = place.text();
+Expression read_formula(const JsonPlace& place, const VariableIndex& variables) {
   try {
-    const Expression formula = parse_expression(text);
-    const std::vector<std::string> known = variables.names();
-    for (const std::string& name : formula.variables())
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        return parse_expression(text, known);  // tells where
-    check_delay_times(formula, variables.states);
-    return formula;
+    return parse_known(place.text(), variables);
   } catch (const FormulaError& error) {
     place.fail(error.problem(), error.remedy(), ", column " + std::to_string(error.column()));
   } catch (const ModelError& error) {
@@ -98,7 +90,7 @@ Expression read_formula(const JsonPlace& place, const Variables& variables) {
   }
 }
 
-Term read_term(const JsonPlace& place, const Variables& variables) {
+Term read_term(const JsonPlace& place, const VariableIndex& variables) {
   return Term(read_formula(place, variables), variables);
 }
 
@@ -128,7 +120,7 @@ std::optional<double> read_error(const JsonPlace& entry) {
   return error;
 }
 
-WeightedTerm read_summand(const JsonPlace& place, const Variables& variables) {
+WeightedTerm read_summand(const JsonPlace& place, const VariableIndex& variables) {
   place.expect_keys({"term", "coefficient", "ci95", "stderr", "fixed"});
   WeightedTerm summand{.term = read_term(place.at("term"), variables),
                        .coefficient = place.at("coefficient").number(),
@@ -138,46 +130,51 @@ WeightedTerm read_summand(const JsonPlace& place, const Variables& variables) {
   return summand;
 }
 
-Equation read_terms(const JsonPlace& list, const Variables& variables) {
+Equation read_terms(const JsonPlace& list, const VariableIndex& variables) {
   Equation equation;
-  std::set<std::string> taken;
+  FirstPaths taken;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace place = list.at(i);
     WeightedTerm summand = read_summand(place, variables);
-    if (!taken.insert(summand.term.name()).second)
-      place.at("term").fail("the term '" + summand.term.name() + "' stands twice",
-                            "add the coefficients up in one term");
+    add_first(place.at("term"), "the term", summand.term.name(),
+              "add the coefficients up in one term", taken);
     equation.push_back(std::move(summand));
   }
   return equation;
 }
 
-std::vector<Equation> read_equations(const JsonPlace& list, const Variables& variables) {
-  const std::vector<std::string>& states = variables.states;
-  std::vector<std::optional<Equation>> found(states.size());
+/// The state of a name. @throws ModelError at `place` when there is none.
+std::size_t state_named(const JsonPlace& place, const std::string& name,
+                        const VariableIndex& variables) {
+  const std::optional<Index> slot = variables.find(name);
+  if (slot && *slot < variables.states()) return static_cast<std::size_t>(*slot);
+  const std::vector<std::string> states(variables.names().begin(),
+                                        variables.names().begin() + variables.states());
+  place.fail("there is no state '" + name + "'", suggestion(name, states));
+}
+
+std::vector<Equation> read_equations(const JsonPlace& list, const VariableIndex& variables) {
+  std::vector<std::optional<Equation>> found(static_cast<std::size_t>(variables.states()));
+  FirstPaths first;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
     entry.expect_keys({"state", "terms"});
     const JsonPlace state = entry.at("state");
-    const auto place = std::find(states.begin(), states.end(), state.text());
-    if (place == states.end())
-      state.fail("there is no state '" + state.text() + "'", suggestion(state.text(), states));
-    std::optional<Equation>& equation = found[static_cast<std::size_t>(place - states.begin())];
-    if (equation)
-      state.fail("the state '" + state.text() + "' has two equations", "join their terms");
+    std::optional<Equation>& equation = found[state_named(state, state.text(), variables)];
+    add_first(state, "the equation of", state.text(), "join their terms", first);
     equation = read_terms(entry.at("terms"), variables);
   }
   std::vector<Equation> equations;
-  for (std::size_t i = 0; i < states.size(); ++i) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i])
-      list.fail("the state '" + states[i] + "' has no equation",
+      list.fail("the state '" + variables.names()[i] + "' has no equation",
                 "add one; an empty list of terms means that it is constant");
     equations.push_back(*std::move(found[i]));
   }
   return equations;
 }
 
-std::vector<Parameter> read_parameters(const JsonPlace& list, std::set<std::string>& taken) {
+std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken) {
   std::vector<Parameter> parameters;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
@@ -203,20 +200,18 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, std::set<std::stri
 
 /// @param taken names of inputs and parameters, not those of states.
 std::vector<Output> read_outputs(const JsonPlace& list, const OdeModel& model,
-                                 std::set<std::string> taken) {
+                                 FirstPaths taken) {
+  const VariableIndex variables(model.variables());
   std::vector<Output> outputs;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
     entry.expect_keys({"name", "expression", "unit"});
     const JsonPlace name = entry.at("name");
     check_quantity_name(name, name.text(), taken);
-    const Output output{name.text(), read_unit(entry, "unit").value_or(""),
-                        read_formula(entry.at("expression"), model.variables())};
-    try {
-      outputs.push_back(model.with_outputs({output}).outputs().front());
-    } catch (const ModelError& error) {
-      entry.fail(error.where() + ": " + error.problem(), error.remedy());
-    }
+    outputs.push_back({name.text(), read_unit(entry, "unit").value_or(""),
+                       read_formula(entry.at("expression"), variables)});
+    if (const auto fault = output_fault(outputs.back(), variables))
+      entry.fail("output " + name.text() + ": " + fault->problem, fault->remedy);
   }
   return outputs;
 }
@@ -224,20 +219,23 @@ std::vector<Output> read_outputs(const JsonPlace& list, const OdeModel& model,
 std::vector<std::optional<InitialValue>> read_initial(const JsonPlace& object,
                                                       const OdeModel& model) {
   std::vector<std::optional<InitialValue>> initial(model.states().size());
-  const std::vector<std::string> states = model.variables().states;
+  const VariableIndex variables(model.variables());
   for (const std::string& name : object.keys()) {
     const JsonPlace entry = object.at(name);
-    const auto state = std::find(states.begin(), states.end(), name);
-    if (state == states.end())
-      entry.fail("there is no state '" + name + "'", suggestion(name, states));
+    const std::size_t state = state_named(entry, name, variables);
     entry.expect_keys({"value", "fixed", "deviation"});
     const InitialValue value{entry.at("value").number(), read_flag(entry, "fixed", false),
                              read_number(entry, "deviation")};
     if (value.deviation && !(*value.deviation > 0.0))
       entry.at("deviation").fail("a deviation is not above 0", "use \"fixed\": true for 0");
-    initial[static_cast<std::size_t>(state - states.begin())] = value;
+    initial[state] = value;
   }
   return initial;
+}
+
+/// A description is a comment.
+void check_description(const JsonPlace& place) {
+  if (const auto fault = comment_fault(place.text())) place.fail(fault->problem, fault->remedy);
 }
 
 /// The model as the flow or the map that the document says it is.
@@ -257,28 +255,25 @@ SystemModel read_document(const JsonPlace& root) {
   root.expect_keys({"format", "description", "time_unit", "time", "states", "inputs",
                     "equations", "parameters", "outputs", "initial"});
   check_format(root);
-  if (const auto description = root.find("description")) description->text();
-  std::set<std::string> taken;
+  if (const auto description = root.find("description")) check_description(*description);
+  FirstPaths taken;
   const JsonPlace state_list = root.at("states");
   std::vector<Quantity> states = read_quantities(state_list, taken, false);
   if (states.empty()) state_list.fail("there are no states", "name at least one");
   std::vector<Quantity> inputs;
   if (const auto list = root.find("inputs")) inputs = read_quantities(*list, taken, true);
-  const std::vector<std::string> input_names = names_of(inputs);
-  std::set<std::string> others(input_names.begin(), input_names.end());
   std::vector<Parameter> parameters;
   if (const auto list = root.find("parameters")) parameters = read_parameters(*list, taken);
-  for (const Parameter& parameter : parameters) {
+  for (const Parameter& parameter : parameters)
     inputs.push_back({parameter.name, parameter.unit});
-    others.insert(parameter.name);
-  }
+  for (const Quantity& state : states) taken.erase(state.name);  // an output may be a state
   const auto unit = read_unit(root, "time_unit");
   std::vector<Equation> equations =
-      read_equations(root.at("equations"), Variables{names_of(states), names_of(inputs)});
+      read_equations(root.at("equations"), VariableIndex({names_of(states), names_of(inputs)}));
   OdeModel model(std::move(states), std::move(inputs), std::move(equations),
                  unit.value_or("s"));
   if (const auto list = root.find("outputs"))
-    model = model.with_outputs(read_outputs(*list, model, std::move(others)));
+    model = model.with_outputs(read_outputs(*list, model, std::move(taken)));
   if (const auto object = root.find("initial"))
     model = model.with_initial(read_initial(*object, model));
   return {with_time(root, model), std::move(parameters)};
@@ -298,14 +293,7 @@ OdeModel parse_model(std::string_view json, const std::string& source) {
 OdeModel read_model(const std::filesystem::path& path) { return read_system(path).model(); }
 
 SystemModel read_system(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::error_code unreadable;
-  if (!file || std::filesystem::is_directory(path, unreadable))
-    throw FileError(path.string(), "the model file cannot be read",
-                    "check that it exists and that it may be read");
-  const std::string text{std::istreambuf_iterator<char>(file),
-                         std::istreambuf_iterator<char>()};
-  if (file.bad()) throw FileError(path.string(), "reading failed", "check the disk");
+  const std::string text = read_text_file(path, "model file");
   if (path.extension() == kTextExtension) return parse_ode_system(text, path.string());
   return parse_system(text, path.string());
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/utf8.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
@@ -16,12 +15,29 @@ namespace {
 constexpr std::array<std::string_view, 4> kBehindValues = {"fixed", "in", "deviation",
                                                            "per_record"};
 
-bool is_word_character(char c) { return is_identifier(std::string{'x', c}); }
+bool is_word_character(char c) {
+  const std::array<char, 2> word{'x', c};
+  return is_identifier({word.data(), word.size()});
+}
+
+/// The line up to the first `#` that is not inside the brackets of a unit: "conc [#/cm3]".
+std::string_view without_comment(std::string_view line) {
+  bool in_unit = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '[' || line[i] == ']') in_unit = line[i] == '[';
+    if (line[i] == '#' && !in_unit) return line.substr(0, i);
+  }
+  return line;
+}
 
 }  // namespace
 
 OdeLine::OdeLine(std::string_view text, std::size_t number, const std::string& source)
-    : text_(text), number_(number), source_(source) {}
+    : text_(text), number_(number), source_(source) {
+  if (const auto fault = comment_fault(text))
+    throw ModelError(place_at(fault->at), fault->problem, fault->remedy);
+  text_ = without_comment(text);
+}
 
 void OdeLine::skip_blanks() {
   while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\t'))
@@ -50,29 +66,52 @@ std::string OdeLine::identifier(const std::string& what) {
   if (!is_identifier(name))
     fail("there is no " + what + " here",
          "use letters, digits and underscores, a letter first");
-  if (is_reserved_name(name))
-    fail("the name '" + name + "' is a word of the formula language", "choose another");
+  if (const auto fault = name_fault(name)) fail(fault->problem, fault->remedy);
   position_ += name.size();
   return name;
 }
 
 void OdeLine::expect(char c) {
   skip_blanks();
-  if (position_ == text_.size() || text_[position_] != c)
+  if (!is_next(c))
     fail(std::string("'") + c + "' is missing here",
          "see the examples in docs/file-formats.md");
   ++position_;
 }
 
+bool OdeLine::take_keyword(std::string_view word) {
+  const std::size_t begin = position_;
+  if (!take(word)) return false;
+  const std::size_t end = position_;
+  skip_blanks();
+  const bool is_name = is_next('=');
+  position_ = is_name ? begin : end;
+  return !is_name;
+}
+
+std::string OdeLine::checked_unit(std::string_view text) const {
+  const std::string_view unit = trim(text);
+  if (const auto fault = unit_fault(unit))
+    throw ModelError(place_at(position_in(unit) + fault->at), fault->problem, fault->remedy);
+  return std::string(unit);
+}
+
 std::string OdeLine::unit() {
   skip_blanks();
-  if (position_ == text_.size() || text_[position_] != '[') return "";
+  if (!is_next('[')) return {};
   const std::size_t end = text_.find(']', position_);
   if (end == std::string_view::npos) fail("the unit has no end", "write e.g. [V]");
-  const std::string_view unit = trim(text_.substr(position_ + 1, end - position_ - 1));
-  if (printable(unit) != unit) fail("the unit has control characters", "remove them");
+  std::string unit = checked_unit(text_.substr(position_ + 1, end - position_ - 1));
   position_ = end + 1;
-  return std::string(unit);
+  return unit;
+}
+
+std::string OdeLine::time_unit() {
+  skip_blanks();
+  if (is_next('[')) return unit();
+  std::string unit = checked_unit(text_.substr(position_));
+  position_ = text_.size();
+  return unit;
 }
 
 std::string_view OdeLine::formula_until(std::size_t end) {
@@ -83,6 +122,10 @@ std::string_view OdeLine::formula_until(std::size_t end) {
 }
 
 std::string_view OdeLine::formula() { return formula_until(text_.size()); }
+
+std::string_view OdeLine::formula_before_unit() {
+  return formula_until(std::min(text_.find('[', position_), text_.size()));
+}
 
 std::string_view OdeLine::value() {
   const std::size_t begin = position_;
@@ -103,8 +146,12 @@ std::string OdeLine::place_at(std::size_t position) const {
   return source_ + ":" + std::to_string(number_) + ":" + std::to_string(position + 1);
 }
 
+std::size_t OdeLine::position_in(std::string_view part) const {
+  return static_cast<std::size_t>(part.data() - text_.data());
+}
+
 std::string OdeLine::place_of(std::string_view part) const {
-  return place_at(static_cast<std::size_t>(part.data() - text_.data()));
+  return place_at(position_in(part));
 }
 
 void OdeLine::fail(const std::string& problem, const std::string& remedy) const {

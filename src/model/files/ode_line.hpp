@@ -10,13 +10,17 @@ namespace lacuna {
 /// What is left to read of one line of a text model.
 class OdeLine {
  public:
-  /// @param text without comment; @param number from 1.
+  /// @param text the whole line; @param number from 1.
+  /// @throws ModelError for a character that is not seen, in its comment too.
   OdeLine(std::string_view text, std::size_t number, const std::string& source);
 
   bool at_end();
 
   /// The next word if it is this one.
   bool take(std::string_view word);
+
+  /// The next word if it is this one and begins a statement: "time = x" is an output.
+  bool take_keyword(std::string_view word);
 
   /// The next identifier. @throws ModelError when there is none.
   std::string identifier(const std::string& what);
@@ -27,8 +31,14 @@ class OdeLine {
   /// "[V]", if it is there: "V".
   std::string unit();
 
+  /// A unit up to the end, which may be in brackets: "s", "[s]".
+  std::string time_unit();
+
   /// A formula up to the end.
   std::string_view formula();
+
+  /// A formula up to a unit or the end.
+  std::string_view formula_before_unit();
 
   /// A formula up to a unit, a word that may stand behind a value, or the end.
   std::string_view value();
@@ -37,10 +47,15 @@ class OdeLine {
   std::string place() const { return place_at(position_); }
   std::string place_of(std::string_view part) const;
 
+  std::size_t number() const { return number_; }
+
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
 
  private:
   void skip_blanks();
+  bool is_next(char c) const { return position_ < text_.size() && text_[position_] == c; }
+  std::string checked_unit(std::string_view text) const;
+  std::size_t position_in(std::string_view part) const;
   std::string_view formula_until(std::size_t end);
   std::string place_at(std::size_t position) const;
 

@@ -5,17 +5,18 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/utf8.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
+#include "model/equations/known_formula.hpp"
 #include "model/equations/linear_terms.hpp"
+#include "model/equations/output_fault.hpp"
 #include "model/expressions/formula_error.hpp"
 #include "model/expressions/operations.hpp"
-#include "model/expressions/unbound_delays.hpp"
 #include "ode_line.hpp"
 
 namespace lacuna {
@@ -36,12 +37,31 @@ struct WrittenOutput {
 /// "initial x = ..." and "fixed dx/dt: ..." before all states are known.
 struct WrittenInitial {
   std::string state, place;
+  std::size_t line;
   InitialValue value;
 };
 struct WrittenChoice {
   std::string state;
   WrittenEquation term;
+  std::size_t line;
   bool fixed;
+};
+
+/// Where things were given first: nothing is given twice.
+class FirstLines {
+ public:
+  /// @throws ModelError that names both lines when it has been given before.
+  void add(const std::string& what, std::size_t line, const std::string& place,
+           const std::string& remedy) {
+    const auto [first, is_new] = lines_.try_emplace(what, line);
+    if (!is_new)
+      throw ModelError(place,
+                       what + " is given twice, first in line " + std::to_string(first->second),
+                       remedy);
+  }
+
+ private:
+  std::unordered_map<std::string, std::size_t> lines_;
 };
 
 /// What the statements of a text have said.
@@ -52,12 +72,12 @@ struct Statements {
   std::vector<Quantity> states = {}, inputs = {};
   std::vector<Parameter> parameters = {};
   std::map<std::string, Expression> values = {};  ///< of the parameters
-  std::map<std::string, WrittenEquation> equations = {};
+  std::unordered_map<std::string, WrittenEquation> equations = {};
   std::vector<WrittenOutput> outputs = {};
   std::vector<WrittenInitial> initial = {};
   std::vector<WrittenChoice> choices = {};
-  std::map<std::string, std::size_t> number_of_state = {};
-  std::set<std::string> taken = {};  ///< names of states, inputs and parameters
+  std::unordered_map<std::string, std::size_t> number_of_state = {};
+  FirstLines first = {};
 };
 
 /// "m.ode:3" and the column of a formula's place, moved by a column inside the formula.
@@ -68,22 +88,16 @@ std::string moved_place(const std::string& place, std::size_t column) {
 }
 
 void take_name(const OdeLine& line, const std::string& name, Statements& said) {
-  if (!said.taken.insert(name).second)
-    line.fail("the name '" + name + "' is given twice",
-              "give every state, input and parameter a name of its own");
+  said.first.add("the name '" + name + "'", line.number(), line.place(),
+                 "give every state, input and parameter a name of its own");
 }
 
-/// A formula of known names; delays may have parameters.
-Expression read_formula(const WrittenEquation& written, const std::vector<std::string>& known,
-                        const std::vector<std::string>& states = {}) {
+/// What `parse` makes of a formula; its errors say where in the text.
+template <class Parse>
+auto read_formula(const WrittenEquation& written, const Parse& parse) {
   const auto& [text, place] = written;
   try {
-    const Expression formula = parse_expression(text);
-    for (const std::string& name : formula.variables())
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        return parse_expression(text, known);  // tells where
-    check_delay_times(formula, states);
-    return formula;
+    return parse(text);
   } catch (const FormulaError& error) {
     throw ModelError(moved_place(place, error.column()), error.problem(), error.remedy());
   } catch (const ModelError& error) {
@@ -91,12 +105,23 @@ Expression read_formula(const WrittenEquation& written, const std::vector<std::s
   }
 }
 
+/// A formula of parameters of earlier lines.
+Expression parse_of_parameters(std::string_view text, const Statements& said) {
+  const Expression formula = parse_expression(text);
+  for (const std::string& name : formula.variables()) {
+    if (name == "t" || said.values.contains(name)) continue;
+    std::vector<std::string> known{"t"};
+    for (const auto& [parameter, value] : said.values) known.push_back(parameter);
+    return parse_expression(text, known);  // tells where
+  }
+  return formula;
+}
+
 /// The number that a formula of parameters that are known already is.
 double value_of(const WrittenEquation& written, const Statements& said) {
-  std::vector<std::string> known{"t"};
-  for (const auto& [name, value] : said.values) known.push_back(name);
-  const std::optional<double> value =
-      constant_value(substitute(read_formula(written, known), said.values));
+  const Expression formula = read_formula(
+      written, [&](std::string_view text) { return parse_of_parameters(text, said); });
+  const std::optional<double> value = constant_value(substitute(formula, said.values));
   if (!value || !std::isfinite(*value))
     throw ModelError(written.place,
                      "'" + std::string(written.formula) + "' is no finite number",
@@ -170,7 +195,7 @@ void read_parameter(OdeLine& line, Statements& said) {
 
 void read_initial(OdeLine& line, Statements& said) {
   const std::string place = line.place();
-  WrittenInitial initial{line.identifier("name of a state"), place, {}};
+  WrittenInitial initial{line.identifier("name of a state"), place, line.number(), {}};
   line.expect('=');
   initial.value.value = read_value(line, said);
   line.unit();
@@ -184,11 +209,10 @@ void read_output(OdeLine& line, const std::string& name, Statements& said) {
     line.fail("'" + name + "' begins no statement",
               "write time, input, state, param, initial, d(name)/dt = ..., name[n+1] = ... or "
               "output = ...");
-  const std::string_view formula = line.value();
+  const std::string_view formula = line.formula_before_unit();
   const std::string place = line.place_of(formula);
-  for (const WrittenOutput& other : said.outputs)
-    if (other.name == name)
-      line.fail("the name '" + name + "' is given twice", "give every output its own");
+  said.first.add("the output '" + name + "'", line.number(), place,
+                 "give every output a name of its own");
   said.outputs.push_back({name, line.unit(), {formula, place}});
 }
 
@@ -214,7 +238,7 @@ void read_choice(OdeLine& line, bool fixed, Statements& said) {
   line.expect(':');
   line.at_end();
   const std::string_view term = line.formula();
-  said.choices.push_back({left->state, {term, line.place_of(term)}, fixed});
+  said.choices.push_back({left->state, {term, line.place_of(term)}, line.number(), fixed});
 }
 
 void read_equation(OdeLine& line, const LeftHandSide& left, Statements& said) {
@@ -222,31 +246,40 @@ void read_equation(OdeLine& line, const LeftHandSide& left, Statements& said) {
   if (said.evolution.value_or(left.evolution) != left.evolution)
     line.fail("a model is either a flow, dx/dt, or a map, x[n+1]", "write all equations alike");
   said.evolution = left.evolution;
-  if (!is_identifier(name) || is_reserved_name(name))
-    line.fail("'" + name + "' cannot be a state", "use another name");
+  if (const auto fault = name_fault(name)) line.fail(fault->problem, fault->remedy);
   state_named(line, name, said);
   line.expect('=');
   const std::string_view formula = line.formula();
-  if (!said.equations.try_emplace(name, WrittenEquation{formula, line.place_of(formula)})
-           .second)
-    line.fail("the state '" + name + "' has two equations", "join their terms");
+  const std::string place = line.place_of(formula);
+  said.first.add("the equation of '" + name + "'", line.number(), place, "join their terms");
+  said.equations.emplace(name, WrittenEquation{formula, place});
+}
+
+void read_time(OdeLine& line, Statements& said) {
+  said.first.add("the time unit", line.number(), line.place(), "keep one");
+  said.time_unit = line.time_unit();
+}
+
+void read_state(OdeLine& line, Statements& said) {
+  const std::string name = line.identifier("name of a state");
+  said.first.add("the statement 'state " + name + "'", line.number(), line.place(), "keep one");
+  state_named(line, name, said).unit = line.unit();
 }
 
 void read_statement(OdeLine& line, Statements& said) {
-  if (line.take("time")) {
-    said.time_unit = line.at_end() ? "" : std::string(line.formula());
-  } else if (line.take("input")) {
+  if (line.take_keyword("time")) {
+    read_time(line, said);
+  } else if (line.take_keyword("input")) {
     read_input(line, said);
-  } else if (line.take("state")) {
-    Quantity& state = state_named(line, line.identifier("name of a state"), said);
-    state.unit = line.unit();
-  } else if (line.take("param")) {
+  } else if (line.take_keyword("state")) {
+    read_state(line, said);
+  } else if (line.take_keyword("param")) {
     read_parameter(line, said);
-  } else if (line.take("initial")) {
+  } else if (line.take_keyword("initial")) {
     read_initial(line, said);
-  } else if (line.take("fixed")) {
+  } else if (line.take_keyword("fixed")) {
     read_choice(line, true, said);
-  } else if (line.take("free")) {
+  } else if (line.take_keyword("free")) {
     read_choice(line, false, said);
   } else {
     const std::string name = line.identifier("statement");
@@ -264,23 +297,25 @@ Statements read_statements(std::string_view text, const std::string& source) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view content = text.substr(0, end);
     if (!content.empty() && content.back() == '\r') content.remove_suffix(1);
-    OdeLine line(content.substr(0, content.find('#')), number, source);
+    OdeLine line(content, number, source);
     if (!line.at_end()) read_statement(line, said);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return said;
 }
 
-std::vector<Equation> equations_of(const Statements& said, const Variables& variables) {
+std::vector<Equation> equations_of(const Statements& said, const VariableIndex& variables) {
   std::vector<Equation> equations;
   for (const Quantity& state : said.states) {
     const auto found = said.equations.find(state.name);
     if (found == said.equations.end())
       throw ModelError(said.source, "the state '" + state.name + "' has no equation",
                        "add d" + state.name + "/dt = ...; 0 means that it is constant");
-    const Expression formula = read_formula(found->second, variables.names(), variables.states);
+    const std::vector<Expression> summands = read_formula(
+        found->second,
+        [&](std::string_view text) { return parse_known_summands(text, variables); });
     try {
-      equations.push_back(linear_terms(formula, variables));
+      equations.push_back(linear_terms(summands, variables));
     } catch (const ModelError& error) {
       throw ModelError(found->second.place, error.where() + ": " + error.problem(),
                        error.remedy());
@@ -307,10 +342,16 @@ void mark_fixed(const Statements& said, const SystemModel& system,
     for (WeightedTerm& summand : equations[k])
       summand.fixed = any_free && std::abs(summand.coefficient) == 1.0 &&
                       !system.gives_size(summand.term.expression());
-  const Variables variables = system.symbolic().variables();
-  for (const auto& [state, term, fixed] : said.choices) {
+  const VariableIndex variables(system.symbolic().variables());
+  FirstLines first;
+  for (const auto& [state, term, line, fixed] : said.choices) {
     Equation& equation = equations[place_of_state(said, state, term.place)];
-    const Term chosen(read_formula(term, variables.names(), variables.states), variables);
+    const Term chosen(
+        read_formula(term, [&](std::string_view text) { return parse_known(text, variables); }),
+        variables);
+    first.add(
+        "what is said of " + chosen.name() + " in " + left_hand_side(state, *said.evolution),
+        line, term.place, "keep one");
     const auto found = std::find_if(equation.begin(), equation.end(), [&](const auto& summand) {
       return summand.term == chosen;
     });
@@ -324,27 +365,27 @@ void mark_fixed(const Statements& said, const SystemModel& system,
 }
 
 OdeModel with_outputs(const Statements& said, const OdeModel& model) {
+  const VariableIndex variables(model.variables());
   std::vector<Output> outputs;
   for (const WrittenOutput& output : said.outputs) {
     outputs.push_back(
-        {output.name, output.unit, read_formula(output.formula, model.variables().names())});
-    try {
-      model.with_outputs({outputs.back()});
-    } catch (const ModelError& error) {
-      throw ModelError(output.formula.place, error.where() + ": " + error.problem(),
-                       error.remedy());
-    }
+        {output.name, output.unit, read_formula(output.formula, [&](std::string_view text) {
+           return parse_known(text, variables);
+         })});
+    if (const auto fault = output_fault(outputs.back(), variables))
+      throw ModelError(output.formula.place, "output " + output.name + ": " + fault->problem,
+                       fault->remedy);
   }
   return model.with_outputs(std::move(outputs));
 }
 
 OdeModel with_initial(const Statements& said, const OdeModel& model) {
   std::vector<std::optional<InitialValue>> initial(model.states().size());
+  FirstLines first;
   for (const WrittenInitial& written : said.initial) {
     const std::size_t state = place_of_state(said, written.state, written.place);
-    if (initial[state])
-      throw ModelError(written.place, "'" + written.state + "' has two initial values",
-                       "keep one");
+    first.add("the initial value of '" + written.state + "'", written.line, written.place,
+              "keep one");
     initial[state] = written.value;
     if (written.value.deviation && !(*written.value.deviation > 0.0))
       throw ModelError(written.place, "a deviation is not above 0", "write fixed for 0");
@@ -355,6 +396,8 @@ OdeModel with_initial(const Statements& said, const OdeModel& model) {
 }  // namespace
 
 SystemModel parse_ode_system(std::string_view bytes, const std::string& source) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   const std::string text = to_utf8(bytes);
   const Statements said = read_statements(text, source);
   if (said.states.empty())
@@ -364,7 +407,7 @@ SystemModel parse_ode_system(std::string_view bytes, const std::string& source) 
     inputs.push_back({parameter.name, parameter.unit});
   const OdeModel frame(said.states, inputs, std::vector<Equation>(said.states.size()),
                        said.time_unit);
-  std::vector<Equation> equations = equations_of(said, frame.variables());
+  std::vector<Equation> equations = equations_of(said, VariableIndex(frame.variables()));
   mark_fixed(said, SystemModel(frame, said.parameters), equations);
   const OdeModel model = frame.with_equations(std::move(equations))
                              .with_evolution(said.evolution.value_or(Evolution::Flow));

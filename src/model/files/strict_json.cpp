@@ -111,12 +111,16 @@ json parse_strict_json(std::string_view text, const std::string& source) {
     throw ModelError(position_text(text, overflowing_number(text).value_or(1), source),
                      "a number is out of the range of a double", "use a smaller exponent");
   }
-  KeyWatcher watcher;
-  json::sax_parse(text, &watcher);
-  if (watcher.repeated())
-    throw ModelError(source + ": " + *watcher.repeated(), "the key stands twice in its object",
+  if (const auto path = repeated_key(text))
+    throw ModelError(source + ": " + *path, "the key stands twice in its object",
                      "remove one of them");
   return parsed;
+}
+
+std::optional<std::string> repeated_key(std::string_view json_text) {
+  KeyWatcher watcher;
+  json::sax_parse(json_text, &watcher);
+  return watcher.repeated();
 }
 
 void JsonPlace::expect_keys(std::initializer_list<std::string_view> known) const {

@@ -16,6 +16,9 @@ namespace lacuna {
 ///   a syntax error, or source and JSON path of a key that stands twice in one object.
 nlohmann::json parse_strict_json(std::string_view text, const std::string& source);
 
+/// The path of the first key that stands twice in one object of a JSON text, "$.basis.type".
+std::optional<std::string> repeated_key(std::string_view json);
+
 /// A place in a JSON document: its value and the path to it, for messages.
 class JsonPlace {
  public:
@@ -48,6 +51,9 @@ class JsonPlace {
 
   /// Keys of an object. @throws ModelError unless it is one.
   std::vector<std::string> keys() const;
+
+  /// "$.states[0].name".
+  const std::string& path() const noexcept { return path_; }
 
   /// Throws a ModelError about this place; `detail` is added to the path: ", column 3".
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy,

@@ -117,17 +117,37 @@ std::vector<std::vector<FittedStart>> starts_of(const FitEngine& engine,
   return records;
 }
 
+/// Gives a coefficient its number. Where the model has joined terms (they are one with numbers
+/// for fixed parameters), it is that of their sum: the first that is free takes what the others
+/// leave.
+void set_coefficient(const SystemModel& system, const std::vector<Index>& places, Index place,
+                     const FittedNumber& number, Equation& equation) {
+  WeightedTerm* first = nullptr;
+  double others = 0.0;
+  for (std::size_t i = 0; i < equation.size(); ++i) {
+    if (places[i] != place) continue;
+    const bool free = !equation[i].fixed && !system.gives_size(equation[i].term.expression());
+    if (first == nullptr && free)
+      first = &equation[i];
+    else
+      others += equation[i].coefficient;
+  }
+  first->coefficient = number.value - others;
+  first->standard_error = number.standard_error;
+  first->ci95 = number.ci95;
+  if (first->ci95)
+    for (double& end : *first->ci95) end -= others;
+}
+
 /// The system with the numbers in their places.
 SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& model,
                          std::vector<FittedNumber>& numbers) {
   std::vector<Equation> equations = system.symbolic().equations();
+  const std::vector<std::vector<Index>> places = system.places_in_parametrised();
   std::size_t i = 0;
   for (const FreeCoefficient& free : model.coefficients()) {
-    WeightedTerm& summand = equations[static_cast<std::size_t>(free.equation)]
-                                     [static_cast<std::size_t>(free.summand)];
-    summand.coefficient = numbers[i].value;
-    summand.standard_error = numbers[i].standard_error;
-    summand.ci95 = numbers[i++].ci95;
+    const auto k = static_cast<std::size_t>(free.equation);
+    set_coefficient(system, places[k], free.summand, numbers[i++], equations[k]);
   }
   std::vector<Parameter> parameters = system.parameters();
   for (Parameter& parameter : parameters) {

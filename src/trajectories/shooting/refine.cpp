@@ -117,9 +117,11 @@ OdeModel Refinement::fitted() const {
   for (std::size_t i = 0; i < model.coefficients().size(); ++i) {
     const FreeCoefficient& c = model.coefficients()[i];
     const auto p = static_cast<Index>(i);
-    if (!std::isfinite(standard_errors[p])) continue;
-    WeightedTerm& summand =
-        equations[static_cast<std::size_t>(c.equation)][static_cast<std::size_t>(c.summand)];
+    const auto k = static_cast<std::size_t>(c.equation);
+    // Terms that have become one have no error of their own.
+    const bool joined = equations[k].size() != model.symbolic().equations()[k].size();
+    if (!std::isfinite(standard_errors[p]) || joined) continue;
+    WeightedTerm& summand = equations[k][static_cast<std::size_t>(c.summand)];
     summand.standard_error = standard_errors[p];
     summand.ci95 = {{ci95(p, 0), ci95(p, 1)}};
   }

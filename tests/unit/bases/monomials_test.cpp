@@ -56,7 +56,7 @@ TEST(Monomials, TermsEvaluateAsNamed) {
   program.evaluate(slots, out.data(), workspace);
   ASSERT_FALSE(out.empty());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const std::vector<int>& e = *library.terms[i].exponents();
+    const std::vector<int> e = *library.terms[i].exponents();
     EXPECT_NEAR(out[i], std::pow(x, e[0]) * std::pow(u, e[1]), 1e-14)
         << library.terms[i].name();
   }

@@ -45,6 +45,14 @@ class FileBytes {
 ///   the memory does not hold what is in it.
 FileBytes read_bytes(const std::filesystem::path& path);
 
+/// Most that a model or a configuration takes, in bytes: 64 MiB are 10^6 lines of one.
+inline constexpr std::size_t kLargestText = std::size_t{1} << 26U;
+
+/// The whole content of a text that somebody wrote, not unpacked.
+/// @param what it is, for messages: "model file".
+/// @throws FileError when it cannot be read, or is larger than kLargestText, as /dev/zero.
+std::string read_text_file(const std::filesystem::path& path, const std::string& what);
+
 /// Whether a file is compressed by gzip, by its first bytes. A pipe is not looked into.
 bool is_packed(const std::filesystem::path& path);
 

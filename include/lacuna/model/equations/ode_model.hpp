@@ -158,15 +158,19 @@ class CompiledModel {
  private:
   friend class SumBuilder;
 
-  /// Sums of coefficient times value: row r is sum over entries [row_ends[r-1], row_ends[r]).
+  /// Sums of coefficient times value: entries [rows[r-1].end, rows[r].end) go to
+  /// rows[r].target.
   struct Sums {
     struct Entry {
       double coefficient;
       std::size_t value;
     };
+    struct Row {
+      std::size_t target, end;
+    };
     Program program;
     std::vector<Entry> entries;
-    std::vector<std::size_t> row_ends;
+    std::vector<Row> rows;
     std::vector<double> values;
   };
 
@@ -174,7 +178,8 @@ class CompiledModel {
   static Sums compile_jacobian(const OdeModel& model);
   void fill_slots(double t, const double* x, const double* u);
   void fill_delays(const Program& program, const double* delayed);
-  void add_up(Sums& sums, double* out);
+  template <class Put>
+  void add_up(Sums& sums, Put put);
 
   Index dimension_ = 0;
   Index input_count_ = 0;
@@ -182,7 +187,6 @@ class CompiledModel {
   std::optional<Sums> jacobian_;
   std::shared_ptr<const OdeModel> model_;
   std::vector<double> slots_;
-  std::vector<double> entries_;  ///< of the Jacobian, column by column
   Program::Workspace workspace_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ class SystemModel {
  public:
   /// @param symbolic its last inputs are the parameters, in their order.
   /// @throws ModelError when they are not; for a value that is not finite or not in its range,
-  ///   and a range that is upside down.
+  ///   a range that is upside down, and a unit that is none (unit_fault()).
   SystemModel(OdeModel symbolic, std::vector<Parameter> parameters = {});
 
   const OdeModel& symbolic() const noexcept { return symbolic_; }
@@ -49,12 +50,17 @@ class SystemModel {
   /// What is to be estimated: coefficients that are not fixed, and free parameters. Fixed
   /// parameters become numbers. The equation of an identity (dq/dt = v) is exact, and so is the
   /// coefficient of a term that has a factor of parameters alone, which gives its size already.
+  /// Terms that are one once fixed parameters have numbers become one.
   /// @throws ModelError for a free parameter on which a delay depends.
   ParametrisedModel parametrised() const;
+
+  /// Which summand of parametrised() each summand of each equation has become.
+  std::vector<std::vector<Index>> places_in_parametrised() const;
 
  private:
   OdeModel symbolic_;
   std::vector<Parameter> parameters_;
+  std::set<std::string> names_;  ///< of the parameters
 };
 
 /// What is wrong with the value and the range of a parameter; empty where nothing is.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ class Term {
   /// @throws ModelError when the expression uses a name that is not in `variables`.
   Term(const Expression& expression, const Variables& variables);
 
+  /// The same; many terms of the same variables share what finds them.
+  Term(const Expression& expression, const VariableIndex& variables);
+
   /// Reads a term. @throws ModelError naming the column.
   static Term parse(std::string_view text, const Variables& variables);
 
@@ -32,14 +36,20 @@ class Term {
   const Expression& expression() const noexcept { return expression_; }
 
   /// One exponent per variable (slot order) when the term is a monomial.
-  const std::optional<std::vector<int>>& exponents() const noexcept { return exponents_; }
+  std::optional<std::vector<int>> exponents() const;
+
+  /// The slot of the variable that the term is, where it is one alone.
+  std::optional<Index> variable() const noexcept;
 
   friend bool operator==(const Term& a, const Term& b) { return a.name_ == b.name_; }
 
  private:
   Expression expression_;
   std::string name_;
-  std::optional<std::vector<int>> exponents_;
+  /// Of a monomial: exponents that are not 0, by slot. A model of many states has many terms
+  /// of few variables.
+  std::optional<std::map<Index, int>> powers_;
+  Index slots_ = 0;
 };
 
 /// Candidate terms over given variables, in the order in which they are tried.

@@ -122,6 +122,11 @@ class Expression {
 ///   arguments, unbalanced parentheses, a number out of range, too deep a nesting.
 Expression parse_expression(std::string_view text, std::span<const std::string> known = {});
 
+/// Reads a formula as the summands of its outermost sum, of which there may be any number: of
+/// "x - 2*y" they are x and -(2*y). @throws ModelError as parse_expression().
+std::vector<Expression> parse_summands(std::string_view text,
+                                       std::span<const std::string> known = {});
+
 /// The exact partial derivative, with plain simplifications (0*x, 1*x, x+0, constant folding).
 /// d|x|/dx = sign(x); the derivative of sign and step is 0 (it exists almost everywhere);
 /// min, max and clip select a branch with step. A delayed variable counts as another variable.

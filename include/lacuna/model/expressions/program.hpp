@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "lacuna/core/base/types.hpp"
@@ -23,6 +25,26 @@ struct Variables {
   std::vector<std::string> names() const;
 
   bool operator==(const Variables&) const = default;
+};
+
+/// Variables that are found by their names, however many there are.
+class VariableIndex {
+ public:
+  explicit VariableIndex(const Variables& variables);
+
+  /// The slot of a name, the first where it stands twice; nothing where it is no variable.
+  std::optional<Index> find(const std::string& name) const;
+
+  /// All names in slot order; the last is "t".
+  const std::vector<std::string>& names() const noexcept { return names_; }
+
+  /// Number m of the states, which have the first slots.
+  Index states() const noexcept { return states_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, Index> slots_;
+  Index states_;
 };
 
 /// A variable as it was a fixed time ago.

@@ -178,5 +178,29 @@ TEST(Configuration, ReadsFiles) {
   EXPECT_THROW(configuration.merge_file(folder.file("absent.json")), FileError);
 }
 
+TEST(Configuration, WhatIsGivenTwiceIsNamedTwice) {
+  Configuration configuration;
+  configuration.set("regressor=stlsq");
+  configuration.set("regressor.threshold=0.1");
+  expect_error<ConfigError>([&] { configuration.set("regressor.threshold=0.2"); },
+                            "--set regressor.threshold=0.2",
+                            "twice, first as 'regressor.threshold=0.1'", "keep one");
+  configuration.set_equation("x: y");
+  expect_error<ConfigError>([&] { configuration.set_equation(" x : 1"); }, "--equation  x : 1",
+                            "the equation of 'x' is given twice, first as 'x: y'", "keep one");
+  configuration.add_constraint("x: y = 1");
+  configuration.add_constraint("x: x = 1");
+  expect_error<ConfigError>([&] { configuration.add_constraint("x:y=2"); }, "--fix x:y=2",
+                            "first as 'x: y = 1'", "keep one");
+}
+
+TEST(Configuration, AKeyThatStandsTwiceHasAPath) {
+  Configuration configuration;
+  expect_error<ConfigError>(
+      [&] { configuration.merge_text(R"({"basis": {"type": "a", "type": "b"}})", "c.json"); },
+      "c.json: $.basis.type", "twice", "remove one");
+  configuration.merge_text("\xEF\xBB\xBF{}", "c.json");
+}
+
 }  // namespace
 }  // namespace lacuna

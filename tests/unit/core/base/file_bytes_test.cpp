@@ -67,5 +67,18 @@ TEST(Gzip, ReportsWhatIsCutShortOrDamaged) {
                             "again");
 }
 
+TEST(FileBytes, ATextThatSomebodyWroteHasABound) {
+  const testing::TemporaryFolder folder;
+  EXPECT_EQ(read_text_file(folder.write("a.ode", "dx/dt = 1\n"), "model file"), "dx/dt = 1\n");
+  EXPECT_EQ(read_text_file(folder.write("empty", ""), "model file"), "");
+  testing::expect_error<FileError>([] { read_text_file("/dev/zero", "model file"); },
+                                   "/dev/zero", "the model file is larger than 64 MiB",
+                                   "right file");
+  testing::expect_error<FileError>([&] { read_text_file(folder.file("no"), "configuration"); },
+                                   folder.file("no"), "the configuration cannot be read",
+                                   "exists");
+  EXPECT_THROW(read_text_file(folder.file(""), "model file"), FileError);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -40,5 +40,23 @@ TEST(Utf8, ControlCharactersAreMadeVisible) {
             "two lines\n\tand \xC2\xB0\xCE\xA9");
 }
 
+TEST(Utf8, CharactersComeBackFromTheirCodePoints) {
+  for (const char32_t c : {U'a', U'\u00B0', U'\u202E', U'\uFFFD', U'\U0001F600', U'\U0010FFFF'})
+    EXPECT_EQ(code_point(utf8_of(c), 0), c);
+  EXPECT_EQ(utf8_of(U'\u03A9'), "\xCE\xA9");
+  EXPECT_EQ(utf8_length(utf8_of(U'\U0001F600'), 0), 4u);
+}
+
+TEST(Utf8, WhatIsNotSeenIsMadeVisible) {
+  EXPECT_EQ(printable("a\xE2\x80\xAE"
+                      "b\xEF\xBB\xBF\xF3\xA0\x80\xA1"),
+            "a\\u202eb\\ufeff\\u0e0021");
+  for (const char32_t c : {0x00U, 0x1BU, 0x7FU, 0x85U, 0xADU, 0x61CU, 0x200BU, 0x200FU, 0x2028U,
+                           0x202EU, 0x2060U, 0x2069U, 0xFEFFU})
+    EXPECT_TRUE(is_unseen(c)) << static_cast<unsigned>(c);
+  for (const char32_t c : {0x20U, 0x7EU, 0xA0U, 0xB5U, 0x301U, 0x2027U, 0x202FU, 0x1F600U})
+    EXPECT_FALSE(is_unseen(c)) << static_cast<unsigned>(c);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -59,9 +59,9 @@ TEST(CheckDataset, RefusesBadNames) {
   data.states[1].name = "u";
   expect_refused(data, "dataset", "the name 'u' is used twice", "name of its own");
   data.states[1].name = "Ch 1";
-  expect_refused(data, "dataset", "'Ch 1' is not a name", "letters, digits");
+  expect_refused(data, "dataset", "the name 'Ch 1' is not an identifier", "letters, digits");
   data.states[1].name = "t";
-  expect_refused(data, "dataset", "'t' has a meaning", "another name");
+  expect_refused(data, "dataset", "'t' is a word of the formula", "choose another");
 }
 
 TEST(CheckDataset, RefusesWhatIsEmpty) {

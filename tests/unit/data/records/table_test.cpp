@@ -96,7 +96,7 @@ TEST(RenameColumn, RefusesWhatIsNotThereAndNamesThatAreTaken) {
   expect_error<DataError>(renamed("th", "3"), "a.csv", "no column '3'", "");
   expect_error<DataError>(renamed("th", "1.5"), "a.csv", "no column '1.5'", "");
   expect_error<DataError>(renamed("t", "Winkel"), "a.csv", "another column", "name");
-  expect_error<DataError>(renamed("2x", "Winkel"), "a.csv", "cannot be the name", "letters");
+  expect_error<DataError>(renamed("2x", "Winkel"), "a.csv", "is not an identifier", "letters");
 }
 
 TEST(Place, NamesLineOrRow) {

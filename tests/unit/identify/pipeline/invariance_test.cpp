@@ -34,7 +34,8 @@ Dataset scaled(Dataset data, double state_scale, double time_scale) {
 /// Degree of a monomial in the states.
 int degree(const Term& term) {
   int sum = 0;
-  for (const int exponent : *term.exponents()) sum += exponent;
+  const std::vector<int> exponents = *term.exponents();
+  for (const int exponent : exponents) sum += exponent;
   return sum;
 }
 

@@ -122,5 +122,27 @@ TEST(CompiledModel, CopiesAreIndependentOfTheModelAndOfEachOther) {
   EXPECT_EQ(derivative(1, 0), 6.0);
 }
 
+TEST(CompiledModel, AJacobianOfManyStatesHasFewEntries) {
+  constexpr Index kStates = 3000;
+  std::vector<Quantity> states;
+  for (Index i = 0; i < kStates; ++i) states.push_back({"x" + std::to_string(i), ""});
+  const VariableIndex index({names_of(states), {}});
+  std::vector<Equation> equations;
+  for (Index i = 0; i < kStates; ++i) {
+    const std::string next = "x" + std::to_string((i + 1) % kStates);
+    equations.push_back({{Term(parse_expression(next + "^2"), index), 0.5}});
+  }
+  CompiledModel model = OdeModel(states, {}, equations).compile();
+  const Vector x = Vector::LinSpaced(kStates, 1.0, 2.0);
+  Matrix jacobian = Matrix::Constant(kStates, kStates, 7.0);
+  model.jacobian(0.0, x.data(), nullptr, nullptr, jacobian);
+  for (Index i = 0; i < kStates; ++i) {
+    const Index next = (i + 1) % kStates;
+    ASSERT_EQ(jacobian(i, next), x[next]);
+    jacobian(i, next) = 0.0;
+  }
+  EXPECT_TRUE(jacobian.isZero(0.0));
+}
+
 }  // namespace
 }  // namespace lacuna

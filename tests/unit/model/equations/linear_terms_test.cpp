@@ -15,7 +15,8 @@ const Variables kDrivenSpace{.states = {"x", "y", "z"}, .inputs = {"u"}};
 
 std::map<std::string, double> terms_of(const std::string& formula) {
   std::map<std::string, double> terms;
-  for (const WeightedTerm& one : linear_terms(parse_expression(formula), kDrivenSpace))
+  for (const WeightedTerm& one :
+       linear_terms(parse_summands(formula), VariableIndex(kDrivenSpace)))
     terms[one.term.name()] = one.coefficient;
   return terms;
 }
@@ -62,7 +63,7 @@ TEST(LinearTerms, HaveTheValueOfTheFormula) {
   const Expression formula =
       parse_expression("-(x-2*y)*(z/3+u*(1-x))/(1+y^2) + 4*exp(-x)*(y-1) - -z");
   std::vector<Expression> parts{formula};
-  const Equation terms = linear_terms(formula, kDrivenSpace);
+  const Equation terms = linear_terms(std::vector{formula}, VariableIndex(kDrivenSpace));
   for (const WeightedTerm& one : terms) parts.push_back(one.term.expression());
   const Program program(parts, kDrivenSpace);
   Program::Workspace workspace;

@@ -76,5 +76,26 @@ TEST(TermLibrary, CompilesAllTermsIntoOneProgram) {
   EXPECT_THAT(out, ::testing::ElementsAre(1.0, 6.0, 0.0, 0.5));
 }
 
+TEST(Term, KnowsTheVariableThatItIs) {
+  const Variables plane{.states = {"x", "y"}, .inputs = {"u"}};
+  EXPECT_EQ(Term::parse("y", plane).variable(), 1);
+  EXPECT_EQ(Term::parse("u*x/x", plane).variable(), 2);
+  EXPECT_EQ(Term::parse("t", plane).variable(), 3);
+  for (const char* other : {"1", "y^2", "x*y", "1/x", "sin(x)"})
+    EXPECT_FALSE(Term::parse(other, plane).variable()) << other;
+}
+
+TEST(Term, TakesNoMoreRoomWithMoreVariables) {
+  Variables many;
+  for (int i = 0; i < 20000; ++i) many.states.push_back("x" + std::to_string(i));
+  const VariableIndex index(many);
+  std::vector<Term> terms;
+  for (const std::string& name : many.states)
+    terms.emplace_back(parse_expression(name + "*x0"), index);
+  EXPECT_EQ(terms[7].name(), "x0*x7");
+  EXPECT_EQ((*terms[7].exponents())[7], 1);
+  EXPECT_EQ(terms[7].exponents()->size(), 20001u);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -182,5 +182,15 @@ TEST(Program, ChecksShapes) {
   EXPECT_THROW(program.evaluate(Matrix::Zero(3, 4), two, workspace), ArgumentError);
 }
 
+TEST(VariableIndex, FindsTheSlotOfAName) {
+  const VariableIndex index({.states = {"x", "y"}, .inputs = {"u"}});
+  EXPECT_EQ(index.find("x"), 0);
+  EXPECT_EQ(index.find("u"), 2);
+  EXPECT_EQ(index.find("t"), 3);
+  EXPECT_FALSE(index.find("z"));
+  EXPECT_EQ(index.states(), 2);
+  EXPECT_EQ(VariableIndex({.states = {"x", "x"}, .inputs = {}}).find("x"), 0);
+}
+
 }  // namespace
 }  // namespace lacuna

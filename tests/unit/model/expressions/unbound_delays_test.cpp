@@ -14,9 +14,11 @@ TEST(UnboundDelays, NamesAreThoseOfTheTimes) {
 }
 
 TEST(UnboundDelays, StatesAndTimeAreNoDelays) {
-  EXPECT_NO_THROW(check_delay_times(parse_expression("y*delay(x,T)"), {"x", "y"}));
-  EXPECT_THROW(check_delay_times(parse_expression("delay(x,y)"), {"x", "y"}), ModelError);
-  EXPECT_THROW(check_delay_times(parse_expression("1+sin(delay(x,0.5*t))"), {"x"}), ModelError);
+  const VariableIndex variables({.states = {"x", "y"}, .inputs = {"T"}});
+  EXPECT_NO_THROW(check_delay_times(parse_expression("y*delay(x,T)"), variables));
+  EXPECT_THROW(check_delay_times(parse_expression("delay(x,y)"), variables), ModelError);
+  EXPECT_THROW(check_delay_times(parse_expression("1+sin(delay(x,0.5*t))"), variables),
+               ModelError);
 }
 
 }  // namespace

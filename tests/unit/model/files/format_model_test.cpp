@@ -34,10 +34,10 @@ TEST(FormatModel, LayoutIsOneTermPerLine) {
 }
 
 TEST(FormatModel, TextThatNeedsEscapesSurvives) {
-  const OdeModel model({{"x", "\"\\ \xc2\xb5V"}}, {}, {{}}, "\t");
+  const OdeModel model({{"x", "\"\\ \xc2\xb5V"}}, {}, {{}}, "\"%");
   const OdeModel again = parse_model(format_model(model), "m");
   EXPECT_EQ(again.states(), model.states());
-  EXPECT_EQ(again.time_unit(), "\t");
+  EXPECT_EQ(again.time_unit(), "\"%");
 }
 
 TEST(FormatModel, CoefficientsSurviveToTheLastBit) {

@@ -44,5 +44,24 @@ TEST(OdeLine, PlacesCountFromOne) {
   EXPECT_THROW(line.formula(), ModelError);
 }
 
+TEST(OdeLine, AHashInBracketsIsNoComment) {
+  OdeLine line("x [#/s] # the [rate]", 1, kSource);
+  EXPECT_EQ(line.identifier("name"), "x");
+  EXPECT_EQ(line.unit(), "#/s");
+  EXPECT_TRUE(line.at_end());
+}
+
+TEST(OdeLine, KeywordsBeforeAnEqualsSignAreNames) {
+  OdeLine output("time = 2*x", 1, kSource);
+  EXPECT_FALSE(output.take_keyword("time"));
+  EXPECT_EQ(output.identifier("name"), "time");
+  OdeLine statement("time [ms]", 1, kSource);
+  EXPECT_TRUE(statement.take_keyword("time"));
+  EXPECT_EQ(statement.time_unit(), "ms");
+  OdeLine bare("time  1/s ", 1, kSource);
+  bare.take("time");
+  EXPECT_EQ(bare.time_unit(), "1/s");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -117,23 +117,24 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"\ndx/dt = -x\ndy/dt = 2*q*x", "m.ode:3:11", "unknown name 'q'"},
                       Wrong{"param k = q\ndx/dt = k", "m.ode:1:11", "unknown name 'q'"},
                       Wrong{"param k = t\ndx/dt = k", "m.ode:1:11", "no finite number"},
-                      Wrong{"dx/dt = 1\ndx/dt = 2", "m.ode:2:10", "two equations"},
+                      Wrong{"dx/dt = 1\ndx/dt = 2", "m.ode:2:9", "twice, first in line 1"},
                       Wrong{"input x\ndx/dt = 1", "m.ode:2:6", "given twice"},
                       Wrong{"state x\ndy/dt = 1", "m.ode", "'x' has no equation"},
                       Wrong{"input u hold firmly\ndx/dt = u", "m.ode:1:20", "'firmly'"},
                       Wrong{"input u [V\ndx/dt = u", "m.ode:1:9", "the unit has no end"},
-                      Wrong{"input u [V\x1b[0m]\ndx/dt = u", "m.ode:1:9", "control"},
+                      Wrong{"input u [V\x1b[0m]\ndx/dt = u", "m.ode:1:11", "U+001B"},
                       Wrong{"input u V\ndx/dt = u", "m.ode:1:9", "nothing more belongs"},
                       Wrong{"dx/dt -x", "m.ode:1:7", "'=' is missing"},
                       Wrong{"y = 2*q\ndx/dt = 1", "m.ode:1:7", "unknown name 'q'"},
-                      Wrong{"y = x\ny = 2*x\ndx/dt = 1", "m.ode:2:8", "given twice"},
+                      Wrong{"y = x\ny = 2*x\ndx/dt = 1", "m.ode:2:5", "given twice"},
                       Wrong{"x = 2*x\ndx/dt = 1", "m.ode:1:5", "a state has the same name"},
                       Wrong{"input y\ny = x\ndx/dt = y", "m.ode:2:5", "given twice"},
                       Wrong{"y = delay(x,1)\ndx/dt = 1", "m.ode:1:5", "cannot be delayed"},
                       Wrong{"initial z = 0\ndx/dt = 1", "m.ode:1:8", "no state 'z'"},
                       Wrong{"initial x = q\ndx/dt = 1", "m.ode:1:13", "unknown name 'q'"},
                       Wrong{"initial x = 0 deviation 0\ndx/dt = 1", "m.ode:1:8", "above 0"},
-                      Wrong{"initial x = 0\ninitial x = 1\ndx/dt = 1", "m.ode:2:8", "two"},
+                      Wrong{"initial x = 0\ninitial x = 1\ndx/dt = 1", "m.ode:2:8",
+                            "given twice"},
                       Wrong{"param k = 2 in 3..4\ndx/dt = k", "m.ode:1:10", "not in its range"},
                       Wrong{"param k = 2 in 4..3\ndx/dt = k", "m.ode:1:10", "upside down"},
                       Wrong{"fixed dx/dt: u\ndx/dt = 1", "m.ode:1:14", "unknown name 'u'"},
@@ -143,6 +144,83 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"state sin\ndx/dt = 1", "m.ode:1:7", "word of the formula"},
                       Wrong{"param k = 1 in 3\ndx/dt = k", "m.ode:1:17", "no '..'"},
                       Wrong{"dx/dt = x/0", "m.ode:1:9", "not finite"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    GivenTwice, OdeTextErrors,
+    ::testing::Values(
+        Wrong{"time s\ndx/dt = 1\ntime ms", "m.ode:3:5",
+              "time unit is given twice, first in line 1"},
+        Wrong{"time s\ntime s\ndx/dt = 1", "m.ode:2:5", "first in line 1"},
+        Wrong{"state x [m]\nstate x [V]\ndx/dt = 1", "m.ode:2:8", "first in line 1"},
+        Wrong{"dx/dt = 1\nstate x\nstate x", "m.ode:3:8", "first in line 2"},
+        Wrong{"param k = 1\n\nparam k = 2\ndx/dt = k", "m.ode:3:8", "first in line 1"},
+        Wrong{"input u\ninput u\ndx/dt = u", "m.ode:2:8", "first in line 1"},
+        Wrong{"dx/dt = x\nfixed dx/dt: x\nfree dx/dt: x", "m.ode:3:13", "first in line 2"},
+        Wrong{"dx/dt = x\nfree dx/dt: x\nfree dx/dt: x", "m.ode:3:12", "first in line 2"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Characters, OdeTextErrors,
+    ::testing::Values(Wrong{"time s\rint evil = 42; //\ndx/dt = 1", "m.ode:1:7", "U+000D"},
+                      Wrong{"dx/dt = 1 # a\rdx/dt = 2", "m.ode:1:14", "U+000D"},
+                      Wrong{"# \xE2\x80\xAE turned\ndx/dt = 1", "m.ode:1:3", "U+202E"},
+                      Wrong{"dx/dt = 1 #\xE2\x80\xA8 dy/dt = 1", "m.ode:1:12", "U+2028"},
+                      Wrong{"state x [V\xE2\x81\xA6]\ndx/dt = 1", "m.ode:1:11", "U+2066"},
+                      Wrong{"state x [\xE2\x84\xA6]\ndx/dt = 1", "m.ode:1:10", "U+2126"},
+                      Wrong{"time \xE2\x84\xAA\ndx/dt = 1", "m.ode:1:6", "U+212A"},
+                      Wrong{"state x [a[b]\ndx/dt = 1", "m.ode:1:11", "U+005B"},
+                      Wrong{"time s]\ndx/dt = 1", "m.ode:1:7", "U+005D"},
+                      Wrong{"dx/dt = 1\n\xEF\xBB\xBFstate x", "m.ode:2:1", "U+FEFF"}));
+
+TEST(OdeText, AByteOrderMarkIsReadOver) {
+  EXPECT_EQ(parse_ode("\xEF\xBB\xBF"
+                      "time ms\ndx/dt = 1\n",
+                      "m.ode")
+                .time_unit(),
+            "ms");
+}
+
+TEST(OdeText, UnitsOfCountsMayHaveAHash) {
+  const OdeModel model =
+      parse_ode("time [#]  # of the sample\nstate x [#/cm3] # of [all]\ndx/dt = 1", "m.ode");
+  EXPECT_EQ(model.time_unit(), "#");
+  EXPECT_EQ(model.states()[0].unit, "#/cm3");
+  EXPECT_EQ(format_ode(parse_ode(format_ode(model), "again")), format_ode(model));
+}
+
+TEST(OdeText, WordsOfStatementsAreNamesToo) {
+  const OdeModel model = parse_ode(
+      "dinput/dt = in\ndin/dt = -fixed\ndfixed/dt = 0\ntime = 2*in [V]\nparam = in + fixed\n"
+      "state = input\ninitial = 2*deviation\nddeviation/dt = 1\n",
+      "m.ode");
+  EXPECT_EQ(model.coefficient(0, "in"), 1.0);
+  ASSERT_EQ(model.outputs().size(), 4u);
+  EXPECT_EQ(model.outputs()[0].name, "time");
+  EXPECT_EQ(model.outputs()[0].formula.to_string(), "2*in");
+  EXPECT_EQ(model.time_unit(), "s");
+  EXPECT_EQ(format_ode(parse_ode(format_ode(model), "again")), format_ode(model));
+}
+
+TEST(OdeText, TermsThatAreOneWithNumbersForParametersAreAdded) {
+  const SystemModel system = parse_ode_system(
+      "input u\nparam R1 = 10 fixed\nparam R2 = 10 fixed\nparam C = 2\n"
+      "dv/dt = (u - v)/(R1*C) - (v - u)/(R2*C)\n",
+      "m.ode");
+  EXPECT_EQ(system.symbolic().equations()[0].size(), 4u) << "as they are written";
+  const ParametrisedModel model = system.parametrised();
+  ASSERT_EQ(model.symbolic().equations()[0].size(), 2u);
+  EXPECT_EQ(model.symbolic().coefficient(0, "v*10^-1*C^-1"), -2.0);
+  EXPECT_EQ(model.symbolic().coefficient(0, "u*10^-1*C^-1"), 2.0);
+  EXPECT_EQ(system.places_in_parametrised()[0], (std::vector<Index>{0, 1, 1, 0}));
+}
+
+TEST(OdeText, ASumHasAnyNumberOfSummands) {
+  std::string text = "dx/dt = 0";
+  for (int i = 1; i <= 2000; ++i) text += " - sin(" + std::to_string(i) + "*x)";
+  const OdeModel model = parse_ode(text + "\n", "m.ode");
+  EXPECT_EQ(model.equations()[0].size(), 2000u);
+  EXPECT_EQ(model.coefficient(0, "sin(7*x)"), -1.0);
+  EXPECT_EQ(format_model(parse_ode(format_ode(model), "again")), format_model(model));
+}
 
 constexpr const char* kMap = R"(time s
 state x
