@@ -34,12 +34,14 @@ struct Column {
   double scale = 1.0, offset = 0.0, rate = 1.0, noise = 0.0;
   int kind = 0;  ///< 0: oscillation, 1: constant, 2: values come twice, 3: bytes, 4: decay
 
-  explicit Column(Bytes& bytes)
-      : scale(std::pow(10.0, (bytes.next() - 128) * (bytes.next() % 4 == 0 ? 2 : 0.05))),
-        offset(bytes.next() % 5 == 0 ? std::pow(10.0, bytes.next() % 16) : 0.0),
-        rate(0.1 + bytes.next() / 64.0),
-        noise(bytes.next() % 3 == 0 ? 0.0 : 1e-3),
-        kind(bytes.next() % 5) {}
+  explicit Column(Bytes& bytes) {
+    const int power = bytes.next() - 128;
+    scale = std::pow(10.0, power * (bytes.next() % 4 == 0 ? 2.0 : 0.05));
+    if (bytes.next() % 5 == 0) offset = std::pow(10.0, bytes.next() % 16);
+    rate = 0.1 + bytes.next() / 64.0;
+    noise = bytes.next() % 3 == 0 ? 0.0 : 1e-3;
+    kind = bytes.next() % 5;
+  }
 
   double value(int i, int byte) const {
     const double t = 0.1 * (kind == 2 ? i / 2 : i), off = noise * (byte - 128) / 64.0;

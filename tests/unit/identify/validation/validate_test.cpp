@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/records/binding/embedding.hpp"
 #include "unit/identify/validation/systems.hpp"
@@ -82,14 +83,15 @@ TEST(Validate, OtherRecordsAreJudgedByTheModelAsItIs) {
   const Validation wrong = validate({found, data, pipeline, other});
   EXPECT_NE(wrong.verdict, ValidationVerdict::FitsToNoise) << wrong.sentence;
   EXPECT_NE(wrong.verdict, ValidationVerdict::CannotTell) << wrong.sentence;
+  EXPECT_THROW(validate({found, data, pipeline, data}), DataError) << "none that was not used";
 }
 
 TEST(Validate, AShortRecordTellsNothing) {
   const Dataset data = lorenz_record(0.01);
   const Pipeline pipeline = with_terms(kLorenzTerms);
   const IdentificationResult found = identify(data, pipeline);
-  Dataset few = data;
-  few.trajectories[0] = rows_of(data.trajectories[0], 100, 5);
+  Dataset few = lorenz_record(0.01, 1500, 9);
+  few.trajectories[0] = rows_of(few.trajectories[0], 100, 5);
   const Validation validation = validate({found, data, pipeline, few});
   EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell) << validation.sentence;
 }
