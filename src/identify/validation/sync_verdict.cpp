@@ -81,7 +81,7 @@ Matrix late_errors_of(const Case& c) {
   return all;
 }
 
-/// State by state; one that is not measured or does not move says nothing.
+/// State by state; one that is not measured says nothing.
 Adequacy adequacy_of_slave(const OdeModel& model, const Case& c, const Matrix& errors) {
   std::vector<AdequacyPart> parts;
   for (Index k = 0; k < errors.cols(); ++k) {
@@ -164,6 +164,16 @@ std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
          model.states()[static_cast<std::size_t>(worst.state)].name;
 }
 
+/// Whether any sample of a measured state differs from the first of its record.
+bool moves(const Dataset& record) {
+  for (const Trajectory& run : record.trajectories)
+    for (Index k = 0; k < record.state_count(); ++k) {
+      const auto& x = run.states.col(k);
+      if (record.is_measured(k) && (x.array() != x[0]).any()) return true;
+    }
+  return false;
+}
+
 /// Whether slaves that begin elsewhere in hidden states are together soon enough.
 bool tells_hidden(const Trajectory& first, const SyncResult& result,
                   const SyncVerdictOptions& options) {
@@ -229,12 +239,12 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
                 format_number(*result.conditional_exponent, 2) + " 1/" + record.time_unit +
                 "); try " + stronger_coupling(model.states(), result.coupling) +
                 ", or measure one of them."};
+  if (!moves(record))
+    return {.told = false, .sentence = "Cannot tell: nothing that is measured moves."};
   const Case c = case_of(record, result, options);
   const Matrix late = late_errors_of(c);
   const Worst worst = worst_in(c, late);
   const Adequacy adequacy = adequacy_of_slave(model, c, late);
-  if (adequacy.fits == Adequate::Untold)
-    return {.told = false, .sentence = "Cannot tell: nothing that is measured moves."};
   const std::string size = "the error is " + size_of(model, c, worst);
   if (adequacy.fits == Adequate::Yes)
     return {.holds = true, .sentence = "Holds: " + size + ".", .adequacy = adequacy};

@@ -91,8 +91,8 @@ Dataset long_enough(Dataset record, const Integrator& integrator);
 /// of the model are those of the record.
 /// @throws DataError when states or inputs of the model are not in the record or when a
 /// trajectory
-///   has fewer samples than the polynomial needs; ArgumentError for a K or a start of the wrong
-///   shape.
+///   has fewer samples than the polynomial needs, or values beyond the range of numbers;
+///   ArgumentError for a K or a start of the wrong shape.
 SyncResult synchronise(const OdeModel& model, const Dataset& record,
                        const Integrator& integrator, const SyncOptions& options = {},
                        const RunContext& context = {});

@@ -185,8 +185,14 @@ TEST(SyncVerdict, ItsAdequacyIsThatOfTheSlave) {
 
 TEST(SyncVerdict, WhereNothingMovesThereIsNone) {
   Dataset still = record(0.0, 0.0);
-  still.trajectories[0].states.setZero();
-  const SyncVerdict found = verdict(1.0, still);
+  still.trajectories[0].states.setConstant(0.1);
+  SyncResult slave;
+  slave.states = {still.trajectories[0].states};
+  slave.errors = {Vector::Zero(still.samples())};
+  slave.coupling = Matrix::Identity(2, 2);
+  slave.noise = slave.response = Vector::Zero(2);
+  slave.settled = true;
+  const SyncVerdict found = judge(damped_oscillator(1.0), still, slave);
   EXPECT_FALSE(found.told);
   EXPECT_FALSE(found.holds);
   EXPECT_THAT(found.sentence, HasSubstr("nothing that is measured moves"));
