@@ -68,8 +68,8 @@ OdeModel with_intervals(const Assimilation& fit) {
   for (std::size_t j = 0; j < fit.free.size(); ++j) {
     WeightedTerm& summand = equations[static_cast<std::size_t>(fit.free[j].equation)]
                                      [static_cast<std::size_t>(fit.free[j].term)];
-    if (is_held(fit, static_cast<Index>(j))) continue;
     const double deviation = deviation_of(fit, j);
+    if (is_held(fit, static_cast<Index>(j)) || !(deviation > 0.0)) continue;
     summand.standard_error = deviation;
     summand.ci95 = {
         {summand.coefficient - 1.96 * deviation, summand.coefficient + 1.96 * deviation}};

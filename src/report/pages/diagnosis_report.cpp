@@ -24,6 +24,11 @@ Json to_json(const Location& place) {
   return json;
 }
 
+/// A number whose error is not known has no interval, and none of width 0.
+Json interval_json(const std::array<double, 2>& ends) {
+  return ends[0] < ends[1] ? Json(ends) : Json();
+}
+
 Json disagreement_json(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const Disagreement& entry : diagnosis.disagreement) {
@@ -47,7 +52,7 @@ Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
             {"cause", effect.cause},
             {"term", effect.term},
             {"coefficient", effect.coefficient},
-            {"ci95", effect.ci95()},
+            {"ci95", interval_json(effect.ci95())},
             {"parameters", Json::object()},
             {"sigma", effect.sigma},
             {"gap_closed", effect.gap_closed},
@@ -69,7 +74,7 @@ Json changes_json(const Diagnosis& diagnosis) {
                     {"term", change.term},
                     {"nominal", change.nominal},
                     {"estimated", change.estimated},
-                    {"ci95", change.ci95()},
+                    {"ci95", interval_json(change.ci95())},
                     {"sigma", change.sigma}});
     if (!change.determined) list.back()["ci95"] = nullptr;
   }

@@ -85,6 +85,30 @@ TEST(DiagnosisReport, JsonHasTheKeysOfTheFormat) {
   EXPECT_EQ(json.at("augmented_model").at("format"), "lacuna.model/1");
 }
 
+TEST(DiagnosisReport, WhatHasNoErrorHasNoInterval) {
+  Diagnosis diagnosis = made();
+  EXPECT_EQ(nlohmann::json::parse(format_json(diagnosis))["effects"][0]["ci95"].size(), 2u);
+  diagnosis.effects[0].deviation = 0.0;
+  diagnosis.coefficient_changes[0].deviation = 0.0;
+  const auto json = nlohmann::json::parse(format_json(diagnosis));
+  EXPECT_TRUE(json["effects"][0]["ci95"].is_null());
+  EXPECT_TRUE(json["coefficient_changes"][0]["ci95"].is_null());
+}
+
+TEST(DiagnosisReport, NoHeadlineDeniesAGapThatStays) {
+  Diagnosis diagnosis = made();
+  diagnosis.verdict = Verdict::NoDiscrepancy;
+  diagnosis.effects.clear();
+  diagnosis.adequacy = {Adequate::Yes, {{"v", Adequate::Yes, 100, true}}};
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("fits the records to their noise"));
+  diagnosis.adequacy.fits = Adequate::No;
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("on others a gap stays"));
+  const auto json = nlohmann::json::parse(format_json(diagnosis));
+  EXPECT_EQ(json["adequacy"]["fits"], "no");
+  EXPECT_EQ(json["adequacy"]["parts"][0]["noise_known"], true);
+  EXPECT_TRUE(json["gap"].contains("above_floor"));
+}
+
 TEST(DiagnosisReport, VerdictsHaveTheirWords) {
   EXPECT_EQ(to_string(Verdict::NoDiscrepancy), "no-discrepancy");
   EXPECT_EQ(to_string(Verdict::CoefficientsOnly), "coefficients-only");
