@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/types.hpp"
+
 namespace lacuna::support {
 
 using Json = nlohmann::json;
