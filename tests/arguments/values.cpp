@@ -100,7 +100,7 @@ All<Matrix> Choices<Matrix>::all() {
           {"2 x 2", symmetric},
           {"5 x 5 triangle", triangle()},
           {"40 x 1", states.leftCols(1)},
-          {"40 x 3", Matrix(states * Matrix::Ones(2, 3))},
+          {"40 x 4", Matrix(states * Matrix::Ones(2, 4))},
           {"0 x 0", Matrix()},
           {"0 x 2", Matrix(0, 2)},
           {"40 x 0", Matrix(40, 0)},

@@ -101,8 +101,7 @@ std::vector<Picture> pictures_of(const Page& page) {
 Markup table(const std::vector<std::string>& heads,
              const std::vector<std::vector<std::string>>& rows) {
   for (const auto& row : rows)
-    check_argument(row.size() <= heads.size(), "table",
-                   "a row has more cells than there are heads");
+    check_argument(row.size() == heads.size(), "table", "a row has not a cell for each head");
   const std::vector<bool> numbers = number_columns(heads.size(), rows);
   const auto cells = [&](std::string_view name, const std::vector<std::string>& texts) {
     Markup all;

@@ -47,7 +47,7 @@ std::string format_html(const Page& page);
 std::vector<Picture> pictures_of(const Page& page);
 
 /// A table; numbers are set to the right. @param rows cells as text.
-/// @throws ArgumentError when a row has more cells than there are heads.
+/// @throws ArgumentError when a row has not a cell for each head.
 Markup table(const std::vector<std::string>& heads,
              const std::vector<std::vector<std::string>>& rows);
 
