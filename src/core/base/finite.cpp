@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "core/base/column_kernels.hpp"
+#include "core/numerics/column_kernels.hpp"
 #include "lacuna/core/base/parallel.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "counted_times.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "row_blocks.hpp"
 

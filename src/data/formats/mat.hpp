@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "counted_times.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {

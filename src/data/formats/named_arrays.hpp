@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "counted_times.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "counted_times.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "npy_header.hpp"

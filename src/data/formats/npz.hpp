@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "counted_times.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {

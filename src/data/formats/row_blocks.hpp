@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/byte_stream.hpp"
-#include "counted_times.hpp"
+#include "data/times/counted_times.hpp"
 #include "file_kinds.hpp"
 #include "lacuna/data/records/table.hpp"
 

@@ -5,10 +5,10 @@
 #include <array>
 #include <utility>
 
+#include "data/times/time_names.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/text_field.hpp"
 #include "lacuna/data/records/table.hpp"
-#include "time_names.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "counted_times.hpp"
+#include "data/times/counted_times.hpp"
 #include "dialects.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "text_layout.hpp"

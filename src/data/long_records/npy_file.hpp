@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/positioned_file.hpp"
-#include "data/formats/counted_times.hpp"
 #include "data/formats/npy_header.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "line_numbers.hpp"
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/column_kernels.hpp"
-#include "data/formats/check_record.hpp"
+#include "core/numerics/column_kernels.hpp"
+#include "data/records/check_record.hpp"
 #include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "blanks.hpp"
 #include "core/base/check.hpp"
-#include "data/formats/time_names.hpp"
+#include "data/times/time_names.hpp"
 #include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/text_field.hpp"

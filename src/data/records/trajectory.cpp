@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 
 namespace lacuna {
 

@@ -16,10 +16,10 @@
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/trajectories/smoother/hidden_states.hpp"
-#include "lacuna/trajectories/smoother/unknown_past.hpp"
 #include "output_channels.hpp"
 #include "records/binding/other_records.hpp"
 #include "smoothed_records.hpp"
+#include "trajectories/smoother/unknown_past.hpp"
 
 namespace lacuna {
 namespace {

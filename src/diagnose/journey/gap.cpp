@@ -10,8 +10,8 @@
 #include "lacuna/diagnose/candidates/candidate_column.hpp"
 #include "lacuna/trajectories/smoother/hidden_states.hpp"
 #include "lacuna/trajectories/smoother/outlier_check.hpp"
-#include "lacuna/trajectories/smoother/unknown_past.hpp"
 #include "lacuna/trajectories/smoother/window_gap.hpp"
+#include "trajectories/smoother/unknown_past.hpp"
 #include "trajectories/smoother/window_paths.hpp"
 
 namespace lacuna {

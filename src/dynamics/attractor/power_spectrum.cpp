@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/numerics/periodogram.hpp"
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+#include "lacuna/records/channels/node_grid.hpp"
 
 namespace lacuna {
 namespace {

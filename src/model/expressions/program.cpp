@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/column_kernels.hpp"
+#include "core/numerics/column_kernels.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "operations.hpp"
 #include "program_builder.hpp"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <span>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "records/channels/outliers.hpp"

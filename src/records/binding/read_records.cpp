@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/formats/text_field.hpp"
 #include "lacuna/records/binding/time_unit.hpp"

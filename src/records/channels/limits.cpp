@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "value_spacing.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 
 namespace lacuna {
 

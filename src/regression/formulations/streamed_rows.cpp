@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/column_kernels.hpp"
+#include "core/numerics/column_kernels.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/records/binding/derived_record.hpp"
 #include "variable_slots.hpp"

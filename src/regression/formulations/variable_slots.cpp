@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "variable_slots.hpp"
 
-#include "core/base/column_kernels.hpp"
+#include "core/numerics/column_kernels.hpp"
 
 namespace lacuna {
 

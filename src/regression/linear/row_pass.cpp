@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <mutex>
 
-#include "core/base/lanes.hpp"
 #include "core/base/parts.hpp"
+#include "core/numerics/lanes.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/base/lanes.hpp"
+#include "core/numerics/lanes.hpp"
 
 // The kernels are written once for vectors of W doubles. On x86-64 they are compiled for three
 // instruction sets and chosen when the program runs; elsewhere the compiler's default is used.

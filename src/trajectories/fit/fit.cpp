@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 #include "data/records/number_range.hpp"
 #include "fit_errors.hpp"
 #include "fit_quality.hpp"

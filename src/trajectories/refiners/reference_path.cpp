@@ -6,8 +6,8 @@
 
 #include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/noise.hpp"
+#include "lacuna/records/channels/node_grid.hpp"
 #include "lacuna/trajectories/refiners/moving_polynomial.hpp"
-#include "lacuna/trajectories/sensitivities/node_grid.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/base/check.hpp"
 #include "lacuna/model/equations/formula_channel.hpp"
-#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+#include "lacuna/records/channels/node_grid.hpp"
 #include "lacuna/trajectories/sensitivities/rates.hpp"
 #include "lacuna/trajectories/sensitivities/record_steps.hpp"
 #include "lacuna/trajectories/sensitivities/secant_slopes.hpp"

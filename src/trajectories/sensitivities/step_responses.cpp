@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/lanes.hpp"
+#include "core/numerics/lanes.hpp"
 #include "lacuna/trajectories/sensitivities/fixed_size.hpp"
 #include "lacuna/trajectories/sensitivities/record_steps.hpp"
 #include "parabolas.hpp"

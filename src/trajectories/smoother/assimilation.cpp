@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 #include "determined_step.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/numerics/least_squares.hpp"
@@ -14,8 +14,8 @@
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/trajectories/smoother/innovation_system.hpp"
-#include "lacuna/trajectories/smoother/unknown_past.hpp"
 #include "lacuna/trajectories/smoother/variance_fit.hpp"
+#include "trajectories/smoother/unknown_past.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/base/lanes.hpp"
+#include "core/numerics/lanes.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/trajectories/sensitivities/fixed_size.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "core/base/lanes.hpp"
+#include "core/numerics/lanes.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/unknown_past.hpp"
+#include "trajectories/smoother/unknown_past.hpp"
 
 #include <algorithm>
 #include <vector>

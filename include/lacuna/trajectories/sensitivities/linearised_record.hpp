@@ -7,7 +7,7 @@
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
-#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+#include "lacuna/records/channels/node_grid.hpp"
 
 namespace lacuna {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+#include "lacuna/records/channels/node_grid.hpp"
 #include "lacuna/trajectories/sensitivities/rates.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lacuna/trajectories/sensitivities/node_grid.hpp"
+#include "lacuna/records/channels/node_grid.hpp"
 
 namespace lacuna {
 namespace {

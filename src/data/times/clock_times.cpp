@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "dialects.hpp"
+#include "data/formats/dialects.hpp"
 #include "lacuna/data/formats/text_field.hpp"
 
 namespace lacuna {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is said of times. Times in files: unit/data/long_records/exact_times_test.cpp.
-#include "data/formats/counted_times.hpp"
+#include "data/times/counted_times.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "data/formats/clock_times.hpp"
+#include "data/times/clock_times.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/base/column_kernels.hpp"
+#include "core/numerics/column_kernels.hpp"
 
 #include <gtest/gtest.h>
 

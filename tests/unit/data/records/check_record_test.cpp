@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "data/formats/check_record.hpp"
+#include "data/records/check_record.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/base/column_kernels.hpp"
+#include "core/numerics/column_kernels.hpp"
 
-#include "core/base/lanes.hpp"
+#include "core/numerics/lanes.hpp"
 
 namespace lacuna {
 namespace {

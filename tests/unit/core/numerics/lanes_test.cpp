@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/base/lanes.hpp"
+#include "core/numerics/lanes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "data/formats/time_names.hpp"
+#include "data/times/time_names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "data/formats/stamps.hpp"
+#include "data/times/stamps.hpp"
 
 #include <gtest/gtest.h>
 
