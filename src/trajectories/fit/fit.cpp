@@ -160,7 +160,7 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
   return {system.symbolic().with_equations(std::move(equations)), std::move(parameters)};
 }
 
-constexpr double kExact = 99.999;  // per cent; what is left is rounding of the file
+constexpr double kExactFit = 99.999;  // per cent; what is left is rounding of the file
 
 /// Residuals are noise where they have no correlation in time, which few samples do not show.
 Adequacy adequacy_of_run(const std::vector<FitQuality>& channels) {
@@ -169,7 +169,7 @@ Adequacy adequacy_of_run(const std::vector<FitQuality>& channels) {
   for (const FitQuality& quality : channels) {
     const Adequate fits = quality.samples < kTold ? Adequate::Untold
                           : quality.white         ? Adequate::Yes
-                          : quality.fit_percent < kExact || quality.noise > 0
+                          : quality.fit_percent < kExactFit || quality.noise > 0
                               ? Adequate::No
                               : Adequate::Untold;
     parts.push_back({quality.channel, fits, quality.samples, quality.noise > 0.0});
@@ -192,7 +192,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
     if (number.bound)
       notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
   for (const FitQuality& quality : fit.quality)
-    if (!quality.white && !(quality.fit_percent >= kExact))
+    if (!quality.white && !(quality.fit_percent >= kExactFit))
       notes.push_back("the residuals of " + quality.channel +
                       " are not white: the model lacks something (see `lacuna diagnose`), and "
                       "intervals hold for this model only");
