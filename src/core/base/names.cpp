@@ -81,10 +81,13 @@ std::string code_text(char32_t c) {
 /// The text for a message of one line: not too long, with everything in it seen.
 std::string shown(std::string_view text) {
   constexpr std::size_t kShown = 60;
-  if (text.size() <= kShown) return printable(text);
   std::size_t end = 0;
-  while (end < kShown) end += std::max<std::size_t>(1, utf8_length(text, end));
-  return printable(text.substr(0, end)) + "...";
+  while (end < std::min(kShown, text.size()))
+    end += std::max<std::size_t>(1, utf8_length(text, end));
+  std::string result = printable(text.substr(0, end));
+  for (std::size_t i = result.find('\n'); i != std::string::npos; i = result.find('\n', i))
+    result.replace(i, 1, "\\n");
+  return end < text.size() ? result + "..." : result;
 }
 
 /// Whether the character ends a line somewhere: CR, vertical tab, form feed, NEL and

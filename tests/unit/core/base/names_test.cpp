@@ -76,6 +76,7 @@ TEST(Names, AFaultSaysWhereAndWhatToWrite) {
                 ->remedy,
             "write a blank");
   EXPECT_EQ(unit_fault("\xE2\x80\xAE")->remedy, "remove it");
+  EXPECT_EQ(unit_fault("a\nb")->problem, "the unit 'a\\nb' has the character U+000A");
   EXPECT_EQ(unit_fault("\xF0\x9F\x98\x80")->remedy, "write it in other letters");
   EXPECT_LT(unit_fault(std::string(300, 'm'))->problem.size(), 100u);
 }

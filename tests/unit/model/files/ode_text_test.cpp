@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"param k = 1\n\nparam k = 2\ndx/dt = k", "m.ode:3:8", "first in line 1"},
         Wrong{"input u\ninput u\ndx/dt = u", "m.ode:2:8", "first in line 1"},
         Wrong{"dx/dt = x\nfixed dx/dt: x\nfree dx/dt: x", "m.ode:3:13", "first in line 2"},
-        Wrong{"dx/dt = x\nfree dx/dt: x\nfree dx/dt: x", "m.ode:3:12", "first in line 2"}));
+        Wrong{"dx/dt = x\nfree dx/dt: x\nfree dx/dt: x", "m.ode:3:13", "first in line 2"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Characters, OdeTextErrors,
