@@ -174,7 +174,7 @@ std::string cleaned_unit(std::string_view text) {
     i += length;
     const char32_t plain = is_unit_character(c) ? c : plain_character(c);
     if (plain == 0 && is_unseen(c)) continue;
-    const std::string piece = utf8_of(plain == 0 ? U'?' : plain);
+    const std::string piece = utf8_of(plain == 0 ? char32_t{'?'} : plain);
     if (unit.size() + piece.size() > kLongestName) break;
     unit += piece;
   }

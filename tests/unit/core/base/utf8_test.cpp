@@ -41,10 +41,10 @@ TEST(Utf8, ControlCharactersAreMadeVisible) {
 }
 
 TEST(Utf8, CharactersComeBackFromTheirCodePoints) {
-  for (const char32_t c : {U'a', U'\u00B0', U'\u202E', U'\uFFFD', U'\U0001F600', U'\U0010FFFF'})
+  for (const char32_t c : {0x61U, 0xB0U, 0x202EU, 0xFFFDU, 0x1F600U, 0x10FFFFU})
     EXPECT_EQ(code_point(utf8_of(c), 0), c);
-  EXPECT_EQ(utf8_of(U'\u03A9'), "\xCE\xA9");
-  EXPECT_EQ(utf8_length(utf8_of(U'\U0001F600'), 0), 4u);
+  EXPECT_EQ(utf8_of(0x3A9), "\xCE\xA9");
+  EXPECT_EQ(utf8_length(utf8_of(0x1F600), 0), 4u);
 }
 
 TEST(Utf8, WhatIsNotSeenIsMadeVisible) {
