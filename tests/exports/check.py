@@ -4,8 +4,9 @@
 
 FOLDER holds 0.FORMAT, 1.FORMAT, ... and models.json: numbers of states and inputs of each model
 and its rates at some places. For every file: it is ASCII; the lexer of the language (Python's own,
-Pygments' for the others) finds the marker of hostile texts in comments and strings only. The first RUN of them are run: compilers and
-interpreters take them without a warning and compute the same rates to 1e-12.
+Pygments' for the others) finds the marker of hostile texts in comments and strings only. The first
+RUN of them are run: compilers and interpreters take them without a warning and compute the same
+rates to 1e-12.
 """
 import json
 import os

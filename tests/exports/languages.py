@@ -171,7 +171,8 @@ class Matlab(Pygments):
                       (point.t, "; ".join(point.x), "; ".join(point.u)) for point in model.points]
         with open(os.path.join(folder, "run_exports.m"), "w") as stream:
             stream.write("\n".join(lines) + "\n")
-        out = must_run(["octave-cli", "--quiet", "--norc", "run_exports.m"], folder, self.AT_THE_END)
+        out = must_run(["octave-cli", "--quiet", "--norc", "run_exports.m"], folder,
+                       self.AT_THE_END)
         return split_answers(models, [float(n) for n in out.split()])
 
 
@@ -197,7 +198,8 @@ class Modelica(Pygments):
             name, number = found.group(1), found.group(2)
             if number:
                 return "num_(%s)" % number
-            return name if name in self.FUNCTIONS or name in ("if", "then", "else") else "v_" + name
+            is_own = name in self.FUNCTIONS or name in ("if", "then", "else")
+            return name if is_own else "v_" + name
 
         text = re.sub(r"([A-Za-z_]\w*)|(\d+(?:\.\d+)?(?:e[+-]\d+)?)", word, text)
         text = text.replace("(if ", "either_(").replace(" then ", ", ").replace(" else ", ", ")
@@ -233,8 +235,9 @@ class Modelica(Pygments):
 
 
 class Latex(Pygments):
-    COMMANDS = set(r"\begin \end \dot \mathit \_ \quad \left \right \frac \sqrt \cdot \ln \exp \sin "
-                   r"\cos \tan \arcsin \arccos \arctan \tanh \min \max \operatorname \, \\".split())
+    COMMANDS = set(r"\begin \end \dot \mathit \_ \quad \left \right \frac \sqrt \cdot \ln \exp "
+                   r"\sin \cos \tan \arcsin \arccos \arctan \tanh \min \max \operatorname "
+                   r"\, \\".split())
 
     def __init__(self):
         super().__init__("latex")

@@ -75,7 +75,8 @@ inline const ForeignLanguage& foreign_language(const std::string& format) {
   return languages.front().second;
 }
 
-/// What is left without comments, blanks and what is in strings: words and single marks.
+/// What is left without comments, blanks, empty lines and what is in strings: words and single
+/// marks, line feeds among them.
 inline std::vector<std::string> tokens_of(std::string_view text,
                                           const ForeignLanguage& language) {
   std::vector<std::string> tokens;
@@ -101,7 +102,8 @@ inline std::vector<std::string> tokens_of(std::string_view text,
       } else if (is_word(text[i])) {
         while (end < text.size() && is_word(text[end])) ++end;
       }
-      if (text[i] != ' ') tokens.emplace_back(text.substr(i, end - i));
+      const bool is_empty_line = text[i] == '\n' && (tokens.empty() || tokens.back() == "\n");
+      if (text[i] != ' ' && !is_empty_line) tokens.emplace_back(text.substr(i, end - i));
       i = end;
     }
   }
