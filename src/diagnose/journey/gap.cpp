@@ -54,6 +54,11 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
   return std::sqrt(sum / count);
 }
 
+bool is_finite(const Dataset& data) {
+  return std::all_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& record) { return record.states.allFinite(); });
+}
+
 /// The model on records, with noise of the kind that was found and without the summands that
 /// the measurement has: these are taken on the path, which moves with them. Marked samples that
 /// are outliers are left out.
@@ -78,6 +83,7 @@ Assimilation without_faults(const Assimilation& found, Dataset& data,
     for (std::size_t r = 0; r < fit.records.size(); ++r)
       data.trajectories[r].states = without_channel_terms(
           given[r], fit.records[r], found.model.variables(), found.channel_terms);
+    if (!is_finite(data)) return fit;
     fit = assimilate(found.model, data, marks, options, context);
   }
   return fit;
@@ -137,11 +143,6 @@ std::vector<std::string> sources_of(const Dataset& data) {
   return sources;
 }
 
-bool is_finite(const Dataset& data) {
-  return std::all_of(data.trajectories.begin(), data.trajectories.end(),
-                     [](const Trajectory& record) { return record.states.allFinite(); });
-}
-
 /// Where the memory of an effect, or what corrects the records, has no finite values on them.
 Gap not_measured(const Dataset& data) {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -165,6 +166,7 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   const Assimilation fit =
       without_faults(explanation.fit, problem.data, hidden_states(nominal, held_out.corrected),
                      held_out.outlying, context);
+  if (!is_finite(problem.data)) return not_measured(held_out.given);
   const Vector scale = deviations(problem.data);
   const Index length = window_samples(fit);
   Comparison all;

@@ -15,7 +15,7 @@
 #include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/trajectories/smoother/innovation_system.hpp"
 #include "lacuna/trajectories/smoother/variance_fit.hpp"
-#include "trajectories/smoother/unknown_past.hpp"
+#include "unknown_past.hpp"
 
 namespace lacuna {
 namespace {

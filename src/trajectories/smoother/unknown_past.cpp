@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/smoother/unknown_past.hpp"
+#include "unknown_past.hpp"
 
 #include <algorithm>
 #include <vector>
