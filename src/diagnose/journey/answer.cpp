@@ -127,6 +127,8 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
   if (gap && !others_tell) return {};
   const std::string names = "with " + list_of_names(account, problem.nominal) +
                             " the model fits the records that were used better and the others ";
+  if (gap && std::isinf(gap->after))
+    return {true, false, names + "not at all: there it has no finite values"};
   // With a coefficient in each of two equations a form follows hidden states far.
   if (others_tell && account.hypothesis == kSharedProcess.name &&
       (!gap || stays_open(*gap, problem.options.decision)))

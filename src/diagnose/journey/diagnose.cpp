@@ -97,7 +97,8 @@ std::optional<Gap> gap_of(const Problem& problem, const Account& account,
   const Dataset corrected = correct ? correct(check) : check;
   Gap gap = measure_gap(problem.nominal, account.explanation,
                         {check, corrected, problem.options.decision.outlying}, problem.context);
-  if (!std::isfinite(gap.before) || !std::isfinite(gap.after)) return std::nullopt;
+  const bool refuted = std::isinf(gap.after);
+  if (!refuted && !std::isfinite(gap.before + gap.after)) return std::nullopt;
   return gap;
 }
 
@@ -115,6 +116,7 @@ HeardAccount heard_on(const Dataset& check, const Problem& problem,
   for (;;) {
     heard.gap = gap_of(problem, heard.judged.best, check);
     heard.hearing = hear_other_records(problem, heard.judged.best, heard.gap);
+    if (heard.gap && !std::isfinite(heard.gap->after)) heard.gap.reset();
     if (!heard.hearing.withdraw) return heard;
     heard.withdrawn.push_back(heard.hearing.note);
     heard.judged.best = without_claims(problem, heard.judged.best);

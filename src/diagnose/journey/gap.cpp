@@ -148,7 +148,7 @@ Gap not_measured(const Dataset& data) {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
   return {.metric = "none: the explanation has no finite values on these records",
           .before = kNothing,
-          .after = kNothing,
+          .after = std::numeric_limits<double>::infinity(),
           .records = sources_of(data)};
 }
 

@@ -52,8 +52,8 @@ struct HeldOutRecords {
 /// states. What the measurement adds itself (a skew between channels) counts as part of the
 /// augmented model. The noise floor is the same for the measurement noise alone, as the records
 /// show it. Outliers of the measurement are left out. Windows in which a model has no finite
-/// solution are left out and counted; where none is left, or the explanation itself has no
-/// finite values on the records, the numbers are not finite.
+/// solution are left out and counted; where none is left the numbers are not finite. Where the
+/// explanation itself has no finite values on the records, `after` is infinite.
 Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
                 const HeldOutRecords& held_out, const RunContext& context);
 
