@@ -116,7 +116,7 @@ TEST(DegenerateRecords, EquationsThatAreEmptyRepeatedOrConstantGoThroughEveryJou
 }
 
 /// The verdict on a record, with its own last quarter held out.
-Diagnosis diagnosed(const char* text, const Dataset& data) {
+Diagnosis answer_to(const char* text, const Dataset& data) {
   const OdeModel model = parse_ode(text, "made");
   return diagnose(model, model_view(model, data, FiniteDifferences{}), {}, few_effects(),
                   RunContext{});
@@ -125,7 +125,7 @@ Diagnosis diagnosed(const char* text, const Dataset& data) {
 TEST(DegenerateRecords, AConstantHiddenBiasIsEstimated) {
   Dataset data = two_stages(800, 0.01, 5);
   for (Trajectory& record : data.trajectories) record.inputs.array() -= 0.4;
-  const Diagnosis found = diagnosed(kModels[5], data);
+  const Diagnosis found = answer_to(kModels[5], data);
   EXPECT_EQ(found.verdict, Verdict::NoDiscrepancy) << "u is 0.4 more than it says: that is b";
   EXPECT_TRUE(found.effects.empty());
 }
@@ -136,10 +136,10 @@ TEST(DegenerateRecords, ADelayOfTheModelIsTakenAsItIs) {
   Trajectory& record = data.trajectories[0];
   const Vector u = record.inputs.col(0);
   record.inputs.col(0).head(794) = u.tail(794);
-  const Diagnosis complete = diagnosed(kModels[6], data);
+  const Diagnosis complete = answer_to(kModels[6], data);
   EXPECT_EQ(complete.verdict, Verdict::NoDiscrepancy);
   const Diagnosis without =
-      diagnosed("input u\nstate x\nstate y\ndx/dt = -x + u\ndy/dt = x - y\n", data);
+      answer_to("input u\nstate x\nstate y\ndx/dt = -x + u\ndy/dt = x - y\n", data);
   ASSERT_FALSE(without.effects.empty());
   EXPECT_EQ(without.effects[0].name, "delay");
   const OdeModel& augmented = without.augmented;
@@ -153,7 +153,7 @@ TEST(DegenerateRecords, AChannelThatNeverMovesIsNoReasonToRefuse) {
   for (const double value : {0.0, 0.1, 1e6}) {
     Dataset data = two_stages(400, 0.01, 7);
     data.trajectories[0].states.col(1).setConstant(value);
-    const Diagnosis found = diagnosed(text, data);
+    const Diagnosis found = answer_to(text, data);
     EXPECT_TRUE(found.effects.empty()) << value;
     ASSERT_TRUE(found.gap.has_value()) << value;
     EXPECT_TRUE(std::isfinite(found.gap->before)) << value;
@@ -213,7 +213,7 @@ TEST(DegenerateRecords, WhateverIsDrawnGetsAnAnswerOrARefusal) {
     const char* const text = kModels[static_cast<std::size_t>(draw) % std::size(kModels)];
     SCOPED_TRACE(std::to_string(draw) + "\n" + text);
     const OdeModel model = parse_ode(text, "made");
-    answered += answers([&] { expect_finite(diagnosed(text, data).augmented); });
+    answered += answers([&] { expect_finite(answer_to(text, data).augmented); });
     answered += answers([&] {
       expect_finite(fit(parse_ode_system(text, "made"),
                         model_view(model, data, FiniteDifferences{}), {}, {.restarts = 1})
@@ -231,14 +231,14 @@ TEST(DegenerateRecords, ALastQuarterWithoutMotionIsSaid) {
   Dataset data = two_stages(400, 0.0, 8);
   data.trajectories[0].states.bottomRows(120).rowwise() =
       data.trajectories[0].states.row(279).eval();
-  const Diagnosis found = diagnosed(kModels[4], data);
+  const Diagnosis found = answer_to(kModels[4], data);
   EXPECT_FALSE(found.gap.has_value());
   EXPECT_THAT(found.notes, ::testing::Contains(::testing::HasSubstr("last quarter")));
 }
 
 TEST(DegenerateRecords, ADelayLongerThanHalfOfARecordIsRefused) {
   const char* const late = "input u\nstate x\nstate y\ndx/dt = -x + delay(u, 9)\ndy/dt = x\n";
-  testing::expect_error<DataError>([&] { diagnosed(late, two_stages(400, 0.01, 8)); }, "made",
+  testing::expect_error<DataError>([&] { answer_to(late, two_stages(400, 0.01, 8)); }, "made",
                                    "a delay of 9", "longer records");
 }
 
