@@ -35,17 +35,17 @@ TEST(NumberRange, OrdinarySizesAreFine) {
 
 TEST(NumberRange, SizesAndStepsBeyondItAreRefusedWithTheRemedy) {
   for (const double scale : {1e-200, 1e200})
-    expect_error<DataError>([&] { check_number_range(record(scale, 0.0)); },
-                            {"r.csv, column x", "range of numbers",
-                             scale > 1.0 ? "divide by 1e200" : "divide by 1e-200"});
+    expect_error<DataError>([&] { check_number_range(record(scale, 0.0)); }, "r.csv, column x",
+                            "range of numbers",
+                            scale > 1.0 ? "divide by 1e200" : "divide by 1e-200");
   for (const double step : {1e-100, 1e100})
-    expect_error<DataError>([&] { check_number_range(record(1.0, 0.0, step)); },
-                            {"time", "range of numbers"});
+    expect_error<DataError>([&] { check_number_range(record(1.0, 0.0, step)); }, "r.csv, time",
+                            "range of numbers", "another unit");
 }
 
 TEST(NumberRange, ChangesBelowTheResolutionAreRefusedWithTheOffset) {
-  expect_error<DataError>([] { check_number_range(record(1.0, 1e12)); },
-                          {"column x", "of their size", "subtract the offset (999999999999"});
+  expect_error<DataError>([] { check_number_range(record(1.0, 1e12)); }, "r.csv, column x",
+                          "of their size", "subtract the offset (999999999999");
   Dataset flat = record(1.0, 1e12);
   flat.trajectories[0].states.setConstant(1e12);
   EXPECT_NO_THROW(check_number_range(flat)) << "a constant has no change to resolve";
@@ -57,7 +57,8 @@ TEST(NumberRange, InputsCountAndMissingValuesDoNot) {
   EXPECT_NO_THROW(check_number_range(data));
   data.inputs = {{"u", ""}};
   data.trajectories[0].inputs = Matrix::Constant(kSamples, 1, 1e300);
-  expect_error<DataError>([&] { check_number_range(data); }, {"column u"});
+  expect_error<DataError>([&] { check_number_range(data); }, "r.csv, column u",
+                          "range of numbers", "divide by 1e300");
 }
 
 }  // namespace
