@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -92,6 +93,40 @@ TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
   ASSERT_EQ(thin.equation.terms.size(), 1u);
   EXPECT_EQ(thin.equation.terms[0].name(), "x");
   EXPECT_EQ(thin.equation.forms.size(), 1u);
+}
+
+/// What is left without the member that costs least, the last one apart: each is tried.
+double least_without_one(const FormProblem& problem, const EquationForms& all) {
+  EquationForms fewer = all;
+  fewer.terms.clear();
+  double least = problem.left(fewer);
+  for (std::size_t i = 0; i + 1 < all.forms.size(); ++i) {
+    fewer = all;
+    fewer.forms.erase(fewer.forms.begin() + static_cast<std::ptrdiff_t>(i));
+    least = std::min(least, problem.left(fewer));
+  }
+  return least;
+}
+
+TEST(FormProblem, ThinnedDropsWhatCostsLeast) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const std::vector<std::string> pool{"x^2",     "x^3",      "exp(x)",
+                                      "sqrt(x)", "sin(3*x)", "cos(2*x)"};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t last = 0; last < 6; ++last) {
+        if (last == i || last == j) continue;
+        const MissingForm form{form_of_x(pool[last]), Vector()};
+        EquationForms few{0,
+                          {problem.linear_terms()[0]},
+                          {{form_of_x(pool[i]), Vector()}, {form_of_x(pool[j]), Vector()}}};
+        EquationForms all = few;
+        all.forms.push_back(form);
+        const double limit = least_without_one(problem, all) * (1.0 + 1e-6);
+        const Trial thin = problem.thinned(few, form, {limit, 0.0, 2});
+        EXPECT_LT(thin.equation.terms.size() + thin.equation.forms.size(), 4u)
+            << pool[i] << ", " << pool[j] << ", " << pool[last];
+      }
 }
 
 TEST(FormProblem, ChoosesTheTermsThatAFormNeeds) {
