@@ -26,7 +26,7 @@ test_of() {
     [ "$folder" != "${folder%/*}" ] || return 0
     folder=${folder%/*}
   done
-  echo "unit_${folder##*/}"
+  echo "unit_${folder//\//_}"
 }
 
 mapfile -t tests < <(touched_folders | while IFS= read -r folder; do test_of "$folder"; done | sort -u)
