@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "integration/program.hpp"
+#include "lacuna/core/base/text.hpp"
 #include "support/consistency.hpp"
 #include "support/schemas.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lacuna/core/base/error.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lacuna/core/base/error.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {
