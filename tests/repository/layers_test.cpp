@@ -97,6 +97,7 @@ TEST(Layers, WhatPointsUpOrBetweenTheJourneysIsFound) {
 }
 
 TEST(Layers, AWingHasAtMostEightChildren) {
+  ASSERT_FALSE(kFloors.empty());
   const std::filesystem::path root = LACUNA_SOURCE_DIR;
   for (const std::string place : {"src", "include/lacuna"})
     for (const auto& floor : kFloors)
