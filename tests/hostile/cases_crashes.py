@@ -50,10 +50,12 @@ def record_cases():
     model = {"m.ode": MODELS["delay"].encode(), "p.ode": MODELS["one-empty"].encode()}
     for name, value in still.items():
         files = {**model, "r.csv": record(y=constant(value))}
-        yield Case("still %s: diagnose" % name, "diagnose --model p.ode r.csv --json -", 0,
-                   '"verdict":', files)
+        status, said = (2, "range of numbers") if name == "tiny" else (0, None)
+        yield Case("still %s: diagnose" % name, "diagnose --model p.ode r.csv --json -", status,
+                   said or '"verdict":', files)
         yield Case("still %s: check" % name, "check r.csv", 0, "y", files)
-        yield Case("still %s: sync" % name, "sync p.ode r.csv", 0, "Synchronisation", files)
+        yield Case("still %s: sync" % name, "sync p.ode r.csv", status,
+                   said or "Synchronisation", files)
     for name in ["zero", "tenth"]:
         files = {**model, "r.csv": record(x=constant(still[name]), y=constant(still[name]))}
         yield Case("all still %s" % name, "diagnose --model p.ode r.csv", 2, "nothing moves", files)

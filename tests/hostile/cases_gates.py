@@ -56,7 +56,7 @@ def value_cases():
         yield case("simulate --hold " + value,
                    "simulate d.json --x0 1,0 --t-end 1 --dt .1 --input-data u.csv --hold=" + value,
                    2, "--hold")
-    for value, part in {"x": "--map", "=x": "name of a column", "x=": "no column ''", "''": "--map",
+    for value, part in {"x": "--map", "=x": "NAME=COLUMN", "x=": "no column ''", "''": "--map",
                         "x=none": "no column 'none'", "x=99": "no column '99'",
                         "x=-1": "no column '-1'"}.items():
         yield case("fit --map " + value, "%s --map=%s" % (FIT, value), 2, part)

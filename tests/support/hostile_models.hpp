@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/random.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
@@ -40,6 +41,14 @@ inline std::string hostile_text(Random& random) {
     if (random.below(40) == 0) text.append(300, 'a');
   }
   return text;
+}
+
+/// A hostile text as far as models take it for a unit.
+inline std::string hostile_unit(Random& random) {
+  const std::string text = hostile_text(random);
+  if (!unit_fault(text)) return text;
+  const std::string cleaned = cleaned_unit(text);
+  return unit_fault(cleaned) ? "V" : cleaned;
 }
 
 /// Words of all languages, names that differ little, long ones, any other.
@@ -134,7 +143,7 @@ inline Expression hostile_formula(const std::vector<std::string>& names, int dep
 inline std::vector<Quantity> hostile_quantities(const std::vector<std::string>& names,
                                                 Random& random) {
   std::vector<Quantity> quantities;
-  for (const std::string& name : names) quantities.push_back({name, hostile_text(random)});
+  for (const std::string& name : names) quantities.push_back({name, hostile_unit(random)});
   return quantities;
 }
 
@@ -158,10 +167,10 @@ inline OdeModel hostile_model(Random& random) {
     }
   }
   const OdeModel model(hostile_quantities(states, random), hostile_quantities(inputs, random),
-                       equations, hostile_text(random));
+                       equations, hostile_unit(random));
   std::vector<Output> channels;
   for (const std::string& name : outputs)
-    channels.push_back({name, hostile_text(random), hostile_formula(names, 2, random)});
+    channels.push_back({name, hostile_unit(random), hostile_formula(names, 2, random)});
   return model.with_outputs(channels);
 }
 

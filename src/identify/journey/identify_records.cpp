@@ -48,16 +48,20 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
   return Verification{std::move(sync), std::move(verdict), std::string(method.name)};
 }
 
+/// @throws DataError where they are none of the model's, or those that it was identified from.
+std::optional<Dataset> held_out_records(const IdentificationTask& task, const OdeModel& model,
+                                        const Dataset& data) {
+  if (!task.held_out) return std::nullopt;
+  Dataset records = task.held_out(model);
+  records.rate_of = data.rate_of;
+  check_are_others(data, records);
+  return records;
+}
+
 /// Judges a model on samples that it was not fitted to, and looks for what else the data hold.
 /// @throws DataError where they are too few for that.
-void judge_model(const IdentificationTask& task, IdentificationResult& found,
-                 const Dataset& data, const RunContext& context) {
-  std::optional<Dataset> held_out;
-  if (task.held_out) {
-    held_out = task.held_out(found.model);
-    held_out->rate_of = data.rate_of;
-    check_are_others(data, *held_out);
-  }
+void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out,
+                 IdentificationResult& found, const Dataset& data, const RunContext& context) {
   Validation validation = validate({found, data, task.pipeline, std::move(held_out)},
                                    task.options.validation, context);
   const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
@@ -89,8 +93,9 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
   const bool is_map = result.model.is_map();
   const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
   warn_of_records(task, result, data);
+  std::optional<Dataset> held_out = held_out_records(task, result.model, data);
   try {
-    judge_model(task, result, data, alone);
+    judge_model(task, std::move(held_out), result, data, alone);
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not validated: ") + error.what());
   }

@@ -93,8 +93,11 @@ Json validation_to_json(const Validation& validation) {
 }
 
 Json relation_to_json(const Relation& relation) {
+  // The first, to which the others are relative, has no error, and neither have exact ones.
   const auto term_to_json = [](const RelationTerm& term) {
-    return Json{{"term", term.term}, {"coefficient", term.coefficient}, {"stderr", term.error}};
+    Json json{{"term", term.term}, {"coefficient", term.coefficient}, {"stderr", nullptr}};
+    if (term.error > 0.0) json["stderr"] = term.error;
+    return json;
   };
   return {{"terms", list_to_json(relation.terms, term_to_json)},
           {"value", relation.value},
