@@ -119,7 +119,7 @@ def number_cases():
     files = {"r.csv": decay}
     for name, model, part in [
         ("range", b"param k = 0.1 in 0..0.1001\ndx/dt = -k*x\n", "k"),
-        ("in odd units", b"param k = 0.1\nparam b = 1\ndx/dt = -k*x + 1e-30*b\n", "correlated"),
+        ("nothing", b"param k = 0.1\nparam b = 1\ndx/dt = -k*x + 1e-30*b\n", "not determined"),
         ("nothing, tiny", b"param b = 1\ndx/dt = -0.1*x + 1e-20*b*x\n", "not determined"),
         ("product", b"param a = 0.2\nparam b = 0.5\ndx/dt = -a*b*x\n", "Not identifiable"),
         ("hidden", b"param k = 0.1\ndx/dt = -k*x\ndz/dt = -z\n", "cannot be told"),

@@ -49,7 +49,7 @@ constexpr std::array<Range, 19> kUnitCharacters{{{0x20, 0x5A},
 bool is_unit_character(char32_t c) {
   const auto range =
       std::lower_bound(kUnitCharacters.begin(), kUnitCharacters.end(), c,
-                       [](const Range& range, char32_t wanted) { return range.last < wanted; });
+                       [](const Range& one, char32_t wanted) { return one.last < wanted; });
   return range != kUnitCharacters.end() && range->first <= c;
 }
 

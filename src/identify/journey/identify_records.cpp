@@ -52,7 +52,7 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
 std::optional<Dataset> held_out_records(const IdentificationTask& task, const OdeModel& model,
                                         const Dataset& data) {
   if (!task.held_out) return std::nullopt;
-  Dataset records = task.held_out(model);
+  Dataset records = with_input_columns(task.held_out(model));
   records.rate_of = data.rate_of;
   check_are_others(data, records);
   return records;

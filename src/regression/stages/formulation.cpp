@@ -138,7 +138,8 @@ std::optional<Vector> Formulation::target_noise(const Dataset& data,
 Stage<Formulation> fitted_to(const Stage<Formulation>& form, const Dataset& data,
                              const std::optional<Vector>& noise) {
   check_form(data);
-  if (noise && noise->size() != data.state_count())
+  // The samples of a map show no noise: none is known of any state.
+  if (noise && noise->size() > 0 && noise->size() != data.state_count())
     throw ArgumentError("formulation", "the noise is not one number per state",
                         "give one standard deviation for each state");
   auto fitted = form->do_fit(data, noise);

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// How many times its own size, as given or found, the deviation of a number is at most: of one
-/// beyond no more is known than before.
+/// How many times its own size the deviation of a number is at most: of one beyond no more is
+/// known than before. Its size is what was given, or what was found where that differs from 0.
 constexpr double kToldOf = 100.0;
 
 std::vector<std::string> global_names(const FitEngine& engine, const FitUnknowns& unknowns) {
@@ -159,8 +159,10 @@ void add_untold_numbers(const FitEngine& engine, const FitUnknowns& unknowns,
   const Vector given = engine.model.values();
   for (Index i = 0; i < values.size(); ++i) {
     const auto place = static_cast<std::size_t>(i);
-    const double size = std::max(std::abs(values[i]), std::abs(given[unknowns.global[place]]));
     const double deviation = std::sqrt(errors.covariance(i, i));
+    const double start = std::abs(given[unknowns.global[place]]), found = std::abs(values[i]);
+    const bool is_zero = found <= 2.0 * deviation && start > 0.0;
+    const double size = is_zero ? start : std::max(found, start);
     if (!errors.known[place] || deviation <= kToldOf * size) continue;
     errors.known[place] = false;
     errors.combinations.push_back(

@@ -21,7 +21,7 @@
 namespace lacuna {
 namespace {
 
-const std::filesystem::path kSamples = LACUNA_SOURCE_DIR "/tests/unit/data/samples";
+const std::filesystem::path kSamples = LACUNA_SOURCE_DIR "/tests/unit/data/formats/samples";
 
 double time_at(Index i) { return 0.02 * static_cast<double>(i); }
 

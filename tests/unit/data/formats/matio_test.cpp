@@ -18,7 +18,7 @@
 namespace lacuna {
 namespace {
 
-const std::filesystem::path kMatSamples = LACUNA_SOURCE_DIR "/tests/unit/data/samples";
+const std::filesystem::path kMatSamples = LACUNA_SOURCE_DIR "/tests/unit/data/formats/samples";
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

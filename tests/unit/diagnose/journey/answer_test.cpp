@@ -17,7 +17,7 @@ Gap gap(double before, double after) {
   return made;
 }
 
-class Answer : public testing::Test {
+class Answer : public ::testing::Test {
  protected:
   /// The account that names a form in dv/dt, with structure of a significance left.
   Account account(const std::string& form, double left = 0.0) const {

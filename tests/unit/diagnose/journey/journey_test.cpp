@@ -45,7 +45,7 @@ class Claims final : public Configured<Hypothesis, HypothesisOptions<Info>> {
   std::string precedence_;
 };
 
-class Journey : public testing::Test {
+class Journey : public ::testing::Test {
  protected:
   Judged judged(Phase phase, const std::vector<Stage<Hypothesis>>& hypotheses) {
     const Problem problem{nominal_, records_, options_, context_};

@@ -20,7 +20,7 @@ Gap gap_of(double after, double above) {
   return made;
 }
 
-class Reservations : public testing::Test {
+class Reservations : public ::testing::Test {
  protected:
   Account account(const FittedEffect& effect) const {
     Account made = asked_.bare();

@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-const Vector kTime{{0.0, 0.1, 0.3, 0.4, 0.5, 0.7, 0.8}};
+const Vector kNodeTime{{0.0, 0.1, 0.3, 0.4, 0.5, 0.7, 0.8}};
 
 TEST(NodeTimes, DivideEachInterval) {
   const Vector nodes = node_times(Vector{{0.0, 1.0, 3.0}}, 4);
@@ -20,8 +20,8 @@ TEST(NodeTimes, DivideEachInterval) {
 
 TEST(NodeSlots, HoldTheSamplesAndACubicBetween) {
   Matrix values(7, 2);
-  values << kTime.array().cube(), Vector::Random(7);
-  const Matrix slots = node_slots(kTime, values, 2);
+  values << kNodeTime.array().cube(), Vector::Random(7);
+  const Matrix slots = node_slots(kNodeTime, values, 2);
   ASSERT_EQ(slots.rows(), 13);
   ASSERT_EQ(slots.cols(), 3);
   const Vector at_samples = slots.col(1)(Eigen::seq(0, 12, 2));
@@ -32,14 +32,14 @@ TEST(NodeSlots, HoldTheSamplesAndACubicBetween) {
 
 TEST(NodeSlots, GoOnBetweenSamplesAsTold) {
   const Matrix values = Vector::LinSpaced(7, 0.0, 6.0).array().square();
-  EXPECT_EQ(node_slots(kTime, values, 2, Interpolation::Held)(5, 0), 4.0);
-  EXPECT_DOUBLE_EQ(node_slots(kTime, values, 2, Interpolation::Linear)(5, 0), 6.5);
+  EXPECT_EQ(node_slots(kNodeTime, values, 2, Interpolation::Held)(5, 0), 4.0);
+  EXPECT_DOUBLE_EQ(node_slots(kNodeTime, values, 2, Interpolation::Linear)(5, 0), 6.5);
 }
 
 TEST(DelayedSlots, AreWhatWasBefore) {
   Matrix values(7, 1);
-  values << kTime.array().square();
-  const Matrix slots = node_slots(kTime, values, 4);
+  values << kNodeTime.array().square();
+  const Matrix slots = node_slots(kNodeTime, values, 4);
   const Matrix past = delayed_slots(slots, 4, {{0, 0.15}});
   ASSERT_EQ(past.cols(), 1);
   for (Index i = 0; i < slots.rows(); ++i) {
@@ -49,27 +49,28 @@ TEST(DelayedSlots, AreWhatWasBefore) {
 }
 
 TEST(StepGrid, IsThatOfNodesWhileNothingJumps) {
-  const Matrix values = kTime.array().cube();
+  const Matrix values = kNodeTime.array().cube();
   const StepGrid grid = step_grid({Interpolation::Cubic});
-  EXPECT_EQ(step_slots(kTime, values, grid), node_slots(kTime, values, 2));
+  EXPECT_EQ(step_slots(kNodeTime, values, grid), node_slots(kNodeTime, values, 2));
 }
 
 TEST(StepGrid, AHeldSignalJumpsBetweenTheEndOfAStepAndTheNextBegin) {
-  Matrix values(kTime.size(), 2);
-  values << Vector::LinSpaced(kTime.size(), 1.0, static_cast<double>(kTime.size())), kTime;
+  Matrix values(kNodeTime.size(), 2);
+  values << Vector::LinSpaced(kNodeTime.size(), 1.0, static_cast<double>(kNodeTime.size())),
+      kNodeTime;
   const StepGrid grid = step_grid({Interpolation::Held, Interpolation::Linear});
   ASSERT_EQ(grid.stride, 3);
-  const Matrix slots = step_slots(kTime, values, grid);
-  ASSERT_EQ(slots.rows(), 3 * (kTime.size() - 1) + 1);
-  for (Index i = 0; i + 1 < kTime.size(); ++i) {
-    const double h = kTime[i + 1] - kTime[i];
+  const Matrix slots = step_slots(kNodeTime, values, grid);
+  ASSERT_EQ(slots.rows(), 3 * (kNodeTime.size() - 1) + 1);
+  for (Index i = 0; i + 1 < kNodeTime.size(); ++i) {
+    const double h = kNodeTime[i + 1] - kNodeTime[i];
     EXPECT_EQ(slots(grid.begin(i), 0), static_cast<double>(i + 1));
     EXPECT_EQ(slots(grid.middle(i), 0), static_cast<double>(i + 1));
     EXPECT_EQ(slots(grid.end(i), 0), static_cast<double>(i + 1));
-    EXPECT_NEAR(slots(grid.middle(i), 1), kTime[i] + 0.5 * h, 1e-15);
-    EXPECT_EQ(slots(grid.end(i), 2), kTime[i + 1]);
+    EXPECT_NEAR(slots(grid.middle(i), 1), kNodeTime[i] + 0.5 * h, 1e-15);
+    EXPECT_EQ(slots(grid.end(i), 2), kNodeTime[i + 1]);
   }
-  EXPECT_EQ(slots(slots.rows() - 1, 0), static_cast<double>(kTime.size()));
+  EXPECT_EQ(slots(slots.rows() - 1, 0), static_cast<double>(kNodeTime.size()));
 }
 
 /// The integral over a step by Simpson's rule is that of the delayed steps.

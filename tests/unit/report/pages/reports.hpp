@@ -50,6 +50,7 @@ inline IdentificationReport sample_report() {
        .value = 0.11,
        .threshold = 0.12,
        .step = 3}};
+  result.adequacy = {Adequate::Yes, {}};
   result.warnings = {"be careful"};
   return {std::move(result), algorithm1(), R"({"preset":"algorithm1"})", sample_sync()};
 }
