@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/random.hpp"
@@ -227,21 +229,26 @@ TEST(Diagnose, PolynomialsFillWhatNamedEffectsLeaveWhenAsked) {
   EXPECT_LT(filled.gap->after, 1.2 * filled.gap->noise_floor);
 }
 
+/// A record in pieces of 15 samples, with two missing between them.
+Dataset in_pieces(Dataset whole) {
+  const Trajectory record = std::exchange(whole.trajectories, {}).front();
+  for (Index first = 0; first + 15 <= record.samples(); first += 17)
+    whole.trajectories.push_back(
+        {"made, record " + std::to_string(whole.trajectories.size() + 1),
+         record.time.segment(first, 15),
+         record.states.middleRows(first, 15),
+         record.inputs.middleRows(first, 15),
+         {}});
+  return whole;
+}
+
 TEST(Diagnose, ShortGapsAreBridged) {
-  const Dataset whole = support::hidden_record(support::dry_friction, 0.01);
-  Dataset cut = whole;
-  cut.trajectories.clear();
-  const Trajectory& record = whole.trajectories.front();
-  for (Index first = 0; first + 15 <= record.samples(); first += 17) {  // two samples missing
-    cut.trajectories.push_back({"made, record " + std::to_string(cut.trajectories.size() + 1),
-                                record.time.segment(first, 15),
-                                record.states.middleRows(first, 15),
-                                record.inputs.middleRows(first, 15),
-                                {}});
-  }
+  const Dataset cut = in_pieces(support::hidden_record(support::dry_friction, 0.01));
+  const Dataset other = in_pieces(support::hidden_record(support::dry_friction, 0.01, 4));
   DiagnosisOptions options;
   options.effects = support::own_effects();
-  const Diagnosis diagnosis = diagnose(support::oscillator(), cut, cut, options, RunContext{});
+  const Diagnosis diagnosis =
+      diagnose(support::oscillator(), cut, other, options, RunContext{});
   EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_NEAR(diagnosis.effects[0].coefficient, -0.3, 0.02);
