@@ -87,7 +87,8 @@ TEST(Program, EquationsHaveLibrariesOfTheirOwn) {
                 .status,
             0);
   EXPECT_EQ(read_model(model).coefficient(1, "y"), -1.5);
-  expect_program_error(identify + " --fix 'x: y = 1' --fix 'x: y = 2'", 2, {"contradict"});
+  expect_program_error(identify + " --fix 'x: y = 1' --fix 'x: y = 2'", 2,
+                       {"given twice", "x: y = 1"});
   expect_program_error(identify + " --fix 'x: y'", 2, {"constraints[0]", "="});
   expect_program_error(identify + " --equation 'q: x'", 2, {"equation q", "x, y, z"});
   expect_program_error(identify + " --equation x", 2, {"colon"});

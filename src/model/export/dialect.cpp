@@ -83,8 +83,11 @@ class Printer {
     return dialect_.scalar + "(" + print(e.operands()[0]).text + ")";
   }
 
+  /// A power of 1/2 is the root, as in compiled models: they differ at minus infinity.
   Printed power(const Expression& e) const {
     const Expression& exponent = e.operands()[1];
+    if (exponent.operation() == Operation::Number && exponent.value() == 0.5)
+      return call(Expression::make(Operation::Sqrt, {e.operands()[0]}));
     if (dialect_.power)
       return {dialect_.power(print(e.operands()[0]).text, print(exponent).text, exponent),
               kAtom};
