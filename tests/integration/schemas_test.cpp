@@ -83,7 +83,7 @@ TEST_F(Schemas, DescribeFitsSynchronisationsComparisonsAndChecks) {
                 "input u\nparam g = 8 in 1..20\nparam b = 0.1\n"
                 "dth/dt = w\ndw/dt = -g*sin(th) - b*w + u\ninitial w = 0 fixed\n");
   expect_conforms("fit", "fit " + path("fit.ode") + " " + path("free.csv") + " --holdout " +
-                             path("free.csv"));
+                             path("rough.csv"));
   expect_conforms("sync", "sync " + path("m.ode") + " " + path("free.csv"));
   expect_conforms("comparison", "compare " + path("free.csv") + " " + path("free.csv"));
   expect_conforms("check", "check " + path("free.csv") + " --model " + path("m.ode"));

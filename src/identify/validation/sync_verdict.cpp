@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/trajectories/smoother/window_gap.hpp"
 
@@ -219,8 +220,11 @@ void SyncVerdictOptions::describe(OptionVisitor& v) {
 }
 
 std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix& coupling) {
+  const auto m = static_cast<Index>(states.size());
+  check_argument(coupling.rows() == m && coupling.cols() == m, "stronger_coupling",
+                 "the coupling is no matrix of states by states");
   std::vector<std::string> parts;
-  for (Index k = 0; k < coupling.rows(); ++k)
+  for (Index k = 0; k < m; ++k)
     if (coupling(k, k) != 0.0)
       parts.push_back(states[static_cast<std::size_t>(k)].name + "=" +
                       format_number(2.0 * coupling(k, k), 3));

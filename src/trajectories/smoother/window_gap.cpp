@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
@@ -134,6 +135,13 @@ WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples
 }
 
 Vector column_deviations(const std::vector<Matrix>& blocks) {
+  Index rows = 0;
+  for (const Matrix& block : blocks) {
+    check_argument(block.cols() == blocks.front().cols(), "column_deviations",
+                   "blocks have other numbers of columns");
+    rows += block.rows();
+  }
+  check_argument(rows > 0, "column_deviations", "there is no row");
   Vector sum = Vector::Zero(blocks.front().cols());
   double count = 0.0;
   for (const Matrix& block : blocks) {

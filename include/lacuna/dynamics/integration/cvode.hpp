@@ -16,7 +16,7 @@ struct CvodeOptions {
   static constexpr StageInfo kInfo{
       "cvode", "CVODE of SUNDIALS: implicit, for stiff models, order 1 to 5, adaptive step.",
       "Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363"};
-  double relative_tolerance = 1e-10;
+  double relative_tolerance = 1e-11;
   double absolute_tolerance = 1e-12;    ///< in the units of the states
   std::optional<double> max_step = {};  ///< time units
   int max_steps = 100000;               ///< per sampling interval; more is StepTooSmall
@@ -36,7 +36,8 @@ class Cvode final : public Configured<Integrator, CvodeOptions> {
 
   int order() const override { return 5; }
 
-  /// @throws ConfigError when built without SUNDIALS.
+  /// @throws ConfigError when built without SUNDIALS; ArgumentError for no state or more than
+  ///   the dense Jacobian has room for.
   std::unique_ptr<Stepper> make_stepper(Index dimension) const override;
 };
 

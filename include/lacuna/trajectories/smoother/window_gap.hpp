@@ -66,6 +66,7 @@ Index window_samples(const Assimilation& fit);
 double window_gap(const Assimilation& fit);
 
 /// Standard deviation of each column over several blocks of rows.
+/// @throws ArgumentError when they have no row or differ in their columns.
 Vector column_deviations(const std::vector<Matrix>& blocks);
 
 /// The same, and 0 for a column that does not move: by it nothing can be measured.

@@ -77,7 +77,7 @@ TEST(Dialect, GuardsPowersAndQuotients) {
   dialect.real = "real";
   dialect.scalar = "number";
   EXPECT_EQ(code(parse_expression("x^2+x^0.5+2^x+x/2"), dialect),
-            "x^2 + real(x^0.5) + real(2^x) + x/2");
+            "x^2 + sqrt(x) + real(2^x) + x/2");
   EXPECT_EQ(code(parse_expression("x*(1/0)+(-8)^2"), dialect),
             "x*(number(1)/0) + number(-8)^2");
 }
