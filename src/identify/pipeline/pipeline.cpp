@@ -284,6 +284,33 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   return outcomes;
 }
 
+/// Whether the derivatives of some state are farther from a model than from 0, so that no model
+/// says more of it. Twice as far, for a model has noise in its terms too.
+bool is_worse_than_none(const IdentificationResult& result) {
+  return std::any_of(result.fit.begin(), result.fit.end(), [](const EquationFit& fit) {
+    return !fit.identity && !(fit.residual_rms <= 2.0 * fit.target_rms);
+  });
+}
+
+/// Fits a result to the trajectories, where that leads to a model that explains more than none.
+void refine_result(const Run& run, IdentificationResult& result) {
+  IdentificationResult refined = result;
+  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, refined,
+                    run.context.alone())) {
+    measure_residuals(run, refined);
+    if (!is_worse_than_none(refined)) {
+      result = std::move(refined);
+      return;
+    }
+    result.warnings.push_back(
+        "not refined on the trajectories: rates of what that leads to are farther from the "
+        "derivatives than 0 is");
+  } else {
+    result.warnings = std::move(refined.warnings);
+  }
+  judge_fits(result);
+}
+
 IdentificationResult run_equations(const Run& run) {
   std::vector<EquationOutcome> outcomes = fit_equations(run);
   std::vector<Equation> equations;
@@ -305,11 +332,7 @@ IdentificationResult run_equations(const Run& run) {
   if (!run.libraries.constraints.empty()) measure_residuals(run, result);
   note_noise_floors(run, result);
   if (!run.context.leads()) return result;
-  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, result,
-                    run.context.alone()))
-    measure_residuals(run, result);
-  else
-    judge_fits(result);
+  refine_result(run, result);
   result.adequacy = adequacy_of_equations(result.fit);
   return result;
 }
