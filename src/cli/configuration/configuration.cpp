@@ -261,7 +261,7 @@ void Configuration::merge_file(const std::string& path) {
 }
 
 void Configuration::set(std::string_view assignment) {
-  constexpr std::size_t kShown = 60;
+  constexpr std::size_t kShown = 60;  // letters of an option that a message repeats
   const std::string source = "--set " + std::string(assignment.substr(0, kShown)) +
                              (assignment.size() > kShown ? "..." : "");
   if (!is_utf8(assignment))

@@ -103,7 +103,7 @@ Handle inside_the_file() {
 /// What the value of a soft or external link says.
 std::string target_of(const Handle& group, const char* link, std::size_t size,
                       const std::string& source) {
-  constexpr std::size_t kLongest = std::size_t{1} << 16U;
+  constexpr std::size_t kLongest = std::size_t{1} << 16U;  // bytes; a longer path is damage
   std::string value(std::min(size, kLongest), '\0');
   if (size > kLongest ||
       H5Lget_val(group.get(), link, value.data(), value.size(), H5P_DEFAULT) < 0)

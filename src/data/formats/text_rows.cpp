@@ -142,7 +142,7 @@ class RowReader {
 
   /// "1,001", not "0,001" or "1,01".
   static bool may_be_thousands(std::string_view field) {
-    constexpr std::size_t kThousands = 3;
+    constexpr std::size_t kThousands = 3;  // a fact of writing: digits of a group
     const std::size_t begin = field.find_first_not_of("+-"), comma = field.find(',');
     return field.size() - comma - 1 == kThousands && field[begin] != '0' &&
            comma - begin <= kThousands;

@@ -12,6 +12,7 @@
 namespace lacuna {
 namespace {
 
+// Facts of doubles, which end at 1e308 and 16 digits; the header says what is made of values.
 constexpr double kLargest = 1e40;
 constexpr double kLeastChange = 1e-9;
 

@@ -93,7 +93,7 @@ struct NumberedRows {
                   "give every line the number of its record");
 }
 
-/// Numbers of records are told apart as whole doubles.
+/// Numbers of records are compared as whole doubles.
 void check_numbers(const Rows& rows) {
   constexpr double kLargestExact = 9007199254740992.0;  // 2^53, a fact of doubles
   if (!rows.columns.trajectory) return;

@@ -10,7 +10,7 @@
 namespace lacuna {
 
 /// Reads a formula of a model. Delays may have parameters in them, which parse_expression()
-/// does not take where it is told the names. @throws ModelError as parse_expression(), and for
+/// does not take where the names are given. @throws ModelError as parse_expression(), and for
 /// a delay that depends on a state or on t.
 Expression parse_known(std::string_view text, const VariableIndex& variables);
 

@@ -38,13 +38,14 @@ std::string headline_of(const Fit& fit) {
   if (!fit.converged) return "The fit did not converge.";
   switch (fit.adequacy.fits) {
     case Adequate::Yes:
-      return "The numbers are fitted, and what is left is noise.";
+      return "The parameters are estimated, and the residuals are noise.";
     case Adequate::No:
-      return "The numbers are fitted; the model leaves structure in the records.";
+      return "The parameters are estimated; the residuals have structure.";
     case Adequate::Untold:
       break;
   }
-  return "The numbers are fitted; whether what is left is noise the records do not tell.";
+  return "The parameters are estimated; the samples are too few to show whether the residuals "
+         "are noise.";
 }
 
 }  // namespace

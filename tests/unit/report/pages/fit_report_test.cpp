@@ -101,7 +101,7 @@ TEST(FitReport, TheHeadlineIsMadeOfTheAdequacy) {
   Fit fit = example();
   EXPECT_THAT(fit_page(fit).headline, HasSubstr("leaves structure"));
   fit.adequacy = adequacy_of({{"y", Adequate::Yes, 200, true}});
-  EXPECT_THAT(fit_page(fit).headline, HasSubstr("what is left is noise"));
+  EXPECT_THAT(fit_page(fit).headline, HasSubstr("the residuals are noise"));
   EXPECT_EQ(fit_page(fit).tone, Tone::Good);
   fit.adequacy = {};
   EXPECT_THAT(fit_page(fit).headline, HasSubstr("do not tell"));
