@@ -4,13 +4,14 @@
 
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/model/equations/written_model.hpp"
+#include "lacuna/model/expressions/functions.hpp"
 
 int main() {
   using namespace lacuna;
-  const Variables pendulum{{"th", "w"}, {}};
-  const auto term = [&](const char* text) { return Term::parse(text, pendulum); };
-  const OdeModel model({{"th", "rad"}, {"w", "rad/s"}}, {},
-                       {{{term("w"), 1.0}}, {{term("sin(th)"), -19.62}, {term("w"), -0.15}}});
+  const auto th = Expression::variable("th"), w = Expression::variable("w");
+  const OdeModel model =
+      written_model({{"th", "rad"}, {"w", "rad/s"}}, {w, -19.62 * sin(th) - 0.15 * w});
 
   const Vector start = Eigen::Vector2d(2.0, 0.0);
   const Solution orbit = simulate(model, Dopri5{}, start, sample_times(0.0, 0.01, 1001));

@@ -6,11 +6,10 @@
 
 int main() {
   using namespace lacuna;
-  const Variables names{{"th", "w"}, {}};
-  const auto term = [&](const char* text) { return Term::parse(text, names); };
-  const OdeModel nominal({{"th", "rad"}, {"w", "rad/s"}}, {},
-                         {{{term("w"), 1.0}}, {{term("sin(th)"), -9.81}, {term("w"), -0.1}}});
-  const OdeModel bench = nominal.with_term(1, {term("sign(w)"), -0.15});
+  const auto th = Expression::variable("th"), w = Expression::variable("w");
+  const std::vector<Quantity> states{{"th", "rad"}, {"w", "rad/s"}};
+  const OdeModel nominal = written_model(states, {w, -9.81 * sin(th) - 0.1 * w});
+  const OdeModel bench = written_model(states, {w, -9.81 * sin(th) - 0.1 * w - 0.15 * sign(w)});
 
   const Solution swing =
       simulate(bench, Rk4{}, Vector{{1.5, 0.0}}, sample_times(0.0, 0.01, 2001));
@@ -19,12 +18,5 @@ int main() {
   measured.trajectories.resize(1);
   measured.trajectories[0].time = swing.time;
   measured.trajectories[0].states = swing.states.rowwise().reverse();
-  measured = add_relative_noise(measured, 0.01, 1);
-
-  const Registry registry = default_registry();
-  const auto differentiator = registry.make<Differentiator>("finite-differences");
-  const Dataset record = model_view(nominal, measured, *differentiator);
-  DiagnosisOptions options;
-  options.effects = registry.make_all<Effect>();
-  std::cout << format_text(diagnose(nominal, record, {}, options, RunContext{}));
+  std::cout << format_text(diagnose(nominal, add_relative_noise(measured, 0.01, 1)));
 }

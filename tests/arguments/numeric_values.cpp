@@ -24,18 +24,6 @@ All<WeightFunction> Choices<WeightFunction>::all() {
            false}};
 }
 
-All<TriangularProblem> Choices<TriangularProblem>::all() {
-  return {{"4", {triangle().topLeftCorner(4, 4), triangle().col(4).head(4), 0.5}},
-          {"nothing", {}},
-          {"mismatched", {Matrix::Identity(2, 2), Vector::Ones(3), 0.0}}};
-}
-
-All<SubsetProblem> Choices<SubsetProblem>::all() {
-  return {{"4", subset_problem(triangle())},
-          {"nothing", {}},
-          {"mismatched", {Matrix::Identity(2, 2), Vector::Ones(4)}}};
-}
-
 All<L1Problem> Choices<L1Problem>::all() {
   const Matrix r = triangle().topLeftCorner(4, 4);
   const Vector c = triangle().col(4).head(4), ones = Vector::Ones(4);
@@ -49,46 +37,9 @@ All<ElasticPenalty> Choices<ElasticPenalty>::all() {
   return {{"0.1", {0.1, 0.1}}, {"-1", {-1.0, -1.0}}, {"nan", {kNan, 0.0}, false}};
 }
 
-All<ForwardLimits> Choices<ForwardLimits>::all() {
-  return {{"none", {}}, {"1", {{1}, 2, 0.0}},        {"-1", {{-1}, 0, 0.0}},
-          {"7", {{7}}}, {"negative", {{}, -5, 0.0}}, {"nan", {{}, 0, kNan}, false}};
-}
-
-All<LagrangeWindow> Choices<LagrangeWindow>::all() {
-  return {{"4", {}},        {"0", {0, 0}},       {"-1", {-1, 0}},
-          {"far", {4, 70}}, {"before", {4, -7}}, {"1000", {1000, 3}}};
-}
-
-All<LagrangeInterpolant> Choices<LagrangeInterpolant>::all() {
-  static const Trajectory kRecord = record();
-  return {{"a record", LagrangeInterpolant(kRecord.time, kRecord.states, {})}};
-}
-
 All<SampledSignal> Choices<SampledSignal>::all() {
   return {{"a record", SampledSignal(record().time, record().states.col(0))},
           {"one sample", SampledSignal(Vector::Zero(1), Vector::Ones(1))}};
-}
-
-All<Qr> Choices<Qr>::all() { return {{"40 x 2", Qr(record().states)}}; }
-
-All<PivotedQr> Choices<PivotedQr>::all() { return {{"40 x 2", PivotedQr(record().states)}}; }
-
-All<Polynomial> Choices<Polynomial>::all() {
-  Polynomial p;
-  p.add({1, 2}, {1.0});
-  p.add({0, 1}, {2.0});
-  return {{"x y^2 + 2 y", p}, {"0", {}}};
-}
-
-All<StencilRule> Choices<StencilRule>::all() {
-  const auto weights = [](const Vector& nodes, double at) {
-    return interpolation_weights(nodes, at, 1);
-  };
-  return {{"central", {"central", 1, 1, 3, weights}},
-          {"no width", {"none", 1, 0, 0, weights}},
-          {"negative", {"none", 1, -1, -1, weights}},
-          {"narrow", {"narrow", 1, 4, 3, weights}},
-          {"no function", {"empty", 1, 1, 3, {}}}};
 }
 
 All<RightHandSide> Choices<RightHandSide>::all() {
@@ -111,13 +62,6 @@ All<LinearisedRecord> Choices<LinearisedRecord>::all() {
            linearise(oscillator(), record(), record().states, Vector::Constant(2, 1e-3))}};
 }
 
-All<StepGrid> Choices<StepGrid>::all() {
-  return {{"2", {}},
-          {"3", {3, {Interpolation::Held, Interpolation::Cubic}}},
-          {"0", {0, {}}},
-          {"-1", {-1, {}}}};
-}
-
 All<DelayedVariable> Choices<DelayedVariable>::all() {
   return {{"q", {0, 0.1}},
           {"7", {7, 0.1}},
@@ -128,18 +72,6 @@ All<DelayedVariable> Choices<DelayedVariable>::all() {
 
 All<StepSize> Choices<StepSize>::all() {
   return {{"2", {2, 1}}, {"0", {0, 0}}, {"-1", {-1, -1}}, {"7", {7, 1}}};
-}
-
-All<Projection> Choices<Projection>::all() {
-  return {{"integrals", integral_projection(record(), 4, 2)}, {"nothing", {}}};
-}
-
-All<TestFunction> Choices<TestFunction>::all() {
-  return {{"1", {}},
-          {"0", {0.0, 2}},
-          {"-1", {-1.0, -1}},
-          {"nan", {kNan, 2}, false},
-          {"far", {1e9, 2}}};
 }
 
 All<ConstrainedCoefficient> Choices<ConstrainedCoefficient>::all() {
@@ -187,53 +119,12 @@ All<SaidCoefficient> Choices<SaidCoefficient>::all() {
           {"nan", {1, "q", kNan, kNan}, false}};
 }
 
-All<Window> Choices<Window>::all() {
-  return {{"20", {0, 20, 20}}, {"none", {0, 0, 0}}, {"far", {30, 20, 20}}, {"-1", {-1, 5, 5}}};
-}
-
-All<ErrorGrowth> Choices<ErrorGrowth>::all() {
-  return {{"1", {Matrix::Ones(40, 1), 1}},
-          {"nothing", {}},
-          {"mismatched", {Matrix::Ones(3, 2), 2}},
-          {"nan", {Matrix::Constant(40, 1, kNan), 1}, false}};
-}
-
-All<WindowLimits> Choices<WindowLimits>::all() {
-  return {{"default", {}},
-          {"none", {0.0, 0.0, 0, 0}},
-          {"negative", {-1.0, -1.0, -3, -3}},
-          {"nan", {kNan, kNan, 2, 2}, false}};
-}
-
-All<Scale> Choices<Scale>::all() {
-  return {{"0 .. 1", {}},
-          {"1 .. 1", {1.0, 1.0}},
-          {"turned", {1.0, 0.0}},
-          {"logarithm of 0", {0.0, 1.0, true}},
-          {"huge", {-kHuge, kHuge}, false},
-          {"nan", {kNan, kNan}, false}};
-}
-
-All<Random> Choices<Random>::all() { return {{"1", Random(1)}}; }
-
 All<Program> Choices<Program>::all() {
   const std::vector<Expression> outputs = {parse_expression("q*v"), parse_expression("F+1")};
   return {{"two", Program(outputs, variables())}};
 }
 
 All<Program::Workspace> Choices<Program::Workspace>::all() { return {{"new", {}}}; }
-
-All<LyapunovOptions> Choices<LyapunovOptions>::all() {
-  return {{"short", {0.1, 1.0, 5.0}},
-          {"none", {0.0, 0.0, 0.0}},
-          {"-1", {-1.0, -1.0, -1.0}},
-          {"tiny", {1e-300, 1.0, 5.0}},
-          {"nan", {kNan, 1.0, 5.0}, false}};
-}
-
-All<PredictionOptions> Choices<PredictionOptions>::all() {
-  return {{"default", {}}, {"none", {0.4, 0}}, {"-1", {-1.0, -1}}, {"nan", {kNan, 20}, false}};
-}
 
 All<SyncOptions> Choices<SyncOptions>::all() {
   SyncOptions coupling, start, nan;

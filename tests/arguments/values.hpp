@@ -5,26 +5,7 @@
 #include <limits>
 
 #include "arguments/hand.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/numerics/forward_order.hpp"
-#include "lacuna/core/numerics/lagrange.hpp"
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/data/derivatives/stencil.hpp"
-#include "lacuna/diagnose/hints/hints.hpp"
-#include "lacuna/dynamics/attractor/lyapunov.hpp"
-#include "lacuna/dynamics/attractor/prediction_time.hpp"
-#include "lacuna/identify/hidden_state/polynomial.hpp"
 #include "lacuna/lacuna.hpp"
-#include "lacuna/regression/formulations/projection.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
-#include "lacuna/regression/stages/coefficient_constraint.hpp"
-#include "lacuna/regression/stages/l1_solver.hpp"
-#include "lacuna/report/plot/scale.hpp"
-#include "lacuna/solvers/elastic_net.hpp"
-#include "lacuna/trajectories/sensitivities/linearised_record.hpp"
-#include "lacuna/trajectories/sensitivities/record_steps.hpp"
-#include "lacuna/trajectories/shooting/windows.hpp"
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna::arguments {
 
@@ -136,27 +117,15 @@ LACUNA_CHOICES(LeastSquaresSystem)
 LACUNA_CHOICES(Subproblem)
 LACUNA_CHOICES(Factor)
 LACUNA_CHOICES(WeightFunction)
-LACUNA_CHOICES(TriangularProblem)
-LACUNA_CHOICES(SubsetProblem)
 LACUNA_CHOICES(L1Problem)
 LACUNA_CHOICES(ElasticPenalty)
-LACUNA_CHOICES(ForwardLimits)
-LACUNA_CHOICES(LagrangeWindow)
-LACUNA_CHOICES(LagrangeInterpolant)
 LACUNA_CHOICES(SampledSignal)
-LACUNA_CHOICES(Qr)
-LACUNA_CHOICES(PivotedQr)
-LACUNA_CHOICES(Polynomial)
-LACUNA_CHOICES(StencilRule)
 LACUNA_CHOICES(RightHandSide)
 LACUNA_CHOICES(DrivenModel)
 LACUNA_CHOICES(ButcherTableau)
 LACUNA_CHOICES(LinearisedRecord)
-LACUNA_CHOICES(StepGrid)
 LACUNA_CHOICES(DelayedVariable)
 LACUNA_CHOICES(StepSize)
-LACUNA_CHOICES(Projection)
-LACUNA_CHOICES(TestFunction)
 LACUNA_CHOICES(ConstrainedCoefficient)
 LACUNA_CHOICES(CoefficientConstraint)
 LACUNA_CHOICES(CoefficientPlaces)
@@ -165,15 +134,8 @@ LACUNA_CHOICES(EmbeddingOrder)
 LACUNA_CHOICES(Limits)
 LACUNA_CHOICES(BoundRecords)
 LACUNA_CHOICES(SaidCoefficient)
-LACUNA_CHOICES(Window)
-LACUNA_CHOICES(ErrorGrowth)
-LACUNA_CHOICES(WindowLimits)
-LACUNA_CHOICES(Scale)
-LACUNA_CHOICES(Random)
 LACUNA_CHOICES(Program)
 LACUNA_CHOICES(Program::Workspace)
-LACUNA_CHOICES(LyapunovOptions)
-LACUNA_CHOICES(PredictionOptions)
 LACUNA_CHOICES(SyncOptions)
 LACUNA_CHOICES(SyncResult)
 LACUNA_CHOICES(SpectralLine)

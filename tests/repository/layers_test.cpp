@@ -13,16 +13,15 @@ namespace lacuna::repository {
 namespace {
 
 /// The wings from the ground up: each may include itself and what lies on floors below it.
-const std::vector<std::set<std::string>> kFloors = {
-    {"core"},
-    {"data"},
-    {"model"},
-    {"records"},
-    {"dynamics", "regression", "forms"},
-    {"trajectories"},
-    {"identify", "diagnose"},
-    {"report"},
-    {"cli"}};
+const std::vector<std::set<std::string>> kFloors = {{"core"},
+                                                    {"data"},
+                                                    {"model"},
+                                                    {"records"},
+                                                    {"dynamics", "regression", "forms"},
+                                                    {"trajectories"},
+                                                    {"identify", "diagnose"},
+                                                    {"report"},
+                                                    {"cli"}};
 
 /// The floor of a wing. @throws std::out_of_range where there is none of that name
 std::size_t floor_of(const std::string& wing) {
@@ -40,8 +39,8 @@ const std::set<std::string> kConcrete = {
     "regression/formulations", "data/derivatives", "bases",
     "regression/filters",      "solvers",          "regression/pruners"};
 
-/// The header of all that most programs need, which belongs to no layer.
-const std::filesystem::path kUmbrella = "include/lacuna/lacuna.hpp";
+/// Whether a header stands above all wings or below them: lacuna/lacuna.hpp, version.hpp.
+bool has_no_wing(const std::string& header) { return header.find('/') == std::string::npos; }
 
 /// "linear/factor" from `#include "lacuna/regression/linear/factor.hpp"`, and from
 /// "linear/factor.hpp" where src/ has that header; empty for other lines.
@@ -74,10 +73,10 @@ TEST(Layers, IncludesPointDownwards) {
   std::size_t edges = 0;
   ASSERT_FALSE(sources_below(kFolders).empty());
   for (const SourceFile& file : sources_below(kFolders)) {
-    if (file.path == kUmbrella) continue;
+    if (file.path.parent_path() == "include/lacuna") continue;
     for (const std::string& line : file.lines) {
       const std::string header = included_header(line);
-      if (header.empty()) continue;
+      if (header.empty() || has_no_wing(header)) continue;
       ++edges;
       EXPECT_TRUE(may_include(wing_of(file.path), wing_of("src/" + header)))
           << file.path << " must not include " << header;
@@ -131,8 +130,8 @@ std::string header_of(std::filesystem::path path) {
 
 TEST(Layers, NoConcreteStageIncludesAnother) {
   std::set<std::string> stage_headers;
-  for (const SourceFile& file : sources_below("include")) {
-    if (!kConcrete.contains(folder_of(file.path))) continue;
+  for (const SourceFile& file : sources_below(kFolders)) {
+    if (!kConcrete.contains(folder_of(file.path)) || file.path.extension() != ".hpp") continue;
     for (const std::string& line : file.lines)
       if (line.find("public Configured<") != std::string::npos)
         stage_headers.insert(header_of(file.path));
@@ -149,6 +148,74 @@ TEST(Layers, NoConcreteStageIncludesAnother) {
       EXPECT_EQ(header, own) << file.path;
     }
   }
+}
+
+/// What a public header includes: "lacuna/version.hpp" of `#include "lacuna/version.hpp"`.
+std::set<std::string> included_by(const SourceFile& file) {
+  const std::string start = "#include \"";
+  std::set<std::string> headers;
+  for (const std::string& line : file.lines)
+    if (line.rfind(start, 0) == 0)
+      headers.insert(line.substr(start.size(), line.rfind('"') - start.size()));
+  return headers;
+}
+
+TEST(PublicHeaders, IncludePublicOnesOnly) {
+  const std::filesystem::path root = LACUNA_SOURCE_DIR;
+  std::size_t found = 0;
+  for (const SourceFile& file : sources_below("include"))
+    for (const std::string& header : included_by(file)) {
+      ++found;
+      EXPECT_TRUE(std::filesystem::exists(root / "include" / header))
+          << file.path << " includes " << header;
+    }
+  EXPECT_GT(found, 200u);
+}
+
+TEST(PublicHeaders, AreAllInTheOneHeader) {
+  const std::filesystem::path root = std::filesystem::path(LACUNA_SOURCE_DIR) / "include";
+  std::set<std::string> known = {"lacuna/lacuna.hpp"};
+  for (std::vector<std::string> next = {"lacuna/lacuna.hpp"}; !next.empty();) {
+    const SourceFile file{next.back(), read_lines(root / next.back())};
+    next.pop_back();
+    for (const std::string& header : included_by(file))
+      if (known.insert(header).second) next.push_back(header);
+  }
+  ASSERT_FALSE(sources_below("include").empty());
+  for (const SourceFile& file : sources_below("include"))
+    EXPECT_TRUE(known.contains(file.path.lexically_relative("include").string()))
+        << "lacuna/lacuna.hpp does not lead to " << file.path;
+}
+
+TEST(PublicHeaders, StagesAreAllInTheHeaderOfStages) {
+  const std::filesystem::path root = std::filesystem::path(LACUNA_SOURCE_DIR) / "include";
+  const auto stages = included_by({"", read_lines(root / "lacuna/stages.hpp")});
+  std::size_t found = 0;
+  for (const SourceFile& file : sources_below("include")) {
+    const std::string folder = folder_of(file.path);
+    if (!kConcrete.contains(folder) && folder != "trajectories/refiners") continue;
+    for (const std::string& line : file.lines)
+      if (line.rfind("class ", 0) == 0 &&
+          line.find("public Configured<") != std::string::npos) {
+        ++found;
+        EXPECT_TRUE(stages.contains(file.path.lexically_relative("include").string()))
+            << file.path;
+      }
+  }
+  EXPECT_GT(found, 25u);
+}
+
+TEST(PublicHeaders, SayTheVersionOfTheProject) {
+  const std::filesystem::path root = LACUNA_SOURCE_DIR;
+  std::string version;
+  for (const std::string& line : read_lines(root / "CMakeLists.txt"))
+    if (const auto at = line.find("project(lacuna VERSION "); at == 0)
+      version = line.substr(23, line.find(' ', 23) - 23);
+  ASSERT_FALSE(version.empty());
+  int said = 0;
+  for (const std::string& line : read_lines(root / "include/lacuna/version.hpp"))
+    said += line.find("kVersion = \"" + version + "\"") != std::string::npos;
+  EXPECT_EQ(said, 1) << version;
 }
 
 TEST(Layers, PublicHeadersNeedOnlyEigenAndTheStandardLibrary) {

@@ -33,6 +33,35 @@ TEST(Readme, HasAtMost800Words) {
   EXPECT_LE(count, 800);
 }
 
+/// Lines that are not empty of each C++ program on the page.
+std::vector<std::vector<std::string>> programs() {
+  std::vector<std::vector<std::string>> found;
+  bool open = false;
+  for (const std::string& line : read_lines(kReadmeRoot / "README.md")) {
+    if (line == "```cpp") found.emplace_back();
+    if (line.rfind("```", 0) == 0)
+      open = line == "```cpp";
+    else if (open && !line.empty())
+      found.back().push_back(line);
+  }
+  return found;
+}
+
+TEST(Readme, ProgramsAreShortWithOneHeaderOfTheLibrary) {
+  const auto found = programs();
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_LE(found[0].size(), 25u);
+  EXPECT_LE(found[1].size(), 12u);
+  for (const auto& program : found) {
+    int headers = 0;
+    for (const std::string& line : program) {
+      headers += line.rfind("#include <lacuna/", 0) == 0;
+      EXPECT_LE(line.size(), 102u) << line;
+    }
+    EXPECT_EQ(headers, 1);
+  }
+}
+
 TEST(Readme, LinksLeadSomewhere) {
   for (const std::string page : {"README.md", "docs/tutorial.md", "docs/reports.md"}) {
     const auto folder = (kReadmeRoot / page).parent_path();

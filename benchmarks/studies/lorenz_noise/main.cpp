@@ -10,14 +10,14 @@
 #include <span>
 #include <vector>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "support/accuracy.hpp"
+#include "lacuna/model/equations/compare_models.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
 

@@ -9,17 +9,17 @@
 #include <iostream>
 #include <vector>
 
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/model/equations/compare_models.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/trajectories/refiners/no_refiner.hpp"
-#include "support/accuracy.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

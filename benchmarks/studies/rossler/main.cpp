@@ -7,13 +7,13 @@
 #include <iostream>
 
 #include "cases.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/equations/compare_models.hpp"
 #include "report.hpp"
-#include "support/accuracy.hpp"
 #include "support/settings.hpp"
 
 namespace lacuna::benchmarks {

@@ -10,12 +10,12 @@
 #include <span>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/model/equations/compare_models.hpp"
 #include "lacuna/regression/pruners/minor_terms.hpp"
 #include "lacuna/trajectories/refiners/trajectory_selection.hpp"
 #include "records.hpp"
-#include "support/accuracy.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"

@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "core/base/text.hpp"
+#include "identify/validation/validate.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/identify/validation/validate.hpp"
+#include "lacuna/model/equations/compare_models.hpp"
 #include "records.hpp"
-#include "support/accuracy.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

@@ -25,15 +25,16 @@ Expression formula(const Scope& scope, std::string_view pattern,
 /// A candidate without shape parameters.
 Candidate plain_candidate(const Expression& form, const Expression& argument);
 
-/// A candidate with one shape parameter. Starting points outside its range move to the end of
-/// it.
+/// A candidate with one shape parameter.
+/// @param starts each of one entry; those outside its range move to the end of it.
 Candidate shaped_candidate(const Expression& form, const Expression& argument,
                            const ShapeParameter& shape, std::vector<Vector> starts);
 
-/// Values low, ..., high in equal ratios, as starting points of one shape parameter.
+/// Values low, ..., high in equal ratios, as starting points (one entry each) of one shape
+/// parameter.
 std::vector<Vector> geometric_starts(double low, double high, int count);
 
-/// The given values as starting points of one shape parameter.
+/// The given values as starting points (one entry each) of one shape parameter.
 std::vector<Vector> starts_at(const std::vector<double>& values);
 
 /// What takes over the action of a place x through play of half width gap: clip(follower-x,

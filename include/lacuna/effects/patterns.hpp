@@ -35,9 +35,11 @@ struct Bend {
 /// x-a*tanh(x/a); nothing for other forms.
 std::optional<Bend> bend_of(const FittedForm& fitted);
 
-/// Whether nothing is left of the slope inside, or outside: what is left is less than its
-/// uncertainty (NamingOptions::equal_slopes, standard_errors).
+/// Whether nothing is left of the slope inside: what is left is less than its uncertainty
+/// (NamingOptions::equal_slopes, standard_errors).
 bool is_flat_inside(const Bend& bend, const NamingOptions& options);
+
+/// Whether nothing is left of the slope outside, as is_flat_inside().
 bool is_flat_outside(const Bend& bend, const NamingOptions& options);
 
 /// Whether the coefficient is a part of that of the argument as it is fitted, or the whole.

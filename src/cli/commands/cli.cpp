@@ -9,9 +9,10 @@
 #include <stdexcept>
 
 #include "command.hpp"
+#include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "interrupt.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "lacuna/version.hpp"
 #include "memory_limit.hpp"
 
 namespace lacuna {
@@ -46,7 +47,7 @@ void describe_program(CLI::App& app) {
   app.footer(
       "Each command has its own --help. Exit status: 0 done; 1 the numbers do not allow "
       "an answer; 2 bad arguments, configuration or data; 130 interrupted.");
-  app.set_version_flag("--version", "lacuna " LACUNA_VERSION);
+  app.set_version_flag("--version", "lacuna " + std::string(kVersion));
   app.require_subcommand(1);
 }
 

@@ -7,18 +7,19 @@
 #include <utility>
 
 #include "answer.hpp"
+#include "core/base/text.hpp"
 #include "data/records/number_range.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
 #include "output_channels.hpp"
 #include "records/binding/other_records.hpp"
 #include "smoothed_records.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
 #include "trajectories/smoother/unknown_past.hpp"
 
 namespace lacuna {
@@ -183,18 +184,26 @@ std::vector<Hint> hints_on(const OdeModel& nominal, const Records& records,
   return {};
 }
 
+/// Records whose columns are those of the model as they are, others in its variables.
+Dataset in_variables_of(const OdeModel& model, const Dataset& records) {
+  return is_view(model, records) ? with_input_columns(records)
+                                 : model_view(model, records, FiniteDifferences{});
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
   if (withheld_by(hints) != Withheld::Nothing) return {};
-  return options.hypotheses.empty() ? standard_hypotheses() : in_order(options.hypotheses);
+  return in_order(options.hypotheses);
 }
 
 }  // namespace
 
-Diagnosis diagnose(const OdeModel& model, const Dataset& data, const Dataset& held_out,
+Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset& other,
                    const DiagnosisOptions& options, const RunContext& context) {
   check_flow(model, "diagnose");
+  const Dataset data = in_variables_of(model, measured);
+  const Dataset held_out = other.trajectories.empty() ? other : in_variables_of(model, other);
   const OdeModel nominal = with_output_channels(model, data);
   check_is_view(nominal, data);
   if (!held_out.trajectories.empty()) check_is_view(nominal, held_out);

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
+#include "trajectories/smoother/spectral_lines.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,9 +8,9 @@
 #include <functional>
 #include <utility>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "operations.hpp"
 
 namespace lacuna {
@@ -77,6 +77,8 @@ void collect_names(const Expression& expression, std::set<std::string>& names) {
 Expression::Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 
 Expression::Expression() : Expression(number(0.0)) {}
+
+Expression::Expression(double value) : Expression(number(value)) {}
 
 Expression Expression::number(double value) {
   if (!std::isfinite(value))

@@ -7,8 +7,8 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/records/binding/embedding.hpp"
-#include "lacuna/records/binding/time_unit.hpp"
 #include "model_columns.hpp"
+#include "records/binding/time_unit.hpp"
 
 namespace lacuna {
 namespace {
@@ -156,6 +156,16 @@ Dataset model_view(const OdeModel& model, const Dataset& record,
   const Dataset all =
       chains.empty() ? measured : with_derivatives_of(measured, chains, differentiator);
   return picked(all, columns_of(model, all), {channels, model.inputs()});
+}
+
+bool is_view(const OdeModel& model, const Dataset& data) {
+  const auto begins = [](const std::vector<Quantity>& there,
+                         const std::vector<Quantity>& wanted) {
+    return there.size() >= wanted.size() &&
+           std::equal(wanted.begin(), wanted.end(), there.begin(),
+                      [](const Quantity& a, const Quantity& b) { return a.name == b.name; });
+  };
+  return begins(data.states, model.states()) && begins(data.inputs, model.inputs());
 }
 
 void check_is_view(const OdeModel& model, const Dataset& data) {

@@ -8,6 +8,7 @@
 
 #include "assemble_projections.hpp"
 #include "lacuna/data/records/noise.hpp"
+#include "regression/formulations/test_functions.hpp"
 
 namespace lacuna {
 namespace {

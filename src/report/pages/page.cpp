@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/page.hpp"
+#include "report/pages/page.hpp"
 
 #include <set>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
+#include "lacuna/version.hpp"
 #include "page_parts.hpp"
 
 namespace lacuna {
@@ -74,7 +75,7 @@ std::string format_html(const Page& page) {
                 element("style", Markup::own(picture_style() + page_style()));
   Markup body = first_screen(page);
   for (const PageSection& section : page.sections) body += section_markup(section);
-  Markup foot = Markup::text("Made by lacuna " LACUNA_VERSION);
+  Markup foot = Markup::text("Made by lacuna " + std::string(kVersion));
   if (!page.command.empty())
     foot += Markup::text(" with ") + element("code", Markup::text(page.command));
   body = element("main", body) + element("footer", foot);

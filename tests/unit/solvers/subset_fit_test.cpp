@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../solvers/subset_fit.hpp"
+#include "solvers/subset_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@ namespace lacuna {
 /// said later wins over what was said before.
 class Configuration {
  public:
-  Configuration();
+  Configuration();  ///< nothing is asked for
   Configuration(const Configuration& other);
   Configuration& operator=(const Configuration& other);
   ~Configuration();

@@ -14,7 +14,7 @@ namespace lacuna {
 /// never exceptions.
 class Error : public std::runtime_error {
  public:
-  Error(std::string where, std::string problem, std::string remedy);
+  Error(std::string where, std::string problem, std::string remedy);  ///< parts may be empty
 
   /// The place: "record.csv:12:3", "$.regressor.threshold", "term 'x*q', column 3".
   const std::string& where() const noexcept { return where_; }

@@ -39,6 +39,7 @@ class OptionVisitor {
  public:
   virtual ~OptionVisitor() = default;
 
+  /// One field with its present value, which the visitor may change.
   virtual void field(const FieldInfo& info, double& value) = 0;
   virtual void field(const FieldInfo& info, int& value) = 0;
   virtual void field(const FieldInfo& info, bool& value) = 0;
@@ -47,7 +48,7 @@ class OptionVisitor {
   virtual void field(const FieldInfo& info, std::optional<int>& value) = 0;
   virtual void field(const FieldInfo& info, std::vector<std::string>& value) = 0;
 
-  /// An enumeration whose values 0, 1, ... have the given names.
+  /// An enumeration whose values 0, 1, ... have the given names, one for each.
   template <class Enum>
   requires std::is_enum_v<Enum>
   void field(const FieldInfo& info, std::span<const std::string_view> names, Enum& value) {
@@ -82,7 +83,7 @@ void check_range(std::string_view stage, const FieldInfo& info, double value);
 /// Visitor that checks the range of every number.
 class RangeCheck final : public OptionVisitor {
  public:
-  explicit RangeCheck(std::string_view stage) : stage_(stage) {}
+  explicit RangeCheck(std::string_view stage) : stage_(stage) {}  ///< its name, for messages
   void field(const FieldInfo& info, double& value) override;
   void field(const FieldInfo& info, int& value) override;
   void field(const FieldInfo&, bool&) override {}
@@ -110,6 +111,14 @@ Options checked(Options options) {
   return options;
 }
 
+/// Options of a stage that has none: `class Mine final : public Configured<Basis,
+/// NoOptions<kMine>>` with `inline constexpr StageInfo kMine{"mine", "...", "..."};`.
+template <const StageInfo& Info>
+struct NoOptions {
+  static constexpr const StageInfo& kInfo = Info;
+  void describe(OptionVisitor&) {}
+};
+
 /// Gives a concrete stage its name and options, so that it only writes its hook:
 /// `class Stlsq final : public Configured<Regressor, StlsqOptions>`.
 /// `Options` is an aggregate with `kInfo` and `describe` (see OptionVisitor).
@@ -121,7 +130,7 @@ class Configured : public Interface {
   /// @throws ConfigError when an option is out of its range.
   explicit Configured(Options options = {}) : options_(checked(std::move(options))) {}
 
-  const Options& options() const noexcept { return options_; }
+  const Options& options() const noexcept { return options_; }  ///< as they were given
   const StageInfo& info() const final { return Options::kInfo; }
 
   void visit_options(OptionVisitor& visitor) const final {

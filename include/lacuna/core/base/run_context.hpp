@@ -22,10 +22,10 @@ struct Progress {
 class Team {
  public:
   virtual ~Team() = default;
-  virtual int size() const = 0;
+  virtual int size() const = 0;  ///< members
   virtual int rank() const = 0;  ///< 0 leads: it goes on alone where nothing is divided
 
-  /// Gives everybody the numbers of one member; there are as many everywhere.
+  /// Gives everybody the k numbers of one member; there are as many everywhere.
   /// @throws DataError when a member has failed.
   virtual void share(std::span<double> numbers, int owner) const = 0;
 };

@@ -57,8 +57,8 @@ class Stage {
     if (!pointer_) throw ArgumentError(std::string(Interface::kKind), "no stage given", "");
   }
 
-  const Interface* operator->() const noexcept { return pointer_.get(); }
-  const Interface& operator*() const noexcept { return *pointer_; }
+  const Interface* operator->() const noexcept { return pointer_.get(); }  ///< the stage
+  const Interface& operator*() const noexcept { return *pointer_; }        ///< the stage
 
   /// The shared object, for code that handles stages of any kind.
   const std::shared_ptr<const Interface>& shared() const noexcept { return pointer_; }

@@ -20,6 +20,7 @@ enum class Interpolation : Index {
 struct SpanLine {
   double mean = 0.0, slope = 0.0;  ///< mean + slope (2 share - 1)
 
+  /// The value at a share (0..1) of the span.
   double at(double share) const noexcept { return mean + slope * (2.0 * share - 1.0); }
 };
 
@@ -67,7 +68,7 @@ class SampledSignal {
   /// its mean and, unless the line would leave the values of the signal, its first moment.
   SpanLine held_line(double from, double to);
 
-  const Vector& time() const noexcept { return time_; }
+  const Vector& time() const noexcept { return time_; }  ///< of the n samples
 
  private:
   Index first_of(Index interval) const {

@@ -43,8 +43,8 @@ struct Dataset {
   /// What the reader did that a user should know of: "split at line 812: value missing".
   std::vector<std::string> notes = {};
 
-  Index state_count() const noexcept { return static_cast<Index>(states.size()); }
-  Index input_count() const noexcept { return static_cast<Index>(inputs.size()); }
+  Index state_count() const noexcept { return static_cast<Index>(states.size()); }  ///< m
+  Index input_count() const noexcept { return static_cast<Index>(inputs.size()); }  ///< p
 
   /// Samples of all trajectories together.
   Index samples() const noexcept;

@@ -45,6 +45,7 @@ struct NamedEffect {
   Index tried = 1;  ///< candidates and shapes that it was the best of
   std::vector<Alternative> alternatives = {};
 
+  /// 95 % confidence interval of the coefficient.
   std::array<double, 2> ci95() const {
     return {coefficient - 1.96 * deviation, coefficient + 1.96 * deviation};
   }

@@ -40,7 +40,7 @@ class Hypothesis : public StageInterface {
     Residual,     ///< what is left when nothing more gets a name
   };
 
-  Phase phase() const { return do_phase(); }
+  Phase phase() const { return do_phase(); }  ///< when it is judged
 
   /// Among those of one phase the smaller number comes first; equal ones by name.
   int order() const { return do_order(); }
@@ -57,16 +57,6 @@ class Hypothesis : public StageInterface {
   virtual int do_order() const { return 0; }
   virtual Proposals do_propose(const Problem& problem, const Account& best) const = 0;
 };
-
-/// Options of a hypothesis that has none: `HypothesisOptions<kInfo>`.
-template <const StageInfo& Info>
-struct HypothesisOptions {
-  static constexpr const StageInfo& kInfo = Info;
-  void describe(OptionVisitor&) {}
-};
-
-/// The hypotheses of lacuna in the order in which they are judged.
-std::vector<Stage<Hypothesis>> standard_hypotheses();
 
 /// The given hypotheses in the order in which they are judged.
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses);

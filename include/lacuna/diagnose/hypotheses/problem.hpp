@@ -8,10 +8,9 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
-#include "lacuna/diagnose/candidates/fit_memory.hpp"
-#include "lacuna/diagnose/candidates/screening.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
 #include "lacuna/diagnose/criterion/options.hpp"
+#include "lacuna/effects/families.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/records/binding/bound_records.hpp"
 
@@ -19,22 +18,24 @@ namespace lacuna {
 
 class Hypothesis;
 
+/// The hypotheses of lacuna in the order in which they are judged.
+std::vector<Stage<Hypothesis>> standard_hypotheses();
+
 /// How a model is diagnosed.
 struct DiagnosisOptions {
-  std::vector<Stage<Effect>> effects = {};        ///< that are tried
-  std::vector<CoefficientPrior> tolerances = {};  ///< of nominal coefficients
-  std::vector<Stage<Hypothesis>> hypotheses =
-      {};                                      ///< that are judged; empty: the standard ones
+  std::vector<Stage<Effect>> effects = standard_effects();  ///< that are tried; empty: none
+  std::vector<CoefficientPrior> tolerances = {};            ///< of nominal coefficients
+  std::vector<Stage<Hypothesis>> hypotheses = standard_hypotheses();  ///< that are judged
   Stage<Criterion> criterion = ExtendedBic{};  ///< by which they are judged
   DecisionOptions decision = {};               ///< thresholds
   bool fill_gap = false;  ///< structure without a name gets a black-box residual function
 };
 
 /// What searches have come to, so that no other one does the same again.
-struct SearchMemory {
-  FitMemory fits = FitMemory();
-  ScreeningMemory screenings = {};
-};
+struct SearchMemory;
+
+/// A memory in which nothing is yet.
+std::shared_ptr<SearchMemory> new_search_memory();
 
 /// What a diagnosis is about. Everything outlives it.
 struct Problem {
@@ -42,7 +43,7 @@ struct Problem {
   const BoundRecords& records;  ///< to explain
   const DiagnosisOptions& options;
   const RunContext& context;
-  std::shared_ptr<SearchMemory> memory = std::make_shared<SearchMemory>();
+  std::shared_ptr<SearchMemory> memory = new_search_memory();
 };
 
 /// The same problem in another context: on one thread, for fits side by side.

@@ -15,12 +15,19 @@ namespace lacuna {
 /// Before that the records are looked at (look_at()): where a slip of units, signs or columns
 /// is the likelier cause, no effect is named, and where it keeps the model from the records the
 /// hint is all of the answer.
-/// @param data records to find effects in; their states and inputs are those of the model.
-///   Inputs behind those are columns that the model does not know.
+/// @code
+///   const OdeModel nominal = read_model("pendulum.ode");
+///   const Diagnosis found = diagnose(nominal, read_dataset({"run.csv"}));
+///   std::cout << format_text(found);
+/// @endcode
+/// @param nominal a flow of m states and p inputs.
+/// @param data records to find effects in, n x m and n x p, in their units. Where their first
+///   states and inputs are those of the model, inputs behind those are columns that it does not
+///   know; else they are put into its variables by name (model_view()).
 /// @param held_out records to gauge on; when empty the last quarter of each record in `data` is
 ///   kept back.
 /// @throws DataError, ArgumentError when the records do not fit the model; Cancelled.
-Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out,
-                   const DiagnosisOptions& options, const RunContext& context);
+Diagnosis diagnose(const OdeModel& nominal, const Dataset& data, const Dataset& held_out = {},
+                   const DiagnosisOptions& options = {}, const RunContext& context = {});
 
 }  // namespace lacuna

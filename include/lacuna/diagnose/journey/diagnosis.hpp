@@ -38,6 +38,7 @@ struct CoefficientChange {
   /// and its deviation is none.
   bool determined = true;
 
+  /// 95 % confidence interval of the estimate.
   std::array<double, 2> ci95() const {
     return {estimated - 1.96 * deviation, estimated + 1.96 * deviation};
   }

@@ -33,6 +33,7 @@ struct Gap {
   Index diverged = 0;  ///< windows in which a model has no finite solution; they do not count
   std::vector<GapRecord> runs = {};  ///< what the numbers are made of
 
+  /// after / before.
   double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }
 };
 

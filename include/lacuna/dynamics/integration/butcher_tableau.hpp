@@ -16,7 +16,7 @@ struct ButcherTableau {
   std::vector<double> weights;         ///< b, s entries
   std::vector<double> embedded;        ///< b of the second solution; empty without one
 
-  int stages() const noexcept { return static_cast<int>(nodes.size()); }
+  int stages() const noexcept { return static_cast<int>(nodes.size()); }  ///< s
 };
 
 /// The midpoint rule of order 2, two stages (Runge 1895).

@@ -69,7 +69,7 @@ class Integrator : public StageInterface {
   /// @throws ArgumentError for fewer than one state, or so many that there is no room.
   virtual std::unique_ptr<Stepper> make_stepper(Index dimension) const = 0;
 
-  /// The orbit through x0 at the given times (increasing; the first is the time of x0).
+  /// The orbit through x0 (m) at the n given times (increasing; the first is the time of x0).
   /// A state beyond 1e12 times the largest |x0| (at least 1e12) or not finite is divergence:
   /// reported in the result with time and state, never a silently short array.
   /// @throws ArgumentError when times do not increase or x0 is not finite.

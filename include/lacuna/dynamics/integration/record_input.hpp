@@ -29,7 +29,7 @@ class RecordInput {
   /// Writes the p inputs at time t; at a jump the value behind it.
   void operator()(double t, double* u);
 
-  /// Times at which an input jumps or bends: its samples, unless all inputs are smooth.
+  /// Times at which an input jumps or bends: its n samples, none when all inputs are smooth.
   Vector breaks() const;
 
  private:

@@ -25,6 +25,7 @@ struct DrivenModel {
 /// most a quarter of the shortest delay apart); before the first time they have the value x0.
 /// Delayed inputs are the signal at the earlier time. A map goes one step from each time to the
 /// next, by no integrator.
+/// @param x0 m entries. @param times n, increasing; @return states at them, n x m.
 /// @throws ArgumentError when x0 does not have m entries or inputs are missing.
 Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
                   const Vector& times, const RunContext& context = {});

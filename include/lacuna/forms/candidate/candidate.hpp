@@ -86,7 +86,7 @@ bool has_ranges(const Candidate& candidate);
 Expression bind_formula(const Candidate& candidate, const Expression& formula,
                         std::span<const double> values);
 
-/// bind_formula() of the form itself.
+/// bind_formula() of the form itself, with one value per shape parameter.
 Expression bind_form(const Candidate& candidate, std::span<const double> values);
 
 /// The candidate with other names for those of its memory states whose names are taken already.

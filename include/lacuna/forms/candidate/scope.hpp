@@ -10,10 +10,16 @@
 
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/forms/candidate/spectral_line.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
+
+/// A line in the spectrum of what a model leaves over in an equation.
+struct SpectralLine {
+  Index equation = 0;
+  double frequency = 0.0;  ///< per time unit
+  double phase = 0.0;      ///< of sin(2 pi frequency t + phase), rad
+};
 
 /// How one variable (or a formula of variables) is spread over the records.
 struct VariableRange {

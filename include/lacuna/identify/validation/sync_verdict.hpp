@@ -64,7 +64,7 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict);
 
 /// What to try where a slave does not follow: the option that couples twice as strongly what is
-/// coupled, "--coupling x=2,y=2, which is stronger".
+/// coupled (m x m), "--coupling x=2,y=2, which is stronger".
 /// @throws ArgumentError when the coupling is not as large as there are states.
 std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix& coupling);
 

@@ -59,13 +59,13 @@ class OdeModel {
   OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
            std::vector<Equation> equations, std::string time_unit = "s");
 
-  const std::vector<Quantity>& states() const noexcept { return states_; }
-  const std::vector<Quantity>& inputs() const noexcept { return inputs_; }
-  const std::vector<Equation>& equations() const noexcept { return equations_; }
-  const std::string& time_unit() const noexcept { return time_unit_; }
-  Index dimension() const noexcept { return static_cast<Index>(states_.size()); }
-  Evolution evolution() const noexcept { return evolution_; }
-  bool is_map() const noexcept { return evolution_ == Evolution::Map; }
+  const std::vector<Quantity>& states() const noexcept { return states_; }        ///< m
+  const std::vector<Quantity>& inputs() const noexcept { return inputs_; }        ///< p
+  const std::vector<Equation>& equations() const noexcept { return equations_; }  ///< m
+  const std::string& time_unit() const noexcept { return time_unit_; }  ///< "s", "1" for none
+  Index dimension() const noexcept { return static_cast<Index>(states_.size()); }  ///< m
+  Evolution evolution() const noexcept { return evolution_; }            ///< flow or map
+  bool is_map() const noexcept { return evolution_ == Evolution::Map; }  ///< or a flow
 
   /// Channels that are measured as formulas; a column with the name of a state measures it.
   const std::vector<Output>& outputs() const noexcept { return outputs_; }
@@ -136,10 +136,10 @@ std::vector<std::string> left_hand_sides(const std::vector<std::string>& states,
 /// first use). Cheap to copy; one per thread.
 class CompiledModel {
  public:
-  explicit CompiledModel(const OdeModel& model);
+  explicit CompiledModel(const OdeModel& model);  ///< as OdeModel::compile()
 
-  Index dimension() const noexcept { return dimension_; }
-  Index inputs() const noexcept { return input_count_; }
+  Index dimension() const noexcept { return dimension_; }  ///< m
+  Index inputs() const noexcept { return input_count_; }   ///< p
 
   /// Delayed variables whose values evaluate() needs, in order.
   const std::vector<DelayedVariable>& delays() const noexcept { return rate_.program.delays(); }

@@ -47,8 +47,13 @@ class ParametrisedModel {
   ParametrisedModel(OdeModel symbolic, std::vector<FreeCoefficient> coefficients,
                     std::vector<FreeShape> shapes = {});
 
+  /// The model in which shape parameters are inputs.
   const OdeModel& symbolic() const noexcept { return symbolic_; }
+
+  /// The coefficients that are free; they are the first parameters.
   const std::vector<FreeCoefficient>& coefficients() const noexcept { return coefficients_; }
+
+  /// The shape parameters, which follow them.
   const std::vector<FreeShape>& shapes() const noexcept { return shapes_; }
 
   Index size() const noexcept;  ///< P
@@ -65,10 +70,11 @@ class ParametrisedModel {
   /// The prior of each parameter, where there is one.
   std::vector<std::optional<Prior>> priors() const;
 
-  /// The values with shape parameters moved into their bounds.
+  /// The values (P) with shape parameters moved into their bounds.
   Vector admissible(Vector values) const;
 
-  /// The same parametrisation with other present values. @throws ArgumentError on a wrong size.
+  /// The same parametrisation with other present values (P).
+  /// @throws ArgumentError on a wrong size.
   ParametrisedModel with_values(const Vector& values) const;
 
   /// The plain model at the present values: shape parameters are numbers in its terms.

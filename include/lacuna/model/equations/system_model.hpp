@@ -33,8 +33,8 @@ class SystemModel {
   ///   a range that is upside down, and a unit that is none (unit_fault()).
   SystemModel(OdeModel symbolic, std::vector<Parameter> parameters = {});
 
-  const OdeModel& symbolic() const noexcept { return symbolic_; }
-  const std::vector<Parameter>& parameters() const noexcept { return parameters_; }
+  const OdeModel& symbolic() const noexcept { return symbolic_; }  ///< with their names
+  const std::vector<Parameter>& parameters() const noexcept { return parameters_; }  ///< all
 
   /// The inputs without the parameters.
   std::vector<Quantity> inputs() const;

@@ -28,14 +28,14 @@ class Term {
   /// Reads a term. @throws ModelError naming the column.
   static Term parse(std::string_view text, const Variables& variables);
 
-  /// The monomial with one exponent per variable, in slot order (time last).
+  /// The monomial with one entry per variable, its exponent, in slot order (time last).
   /// @throws ArgumentError when the number of exponents is not variables.count().
   static Term monomial(const std::vector<int>& exponents, const Variables& variables);
 
-  const std::string& name() const noexcept { return name_; }
-  const Expression& expression() const noexcept { return expression_; }
+  const std::string& name() const noexcept { return name_; }             ///< "x^2*y"
+  const Expression& expression() const noexcept { return expression_; }  ///< its formula
 
-  /// One exponent per variable (slot order) when the term is a monomial.
+  /// One entry per variable (slot order), its exponent, when the term is a monomial.
   std::optional<std::vector<int>> exponents() const;
 
   /// The slot of the variable that the term is, where it is one alone.
@@ -57,8 +57,8 @@ struct TermLibrary {
   Variables variables;
   std::vector<Term> terms;  ///< L, distinct
 
-  Index size() const noexcept { return static_cast<Index>(terms.size()); }
-  std::vector<std::string> names() const;
+  Index size() const noexcept { return static_cast<Index>(terms.size()); }  ///< L
+  std::vector<std::string> names() const;                                   ///< of the terms, L
 
   /// All L terms in one program.
   Program compile() const;

@@ -67,6 +67,9 @@ class Expression {
   /// The constant 0.
   Expression();
 
+  /// A constant, so that 2 * x is a formula. @throws ModelError when it is not finite.
+  Expression(double value);  // NOLINT(google-explicit-constructor): a number is a formula
+
   /// A constant. @throws ModelError when it is not finite.
   static Expression number(double value);
 
@@ -86,11 +89,12 @@ class Expression {
   /// the whole until they are bound.
   static Expression delayed(std::string name, const Expression& delay);
 
-  Operation operation() const noexcept;
+  Operation operation() const noexcept;      ///< of the outermost node
   double value() const noexcept;             ///< of a Number; the time of a bound Delay
   const std::string& name() const noexcept;  ///< of a Variable or a Delay
 
-  /// Of an operation; the time of a Delay that is not bound to a number is its only operand.
+  /// Of an operation, one for each of its arguments; the time of a Delay that is not bound to a
+  /// number is its only operand.
   std::span<const Expression> operands() const noexcept;
 
   /// Names of all variables, delayed ones too.
@@ -148,8 +152,9 @@ Expression delay(const Expression& expression, const Expression& time);
 /// Whether an operation stands anywhere in a formula.
 bool contains(const Expression& expression, Operation operation);
 
-/// Whether an expression is a number, or that number.
+/// Whether an expression is a number.
 inline bool is_number(const Expression& e) { return e.operation() == Operation::Number; }
+/// Whether an expression is that number.
 inline bool is_number(const Expression& e, double value) {
   return is_number(e) && e.value() == value;
 }

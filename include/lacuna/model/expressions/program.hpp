@@ -30,7 +30,7 @@ struct Variables {
 /// Variables that are found by their names, however many there are.
 class VariableIndex {
  public:
-  explicit VariableIndex(const Variables& variables);
+  explicit VariableIndex(const Variables& variables);  ///< m + p + 1 names
 
   /// The slot of a name, the first where it stands twice; nothing where it is no variable.
   std::optional<Index> find(const std::string& name) const;
@@ -69,11 +69,12 @@ class Program {
     std::vector<double*> targets;
   };
 
+  /// One value for each of the outputs.
   /// @throws ModelError naming a variable that is not in `variables`.
   Program(std::span<const Expression> outputs, const Variables& variables);
 
   Index slots() const noexcept { return slot_count_; }  ///< variables and delayed variables
-  Index outputs() const noexcept { return static_cast<Index>(outputs_.size()); }
+  Index outputs() const noexcept { return static_cast<Index>(outputs_.size()); }  ///< values
 
   /// Instructions that one evaluation takes.
   Index operations() const noexcept { return static_cast<Index>(instructions_.size()); }

@@ -35,6 +35,9 @@ Dataset model_view(const OdeModel& model, const Dataset& record);
 Dataset model_view(const OdeModel& model, const Dataset& record,
                    const Differentiator& differentiator);
 
+/// Whether the first states and inputs of records are those of a model, in its order.
+bool is_view(const OdeModel& model, const Dataset& data);
+
 /// Refuses records whose first states and inputs are not those of a model in its order.
 /// @throws DataError naming the first one that is not there; model_view() puts them so.
 void check_is_view(const OdeModel& model, const Dataset& data);
@@ -42,7 +45,7 @@ void check_is_view(const OdeModel& model, const Dataset& data);
 /// Whether no sample of any record says anything of a state.
 bool is_hidden(const Dataset& data, Index state);
 
-/// Where hidden states begin as far as a model says so (OdeModel::initial()), or 0.
+/// Where hidden states begin as far as a model says so (OdeModel::initial()), or 0; m entries.
 Vector given_begin(const OdeModel& model);
 
 /// An output of a model and where it is in a view: a column of Trajectory::states behind those

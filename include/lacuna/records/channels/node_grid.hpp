@@ -34,13 +34,15 @@ struct StepGrid {
   Index stride = 2;
   std::vector<Interpolation> signals = {};  ///< of each column; empty: cubic, all of them
 
-  Index begin(Index step) const noexcept { return stride * step; }
-  Index middle(Index step) const noexcept { return stride * step + 1; }
-  Index end(Index step) const noexcept { return stride * step + 2; }
-  Index rows(Index samples) const noexcept { return stride * (samples - 1) + 1; }
+  Index begin(Index step) const noexcept { return stride * step; }       ///< of a step: its row
+  Index middle(Index step) const noexcept { return stride * step + 1; }  ///< of a step: its row
+  Index end(Index step) const noexcept { return stride * step + 2; }     ///< of a step: its row
+  Index rows(Index samples) const noexcept { return stride * (samples - 1) + 1; }  ///< of all
+  /// How a column goes on between its samples.
   Interpolation signal(Index column) const {
     return signals.empty() ? Interpolation::Cubic : signals[static_cast<std::size_t>(column)];
   }
+  /// Whether a column jumps at its samples.
   bool is_held(Index column) const { return signal(column) == Interpolation::Held; }
 };
 

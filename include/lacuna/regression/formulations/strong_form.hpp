@@ -37,7 +37,8 @@ struct StrongFormOptions {
 /// unless the record is shorter than four such ends. Long records are passed over in pieces.
 class StrongForm final : public Configured<Formulation, StrongFormOptions> {
  public:
-  explicit StrongForm(Options options) : Configured(std::move(options)) {}
+  explicit StrongForm(Options options)
+      : Configured(std::move(options)) {}  ///< the differentiator is given
 
  private:
   LeastSquaresSystem do_assemble(const Dataset& data, const TermLibrary& library,

@@ -27,7 +27,7 @@ struct Factor {
   Index rows = 0;       ///< n
   Folding folding = Folding::Gram;  ///< how it was made
 
-  Index terms() const noexcept { return column_norms.size(); }
+  Index terms() const noexcept { return column_norms.size(); }  ///< L
 };
 
 }  // namespace lacuna

@@ -2,6 +2,7 @@
 // Numbers that are not finite make numbers that are not finite.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,11 +12,14 @@
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/regression/linear/factor.hpp"
 #include "lacuna/regression/linear/row_source.hpp"
-#include "lacuna/regression/linear/weighted_rows.hpp"
 
 namespace lacuna {
 
 class Subproblem;
+
+/// Row weights from residuals, one tile at a time: weights(residuals) entry by entry.
+using WeightFunction =
+    std::function<void(const Eigen::Ref<const Vector>& residuals, Eigen::Ref<Vector> weights)>;
 
 /// The linear problem Theta h_k ~ y_k for k = 1..m that every filter, regressor and pruner
 /// works on. Owns a row source and the statistics of its rows, never the n x L matrix.
@@ -34,10 +38,11 @@ class LeastSquaresSystem {
                      std::vector<std::string> target_names, const RunContext& context = {},
                      Folding folding = Folding::Automatic);
 
-  Index rows() const noexcept { return factor_->rows; }                    ///< n
-  Index terms() const noexcept { return factor_->terms(); }                ///< L
-  Index targets() const noexcept { return factor_->target_norms.size(); }  ///< m
-  const std::vector<std::string>& term_names() const noexcept { return *term_names_; }
+  Index rows() const noexcept { return factor_->rows; }                                 ///< n
+  Index terms() const noexcept { return factor_->terms(); }                             ///< L
+  Index targets() const noexcept { return factor_->target_norms.size(); }               ///< m
+  const std::vector<std::string>& term_names() const noexcept { return *term_names_; }  ///< L
+  /// Names of the m targets.
   const std::vector<std::string>& target_names() const noexcept { return *target_names_; }
 
   /// rms of what each target has of systematic error (of the truncation of differences, say)
@@ -54,7 +59,7 @@ class LeastSquaresSystem {
   /// All term numbers 0..L-1.
   TermSet all_terms() const;
 
-  /// The problem of one target in a subset of the terms.
+  /// The problem of target k in a subset A of the terms, increasing numbers below L.
   /// @throws ArgumentError when a number is out of range or the set is not increasing.
   Subproblem subproblem(Index target, TermSet active) const;
 

@@ -6,9 +6,10 @@
 
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/regression/linear/factor.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
 
 namespace lacuna {
+
+struct TriangularProblem;
 
 /// The least-squares problem of one target in a set A of active terms, as a triangular system:
 ///
@@ -24,11 +25,11 @@ class Subproblem {
   /// @throws ArgumentError when a number is out of range or the set is not increasing.
   Subproblem(const Factor& factor, Index target, TermSet active);
 
-  Index target() const noexcept { return target_; }
-  const TermSet& active() const noexcept { return active_; }
-  Index size() const noexcept { return static_cast<Index>(active_.size()); }
-  Index rows() const noexcept { return rows_; }
-  double target_norm() const noexcept { return target_norm_; }  ///< |y|
+  Index target() const noexcept { return target_; }           ///< k
+  const TermSet& active() const noexcept { return active_; }  ///< A, increasing, each term once
+  Index size() const noexcept { return static_cast<Index>(active_.size()); }  ///< |A|
+  Index rows() const noexcept { return rows_; }                               ///< n
+  double target_norm() const noexcept { return target_norm_; }                ///< |y|
 
   /// Norms |theta_j| of the active columns (for a weighted problem: of the weighted columns).
   const Vector& column_norms() const noexcept { return column_norms_; }
@@ -36,7 +37,7 @@ class Subproblem {
   /// R: upper triangular, columns scaled to unit norm.
   const Matrix& triangle() const noexcept { return triangle_; }
 
-  /// c: the target in the coordinates of R.
+  /// c, |A| entries: the target in the coordinates of R.
   const Vector& projected_target() const noexcept { return projected_target_; }
 
   /// Least-squares coefficients, (7) of Karimov et al. 2023. Directions that the data do not

@@ -32,6 +32,7 @@ struct ConstraintMatrix {
   Vector b;
 };
 
+/// One row for each constraint that names one of the places, one column for each place.
 ConstraintMatrix constraint_matrix(const std::vector<CoefficientConstraint>& constraints,
                                    const CoefficientPlaces& places);
 

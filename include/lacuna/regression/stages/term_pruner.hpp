@@ -21,7 +21,8 @@ class TermPruner : public StageInterface {
  public:
   static constexpr std::string_view kKind = "pruner";
 
-  /// @param active the terms to choose from, e.g. what a filter left.
+  /// Chooses among terms of one equation.
+  /// @param active increasing numbers of the terms to choose from, below L: what a filter left.
   /// @return kept and removed terms; together they are `active`.
   PruneResult prune(const LeastSquaresSystem& system, Index target, const TermSet& active,
                     const Regressor& regressor, const RunContext& context = {}) const;

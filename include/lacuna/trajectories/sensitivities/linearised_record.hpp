@@ -36,10 +36,12 @@ struct LinearisedRecord {
   StepGrid grid = {};  ///< where these are: R = grid.rows(n), 2n-1 unless an input jumps
   Vector range = {};   ///< m: of the path, or of the whole path that this is a part of
 
-  Index samples() const noexcept { return time.size(); }
-  Index states() const noexcept { return path.cols(); }
-  Index steps() const noexcept { return transition.cols(); }
+  Index samples() const noexcept { return time.size(); }      ///< n
+  Index states() const noexcept { return path.cols(); }       ///< m
+  Index steps() const noexcept { return transition.cols(); }  ///< n - 1
+  /// The n rows of `slots` that are samples.
   auto sample_rows() const { return Eigen::seq(0, slots.rows() - 1, grid.stride); }
+  /// Whether an equation is bridged in a step.
   bool is_bridged(Index step, Index equation) const {
     return bridge.size() > 0 && bridge(equation, step) > 0.0;
   }
@@ -59,7 +61,7 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
 /// @throws ArgumentError when they are not there or none.
 LinearisedRecord part_of(const LinearisedRecord& record, Index first, Index count);
 
-/// Only the grid of a record along a path: time, path and slots.
+/// Only the grid of a record along a path (n x m): time, path and slots.
 /// @param inputs of the record, which say how they go on between samples.
 LinearisedRecord grid_of(const std::vector<Quantity>& inputs, const Trajectory& record,
                          const Matrix& path);
@@ -76,7 +78,7 @@ Matrix with_delays(const LinearisedRecord& record, const std::vector<DelayedVari
 Matrix evaluate_on(const LinearisedRecord& record, const Variables& variables,
                    std::span<const Expression> formulas);
 
-/// Values of one formula at begins, middles and ends of steps (R).
+/// Values of one formula at begins, middles and ends of steps, R entries.
 Vector evaluate_on(const LinearisedRecord& record, const Variables& variables,
                    const Expression& formula);
 

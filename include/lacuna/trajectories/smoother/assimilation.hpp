@@ -92,12 +92,14 @@ Vector resolution_of(const Dataset& data);
 /// All coefficients of equations that are not identities (dq/dt = v).
 std::vector<CoefficientPlace> free_coefficients(const OdeModel& model);
 
-/// Sizes of everything that is fitted where directions may be undetermined: of the first
-/// `count` free coefficients; 0, free to be anything, of the others and of the channel terms.
+/// Sizes of everything that is fitted where directions may be undetermined, one entry each: of
+/// the first `count` free coefficients; 0, free to be anything, of the others and of the
+/// channel terms.
 Vector sizes_of(const Assimilation& fit, std::size_t count);
 
 /// Adds what is known beforehand to a least-squares problem of everything that is fitted.
-/// @param normal, right normal matrix and right side, perhaps of more behind the coefficients.
+/// @param normal, right k x k and k: normal matrix and right side, perhaps of more behind the
+///   coefficients.
 void add_priors(const Assimilation& fit, const std::vector<CoefficientPrior>& priors,
                 Matrix& normal, Vector& right);
 

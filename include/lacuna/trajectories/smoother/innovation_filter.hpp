@@ -46,7 +46,8 @@ struct SmoothedRecord {
 InnovationFilter run_filter(const LinearisedRecord& record, const Matrix& measured,
                             const Matrix& omitted, const NoiseModel& noise);
 
-/// Deviance alone, without storing anything.
+/// Deviance alone, without storing anything; `measured` and `omitted` (n x m) as of
+/// run_filter().
 double filter_deviance(const LinearisedRecord& record, const Matrix& measured,
                        const Matrix& omitted, const NoiseModel& noise);
 

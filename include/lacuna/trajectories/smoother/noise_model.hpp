@@ -29,7 +29,7 @@ struct NoiseModel {
   /// equation holds exactly.
   Vector disturbance;
 
-  Index states() const noexcept { return disturbance.size(); }
+  Index states() const noexcept { return disturbance.size(); }  ///< m
   Index measured() const noexcept;  ///< number of states that are measured
 };
 

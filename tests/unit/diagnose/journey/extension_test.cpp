@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
 #include "support/assimilated_oscillator.hpp"
@@ -18,7 +18,7 @@ inline constexpr StageInfo kAicc{"aicc", "Akaike's criterion, corrected for smal
                                  "Hurvich and Tsai, Biometrika 76 (1989)"};
 
 /// 2 p + 2 p (p + 1) / (n - p - 1).
-class Aicc final : public Configured<Criterion, HypothesisOptions<kAicc>> {
+class Aicc final : public Configured<Criterion, NoOptions<kAicc>> {
  public:
   using Configured::Configured;
 
@@ -57,7 +57,7 @@ Dataset with_clock(Dataset data, double factor) {
 }
 
 /// The nominal model as it is, on records whose time is multiplied by the likeliest factor.
-class SamplingTime final : public Configured<Hypothesis, HypothesisOptions<kSamplingTime>> {
+class SamplingTime final : public Configured<Hypothesis, NoOptions<kSamplingTime>> {
  public:
   using Configured::Configured;
 

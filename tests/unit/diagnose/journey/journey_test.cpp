@@ -16,13 +16,13 @@ inline constexpr StageInfo kFirst{"first", "For tests", ""}, kSecond{"second", "
     kDevianceOnly{"deviance-only", "For tests", ""};
 
 /// Whatever costs nothing.
-class DevianceOnly final : public Configured<Criterion, HypothesisOptions<kDevianceOnly>> {
+class DevianceOnly final : public Configured<Criterion, NoOptions<kDevianceOnly>> {
   double do_penalty(const Evidence&) const override { return 0.0; }
 };
 
 /// Proposes the best account with another deviance, and notes that it was asked.
 template <const StageInfo& Info>
-class Claims final : public Configured<Hypothesis, HypothesisOptions<Info>> {
+class Claims final : public Configured<Hypothesis, NoOptions<Info>> {
  public:
   Claims(Phase phase, double gain, std::string precedence = {})
       : phase_(phase), gain_(gain), precedence_(std::move(precedence)) {}

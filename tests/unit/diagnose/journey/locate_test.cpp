@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "support/assimilated_oscillator.hpp"
+#include "trajectories/smoother/spectral_lines.hpp"
 
 namespace lacuna {
 namespace {

@@ -229,6 +229,8 @@ TEST(ModelView, RecordsInAnotherOrderAreNoView) {
   view.states[0].name = "other";
   EXPECT_THROW(check_is_view(model, view), DataError);
   EXPECT_THROW(check_is_view(model, record()), DataError);
+  EXPECT_FALSE(is_view(model, record()));
+  EXPECT_TRUE(is_view(model, model_view(model, record())));
   view = model_view(model, record());
   view.inputs.clear();
   EXPECT_THROW(check_is_view(model, view), DataError);

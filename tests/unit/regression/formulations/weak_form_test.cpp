@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
+#include "regression/formulations/test_functions.hpp"
 #include "support/oscillation.hpp"
 
 namespace lacuna {

@@ -9,12 +9,9 @@
 namespace lacuna {
 namespace {
 
-struct NoOptions {
-  static constexpr StageInfo kInfo{"test", "", ""};
-  void describe(OptionVisitor&) {}
-};
+inline constexpr StageInfo kIdle{"idle", "", ""};
 
-class Idle final : public Configured<Regressor, NoOptions> {
+class Idle final : public Configured<Regressor, NoOptions<kIdle>> {
   Regression do_fit(const LeastSquaresSystem&, const Subproblem& problem, Effort,
                     const RunContext&) const override {
     return {problem.active(), problem.solve(), problem.residual_norm()};

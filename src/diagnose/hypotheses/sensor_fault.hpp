@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/diagnose/hypotheses/hypothesis.hpp"
+
+namespace lacuna {
+
+inline constexpr StageInfo kSensorFault{
+    "sensor-fault", "Effects of the dynamics in the place of a fault that leaves structure",
+    ""};
+
+/// A fault of the measurement that leaves structure is not what is wrong, or not all of it:
+/// effects of the dynamics take its place where they alone explain most.
+class SensorFault final : public Configured<Hypothesis, NoOptions<kSensorFault>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Revision; }
+  int do_order() const override { return 1; }
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
+inline constexpr StageInfo kSensorCalibration{
+    "sensor-calibration",
+    "The model holds as it is given, and one channel has a gain, an offset, a drift or a lag",
+    ""};
+
+/// The nominal model with its coefficients as given, measured by a channel k that shows
+/// x_k + c f: f = x_k (sensor-gain), 1 (sensor-offset), the time since the start
+/// (sensor-drift), or the value behind a filter of first order less x_k (sensor-lag).
+///
+/// It is proposed where such a channel leaves nothing over. On equal terms, with the other
+/// coefficients as given, a change of one coefficient and the effects of the best account so
+/// far must do worse by more than the evidence that cannot tell two explanations apart.
+class SensorCalibration final : public Configured<Hypothesis, NoOptions<kSensorCalibration>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Revision; }
+  int do_order() const override { return 2; }
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
+inline constexpr StageInfo kInputSkew{
+    "input-skew", "An input is recorded later than the states, by up to four sampling steps",
+    ""};
+
+/// What acts is u(t + T), and u(t) is what was recorded: a column that is written one sample
+/// late, the mean over the step before, a slower converter. T is the likeliest for the nominal
+/// model, coefficients fitted, with nothing or with the first of the effects of the best
+/// account, then of those that are found with the input moved ahead, until it stays. An input
+/// that acts late is no such fault: that is a delay of the plant.
+///
+/// It is proposed where something is missing and the moved input does better than the best
+/// account, and not when it is moved the other way: between samples its noise is averaged.
+class InputSkew final : public Configured<Hypothesis, NoOptions<kInputSkew>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Assumptions; }
+  int do_order() const override {
+    return 2;
+  }  // noise with a memory needs no fault of the record
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
+inline constexpr StageInfo kInputInterpolation{
+    "input-interpolation",
+    "An input that was recorded seldom, and put on straight lines between, is smooth", ""};
+
+/// Records of several sources are brought to one time, and lines take the place of what was not
+/// recorded. The error of the lines goes along with the input and its curvature; effects that
+/// are functions of these were named for it. In their place the cubics through the samples that
+/// were recorded (interpolated_samples()) are tried; it is proposed as an InputSkew is.
+class InputInterpolation final : public Configured<Hypothesis, NoOptions<kInputInterpolation>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Assumptions; }
+  int do_order() const override { return 1; }  // a curve can be moved ahead, lines hardly
+  Proposals do_propose(const Problem& problem, const Account& best) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/regression/formulations/weak_form.hpp"
+#include "regression/formulations/projection.hpp"
+
+namespace lacuna {
+
+/// The test function for a record: its order p is the least that makes phi vanish at the ends
+/// of the support to a hundredth of the noise, its radius such that the spectrum of phi, nearly
+/// Gaussian of deviation sqrt(2 p + 3) / radius, passes the signal up to the frequency at which
+/// it sinks into the noise.
+/// @param options values that are given are kept.
+/// @throws DataError as check_dataset().
+TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options = {},
+                                  int threads = 1);
+
+/// Distance of neighbouring test functions at which their rows hold nearly all information:
+/// radius / sqrt(order), about 1.4 deviations of phi.
+double test_function_spacing(const TestFunction& function);
+
+}  // namespace lacuna
