@@ -2,8 +2,8 @@
 #include "function_basis.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/numerics/information.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 #include "lacuna/diagnose/candidates/candidate_column.hpp"
@@ -163,7 +163,7 @@ std::optional<ScoredFunction> FunctionScreening::best_of(std::vector<FunctionBas
     const double net =
         found.gain -
         criterion.penalty({0.0, static_cast<double>(found.members.size()),
-                           static_cast<double>(system_.used()), std::log(basis.tried)});
+                           static_cast<double>(system_.used()), choice_price(basis.tried)});
     if (!found.members.empty() && (!best || net > best->net))
       best = ScoredFunction{std::move(basis), std::move(found), net};
   }

@@ -11,6 +11,7 @@
 namespace lacuna {
 namespace {
 
+// A fact of the statistic: parts whose scatter makes the interval.
 constexpr Index kBlocks = 10;
 
 void check(const OdeModel& model, CompiledModel& compiled, const Vector& x0,

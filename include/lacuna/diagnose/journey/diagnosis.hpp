@@ -38,9 +38,7 @@ struct CoefficientChange {
   /// and its deviation is none.
   bool determined = true;
 
-  std::array<double, 2> ci95() const {
-    return {estimated - 1.96 * deviation, estimated + 1.96 * deviation};
-  }
+  std::array<double, 2> ci95() const { return interval95(estimated, deviation); }
 };
 
 /// What is left over in the end.
