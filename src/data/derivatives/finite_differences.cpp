@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/core/numerics/interval.hpp"
-#include "lacuna/data/derivatives/stencil.hpp"
+#include "core/numerics/interval.hpp"
+#include "data/derivatives/stencil.hpp"
 #include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {

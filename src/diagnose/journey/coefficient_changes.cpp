@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/interval.hpp"
 #include "identifiability.hpp"
-#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna {
 namespace {

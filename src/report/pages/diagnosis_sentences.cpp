@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/interval.hpp"
 #include "readable.hpp"
 
 namespace lacuna {

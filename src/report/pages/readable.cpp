@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/numerics/interval.hpp"
+#include "core/numerics/interval.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
