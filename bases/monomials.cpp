@@ -11,6 +11,7 @@
 namespace lacuna {
 namespace {
 
+// A fact of memory: an elimination of more terms has no room.
 constexpr int kMostTerms = 100000;
 
 using Exponents = std::vector<int>;

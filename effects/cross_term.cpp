@@ -23,6 +23,7 @@ std::vector<Candidate> cross_term_forms(const Scope& scope, Index equation) {
 
 // A monomial of several variables, time not among them.
 std::optional<Reading> cross_term_reading(const FittedForm& fitted) {
+  // By definition: products of a higher degree are higher-order terms.
   constexpr int kHighest = 3;
   const Candidate& candidate = fitted.candidate;
   if (!candidate.shapes.empty() || !candidate.memory.empty()) return std::nullopt;

@@ -16,6 +16,7 @@ namespace {
 // than half the time in which the variable forgets, up to a hundred.
 constexpr double kMostStarts = 100.0;
 
+// In sampling steps: what is shorter is a skew of the channel (a fact of the search).
 constexpr double kShortestOfInput = 0.1;
 
 Candidate delayed(const Scope& scope, const Expression& form, const Expression& argument,

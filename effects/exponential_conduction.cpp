@@ -9,7 +9,7 @@ namespace {
 
 // From e^40 between zero and the largest value in the direction that conducts (a silicon
 // junction at 1 V) to where it is a quadratic term.
-constexpr double kSharpest = 40.0;
+constexpr double kLargestExponent = 40.0;
 
 constexpr const char* kForward = "exp(x/a)-1";
 constexpr const char* kReverse = "1-exp(-x/a)";
@@ -22,7 +22,7 @@ void add_junctions(const Scope& scope, const Expression& x, std::vector<Candidat
   const auto add = [&](const char* pattern, double widest) {
     result.push_back(shaped_candidate(
         formula(scope, pattern, {{"x", x}, {"a", scale}}), x,
-        {"scale", range.unit, widest / kSharpest, widest, true},
+        {"scale", range.unit, widest / kLargestExponent, widest, true},
         starts_at({widest / 30.0, widest / 15.0, widest / 6.0, widest / 2.5})));
   };
   const bool both = range.changes_sign();

@@ -67,8 +67,9 @@ Candidate play_of(const Scope& scope, Index equation, const Expression& x) {
 
 void bound_to_term(const Scope& scope, Index equation, const Expression& term,
                    Candidate& candidate) {
-  constexpr double kWhole = 2.0;
-  const double most = kWhole * slope(scope.model, equation, term);
+  // A fact of the search: a form does no more than undo the term and do the reverse.
+  constexpr double kTimesSlope = 2.0;
+  const double most = kTimesSlope * slope(scope.model, equation, term);
   candidate.least = std::min(0.0, most);
   candidate.most = std::max(0.0, most);
 }

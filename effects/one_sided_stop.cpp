@@ -10,12 +10,12 @@ namespace lacuna {
 namespace {
 
 // An edge is one, with a slope beyond it, where so many samples lie on either side of it.
-constexpr double kSamples = 10.0;
+constexpr double kSamplesBeyond = 10.0;
 
 void add_stops(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
   const auto at = [&](double level) { return range.quantile(level); };
-  const double edge = std::min(0.5, kSamples * scope.step / scope.duration);
+  const double edge = std::min(0.5, kSamplesBeyond * scope.step / scope.duration);
   const double low = at(edge), high = at(1.0 - edge);
   result.push_back(shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
                                     {"edge", range.unit, low, high, false},

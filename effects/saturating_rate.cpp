@@ -8,17 +8,17 @@ namespace lacuna {
 namespace {
 
 // From where x/(half+x) is a constant to where it is a straight line and a weak square.
-constexpr double kSmallest = 0.02, kLargest = 20.0;
+constexpr double kLeastHalf = 0.02, kLargestHalf = 20.0;
 
 void add_rate(const Scope& scope, const Expression& rate, const Expression& x,
               std::vector<Candidate>& result) {
   const VariableRange range = scope.range_of(x);
   const double middle = range.quantile(0.5);
   if (!range.is_amount() || middle <= 0.0) return;
-  result.push_back(
-      shaped_candidate(formula(scope, "rate/(half+abs(x))", {{"rate", rate}, {"x", x}}), x,
-                       {"half", range.unit, kSmallest * middle, kLargest * range.high, true},
-                       starts_at({0.2 * middle, middle, 5.0 * middle, 0.3 * range.high})));
+  result.push_back(shaped_candidate(
+      formula(scope, "rate/(half+abs(x))", {{"rate", rate}, {"x", x}}), x,
+      {"half", range.unit, kLeastHalf * middle, kLargestHalf * range.high, true},
+      starts_at({0.2 * middle, middle, 5.0 * middle, 0.3 * range.high})));
 }
 
 std::vector<Candidate> saturating_rate_forms(const Scope& scope, Index equation) {

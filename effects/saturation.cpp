@@ -12,22 +12,22 @@ namespace lacuna {
 namespace {
 
 // A coarse converter may show 0 most of the time: the least limit is a share of the largest.
-constexpr double kLeast = 1e-3;
+constexpr double kLeastLimit = 1e-3;
 
 // Up to where a hard limit is reached in a few samples, and a soft one bends what is seen.
-constexpr double kReached = 0.995, kSoft = 3.0;
+constexpr double kQuantileOfHardLimit = 0.995, kWidestSoftLimit = 3.0;
 
 double hard_limit(const Scope& scope, const Expression& x) {
-  return magnitude_quantile(scope, x, kReached);
+  return magnitude_quantile(scope, x, kQuantileOfHardLimit);
 }
 
 double soft_limit(const Scope& scope, const Expression& x) {
-  return kSoft * magnitude_quantile(scope, x, 1.0);
+  return kWidestSoftLimit * magnitude_quantile(scope, x, 1.0);
 }
 
 Candidate limited(const Scope& scope, const char* form, const Expression& x, double widest) {
   const auto at = [&](double level) { return magnitude_quantile(scope, x, level); };
-  const double least = std::max(at(0.05), kLeast * at(1.0));
+  const double least = std::max(at(0.05), kLeastLimit * at(1.0));
   return shaped_candidate(formula(scope, form, {{"x", x}}), x,
                           {"limit", scope.range_of(x).unit, least, widest, true},
                           starts_at({at(0.4), at(0.7), at(0.93), at(0.985)}));
@@ -49,7 +49,7 @@ void add_limits(const Scope& scope, Index equation, const Expression& x,
 }
 
 // Of the largest value: a steep action beside a term has reached its limit in most samples.
-constexpr double kSteep = 0.3;
+constexpr double kWidestSteepLimit = 0.3;
 
 // An action of its own, which is at its limit soon, beside a term of the same argument.
 void add_steep(const Scope& scope, const Expression& x, std::vector<Candidate>& result) {
@@ -58,7 +58,7 @@ void add_steep(const Scope& scope, const Expression& x, std::vector<Candidate>& 
   const double widest = magnitude_quantile(scope, x, 1.0);
   result.push_back(shaped_candidate(
       formula(scope, "tanh(x/limit)", {{"x", x}}), x,
-      {"limit", scope.range_of(x).unit, kLeast * widest, kSteep * widest, true},
+      {"limit", scope.range_of(x).unit, kLeastLimit * widest, kWidestSteepLimit * widest, true},
       starts_at({0.01 * widest, 0.05 * widest, 0.15 * widest})));
 }
 

@@ -8,11 +8,11 @@ namespace lacuna {
 namespace {
 
 // Slower than this share of the largest speed is where friction may rise.
-constexpr double kSlowest = 0.005, kFastest = 0.5;
+constexpr double kSlowestRise = 0.005, kFastestRise = 0.5;
 
 // How wide the reversal may be: from where it cannot be told from a jump to where it hides the
 // rise.
-constexpr double kNarrowest = 1e-4, kBluntest = 0.1;
+constexpr double kNarrowestReversal = 1e-4, kWidestReversal = 0.1;
 
 std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equation) {
   const VariableRange& speed = scope.state(equation);
@@ -22,11 +22,12 @@ std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equatio
   Candidate sharp =
       plain_candidate(formula(scope, "(1+rise*exp(-(v/speed)^2))*sign(v)", {{"v", v}}), v);
   sharp.shapes = {{"rise", "", 0.05, 10.0, true},
-                  {"speed", speed.unit, kSlowest * widest, kFastest * widest, true}};
+                  {"speed", speed.unit, kSlowestRise * widest, kFastestRise * widest, true}};
   Candidate blunt = plain_candidate(
       formula(scope, "(1+rise*exp(-(v/speed)^2))*tanh(v/width)", {{"v", v}}), v);
   blunt.shapes = sharp.shapes;
-  blunt.shapes.push_back({"width", speed.unit, kNarrowest * widest, kBluntest * widest, true});
+  blunt.shapes.push_back(
+      {"width", speed.unit, kNarrowestReversal * widest, kWidestReversal * widest, true});
   for (const double rises : {0.02 * widest, 0.08 * widest, 0.25 * widest}) {
     sharp.starts.push_back(Vector{{1.0, rises}});
     blunt.starts.push_back(Vector{{1.0, rises, 0.01 * widest}});

@@ -138,10 +138,11 @@ std::vector<Expression> all_variables(const Scope& scope) {
 namespace {
 
 bool are_opposite(const WeightedTerm& one, const WeightedTerm& other) {
-  constexpr double kEqual = 0.01;
+  // A decision (docs/decisions.md): numbers that were written by hand or fitted.
+  constexpr double kDifferenceOfSizes = 0.01;
   const double a = one.coefficient, b = other.coefficient;
   return is_variable(one.term.expression()) && is_variable(other.term.expression()) &&
-         std::abs(a + b) <= kEqual * std::abs(a - b);
+         std::abs(a + b) <= kDifferenceOfSizes * std::abs(a - b);
 }
 
 /// Whether an equation is one of kinematics: the rate of its state is a variable, or a sum or

@@ -8,12 +8,12 @@ namespace {
 
 // What forgets within a few samples cannot be told from the noise of the rate, what takes
 // longer than a tenth of the record not from a drift.
-constexpr double kFewSteps = 3.0, kFewTimes = 10.0;
+constexpr double kLeastMemory = 3.0, kMemoriesOfRecord = 10.0;
 
 // A free input is a process of its own (Ornstein and Uhlenbeck's), moved by white noise.
 std::vector<Candidate> unmeasured_input_forms(const Scope& scope, Index) {
-  const double shortest = kFewSteps * scope.step;
-  const double longest = scope.duration / kFewTimes;
+  const double shortest = kLeastMemory * scope.step;
+  const double longest = scope.duration / kMemoriesOfRecord;
   if (!(shortest < longest)) return {};
   Candidate candidate = plain_candidate(formula(scope, "drive"), Expression::variable("t"));
   candidate.shapes = {{"memory", scope.model.time_unit(), shortest, longest, true}};

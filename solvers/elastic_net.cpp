@@ -6,31 +6,11 @@
 #include <set>
 
 #include "core/base/check.hpp"
+#include "core/numerics/coordinate_sweep.hpp"
 #include "subset_fit.hpp"
 
 namespace lacuna {
 namespace {
-
-double soft_threshold(double value, double threshold) {
-  return std::copysign(std::max(std::abs(value) - threshold, 0.0), value);
-}
-
-/// One pass over the coefficients; `slope` is R'(c - R z) and is kept up to date.
-/// @return the largest change.
-double sweep(const Matrix& gram, ElasticPenalty penalty, Vector& z, Vector& slope) {
-  double largest = 0.0;
-  for (Index j = 0; j < z.size(); ++j) {
-    const double curvature = gram(j, j);
-    if (curvature == 0.0) continue;
-    const double next = soft_threshold(z[j] * curvature + slope[j], 0.5 * penalty.l1) /
-                        (curvature + 0.5 * penalty.l2);
-    if (next == z[j]) continue;
-    slope -= gram.col(j) * (next - z[j]);
-    largest = std::max(largest, std::abs(next - z[j]));
-    z[j] = next;
-  }
-  return largest;
-}
 
 /// Terms that are not zero.
 }  // namespace
@@ -42,15 +22,18 @@ Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty 
   check_argument(triangle.allFinite() && target.allFinite() && start.allFinite() &&
                      penalty.l1 >= 0.0 && penalty.l2 >= 0.0,
                  "elastic_net", "a number is not finite or a penalty is negative");
+  // A fact of cost: bounds the work where columns nearly depend on each other.
   constexpr int kMostSweeps = 2000;
   constexpr double kTolerance = 1e-9;  // of the target
   const Matrix gram = triangle.transpose() * triangle;
   const Vector correlation = triangle.transpose() * target;
   Vector z = std::move(start);
   Vector slope = correlation - gram * z;
+  const Vector first = Vector::Constant(z.size(), penalty.l1);
   for (int done = 0; done < kMostSweeps; ++done) {
     context.check_stop();
-    if (sweep(gram, penalty, z, slope) <= kTolerance * target.norm()) break;
+    if (coordinate_sweep(gram, {first, penalty.l2}, z, slope) <= kTolerance * target.norm())
+      break;
   }
   return z;
 }

@@ -11,11 +11,12 @@ namespace {
 
 /// Correlation of neighbours, short of the 1 at which rows would vanish.
 double correlation_of(const Vector& residuals) {
-  constexpr double kMost = 0.999;
+  constexpr double kLargestCorrelation = 0.999;
   const Index n = residuals.size();
   const double power = residuals.squaredNorm();
   if (n < 2 || power == 0.0) return 0.0;
-  return std::clamp(residuals.tail(n - 1).dot(residuals.head(n - 1)) / power, -kMost, kMost);
+  return std::clamp(residuals.tail(n - 1).dot(residuals.head(n - 1)) / power,
+                    -kLargestCorrelation, kLargestCorrelation);
 }
 
 Matrix whitened(const Matrix& rows, double rho) {

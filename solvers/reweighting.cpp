@@ -4,15 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/robust_statistics.hpp"
+
 namespace lacuna {
 namespace {
-
-double median_of_magnitudes(Vector residuals) {
-  residuals = residuals.cwiseAbs();
-  double* middle = residuals.data() + residuals.size() / 2;
-  std::nth_element(residuals.data(), middle, residuals.data() + residuals.size());
-  return *middle;
-}
 
 WeightFunction weights_of(double delta, bool relative) {
   const double numerator = relative ? delta : 1.0;
@@ -43,8 +38,8 @@ ReweightingOutcome reweight(const LeastSquaresSystem& system, const Subproblem& 
   while (!outcome.converged && outcome.iterations < rule.max_iterations) {
     Vector& h = outcome.coefficients;
     if (rule.relative)
-      median = std::min(median, median_of_magnitudes(system.residuals(
-                                    problem.target(), problem.active(), h, context)));
+      median = std::min(median, median_size(magnitudes(system.residuals(
+                                    problem.target(), problem.active(), h, context))));
     const double delta = rule.relative ? rule.delta * std::max(median, floor) : rule.delta;
     const WeightFunction weights = weights_of(delta, rule.relative);
     const Vector next = solve(system.reweighted(problem, h, weights, context), h, weights);

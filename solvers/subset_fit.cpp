@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/information.hpp"
 #include "core/numerics/least_squares.hpp"
 #include "core/numerics/qr.hpp"
 #include "regression/linear/triangular.hpp"
@@ -48,13 +49,13 @@ double unexplained(const Subproblem& problem) {
 
 SubsetScore::SubsetScore(const Subproblem& problem, double penalty)
     : rows_(static_cast<double>(problem.rows())),
-      price_(penalty * std::log(rows_)),
+      price_(penalty * parameter_price(rows_)),
       target_norm_(problem.target_norm()) {}
 
 double SubsetScore::operator()(double residual, Index terms) const {
-  constexpr double kRounding = 1e-12;
+  constexpr double kRoundingShare = 1e-12;  // a fact of rounding, as the header says
   const double share = target_norm_ > 0.0 ? residual / target_norm_ : 1.0;
-  return 2.0 * rows_ * std::log(std::max(share, kRounding)) +
+  return 2.0 * rows_ * std::log(std::max(share, kRoundingShare)) +
          price_ * static_cast<double>(terms);
 }
 

@@ -18,25 +18,16 @@ namespace lacuna::benchmarks {
 namespace {
 
 /// Calls a function for every number among options.
-class NumberVisitor final : public OptionVisitor {
+class NumberVisitor final : public IdleVisitor {
  public:
   using Function = std::function<double(const FieldInfo&, double)>;
   explicit NumberVisitor(Function function) : function_(std::move(function)) {}
 
+  using IdleVisitor::field;
   void field(const FieldInfo& info, double& value) override { value = function_(info, value); }
   void field(const FieldInfo& info, int& value) override {
     value = static_cast<int>(std::lround(function_(info, static_cast<double>(value))));
   }
-  void field(const FieldInfo&, bool&) override {}
-  void field(const FieldInfo&, std::string&) override {}
-  void field(const FieldInfo&, std::optional<double>&) override {}
-  void field(const FieldInfo&, std::optional<int>&) override {}
-  void field(const FieldInfo&, std::vector<std::string>&) override {}
-
- protected:
-  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
-  void nested_stage(const FieldInfo&, std::string_view,
-                    std::shared_ptr<const StageInterface>&) override {}
 
  private:
   Function function_;

@@ -9,23 +9,6 @@
 namespace lacuna {
 namespace {
 
-/// Changes nothing: makes a stage with the options it has by default.
-class KeepDefaults final : public OptionVisitor {
- public:
-  void field(const FieldInfo&, double&) override {}
-  void field(const FieldInfo&, int&) override {}
-  void field(const FieldInfo&, bool&) override {}
-  void field(const FieldInfo&, std::string&) override {}
-  void field(const FieldInfo&, std::optional<double>&) override {}
-  void field(const FieldInfo&, std::optional<int>&) override {}
-  void field(const FieldInfo&, std::vector<std::string>&) override {}
-
- protected:
-  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
-  void nested_stage(const FieldInfo&, std::string_view,
-                    std::shared_ptr<const StageInterface>&) override {}
-};
-
 std::tuple<std::string_view, std::string_view> key(const RegistryEntry& entry) {
   return {entry.kind, entry.info.name};
 }
@@ -76,7 +59,7 @@ std::shared_ptr<const StageInterface> Registry::make_default(std::string_view ki
     throw ConfigError(std::string(kind),
                       "'" + std::string(name) + "' is unavailable: " + entry.unavailable,
                       "choose another; `lacuna list " + std::string(kind) + "` shows them");
-  KeepDefaults keep;
+  IdleVisitor keep;  // makes a stage with the options it has by default
   return entry.make(keep);
 }
 

@@ -9,20 +9,12 @@ namespace {
 using StagePointer = std::shared_ptr<const StageInterface>;
 
 /// Lets plain options be and hands every stage inside a stage to a function.
-class NestedVisitor final : public OptionVisitor {
+class NestedVisitor final : public IdleVisitor {
  public:
   using Visit = std::function<void(std::string_view kind, StagePointer& stage)>;
   explicit NestedVisitor(Visit visit) : visit_(std::move(visit)) {}
-  void field(const FieldInfo&, double&) override {}
-  void field(const FieldInfo&, int&) override {}
-  void field(const FieldInfo&, bool&) override {}
-  void field(const FieldInfo&, std::string&) override {}
-  void field(const FieldInfo&, std::optional<double>&) override {}
-  void field(const FieldInfo&, std::optional<int>&) override {}
-  void field(const FieldInfo&, std::vector<std::string>&) override {}
 
  protected:
-  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
   void nested_stage(const FieldInfo&, std::string_view kind, StagePointer& stage) override {
     visit_(kind, stage);
   }

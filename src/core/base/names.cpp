@@ -80,6 +80,7 @@ std::string code_text(char32_t c) {
 
 /// The text for a message of one line: not too long, with everything in it seen.
 std::string shown(std::string_view text) {
+  // For people: letters of what a message repeats.
   constexpr std::size_t kShown = 60;
   std::size_t end = 0;
   while (end < std::min(kShown, text.size()))

@@ -82,8 +82,8 @@ std::string join(std::span<const std::string> parts, std::string_view separator)
 }
 
 std::string padded(std::string text, std::size_t width) {
-  constexpr std::size_t kMost = std::size_t{1} << 32;  // a fact of memory: no line is longer
-  if (width > kMost) throw ArgumentError("padded", "there is no room for so wide a text", "");
+  constexpr std::size_t kWidest = std::size_t{1} << 32;  // a fact of memory: no line is longer
+  if (width > kWidest) throw ArgumentError("padded", "there is no room for so wide a text", "");
   text.resize(std::max(width, text.size()), ' ');
   return text;
 }

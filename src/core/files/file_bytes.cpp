@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A fact of cost: what is read at a time.
 constexpr std::size_t kChunk = std::size_t{1} << 18U;
 
 /// Appends what `read(pointer, room)` gives until it gives nothing more.

@@ -58,6 +58,7 @@ bool is_feasible(const Matrix& a, const Vector& b) {
                  "give one row of A for each entry of b");
   if (a.rows() == 0) return true;
   const Vector h = smallest_least_squares(a, b);
+  // A fact of rounding, with room for a thousand coefficients.
   constexpr double kRounding = 1e-9;
   return (a * h - b).norm() <= kRounding * std::max(1e-300, b.norm());
 }

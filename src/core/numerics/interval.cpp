@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numerics/interval.hpp"
-
-#include <cmath>
+#include "lacuna/core/numerics/interval.hpp"
 
 #include "lacuna/core/base/error.hpp"
 
@@ -12,7 +10,7 @@ double student_quantile_975(double freedom) {
     throw ArgumentError("student_quantile_975", "fewer than one degree of freedom", "");
   if (freedom < 2.0) return 12.706204736432095;
   if (freedom < 3.0) return 4.302652729911275;
-  constexpr double z = 1.959963984540054;
+  constexpr double z = kNormalQuantile975;
   const double z2 = z * z;
   const double g1 = z * (z2 + 1.0) / 4.0;
   const double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
@@ -21,6 +19,11 @@ double student_quantile_975(double freedom) {
       z * ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
   const double v = 1.0 / freedom;
   return z + v * (g1 + v * (g2 + v * (g3 + v * g4)));
+}
+
+std::array<double, 2> interval95(double estimate, double standard_error, double quantile) {
+  const double half = quantile * standard_error;
+  return {estimate - half, estimate + half};
 }
 
 }  // namespace lacuna

@@ -7,6 +7,7 @@
 namespace lacuna {
 
 SerialCorrelation serial_correlation(const Vector& residuals) {
+  // In correlation times; Sokal (1997), Sect. 3: enough for its bias, too little for noise.
   constexpr double kWindow = 5.0;
   const Index n = residuals.size();
   const double square = residuals.squaredNorm();

@@ -19,6 +19,7 @@ double log_gamma(double a) {
 /// log of the regularised upper incomplete gamma function by its continued fraction (Lentz);
 /// converges for x > a + 1. Source: Abramowitz and Stegun 6.5.31.
 double log_gamma_tail_fraction(double a, double x) {
+  // A fact of doubles: keeps divisors of the continued fraction from 0.
   constexpr double kTiny = 1e-300;
   double b = x + 1.0 - a;
   double c = 1.0 / kTiny;

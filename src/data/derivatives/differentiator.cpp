@@ -52,20 +52,11 @@ void check_values(const std::string& where, const Eigen::Ref<const Matrix>& valu
 }
 
 /// Finds the first nested differentiator.
-class DifferentiatorFinder final : public OptionVisitor {
+class DifferentiatorFinder final : public IdleVisitor {
  public:
-  void field(const FieldInfo&, double&) override {}
-  void field(const FieldInfo&, int&) override {}
-  void field(const FieldInfo&, bool&) override {}
-  void field(const FieldInfo&, std::string&) override {}
-  void field(const FieldInfo&, std::optional<double>&) override {}
-  void field(const FieldInfo&, std::optional<int>&) override {}
-  void field(const FieldInfo&, std::vector<std::string>&) override {}
-
   std::shared_ptr<const Differentiator> found;
 
  protected:
-  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
   void nested_stage(const FieldInfo&, std::string_view,
                     std::shared_ptr<const StageInterface>& stage) override {
     if (!found) found = std::dynamic_pointer_cast<const Differentiator>(stage);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "data/derivatives/stencil.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {
@@ -156,7 +157,7 @@ class OrderChoice {
     const Vector& changes = level(i).changes;
     const double square = changes[k] / rows_;
     const double noise = changes[states()] * noise_[k] * noise_[k];
-    const double chance = 1.96 * noise * std::sqrt(2.0 * highest_ / rows_);
+    const double chance = kNormalQuantile975 * noise * std::sqrt(2.0 * highest_ / rows_);
     return square > noise + chance ? std::sqrt(square - noise) : 0.0;
   }
 

@@ -125,6 +125,7 @@ void check_rule(const StencilRule& rule, Index times, Index rows, Index margin) 
 }  // namespace
 
 std::optional<double> common_step(const Vector& time) {
+  // A fact of the files: steps whose times have few digits are one step.
   constexpr double kTolerance = 1e-3;
   const Index last = time.size() - 1;
   if (last < 1) return std::nullopt;

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <utility>
 
 #include "core/base/check.hpp"
 #include "core/base/finite.hpp"
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
+#include "core/numerics/robust_statistics.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {
@@ -157,9 +159,7 @@ double median_step(const Dataset& data) {
   check_argument(
       std::all_of(steps.begin(), steps.end(), [](double step) { return std::isfinite(step); }),
       "median_step", "the times are not finite");
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return upper_median(std::move(steps));
 }
 
 bool lacks_input_columns(const Dataset& data) {

@@ -2,56 +2,28 @@
 #include "lacuna/data/records/noise.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel.hpp"
 #include "core/numerics/column_kernels.hpp"
+#include "core/numerics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
+#include "data/records/state_statistics.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {
 namespace {
 
+// Facts: weights of higher orders lose their digits, more values make no better median.
 constexpr Index kHighestOrder = 14;
 constexpr std::size_t kSamplesOfMedian = std::size_t{1} << 16U;
 /// Fewer differences than this say nothing about a median.
 constexpr std::size_t kFewest = 8;
-
-/// Median absolute value of a standard normal variable.
-constexpr double kNormalMedian = 0.674489750196082;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// The same of many sizes, none of which is below 0: the order of such numbers is that of their
-/// bits, so that the leading ones say among which few the median is; the others need not be
-/// partitioned.
-double median_size(std::vector<double>& sizes) {
-  constexpr std::size_t kMany = 4096;  // a fact of cost: fewer are sooner partitioned
-  if (sizes.size() < kMany) return median(sizes);
-  // Facts of doubles: the sign, and behind it the exponent and four bits of the fraction.
-  constexpr int kSign = 1, kLeading = 15;
-  const auto leading = [](double size) {
-    return std::bit_cast<std::uint64_t>(size) << kSign >> (64 - kLeading);
-  };
-  std::vector<std::uint32_t> counts(std::size_t{1} << kLeading);
-  for (const double size : sizes) ++counts[leading(size)];
-  std::size_t rank = sizes.size() / 2, group = 0;
-  for (; rank >= counts[group]; ++group) rank -= counts[group];
-  std::erase_if(sizes, [&](double size) { return leading(size) != group; });
-  const auto found = sizes.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(sizes.begin(), found, sizes.end());
-  return *found;
-}
 
 /// One state in one record: its differences of rising order, each of unit noise gain.
 class Differences {
@@ -113,9 +85,8 @@ constexpr std::size_t kSettling = 3;
 
 /// First estimate that the next one does not fall below noticeably; size() when all fall.
 std::size_t first_level(const std::vector<double>& sigmas) {
-  constexpr double kLevel = 0.93;
   for (std::size_t k = 0; k + 1 < sigmas.size(); ++k)
-    if (sigmas[k + 1] >= kLevel * sigmas[k]) return k;
+    if (sigmas[k + 1] >= kLevelledOff * sigmas[k]) return k;
   return sigmas.size();
 }
 
@@ -131,7 +102,7 @@ std::vector<double> noise_by_order(const Dataset& data, Index state) {
     sizes.clear();
     for (Differences& record : records) record.advance(order, stride, sizes);
     if (sizes.size() < kFewest) break;
-    sigmas.push_back(median_size(sizes) / kNormalMedian);
+    sigmas.push_back(normal_deviation(std::move(sizes)));
     if (first_level(sigmas) + 1 + kSettling < sigmas.size()) break;
   }
   return sigmas;
@@ -239,11 +210,6 @@ StateNoise analyse_state(const Dataset& data, Index state) {
   return noise;
 }
 
-bool has_marks(const Dataset& data) {
-  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
-                     [](const Trajectory& record) { return record.marks.size() > 0; });
-}
-
 /// One state by those of its samples that are values; records of fewer than two are left out.
 Dataset values_only(const Dataset& data, Index state) {
   Dataset result;
@@ -269,13 +235,14 @@ Vector bends(const Trajectory& record, Index state) {
 
 /// Each value without the median of those at most three samples away.
 Vector without_local_median(const Vector& values) {
+  // A fact of the statistic: a spike bends three of seven samples, the fewer.
   constexpr Index kReach = 3;
   Vector result = values;
   for (Index i = 0; i < values.size(); ++i) {
     const Index first = std::max<Index>(0, i - kReach);
     const Index last = std::min(values.size() - 1, i + kReach);
     std::vector<double> around(values.begin() + first, values.begin() + last + 1);
-    result[i] -= median(around);
+    result[i] -= upper_median(std::move(around));
   }
   return result;
 }
@@ -325,7 +292,7 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
       without_local_median(bends(record, state)).cwiseAbs().cwiseQuotient(sigma);
   std::vector<double> sizes(deviation.begin(), deviation.end());
   const double limit =
-      deviations * std::max(std::sqrt(1.5), median_size(sizes) / kNormalMedian);
+      deviations * std::max(std::sqrt(1.5), normal_deviation(std::move(sizes)));
   for (Index i = 1; i + 1 < deviation.size(); ++i)
     if (deviation[i] > limit && deviation[i] >= deviation[i - 1] &&
         deviation[i] >= deviation[i + 1])

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
+#include "core/numerics/robust_statistics.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
@@ -35,17 +36,12 @@ class NoteList {
   }
 
  private:
+  // For people.
   static constexpr std::size_t kShown = 10;
   std::string source_;
   std::vector<std::string> notes_;
   std::size_t hidden_ = 0;
 };
-
-double quantile(std::vector<double>& values, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
 
 std::string rows_text(Index count) {
   return std::to_string(count) + (count == 1 ? " row" : " rows");
@@ -252,6 +248,7 @@ std::vector<TableRows> cut(const Rows& rows, NumberedRows part, NoteList& notes)
 }  // namespace
 
 std::optional<double> gap_threshold(std::vector<double> steps) {
+  // Decisions, as the header says.
   constexpr double kUniform = 1.1, kJitter = 3.0;
   constexpr double kUniformGap = 1.5, kJitterGap = 5.0;
   if (steps.size() < 4) return std::nullopt;

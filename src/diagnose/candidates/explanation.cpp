@@ -15,25 +15,28 @@
 namespace lacuna {
 namespace {
 
-/// The start of an assimilation whose model has more states than the base has.
-Assimilation widened(const Assimilation& base, const AugmentedProblem& problem) {
-  Assimilation start = base;
-  const Index m = problem.model.dimension();
-  const Index old = base.noise.states();
-  start.noise.disturbance.conservativeResize(m);
-  start.noise.disturbance.tail(m - old).setZero();
-  start.noise.measurement.resize(static_cast<std::size_t>(m));
-  start.noise.coloured.resize(static_cast<std::size_t>(m));
+/// Where the fit of a problem begins: another fit of the same records with other memory states.
+/// @param nominal how many states, the first ones, both have; the others begin as columns of
+/// the problem's records, undisturbed.
+Assimilation start_of(const Assimilation& from, Index nominal,
+                      const AugmentedProblem& problem) {
+  Assimilation start = from;
+  const Index m = problem.model.dimension(), memory = m - nominal;
+  start.noise.disturbance = Vector::Zero(m);
+  start.noise.disturbance.head(nominal) = from.noise.disturbance.head(nominal);
+  for (const Index states : {nominal, m}) {
+    start.noise.measurement.resize(static_cast<std::size_t>(states));
+    start.noise.coloured.resize(static_cast<std::size_t>(states));
+  }
   for (std::size_t r = 0; r < start.records.size(); ++r) {
     const Matrix& states = problem.data.trajectories[r].states;
     Matrix path(states.rows(), m);
-    path << base.records[r].path.leftCols(old), states.rightCols(m - old);
+    path << from.records[r].path.leftCols(nominal), states.rightCols(memory);
     start.records[r].path = std::move(path);
     start.records[r].bridge = problem.bridges[r];
-    if (!start.omitted.empty() && start.omitted[r].size() > 0) {
-      start.omitted[r].conservativeResize(states.rows(), m);
-      start.omitted[r].rightCols(m - old).setZero();
-    }
+    if (start.omitted.empty() || start.omitted[r].size() == 0) continue;
+    start.omitted[r].conservativeResize(Eigen::NoChange, m);
+    start.omitted[r].rightCols(memory).setZero();
   }
   start.channel_terms = problem.channel_terms;
   return start;
@@ -172,7 +175,7 @@ class JointFit {
       see_changes(effects, problem, options);
     }
     options.passes = passes;
-    Assimilation start = widened(nominal_start(from, m), problem);
+    Assimilation start = start_of(from, m, problem);
     set_drives(effects, m, start.noise.disturbance);
     Explanation result{std::move(effects),
                        assimilate_from(problem.model, problem.data, start, options, context)};
@@ -182,10 +185,11 @@ class JointFit {
 
   /// Moves the shapes and fits again until the likelihood rises no more.
   Explanation with_shapes(Explanation best) const {
-    constexpr int kSteps = 3;
-    constexpr int kHiddenSteps = 12;  // a hidden path moves with the shapes
+    // Facts of the search: what steps do later no test would notice.
+    constexpr int kShapeSteps = 3;
+    constexpr int kShapeStepsWithHidden = 12;  // a hidden path moves with the shapes
     const bool hidden = !task_.options.hidden.empty();
-    for (int step = 0; step < (hidden ? kHiddenSteps : kSteps); ++step) {
+    for (int step = 0; step < (hidden ? kShapeStepsWithHidden : kShapeSteps); ++step) {
       std::vector<FittedEffect> moved = best.effects;
       if (!move_shapes(best, moved)) break;
       Explanation next = at(best.fit, moved, 3);
@@ -203,6 +207,7 @@ class JointFit {
   /// is far from linear.
   Explanation in_reach(const Explanation& best, std::vector<FittedEffect> moved,
                        Explanation next) const {
+    // A fact of the search: to a sixteenth of the step.
     constexpr int kHalvings = 4;
     for (int halving = 0; halving < kHalvings && !(next.fit.deviance < best.fit.deviance);
          ++halving) {
@@ -234,13 +239,13 @@ class JointFit {
   /// disturbance of their equation.
   static void set_drives(const std::vector<FittedEffect>& effects, Index next,
                          Vector& disturbance) {
-    constexpr double kLeft = 0.1;
+    constexpr double kShareOfDisturbance = 0.1;  // a fact of the search: a start, no bound
     for (const FittedEffect& effect : effects)
       for (const MemoryState& memory : effect.candidate.memory) {
         if (memory.driven) {
           double& own = disturbance[effect.candidate.equation];
           disturbance[next] = own / effect.shapes[0];
-          own *= kLeft;
+          own *= kShareOfDisturbance;
         }
         ++next;
       }
@@ -252,19 +257,6 @@ class JointFit {
     Explanation result{effects, from};
     result.fit.deviance = std::numeric_limits<double>::infinity();
     return result;
-  }
-
-  /// The fit without its memory states.
-  Assimilation nominal_start(const Assimilation& from, Index m) const {
-    Assimilation start = from;
-    start.noise.disturbance.conservativeResize(m);
-    start.noise.measurement.resize(static_cast<std::size_t>(m));
-    start.noise.coloured.resize(static_cast<std::size_t>(m));
-    for (LinearisedRecord& record : start.records)
-      record.path = Matrix(record.path.leftCols(m));
-    for (Matrix& omitted : start.omitted)
-      if (omitted.size() > 0) omitted.conservativeResize(Eigen::NoChange, m);
-    return start;
   }
 
   void read_coefficients(Explanation& result) const {
@@ -321,9 +313,11 @@ Index Explanation::parameters() const noexcept {
 
 Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,
                             const std::vector<FittedEffect>& effects) {
-  constexpr int kFew = 3;
-  constexpr int kFewWithHidden = 8;  // a step may lead far from what it promises
-  return JointFit(task).at(start, effects, task.options.hidden.empty() ? kFew : kFewWithHidden);
+  // Facts of the search: enough to rank fits, which are fitted again.
+  constexpr int kRoughPasses = 3;
+  constexpr int kRoughPassesWithHidden = 8;  // a step may lead far from what it promises
+  return JointFit(task).at(start, effects,
+                           task.options.hidden.empty() ? kRoughPasses : kRoughPassesWithHidden);
 }
 
 Explanation with_joint_errors(const JointFitTask& task, Explanation explanation) {

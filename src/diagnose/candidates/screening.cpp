@@ -43,6 +43,7 @@ std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
 /// Runs of starts in the same place and equation, of a length that goes through the records
 /// well together.
 std::vector<std::pair<std::size_t, std::size_t>> batches(const std::vector<Start>& starts) {
+  // A fact of the machines.
   constexpr std::size_t kTogether = 8;
   std::vector<std::pair<std::size_t, std::size_t>> result;
   for (std::size_t first = 0, end = 0; first < starts.size(); first = end) {
@@ -107,6 +108,7 @@ class Recollection {
   std::string key_;
 };
 
+// Kinds of keys.
 constexpr char kAtStarts = 's', kPolished = 'p';
 
 /// at_best_starts() of what is not known.
@@ -135,7 +137,8 @@ std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candi
 /// are not so far behind the best of all that no search makes up for it.
 std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted,
                                    double worth_shaping) {
-  constexpr int kOfEach = 2;
+  // A fact of the search: forms of one family are shaped to be much alike.
+  constexpr int kOfEachFamily = 2;
   double best = 0.0;
   for (const ScreenedCandidate& candidate : sorted) best = std::max(best, candidate.gain);
   std::map<std::tuple<std::string, Place, Index>, int> seen;
@@ -145,7 +148,8 @@ std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted,
     if (candidate.shapes.empty() || sorted[i].gain < worth_shaping * best) continue;
     bool has_room = candidate.families.empty();
     for (const std::string& family : candidate.families)
-      has_room = seen[{family, candidate.place, candidate.equation}]++ < kOfEach || has_room;
+      has_room =
+          seen[{family, candidate.place, candidate.equation}]++ < kOfEachFamily || has_room;
     if (has_room) chosen.push_back(i);
   }
   return chosen;
@@ -162,7 +166,7 @@ Screening::Screening(const Assimilation& assimilation)
 
 std::vector<Score> Screening::scores(std::span<const Probe> probes) const {
   // Below this share of its length a column is one of the nominal terms, up to rounding.
-  constexpr double kDistinct = 1e-10;
+  constexpr double kIndependent = 1e-10;
   const ProbeColumns found = probe_columns(probes, assimilation_, system_);
   const Vector inner = found.columns.transpose() * innovations_;
   const Vector length = found.columns.colwise().squaredNorm();
@@ -171,7 +175,7 @@ std::vector<Score> Screening::scores(std::span<const Probe> probes) const {
   for (std::size_t p = 0; p < probes.size(); ++p) {
     const auto i = static_cast<Index>(p);
     const double own = length[i] - shared[i];
-    if (!found.finite[p] || !(own > kDistinct * length[i])) continue;
+    if (!found.finite[p] || !(own > kIndependent * length[i])) continue;
     const Candidate& candidate = *probes[p].candidate;
     const double coefficient = std::clamp(inner[i] / own, candidate.least, candidate.most);
     result[p] = {std::max(0.0, coefficient * (2.0 * inner[i] - coefficient * own)),
@@ -195,14 +199,15 @@ ScreenedCandidate Screening::at_starts(const Candidate& candidate) const {
 
 void Screening::polish(ScreenedCandidate& screened) const {
   if (screened.shapes.size() == 0) return;
-  constexpr int kEvaluations = 40;
+  // A fact of the search: enough to rank shapes, which are fitted again.
+  constexpr int kEvaluationsOfShapes = 40;
   const ShapeScale scale(screened.candidate.shapes);
   int evaluations = 0;
   const auto loss = [&](const Vector& unit) {
     ++evaluations;
     return -score(screened.candidate, as_span(scale.shapes(unit))).gain;
   };
-  const int budget = kEvaluations * static_cast<int>(screened.shapes.size());
+  const int budget = kEvaluationsOfShapes * static_cast<int>(screened.shapes.size());
   const Vector best =
       scale.shapes(nelder_mead(loss, scale.unit(screened.shapes),
                                {.unnoticed = kUnnoticedDeviance, .evaluations = budget}));

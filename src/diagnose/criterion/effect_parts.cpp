@@ -70,9 +70,9 @@ AddedParts added_parts(const Explanation& explanation, const OdeModel& nominal,
 }
 
 Cancellation largest_cancellation(const AddedParts& parts) {
-  // A model of more terms than this is looked at as far as its first ones.
-  constexpr Index kMost = 12;
-  const Index count = std::min(kMost, parts.gram.rows());
+  // A fact of cost: 2^12 sums. A model of more terms is looked at as far as its first ones.
+  constexpr Index kMostParts = 12;
+  const Index count = std::min(kMostParts, parts.gram.rows());
   Cancellation found;
   for (unsigned subset = 1; subset < (1u << count); ++subset) {
     Vector chosen = Vector::Zero(parts.gram.rows());

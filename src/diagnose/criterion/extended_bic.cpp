@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "core/numerics/information.hpp"
 
 namespace lacuna {
 
@@ -13,7 +12,7 @@ void ExtendedBicOptions::describe(OptionVisitor& v) {
 }
 
 double ExtendedBic::do_penalty(const Evidence& evidence) const {
-  return evidence.parameters * std::log(std::max(1.0, evidence.samples)) +
+  return evidence.parameters * parameter_price(evidence.samples) +
          2.0 * options().choice * evidence.log_choices;
 }
 

@@ -9,10 +9,10 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kShortest = 4;          // half of the shortest window: phi is resolved
-constexpr Index kMostWindows = 4000;    // enough for shares of a per cent
-constexpr double kStandingOut = 400.0;  // power of the rates over that of their noise
-constexpr double kGap = 1.5;            // usual steps; a longer one is a gap
+constexpr Index kShortestRadius = 4;       // half of the shortest window: phi is resolved
+constexpr Index kMostWindows = 4000;       // enough for shares of a per cent
+constexpr double kPowerOverNoise = 400.0;  // power of the rates over that of their noise
+constexpr double kLongestStep = 1.5;       // usual steps; a longer one is a gap
 
 struct Weights {
   Vector value;  ///< of a mean
@@ -44,7 +44,7 @@ std::vector<bool> usable_samples(const BoundRecords& records, std::size_t record
                                  bool with_marked) {
   const Trajectory& run = records.data.trajectories[record];
   const Matrix& outliers = records.outliers[record];
-  const double longest = kGap * median_step(records.data);
+  const double longest = kLongestStep * median_step(records.data);
   std::vector<bool> usable;
   for (Index i = 0; i < run.samples(); ++i)
     usable.push_back(run.states.row(i).allFinite() && run.inputs.row(i).allFinite() &&
@@ -101,14 +101,15 @@ RateWindows rate_windows(const BoundRecords& records) {
   const Index longest = longest_record(records.data).samples() / 16;
   std::optional<RateWindows> best;
   double most = 0.0;
-  for (Index half = kShortest; half <= std::max(longest, kShortest); half += half / 2) {
+  for (Index half = kShortestRadius; half <= std::max(longest, kShortestRadius);
+       half += half / 2) {
     RateWindows windows = placed(records, half);
     const double out = standing_out(records, windows);
     if (!best || out > most) {
       best = std::move(windows);
       most = out;
     }
-    if (most >= kStandingOut) break;
+    if (most >= kPowerOverNoise) break;
   }
   return *best;
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/diagnose/hypotheses/account.hpp"
 
-#include <algorithm>
-#include <cmath>
-
+#include "core/numerics/information.hpp"
 #include "diagnose/search/effect_size.hpp"
 
 namespace lacuna {
@@ -13,7 +11,7 @@ namespace {
 double log_choices(const std::vector<NamedEffect>& named) {
   double sum = 0.0;
   for (const NamedEffect& effect : named)
-    sum += std::log(static_cast<double>(std::max<Index>(1, effect.tried)));
+    sum += choice_price(static_cast<double>(effect.tried));
   return sum;
 }
 

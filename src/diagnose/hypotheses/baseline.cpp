@@ -11,6 +11,7 @@
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
 #include "model/equations/formula_channel.hpp"
+#include "trajectories/smoother/assimilation_steps.hpp"
 #include "trajectories/smoother/hidden_states.hpp"
 #include "trajectories/smoother/outlier_check.hpp"
 #include "trajectories/smoother/spectral_lines.hpp"
@@ -26,20 +27,14 @@ JointFitTask joint_fit(const Problem& problem, const Baseline& base) {
   return {base.records->data, problem.nominal, base.fit_options, problem.context};
 }
 
-std::vector<Matrix> paths_of(const Assimilation& fit) {
-  std::vector<Matrix> paths;
-  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
-  return paths;
-}
-
 /// Where a fit with hidden states may start, beside where the one before it has come: a hidden
 /// state whose equation may be disturbed takes the place of what is missing, and the
 /// coefficients go where they say nothing. From the nominal ones, with the disturbances that
 /// they need and with less.
 std::vector<Assimilation> other_starts(const Baseline& base) {
-  constexpr double kLess = 0.1;
+  constexpr double kShareOfDisturbance = 0.1;  // a fact of the search: a start, no bound
   Assimilation exact = base.given;
-  exact.noise.disturbance *= kLess;
+  exact.noise.disturbance *= kShareOfDisturbance;
   return {base.given, std::move(exact)};
 }
 

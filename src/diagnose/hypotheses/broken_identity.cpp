@@ -14,8 +14,8 @@ namespace {
 /// Largest ratio of the noise of a channel, white and with a memory, to what samples show
 /// against their neighbours.
 double noise_inflation(const NoiseModel& noise, const Assimilation& exact) {
-  constexpr double kAboveRounding = 10.0;
-  const Vector seen = exact.seen_noise.cwiseMax(kAboveRounding * exact.least_noise);
+  constexpr double kResolutions = 10.0;  // below so many of them noise is rounding
+  const Vector seen = exact.seen_noise.cwiseMax(kResolutions * exact.least_noise);
   double largest = 0.0;
   for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
     if (!noise.measurement[k]) continue;

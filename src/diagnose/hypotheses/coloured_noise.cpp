@@ -32,20 +32,21 @@ double longest_memory(const Assimilation& fit) {
 /// Noise in the place of the disturbances: as large as what these do to a state in the
 /// correlation time. They start small, so that it is they who have to prove themselves.
 NoiseModel coloured_start(const Assimilation& fit, double time) {
-  constexpr double kSmall = 0.1;
+  constexpr double kShareOfDisturbance = 0.1;  // a fact of the search: a start, no bound
   NoiseModel noise = fit.noise;
   for (std::size_t k = 0; k < noise.coloured.size(); ++k) {
     if (!noise.measurement[k]) continue;
     const double moved = noise.disturbance[static_cast<Index>(k)] * std::sqrt(time);
     noise.coloured[k] = ColouredNoise{std::hypot(*noise.measurement[k], moved), time};
   }
-  noise.disturbance *= kSmall;
+  noise.disturbance *= kShareOfDisturbance;
   return noise;
 }
 
 /// The most likely of fits from several starts.
 Tried best_of(const Assimilation& fit, const std::vector<NoiseModel>& starts,
               const RunContext& context) {
+  // A fact of the search: enough to rank starts.
   constexpr int kIterations = 12;
   std::vector<Tried> tried(starts.size());
   parallel_for(starts.size(), context.threads, [&](std::size_t i) {
@@ -64,16 +65,17 @@ Tried best_of(const Assimilation& fit, const std::vector<NoiseModel>& starts,
 /// Correlation times from a grid, the same for all channels first, then each by itself;
 /// deviations are those of the largest likelihood on the linearisation as it is.
 NoiseModel with_coloured_noise(const Assimilation& fit, const RunContext& context) {
-  constexpr double kApart = 3.0;  // ratio of neighbours on the grid
+  constexpr double kRatioOfNeighbours = 3.0;  // on the grid; refined below
   std::vector<NoiseModel> starts;
-  for (double steps = kApart; steps < longest_memory(fit); steps *= kApart)
+  for (double steps = kRatioOfNeighbours; steps < longest_memory(fit);
+       steps *= kRatioOfNeighbours)
     starts.push_back(coloured_start(fit, steps * mean_step(fit)));
   Tried best = best_of(fit, starts, context);
   for (std::size_t k = 0; k < best.noise.coloured.size(); ++k) {
     if (!best.noise.coloured[k]) continue;
     starts.clear();
-    for (const double factor :
-         {1.0 / kApart, 1.0 / std::sqrt(kApart), std::sqrt(kApart), kApart}) {
+    for (const double factor : {1.0 / kRatioOfNeighbours, 1.0 / std::sqrt(kRatioOfNeighbours),
+                                std::sqrt(kRatioOfNeighbours), kRatioOfNeighbours}) {
       starts.push_back(best.noise);
       starts.back().coloured[k]->time *= factor;
     }

@@ -12,11 +12,11 @@ namespace lacuna {
 namespace {
 
 std::vector<Term> monomials_of(const OdeModel& model) {
-  constexpr std::size_t kMost = 35;  // degree 3 in four variables
+  constexpr std::size_t kMostMonomials = 35;  // degree 3 in four variables
   const Variables states{model.variables().states, {}};
   MonomialsOptions options;
   std::vector<Term> terms = Monomials(options).library(states).terms;
-  while (terms.size() > kMost && --options.max_degree > 0)
+  while (terms.size() > kMostMonomials && --options.max_degree > 0)
     terms = Monomials(options).library(states).terms;
   return terms;
 }

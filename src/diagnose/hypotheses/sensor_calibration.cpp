@@ -226,6 +226,7 @@ Peer same_effects(const Problem& problem, const Baseline& given, const Account& 
 /// The channel's fault with its numbers and the others that might be it.
 NamedEffect named(const Problem& problem, const Baseline& given,
                   const std::vector<Fitted>& fitted, std::size_t chosen, double tried) {
+  // For people.
   constexpr std::size_t kAlternatives = 4;
   const Fitted& own = fitted[chosen];
   const FittedEffect& effect = own.explanation.effects.front();

@@ -91,13 +91,13 @@ struct Projection {
 
 /// Joint gain of a form in both equations.
 double joint_gain(const Projection& projection, const Pair& pair, const Vector& shapes) {
-  constexpr double kDistinct = 1e-8;
+  constexpr double kIndependent = 1e-8;  // a fact of rounding: squared sine of two columns
   const auto one = projection.column(pair.one, shapes);
   const auto other = projection.column(pair.other, shapes);
   if (!one || !other) return 0.0;
   const double a = one->squaredNorm(), b = other->squaredNorm(), c = one->dot(*other);
   const double determinant = a * b - c * c;
-  if (!(determinant > kDistinct * a * b)) return 0.0;
+  if (!(determinant > kIndependent * a * b)) return 0.0;
   const double u = one->dot(projection.innovations), v = other->dot(projection.innovations);
   return (b * u * u - 2.0 * c * u * v + a * v * v) / determinant;
 }
@@ -117,12 +117,13 @@ std::vector<Pair> screened(std::vector<Pair> pairs, const Projection& projection
   });
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
-  constexpr int kOfEach = 2;
+  // A fact of the search: forms of one family are shaped to be much alike.
+  constexpr int kOfEachFamily = 2;
   std::map<std::string, int> seen;
   std::erase_if(pairs, [&](const Pair& pair) {
     bool has_room = false;
     for (const std::string& family : pair.one.families)
-      has_room = seen[family]++ < kOfEach || has_room;
+      has_room = seen[family]++ < kOfEachFamily || has_room;
     return !has_room || !(pair.gain > 0.0);
   });
   return pairs;
@@ -192,9 +193,9 @@ Explanation fitted_roughly(const JointFitTask& task, const Assimilation& start,
 /// From where a rough fit has come, with less disturbance than it took.
 FittedPair fitted(const Problem& problem, const Baseline& base, const JointFitTask& task,
                   const Explanation& rough, Index tried) {
-  constexpr double kLess = 0.2;
+  constexpr double kShareOfDisturbance = 0.2;  // a fact of the search: a start, no bound
   Assimilation start = rough.fit;
-  start.noise.disturbance *= kLess;
+  start.noise.disturbance *= kShareOfDisturbance;
   FittedPair result{explain(task, start, rough.effects), {}, INFINITY};
   if (!std::isfinite(result.explanation.fit.deviance)) return result;
   result.named = names_of(problem, base, result.explanation, tried);
@@ -205,7 +206,8 @@ FittedPair fitted(const Problem& problem, const Baseline& base, const JointFitTa
 /// Beginnings of the search for pairs in two equations.
 std::vector<Beginning> beginnings(const Problem& problem, const Baseline& base, Index k,
                                   Index l, Index& tried) {
-  constexpr std::size_t kFitted = 5;
+  // A fact of the search, of each beginning.
+  constexpr std::size_t kFittedRoughly = 5;
   Assimilation given = base.given;
   given.free = base.fit_options.free;
   std::vector<Beginning> result;
@@ -217,7 +219,7 @@ std::vector<Beginning> beginnings(const Problem& problem, const Baseline& base, 
     std::vector<Pair> pairs = pairs_in(problem, base.scope, k, l);
     tried += static_cast<Index>(pairs.size());
     one.pairs = screened(std::move(pairs), Projection(one.fit), problem.context);
-    if (one.pairs.size() > kFitted) one.pairs.resize(kFitted);
+    if (one.pairs.size() > kFittedRoughly) one.pairs.resize(kFittedRoughly);
     one.fit = loosened(std::move(one.fit), base);
   }
   return result;
@@ -234,7 +236,8 @@ std::vector<Result> in_parallel(std::size_t count, const Result& none, int threa
 /// The best pair in two equations, from all beginnings.
 FittedPair best_in(const Problem& problem, const Baseline& base,
                    const std::vector<Beginning>& begins, Index tried) {
-  constexpr std::size_t kExact = 4;
+  // A fact of the search.
+  constexpr std::size_t kFittedExactly = 4;
   const RunContext quiet{problem.context.stop, {}, 1, problem.context.seed};
   const JointFitTask task{base.records->data, problem.nominal, base.fit_options, quiet};
   const Explanation none{{}, base.fitted};
@@ -248,7 +251,7 @@ FittedPair best_in(const Problem& problem, const Baseline& base,
   std::stable_sort(rough.begin(), rough.end(), [](const Explanation& a, const Explanation& b) {
     return a.fit.deviance < b.fit.deviance;
   });
-  if (rough.size() > kExact) rough.erase(rough.begin() + kExact, rough.end());
+  if (rough.size() > kFittedExactly) rough.erase(rough.begin() + kFittedExactly, rough.end());
   FittedPair best{none, {}, INFINITY};
   for (FittedPair& pair :
        in_parallel(rough.size(), best, problem.context.threads,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identifiability.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 #include "trajectories/smoother/innovation_system.hpp"
 
@@ -71,8 +72,7 @@ OdeModel with_intervals(const Assimilation& fit) {
     const double deviation = deviation_of(fit, j);
     if (is_held(fit, static_cast<Index>(j)) || !(deviation > 0.0)) continue;
     summand.standard_error = deviation;
-    summand.ci95 = {
-        {summand.coefficient - 1.96 * deviation, summand.coefficient + 1.96 * deviation}};
+    summand.ci95 = interval95(summand.coefficient, deviation);
   }
   return {fit.model.states(), fit.model.inputs(), std::move(equations), fit.model.time_unit()};
 }

@@ -16,6 +16,7 @@ std::vector<NamedParameter> parameters_of(const FittedEffect& fitted, const Name
 
 /// First the other names of the same form, then the other forms.
 std::vector<Alternative> alternatives_of(const RankedEffect& ranked, const Ranking& ranking) {
+  // For people.
   constexpr std::size_t kAlternatives = 4;
   std::vector<Alternative> result;
   const auto add = [&](const RankedEffect& other, const Name& name) {

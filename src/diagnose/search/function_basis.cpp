@@ -2,9 +2,9 @@
 #include "function_basis.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/text.hpp"
+#include "core/numerics/information.hpp"
 #include "core/numerics/qr.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
 #include "period_search.hpp"
@@ -163,7 +163,7 @@ std::optional<ScoredFunction> FunctionScreening::best_of(std::vector<FunctionBas
     const double net =
         found.gain -
         criterion.penalty({0.0, static_cast<double>(found.members.size()),
-                           static_cast<double>(system_.used()), std::log(basis.tried)});
+                           static_cast<double>(system_.used()), choice_price(basis.tried)});
     if (!found.members.empty() && (!best || net > best->net))
       best = ScoredFunction{std::move(basis), std::move(found), net};
   }

@@ -55,6 +55,7 @@ double power(const Eigen::ArrayXcd& wave, const Eigen::ArrayXd& d) {
 }  // namespace
 
 std::optional<ValuePeriod> best_period(const Assimilation& fit, Index equation, Index slot) {
+  // Facts: one period is no period, and what is shorter than four steps may be an alias.
   constexpr double kLeastPeriods = 2.0, kLeastSteps = 4.0;
   // A peak is found to a quarter of its width.
   constexpr double kOversampling = 4.0;

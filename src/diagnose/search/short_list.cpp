@@ -85,6 +85,7 @@ class Shares {
   }
 
  private:
+  // A fact of the search: forms of one family are shaped to be much alike.
   static constexpr std::size_t kOfEach = 2;
   std::map<std::tuple<std::string, Index, bool>, std::vector<Candidate>> taken_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/records/state_statistics.hpp"
 #include "model/equations/formula_channel.hpp"
 #include "trajectories/shooting/refine.hpp"
 #include "trajectories/windows/window_gap.hpp"
@@ -19,12 +20,6 @@ bool is_plain(const Explanation& explanation) {
          std::all_of(
              explanation.effects.begin(), explanation.effects.end(),
              [](const FittedEffect& effect) { return effect.candidate.memory.empty(); });
-}
-
-/// Whether some samples are no values, which a fit of trajectories would take for such.
-bool has_marks(const Dataset& data) {
-  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
-                     [](const Trajectory& record) { return record.marks.size() > 0; });
 }
 
 /// Whether a channel is measured as a formula, which is no equation of motion.

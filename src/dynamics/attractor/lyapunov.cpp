@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "core/numerics/interval.hpp"
 #include "core/numerics/qr.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {
 
+// A fact of the statistic: parts whose scatter makes the interval.
 constexpr Index kBlocks = 10;
 
 void check(const OdeModel& model, CompiledModel& compiled, const Vector& x0,

@@ -4,28 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/check.hpp"
+#include "core/numerics/robust_statistics.hpp"
+#include "data/records/state_statistics.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna {
 namespace {
-
-/// Standard deviation of every state over all trajectories.
-Vector spread_of(const Dataset& record) {
-  const double n = static_cast<double>(record.samples());
-  Vector mean = Vector::Zero(record.state_count());
-  for (const Trajectory& run : record.trajectories)
-    mean += run.states.colwise().sum().transpose() / n;
-  Vector squares = Vector::Zero(mean.size());
-  for (const Trajectory& run : record.trajectories)
-    squares +=
-        (run.states.rowwise() - mean.transpose()).colwise().squaredNorm().transpose() / n;
-  return squares.cwiseSqrt();
-}
 
 /// Free runs of a model from samples of a trajectory.
 class Forecast {
@@ -81,12 +71,6 @@ Index good_samples_from(Index first, Forecast& forecast, const Trajectory& run,
   }
 }
 
-double median_of(std::vector<double> values) {
-  const std::size_t half = values.size() / 2;
-  std::sort(values.begin(), values.end());
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 }  // namespace
 
 PredictionTime valid_prediction_time(const OdeModel& model, const Dataset& record,
@@ -96,7 +80,8 @@ PredictionTime valid_prediction_time(const OdeModel& model, const Dataset& recor
     throw ArgumentError("valid_prediction_time", "threshold and starts must be positive", "");
   check_dataset(record);
   const Dataset view = model_view(model, record);
-  const Vector spread = spread_of(view);
+  Vector spread(view.state_count());
+  for (Index k = 0; k < spread.size(); ++k) spread[k] = std::sqrt(state_variance(view, k));
   std::vector<double> times;
   PredictionTime result;
   for (const Trajectory& run : view.trajectories) {
@@ -111,7 +96,7 @@ PredictionTime valid_prediction_time(const OdeModel& model, const Dataset& recor
   }
   check_argument(!times.empty(), "valid_prediction_time", "there is no record");
   result.times = Eigen::Map<const Vector>(times.data(), static_cast<Index>(times.size()));
-  result.median = median_of(std::move(times));
+  result.median = median(std::move(times));
   return result;
 }
 

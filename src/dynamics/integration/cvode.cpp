@@ -121,8 +121,8 @@ class CvodeStepper final : public Stepper {
 std::string Cvode::unavailable() { return ""; }
 
 std::unique_ptr<Stepper> Cvode::make_stepper(Index dimension) const {
-  constexpr Index kMost = Index{1} << 13;  // a fact of memory: half a GiB of Jacobian
-  check_argument(dimension >= 1 && dimension <= kMost, "integrator cvode",
+  constexpr Index kMostStates = Index{1} << 13;  // a fact of memory: half a GiB of Jacobian
+  check_argument(dimension >= 1 && dimension <= kMostStates, "integrator cvode",
                  "it takes 1 to 8192 states", "use dopri5 for more");
   return std::make_unique<CvodeStepper>(dimension, options());
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/records/state_statistics.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 
 namespace lacuna {
@@ -9,21 +10,8 @@ namespace {
 
 // 1 - cos(w lag) of a harmonic oscillation reaches this share of twice its variance at w lag =
 // kAngle. A quarter leaves room for noise below and for aperiodic orbits above.
-constexpr double kShare = 0.25;
-const double kAngle = std::acos(1.0 - kShare);
-
-double variance(const Dataset& record, Index state) {
-  double sum = 0.0, squares = 0.0;
-  Index count = 0;
-  for (const Trajectory& trajectory : record.trajectories) {
-    sum += trajectory.states.col(state).sum();
-    count += trajectory.samples();
-  }
-  const double mean = sum / static_cast<double>(count);
-  for (const Trajectory& trajectory : record.trajectories)
-    squares += (trajectory.states.col(state).array() - mean).square().sum();
-  return squares / static_cast<double>(count);
-}
+constexpr double kShareOfVariance = 0.25;
+const double kAngle = std::acos(1.0 - kShareOfVariance);
 
 /// Half the mean square change of one state over `lag` samples, in variances; and the mean
 /// time.
@@ -32,7 +20,7 @@ struct Change {
   double time = 0.0;
 };
 
-Change change(const Dataset& record, Index state, double state_variance, Index lag) {
+Change change(const Dataset& record, Index state, double variance, Index lag) {
   double squares = 0.0, time = 0.0;
   Index count = 0;
   for (const Trajectory& trajectory : record.trajectories) {
@@ -44,26 +32,26 @@ Change change(const Dataset& record, Index state, double state_variance, Index l
     count += pairs;
   }
   const double pairs = static_cast<double>(count);
-  return {squares / (2.0 * pairs * state_variance), time / pairs};
+  return {squares / (2.0 * pairs * variance), time / pairs};
 }
 
-/// The lag after which the change has reached kShare, between samples by a straight line; found
-/// by doubling and halving, at a cost of n log n.
-double characteristic_time(const Dataset& record, Index state, double state_variance) {
-  const auto at = [&](Index lag) { return change(record, state, state_variance, lag); };
+/// The lag after which the change has reached kShareOfVariance, between samples by a straight
+/// line; found by doubling and halving, at a cost of n log n.
+double characteristic_time(const Dataset& record, Index state, double variance) {
+  const auto at = [&](Index lag) { return change(record, state, variance, lag); };
   const Index last = longest_record(record).samples() - 1;
   Index low = 0, high = 1;
-  while (high < last && at(high).share < kShare) {
+  while (high < last && at(high).share < kShareOfVariance) {
     low = high;
     high = std::min(2 * high, last);
   }
   while (high - low > 1) {
     const Index middle = low + (high - low) / 2;
-    (at(middle).share < kShare ? low : high) = middle;
+    (at(middle).share < kShareOfVariance ? low : high) = middle;
   }
   const Change above = at(high), below = low > 0 ? at(low) : Change{};
-  if (above.share <= kShare) return above.time;
-  const double part = (kShare - below.share) / (above.share - below.share);
+  if (above.share <= kShareOfVariance) return above.time;
+  const double part = (kShareOfVariance - below.share) / (above.share - below.share);
   // From lag 0 the change grows with the square of the lag, not with the lag.
   return low > 0 ? below.time + part * (above.time - below.time) : above.time * std::sqrt(part);
 }
@@ -81,9 +69,9 @@ Matrix default_coupling(const Dataset& record) {
   double squares = 0.0;
   Index moving = 0;
   for (Index i = 0; i < record.state_count(); ++i) {
-    const double state_variance = variance(record, i);
-    if (!(state_variance > 0.0)) continue;
-    const double rate = kAngle / characteristic_time(record, i, state_variance);
+    const double variance = state_variance(record, i);
+    if (!(variance > 0.0)) continue;
+    const double rate = kAngle / characteristic_time(record, i, variance);
     squares += rate * rate;
     ++moving;
   }

@@ -10,6 +10,7 @@
 namespace lacuna {
 namespace {
 
+// No state is so large in any unit that is in use; what is larger has run away.
 constexpr double kDivergence = 1e12;
 
 void check_start(const Vector& x0, const Vector& times) {

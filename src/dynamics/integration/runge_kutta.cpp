@@ -136,7 +136,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
     least_ = 0.0;
     for (int count = 0; t0 < t1; ++count) {
       const bool ends = count == control_.max_steps || too_small(t0);
-      if (ends || (count + 1) % kPatience == 0) {
+      if (ends || (count + 1) % kStepsBeforeJumps == 0) {
         const IntegrationStatus status = stopped();
         const bool held = least_ == 0.0 && begin_along_jump(rhs, t0, t1, x);
         if (ends && !held) return status;
@@ -149,15 +149,16 @@ class AdaptiveStepper final : public RungeKuttaStepper {
 
  private:
   /// Steps after which it is asked whether rates jump: a fact of cost, for it takes two.
-  static constexpr int kPatience = 1000;
+  static constexpr int kStepsBeforeJumps = 1000;
 
   /// Whether it is in vain to try shorter steps: where rates jump, half a step makes half the
   /// error; where they are smooth a sixteenth or less, by the order of the method.
   bool begin_along_jump(RightHandSide rhs, double t, double t1, const double* x) {
-    constexpr double kJumps = 0.25;  // a fact: between a half and a sixteenth
+    constexpr double kErrorAfterHalving = 0.25;  // a fact: between a half and a sixteenth
     const double h = limited(control_.along_jump * (t1 - t));
     const double whole = try_step(rhs, t, h, x);
-    if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > kJumps * whole)) return false;
+    if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > kErrorAfterHalving * whole))
+      return false;
     step_ = least_ = h;
     return true;
   }
@@ -275,8 +276,9 @@ void StepControl::describe(OptionVisitor& visitor) {
 namespace {
 
 void check_dimension(Index dimension) {
-  constexpr Index kMost = Index{1} << 22;  // a fact of memory: steppers hold tens of states
-  if (dimension < 1 || dimension > kMost)
+  // A fact of memory: steppers hold tens of states.
+  constexpr Index kMostStates = Index{1} << 22;
+  if (dimension < 1 || dimension > kMostStates)
     throw ArgumentError("integrator",
                         "there is no system of " + std::to_string(dimension) + " states", "");
 }

@@ -154,6 +154,7 @@ class PiecewiseStepper final : public Stepper {
   }
 
  private:
+  // A fact of cost: of a step.
   static constexpr double kMostParts = 1000.0;
 
   IntegrationStatus go(RightHandSide rhs, double& t0, double t1, double* x) {

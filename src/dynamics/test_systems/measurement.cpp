@@ -6,6 +6,7 @@
 
 #include "core/base/random.hpp"
 #include "data/records/check_record.hpp"
+#include "data/records/state_statistics.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna {
@@ -34,15 +35,6 @@ void check_sigma(const Dataset& record, const Vector& sigma) {
     return;
   throw ArgumentError("add_noise", "sigma is not one number >= 0 per state",
                       "the record has " + std::to_string(record.state_count()) + " states");
-}
-
-double deviation(const Dataset& record, Index state) {
-  const double n = static_cast<double>(record.samples());
-  double sum = 0.0, squares = 0.0;
-  for (const Trajectory& t : record.trajectories) sum += t.states.col(state).sum();
-  for (const Trajectory& t : record.trajectories)
-    squares += (t.states.col(state).array() - sum / n).square().sum();
-  return std::sqrt(squares / n);
 }
 
 }  // namespace
@@ -75,7 +67,8 @@ Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed
 Dataset add_relative_noise(const Dataset& record, double share, std::uint64_t seed) {
   check_columns(record, "add_relative_noise");
   Vector sigma(record.state_count());
-  for (Index k = 0; k < sigma.size(); ++k) sigma[k] = share * deviation(record, k);
+  for (Index k = 0; k < sigma.size(); ++k)
+    sigma[k] = share * std::sqrt(state_variance(record, k));
   return add_noise(record, sigma, seed);
 }
 

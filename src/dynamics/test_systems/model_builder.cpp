@@ -6,8 +6,7 @@ namespace lacuna {
 OdeModel build_model(const std::vector<Quantity>& states,
                      const std::vector<std::vector<TextTerm>>& equations,
                      const std::string& time_unit) {
-  Variables variables;
-  for (const Quantity& state : states) variables.states.push_back(state.name);
+  const Variables variables{names_of(states), {}};
   std::vector<Equation> parsed;
   for (const std::vector<TextTerm>& equation : equations) {
     Equation& terms = parsed.emplace_back();

@@ -10,11 +10,13 @@
 namespace lacuna {
 namespace {
 
+// The record as it was made.
 constexpr Index kSamples = 10000;
 constexpr double kSamplesPerTau = 10.0;
 constexpr Index kTransient = 2000;  // samples left out in front
 
 void round_to_grid(Vector& x) {
+  // By definition: samples have 24 bits behind the point.
   constexpr double kGrid = 0x1p24;
   x = (x * kGrid).array().round() / kGrid;
 }

@@ -73,9 +73,9 @@ Dataset read_spice_output(const std::filesystem::path& path) {
 }
 
 Dataset resampled(const Dataset& record, double begin, double unit, double h, Index n) {
-  constexpr Index kMost = Index{1} << 32;  // a fact of memory: more have no room
+  constexpr Index kMostSamples = Index{1} << 32;  // a fact of memory: more have no room
   check_dataset(record);
-  check_argument(n >= 1 && n <= kMost && h > 0.0 && unit > 0.0 && std::isfinite(begin),
+  check_argument(n >= 1 && n <= kMostSamples && h > 0.0 && unit > 0.0 && std::isfinite(begin),
                  "resampled", "there are no such samples", "give a step and a unit above 0");
   const Trajectory& run = record.trajectories[0];
   const double end = begin + h * unit * static_cast<double>(n - 1);

@@ -13,7 +13,7 @@ namespace lacuna {
 namespace {
 
 /// Share of the square up to which a form is followed by another one.
-constexpr double kFollowed = 1e-3;
+constexpr double kShareNotFollowed = 1e-3;
 
 /// Values of formulas without delays at the samples of a scope.
 Matrix at_samples(const std::vector<Expression>& formulas, const Scope& scope) {
@@ -84,11 +84,13 @@ bool nests(const Candidate& general, const Candidate& special, const Vector& val
   const auto best =
       std::min_element(begin.begin(), begin.end(),
                        [&](const auto& a, const auto& b) { return left(a) < left(b); });
-  if (left(*best) <= kFollowed) return true;
+  if (left(*best) <= kShareNotFollowed) return true;
+  // A fact of the search, for each shape.
   constexpr int kEvaluations = 40;
   const int budget = kEvaluations * static_cast<int>(general.shapes.size());
-  return left(nelder_mead(left, *best, {.unnoticed = kFollowed, .evaluations = budget})) <=
-         kFollowed;
+  return left(nelder_mead(left, *best,
+                          {.unnoticed = kShareNotFollowed, .evaluations = budget})) <=
+         kShareNotFollowed;
 }
 
 }  // namespace lacuna

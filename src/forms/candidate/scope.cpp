@@ -10,6 +10,7 @@
 namespace lacuna {
 namespace {
 
+// By definition: steps of half a per cent.
 constexpr int kQuantiles = 201;
 constexpr Index kSamples = 2000;  // enough for quantiles of formulas
 

@@ -8,6 +8,7 @@
 
 #include "base_columns.hpp"
 #include "core/base/parallel.hpp"
+#include "core/numerics/information.hpp"
 #include "core/numerics/qr.hpp"
 #include "forms/candidate/nelder_mead.hpp"
 #include "forms/candidate/shape_scale.hpp"
@@ -98,7 +99,7 @@ double FormProblem::noise_left(Index equation) const {
 }
 
 double FormProblem::same_as(double left, double noise) const {
-  const double chance = 2.0 * std::log(static_cast<double>(rows_.rows()));
+  const double chance = 2.0 * parameter_price(static_cast<double>(rows_.rows()));
   if (left > options_.mostly_noise * noise)
     return (1.0 + options_.same) * (1.0 + options_.same) * left;
   return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
@@ -110,7 +111,8 @@ Limit FormProblem::limit_of(const EquationForms& equation, Remainder remainder) 
   const double noise = std::max(noise_left(k), remainder == Remainder::Noise ? now : 0.0);
   const auto rows = static_cast<double>(rows_.rows());
   const bool is_noise = now <= options_.mostly_noise * noise;
-  return {same_as(now, noise), is_noise ? std::log(rows) / rows * std::max(now, noise) : 0.0,
+  return {same_as(now, noise),
+          is_noise ? parameter_price(rows) / rows * std::max(now, noise) : 0.0,
           equation.parameters()};
 }
 
@@ -136,7 +138,8 @@ std::vector<Term> FormProblem::linear_terms() const {
 
 std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
                                           const std::vector<Candidate>& candidates) const {
-  constexpr int kRough = 25;
+  // A fact of the search: enough to rank forms, which are fitted again.
+  constexpr int kEvaluationsRoughly = 25;
   std::vector<Start> starts = all_starts(candidates);
   set_left(rated({{equation}}, starts).col(0), starts);
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
@@ -152,10 +155,10 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
       trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), evaluations);
     });
   };
-  fit(trials.size(), kRough);
+  fit(trials.size(), kEvaluationsRoughly);
   const auto leaves_less = [](const Trial& a, const Trial& b) { return a.left < b.left; };
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
-  fit(static_cast<std::size_t>(options_.exact_fits), kExact);
+  fit(static_cast<std::size_t>(options_.exact_fits), kEvaluationsExactly);
   std::stable_sort(trials.begin(), trials.end(), leaves_less);
   return trials;
 }
@@ -163,14 +166,14 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
 Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
                            const Limit& limit) const {
   equation.forms.push_back(form);
-  Trial now{equation, polish(equation, equation.forms.size() - 1, kExact)};
+  Trial now{equation, polish(equation, equation.forms.size() - 1, kEvaluationsExactly)};
   now.equation = equation;
   if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
   while (now.left <= limit(now.equation) &&
          now.equation.terms.size() + now.equation.forms.size() > 1) {
     Trial next = without_least(now.equation);
     if (next.left > limit(next.equation) && !next.equation.forms.empty())
-      next.left = polish(next.equation, next.equation.forms.size() - 1, kExact);
+      next.left = polish(next.equation, next.equation.forms.size() - 1, kEvaluationsExactly);
     if (!(next.left <= limit(next.equation))) break;
     now = std::move(next);
   }
@@ -191,7 +194,7 @@ Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
   const Matrix triangle = Qr(system).triangle();
   const Subset subset =
       best_subset(subset_problem(triangle / std::sqrt(std::max(limit.left, 1e-300) / rows)),
-                  2.0 * std::log(rows), {{last}}, Exchange::Single, context_);
+                  2.0 * parameter_price(rows), {{last}}, Exchange::Single, context_);
   if (subset.columns.empty() || subset.columns.back() != last) return none;
   EquationForms few{from.equation, {}, {}};
   const auto terms = static_cast<Index>(from.terms.size());
@@ -220,6 +223,7 @@ bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness ki
 
 std::optional<MissingForm> FormProblem::rest_of(
     const Term& term, const MissingForm& form, const std::vector<Candidate>& candidates) const {
+  // A fact of rounding: a rest is exactly a form, or none.
   constexpr double kRounding = 1e-9;
   if (form.shapes.size() == 0) return std::nullopt;
   const Matrix both = rows_.values({term.expression(), form.expression()});
@@ -267,16 +271,17 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
 
 Matrix FormProblem::rated(const std::vector<Beside>& equations,
                           const std::vector<Start>& starts) const {
-  constexpr std::size_t kTogether = 32;  // a fact of the machines: columns in memory at a time
+  // A fact of the machines: columns in memory at a time.
+  constexpr std::size_t kColumnsTogether = 32;
   std::vector<BaseColumns> bases;
   for (const auto& [equation, without_two] : equations)
     bases.emplace_back(columns(equation), rows_.target(equation.equation));
   Matrix left(static_cast<Index>(starts.size()), static_cast<Index>(equations.size()));
-  const std::size_t chunks = (starts.size() + kTogether - 1) / kTogether;
+  const std::size_t chunks = (starts.size() + kColumnsTogether - 1) / kColumnsTogether;
   parallel_for(chunks, context_.threads, [&](std::size_t chunk) {
     context_.check_stop();
-    const std::size_t first = chunk * kTogether;
-    const std::size_t end = std::min(starts.size(), first + kTogether);
+    const std::size_t first = chunk * kColumnsTogether;
+    const std::size_t end = std::min(starts.size(), first + kColumnsTogether);
     std::vector<Expression> forms;
     for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
     const Matrix added = rows_.columns(forms);

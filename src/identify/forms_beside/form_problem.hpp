@@ -12,7 +12,7 @@
 namespace lacuna {
 
 /// Evaluations for a shape when it is fitted to the last digits.
-inline constexpr int kExact = 80;
+inline constexpr int kEvaluationsExactly = 80;
 
 /// A candidate at one of its starting points.
 struct Start {

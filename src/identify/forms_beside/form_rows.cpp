@@ -24,6 +24,7 @@ double total_duration(const Dataset& data) {
 
 /// L of the covariance of the rows, which is banded; in blocks, so that it is made in no time.
 SparseRows whitening(const Projection& projection) {
+  // A fact of caches.
   constexpr Index kBlock = 128;
   std::vector<Eigen::Triplet<double, Index>> entries;
   for (Index first = 0; first < projection.rows(); first += kBlock) {
@@ -40,6 +41,7 @@ SparseRows whitening(const Projection& projection) {
 
 /// The test function for a dataset, narrower where that leaves too few rows.
 TestFunction narrow_function(const Dataset& data) {
+  // Facts of the statistic: fewer rows rank forms by chance; a row needs samples to be white.
   constexpr double kRows = 400.0, kSamplesOfARow = 4.0;
   const TestFunction function = choose_test_function(data);
   const double samples = static_cast<double>(data.samples());
@@ -55,14 +57,18 @@ TestFunction narrow_function(const Dataset& data) {
 
 FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library,
                    int threads) {
-  for (const Quantity& state : data.states) variables_.states.push_back(state.name);
-  for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
-  const TestFunction function = narrow_function(data);
-  const double spacing =
-      std::max(test_function_spacing(function), total_duration(data) / kMostRows);
+  variables_ = {names_of(data.states), names_of(data.inputs)};
   states_.resize(data.samples(), data.state_count());
   rates_.resize(data.samples(), data.state_count());
   slots_.resize(data.samples(), variables_.count());
+  take_in(data, noise, threads);
+  take_in(library, threads);
+}
+
+void FormRows::take_in(const Dataset& data, const Vector& noise, int threads) {
+  const TestFunction function = narrow_function(data);
+  const double spacing =
+      std::max(test_function_spacing(function), total_duration(data) / kMostRows);
   std::vector<Part> parts;
   Index first = 0;
   for (const Trajectory& record : data.trajectories) {
@@ -87,6 +93,9 @@ FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<T
     rows_ += part.projection.rows();
     parts_.push_back(std::move(part));
   }
+}
+
+void FormRows::take_in(const std::vector<Term>& library, int threads) {
   std::vector<Vector> known(library.size());
   parallel_for(library.size(), threads,
                [&](std::size_t i) { known[i] = columns({library[i].expression()}).col(0); });

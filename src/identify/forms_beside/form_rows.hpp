@@ -51,6 +51,12 @@ class FormRows {
     SparseRows factor;  ///< L of the whitening, banded
   };
 
+  /// Samples and rows of all records.
+  void take_in(const Dataset& data, const Vector& noise, int threads);
+
+  /// Columns of terms.
+  void take_in(const std::vector<Term>& library, int threads);
+
   /// A state of a record, smoothed, at its place among the samples.
   void smooth(const Trajectory& record, Index state, double noise, Index first);
 

@@ -2,9 +2,10 @@
 #include "identify/forms_beside/identify_with_forms.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
+#include <utility>
 
+#include "core/numerics/information.hpp"
 #include "extended_pipeline.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
@@ -36,149 +37,167 @@ struct Counted {
   std::size_t numbers;
 };
 
-/// Whether fewer numbers say the same by Schwarz' criterion: 2 n ln(what is left) of each state
-/// and ln(n m) for each number.
-bool says_the_same(const Counted& fewer, const Counted& more, const ModelComparison& models,
-                   const Dataset& data) {
-  const auto n = static_cast<double>(data.samples());
-  const double price = std::log(n * static_cast<double>(data.state_count()));
+/// Candidates of each equation; none where it is known what it is.
+std::vector<std::vector<Candidate>> candidates_for(const ExtendedPipeline& pipeline,
+                                                   const Dataset& data,
+                                                   const std::vector<Stage<Effect>>& effects,
+                                                   const IdentificationResult& alone) {
+  const Scope scope = make_scope(alone.model, data, alone.noise);
+  std::vector<std::vector<Candidate>> candidates;
+  for (Index k = 0; k < data.state_count(); ++k) {
+    std::vector<Candidate>& all = candidates.emplace_back();
+    if (data.rate_state(k)) continue;
+    all = function_forms(scope, effects, k);
+    for (Candidate& fraction : pipeline.search().fractions(scope, k, pipeline.library().terms))
+      all.push_back(std::move(fraction));
+  }
+  return candidates;
+}
+
+/// What a search for forms beside the library works with. Everything outlives it.
+struct FormsTask {
+  const ExtendedPipeline& pipeline;
+  const std::vector<std::vector<Candidate>>& candidates;  ///< of each equation
+  const Dataset& data;                                    ///< the excerpt
+  const FormOptions& options;
+  const RunContext& context;
+
+  /// @param part of the search, from 0 to 1, that begins with an equation.
+  void report(double part) const { context.report("searching forms", part); }
+  double share(std::size_t equation) const {
+    return static_cast<double>(equation) / static_cast<double>(candidates.size());
+  }
+};
+
+/// Whether fewer numbers do the same by Schwarz' criterion: 2 n ln(residual) of each state and
+/// ln(n m) for each number.
+bool says_the_same(const FormsTask& task, const Counted& fewer, const Counted& more) {
+  const auto n = static_cast<double>(task.data.samples());
+  const double price = parameter_price(n * static_cast<double>(task.data.state_count()));
   return fewer.numbers < more.numbers &&
-         2.0 * n * models.excess(fewer.result, more.result) <
+         2.0 * n * task.pipeline.models().excess(fewer.result, more.result) <
              price * static_cast<double>(more.numbers - fewer.numbers);
 }
 
-/// A run with forms beside the library.
-class ExtendedRun {
- public:
-  ExtendedRun(const RecordStream& records, const Pipeline& pipeline, const FormOptions& options,
-              const IdentificationResult& alone, const RunContext& context)
-      : data_(records.excerpt()),
-        options_(options),
-        context_(context),
-        pipeline_(records, pipeline, options, alone, context) {}
+/// The library in every equation, and no form.
+std::vector<EquationForms> bare_equations(const FormsTask& task) {
+  std::vector<EquationForms> equations;
+  for (std::size_t k = 0; k < task.candidates.size(); ++k)
+    equations.push_back({static_cast<Index>(k), task.pipeline.library().terms, {}});
+  return equations;
+}
 
-  /// Collects the candidates of each equation.
-  void look_for(const std::vector<Stage<Effect>>& effects, const IdentificationResult& alone) {
-    const Scope scope = make_scope(alone.model, data_, alone.noise);
-    for (Index k = 0; k < data_.state_count(); ++k) {
-      std::vector<Candidate>& all = candidates_.emplace_back();
-      if (data_.rate_state(k)) continue;
-      all = function_forms(scope, effects, k);
-      for (Candidate& fraction :
-           pipeline_.search().fractions(scope, k, pipeline_.library().terms))
-        all.push_back(std::move(fraction));
+std::vector<EquationForms> with_missing_forms(const FormsTask& task,
+                                              std::vector<EquationForms> equations) {
+  const auto most_forms = static_cast<std::size_t>(task.options.most_forms);
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    task.report(0.5 * task.share(k));
+    if (!task.candidates[k].empty())
+      equations[k] = task.pipeline.search().with_missing_forms(std::move(equations[k]),
+                                                               task.candidates[k], most_forms);
+  }
+  return equations;
+}
+
+/// The equations with plainer forms; nothing where none is plainer.
+std::optional<std::vector<EquationForms>> plainer(const FormsTask& task,
+                                                  std::vector<EquationForms> equations,
+                                                  Plainness kind) {
+  bool changed = false;
+  for (std::size_t k = 0; k < equations.size(); ++k)
+    if (auto other = task.pipeline.search().plainer(equations[k], task.candidates[k], kind)) {
+      equations[k] = std::move(*other);
+      changed = true;
     }
-  }
+  return changed ? std::optional(std::move(equations)) : std::nullopt;
+}
 
-  /// Whether there are rows enough to tell forms from the library.
-  bool is_possible() const {
-    return pipeline_.search().rows() > 2 * pipeline_.library().size();
-  }
-
-  /// Whether forms have made the model better. Where the library fits already they have to say
-  /// the same by fewer numbers; else it fits now, or leaves less with no more terms.
-  bool is_better(const Extension& with, const IdentificationResult& without) const {
-    if (reaches_the_noise(without))
-      return reaches_the_noise(with.result) &&
-             says_the_same({with.result, with.numbers()}, {without, terms_of(without)},
-                           pipeline_.models(), data_);
-    if (is_known_to_fit(with.result)) return true;
-    return pipeline_.models().excess(with.result, without) < -options_.same &&
-           terms_of(with.result) <= terms_of(without);
-  }
-
-  /// Forms that equations lack, and the model that the pipeline makes with them.
-  Extension result(const IdentificationResult& alone) const {
-    std::vector<EquationForms> equations = bare();
-    const bool fits = reaches_the_noise(alone);
-    if (!fits) equations = with_missing(std::move(equations));
-    const IdentificationResult found = fits ? alone : pipeline_.identified(equations);
-    const std::vector<EquationForms> kept = kept_in(found, equations);
-    const auto fewest = static_cast<std::size_t>(options_.fewest_numbers);
-    bool changed = false;
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      if (candidates_[k].empty()) continue;
-      context_.report("searching forms", 0.5 + 0.5 * double(k) / double(candidates_.size()));
-      equations[k] = kept[k];
-      if (fits && kept[k].parameters() < fewest) continue;
-      equations[k] = pipeline_.search().with_fewer_terms(
-          kept[k], candidates_[k], pipeline_.library().terms, left_by(found.fit[k]));
-      equations[k] = pipeline_.search().refitted(std::move(equations[k]));
-      changed = changed || !equations[k].forms.empty();
+/// A model without shapes of its forms that are worth nothing by Schwarz' criterion.
+Extension with_fewer_shapes(const FormsTask& task, Extension found) {
+  std::vector<EquationForms> fewer = found.equations;
+  bool changed = false;
+  for (std::size_t k = 0; k < fewer.size(); ++k)
+    if (auto equation =
+            task.pipeline.search().with_fewer_shapes(fewer[k], task.candidates[k])) {
+      fewer[k] = std::move(*equation);
+      changed = true;
     }
-    if (!changed) return {found, kept};
-    Extension thinned = plain(std::move(equations));
-    const bool is_lost = pipeline_.models().is_ahead(found, thinned.result, options_.same);
-    return is_lost ? Extension{found, kept} : std::move(thinned);
-  }
+  if (!changed) return found;
+  Extension other = task.pipeline.settled(std::move(fewer), task.candidates);
+  const bool same =
+      reaches_the_noise(other.result) >= reaches_the_noise(found.result) &&
+      says_the_same(task, {other.result, other.numbers()}, {found.result, found.numbers()});
+  return same ? std::move(other) : std::move(found);
+}
 
- private:
-  std::vector<EquationForms> bare() const {
-    std::vector<EquationForms> equations;
-    for (std::size_t k = 0; k < candidates_.size(); ++k)
-      equations.push_back({static_cast<Index>(k), pipeline_.library().terms, {}});
-    return equations;
-  }
+/// The model with these forms, or with plainer ones where they do the same.
+Extension plain_model(const FormsTask& task, std::vector<EquationForms> equations) {
+  // What a solver makes of a jump is worse than what it makes of a steep slope: residuals do
+  // not decide here.
+  if (auto jumps = plainer(task, equations, Plainness::Jump)) equations = std::move(*jumps);
+  Extension found =
+      with_fewer_shapes(task, task.pipeline.settled(std::move(equations), task.candidates));
+  auto others = plainer(task, found.equations, Plainness::Any);
+  if (!others) return found;
+  Extension other = task.pipeline.settled(std::move(*others), task.candidates);
+  const ModelComparison& models = task.pipeline.models();
+  const bool same = models.excess(other.result, found.result) <= task.options.same ||
+                    (reaches_the_noise(other.result) && reaches_the_noise(found.result));
+  return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
+}
 
-  std::vector<EquationForms> with_missing(std::vector<EquationForms> equations) const {
-    const auto most_forms = static_cast<std::size_t>(options_.most_forms);
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      context_.report("searching forms", 0.5 * double(k) / double(candidates_.size()));
-      if (!candidates_[k].empty())
-        equations[k] = pipeline_.search().with_missing_forms(std::move(equations[k]),
-                                                             candidates_[k], most_forms);
-    }
-    return equations;
+/// The equations with forms in the place of terms; nothing where no form takes any.
+/// @param fits whether the library alone reaches the noise: then few numbers need no fewer.
+std::optional<std::vector<EquationForms>> thinned(const FormsTask& task,
+                                                  const IdentificationResult& found,
+                                                  std::vector<EquationForms> equations,
+                                                  bool fits) {
+  const FormSearch& search = task.pipeline.search();
+  const auto fewest = static_cast<std::size_t>(task.options.fewest_numbers);
+  const std::vector<EquationForms> kept = kept_in(found, equations);
+  bool changed = false;
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    if (task.candidates[k].empty()) continue;
+    task.report(0.5 + 0.5 * task.share(k));
+    equations[k] = kept[k];
+    if (fits && kept[k].parameters() < fewest) continue;
+    equations[k] = search.refitted(search.with_fewer_terms(
+        kept[k], task.candidates[k], task.pipeline.library().terms, left_by(found.fit[k])));
+    changed = changed || !equations[k].forms.empty();
   }
+  return changed ? std::optional(std::move(equations)) : std::nullopt;
+}
 
-  /// @return whether something has changed.
-  bool make_plainer(std::vector<EquationForms>& equations, Plainness kind) const {
-    bool changed = false;
-    for (std::size_t k = 0; k < equations.size(); ++k)
-      if (const auto plainer = pipeline_.search().plainer(equations[k], candidates_[k], kind)) {
-        equations[k] = *plainer;
-        changed = true;
-      }
-    return changed;
-  }
+/// Forms that equations lack, and the model that the pipeline makes with them.
+Extension with_forms_beside(const FormsTask& task, const IdentificationResult& alone) {
+  std::vector<EquationForms> equations = bare_equations(task);
+  const bool fits = reaches_the_noise(alone);
+  if (!fits) equations = with_missing_forms(task, std::move(equations));
+  const IdentificationResult found = fits ? alone : task.pipeline.identified(equations);
+  const std::vector<EquationForms> kept = kept_in(found, equations);
+  auto fewer = thinned(task, found, std::move(equations), fits);
+  if (!fewer) return {found, kept};
+  Extension plain = plain_model(task, std::move(*fewer));
+  const bool is_lost = task.pipeline.models().is_ahead(found, plain.result, task.options.same);
+  return is_lost ? Extension{found, kept} : std::move(plain);
+}
 
-  /// The model with these forms, or with plainer ones where they do the same.
-  Extension plain(std::vector<EquationForms> equations) const {
-    // What a solver makes of a jump is worse than what it makes of a steep slope: residuals do
-    // not decide here.
-    make_plainer(equations, Plainness::Jump);
-    Extension found = with_fewer_shapes(pipeline_.settled(std::move(equations), candidates_));
-    std::vector<EquationForms> plainer = found.equations;
-    if (!make_plainer(plainer, Plainness::Any)) return found;
-    Extension other = pipeline_.settled(std::move(plainer), candidates_);
-    const bool same = pipeline_.models().excess(other.result, found.result) <= options_.same ||
-                      (reaches_the_noise(other.result) && reaches_the_noise(found.result));
-    return same && other.numbers() <= found.numbers() ? std::move(other) : std::move(found);
-  }
+/// Whether forms have made the model better. Where the library fits already they have to be
+/// the same by fewer numbers; else it fits now, or leaves less with no more terms.
+bool is_better(const FormsTask& task, const Extension& with,
+               const IdentificationResult& without) {
+  if (reaches_the_noise(without))
+    return reaches_the_noise(with.result) &&
+           says_the_same(task, {with.result, with.numbers()}, {without, terms_of(without)});
+  if (is_known_to_fit(with.result)) return true;
+  return task.pipeline.models().excess(with.result, without) < -task.options.same &&
+         terms_of(with.result) <= terms_of(without);
+}
 
-  /// A model without shapes of its forms that say nothing by Schwarz' criterion.
-  Extension with_fewer_shapes(Extension found) const {
-    std::vector<EquationForms> fewer = found.equations;
-    bool changed = false;
-    for (std::size_t k = 0; k < fewer.size(); ++k)
-      if (auto equation = pipeline_.search().with_fewer_shapes(fewer[k], candidates_[k])) {
-        fewer[k] = std::move(*equation);
-        changed = true;
-      }
-    if (!changed) return found;
-    Extension other = pipeline_.settled(std::move(fewer), candidates_);
-    const bool same = reaches_the_noise(other.result) >= reaches_the_noise(found.result) &&
-                      says_the_same({other.result, other.numbers()},
-                                    {found.result, found.numbers()}, pipeline_.models(), data_);
-    return same ? std::move(other) : std::move(found);
-  }
-
-  const Dataset& data_;  ///< the excerpt
-  const FormOptions& options_;
-  const RunContext& context_;
-  ExtendedPipeline pipeline_;
-  std::vector<std::vector<Candidate>> candidates_;  ///< of each equation
-};
+/// Whether there are rows enough to tell forms from the library.
+bool has_rows_for_forms(const ExtendedPipeline& pipeline) {
+  return pipeline.search().rows() > 2 * pipeline.library().size();
+}
 
 }  // namespace
 
@@ -191,13 +210,15 @@ IdentificationResult identify_with_forms(const RecordStream& records, const Pipe
       !pipeline.equations.empty())
     return alone;
   const RunContext leader = context.alone();
-  ExtendedRun run(records, pipeline, options, alone, leader);
-  if (!run.is_possible()) return alone;
-  run.look_for(effects, alone);
-  Extension extended = run.result(alone);
-  if (!run.is_better(extended, alone)) return alone;
-  if (extended.has_forms()) extended.result.library_alone = std::move(alone.model);
-  return std::move(extended.result);
+  const ExtendedPipeline extended(records, pipeline, options, alone, leader);
+  if (!has_rows_for_forms(extended)) return alone;
+  const Dataset& data = records.excerpt();
+  const auto candidates = candidates_for(extended, data, effects, alone);
+  const FormsTask task{extended, candidates, data, options, leader};
+  Extension with = with_forms_beside(task, alone);
+  if (!is_better(task, with, alone)) return alone;
+  if (with.has_forms()) with.result.library_alone = std::move(alone.model);
+  return std::move(with.result);
 }
 
 }  // namespace lacuna

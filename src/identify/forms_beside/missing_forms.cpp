@@ -49,6 +49,10 @@ FormSearch::~FormSearch() = default;
 
 Index FormSearch::rows() const { return problem_->rows(); }
 
+double FormSearch::left(const EquationForms& equation) const {
+  return problem_->left(equation);
+}
+
 std::vector<Candidate> FormSearch::fractions(const Scope& scope, Index equation,
                                              const std::vector<Term>& library) const {
   return rational_forms(scope, problem_->all_rows(), {equation, library, {}},
@@ -198,11 +202,12 @@ std::vector<MissingForm> FormSearch::shared_forms(
 }
 
 EquationForms FormSearch::refitted(EquationForms equation) const {
+  // A fact of the search: what further rounds move no test would notice.
   constexpr int kRounds = 3;
   const bool alone = equation.forms.size() == 1;
   for (int round = 0; round < (alone ? 1 : kRounds); ++round)
     for (std::size_t place = 0; place < equation.forms.size(); ++place)
-      problem_->polish(equation, place, kExact);
+      problem_->polish(equation, place, kEvaluationsExactly);
   return equation;
 }
 

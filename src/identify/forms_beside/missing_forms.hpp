@@ -60,6 +60,9 @@ class FormSearch {
   /// Rows of the weak form; a search needs more of them than terms.
   Index rows() const;
 
+  /// |y - A h|^2 of an equation in these rows.
+  double left(const EquationForms& equation) const;
+
   /// Fractions with denominators in several variables, found in the implicit form of an
   /// equation, as further candidates.
   std::vector<Candidate> fractions(const Scope& scope, Index equation,

@@ -55,6 +55,7 @@ class Products {
  private:
   void push(const char* pattern, const Expression& monomial,
             std::vector<Candidate>& result) const {
+    // A fact of the search: along the range of the variable.
     constexpr int kStarts = 7;
     const Expression x = Expression::variable(range_.name);
     const double size = range_.magnitude();

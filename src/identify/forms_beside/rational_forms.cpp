@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/parallel.hpp"
+#include "core/numerics/information.hpp"
 #include "core/numerics/least_squares.hpp"
 #include "core/numerics/qr.hpp"
 #include "product_forms.hpp"
@@ -41,113 +42,119 @@ std::vector<Expression> numbers_of(const Vector& values) {
 /// Whether a monomial is a power of one variable: such denominators are shaped forms already.
 bool is_power(const Expression& monomial) { return monomial.variables().size() < 2; }
 
-/// The denominators of one equation.
-class Denominators {
- public:
-  Denominators(const Scope& scope, const FormRows& rows, Index equation,
-               const std::vector<Term>& library, const RunContext& context)
-      : scope_(scope), rows_(rows), context_(context), target_(rows.target(equation)) {
-    for (const Term& term : library) library_.push_back(term.expression());
-    numerators_ = rows.values(library_);
-    rate_ = rows.rate(equation);
-    projected_ = rows.projected(numerators_);
-    const double least = 1e-16 * target_.squaredNorm();
-    unit_ = std::sqrt(std::max(squares_left(projected_, target_), least) /
-                      static_cast<double>(target_.size()));
-    add_monomials();
-  }
+bool is_one(const Expression& monomial) { return monomial.variables().empty(); }
 
-  /// The best, each with its numbers.
-  std::vector<Denominator> best(std::size_t count) const {
-    std::vector<Denominator> all = pairs();
-    parallel_for(all.size(), context_.threads, [&](std::size_t i) {
-      context_.check_stop();
-      all[i].numbers = implicit(all[i]);
-      all[i].score = score(all[i]);
-    });
-    std::stable_sort(all.begin(), all.end(), [](const Denominator& a, const Denominator& b) {
-      return a.score < b.score;
-    });
-    if (all.size() > count) all.resize(count);
-    return all;
-  }
+/// Largest value of a monomial in the records.
+double size_of(const Expression& monomial, const FormRows& rows) {
+  return std::max(rows.values({monomial}).maxCoeff(), 1e-300);
+}
 
-  /// Largest value of a monomial in the records.
-  double size_of(const Expression& monomial) const {
-    return std::max(rows_.values({monomial}).maxCoeff(), 1e-300);
-  }
-
- private:
-  void add_monomials() {
-    constexpr std::size_t kFewVariables = 3;  // of more: the variables themselves
-    const int degree = scope_.variables.size() <= kFewVariables ? 2 : 1;
-    for (const Expression& monomial : monomials_of(scope_, degree)) {
-      if (monomial.variables().empty()) continue;
-      const Matrix values = rows_.values({monomial});
-      if (values.minCoeff() >= -0.05 * values.maxCoeff()) monomials_.push_back(monomial);
-    }
-  }
-
-  std::vector<Denominator> pairs() const {
-    const Expression one = Expression::number(1.0);
-    std::vector<Denominator> all;
-    for (std::size_t i = 0; i < monomials_.size(); ++i) {
-      if (!is_power(monomials_[i])) all.push_back({{one, monomials_[i]}, {}, 0.0});
-      for (std::size_t j = 0; j < i; ++j) {
-        all.push_back({{one, monomials_[j], monomials_[i]}, {}, 0.0});
-        all.push_back({{monomials_[j], monomials_[i]}, {}, 0.0});
-      }
-    }
-    return all;
-  }
-
-  /// q of the implicit form; what is not positive begins at a tenth of what is large.
-  Vector implicit(const Denominator& denominator) const {
-    Matrix monomials = rows_.values(denominator.monomials);
-    monomials.array().colwise() *= rate_.array();
-    const Matrix products = rows_.projected(monomials);
-    const Index count = products.cols() - 1;
-    Matrix columns(projected_.rows(), projected_.cols() + count);
-    columns << products.rightCols(count), projected_;
-    const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
-    columns.array().rowwise() /= norms.transpose().array();
-    const Vector left = is_one(denominator.monomials[0]) ? target_ : Vector(products.col(0));
-    const Vector solution = least_squares(columns, left);
-    Vector numbers = -(solution.head(count).array() / norms.head(count).array());
-    const double size = size_of(denominator.monomials[0]);
-    for (Index j = 0; j < count; ++j) {
-      const double unit =
-          size / size_of(denominator.monomials[static_cast<std::size_t>(j + 1)]);
-      if (!(numbers[j] > 0.01 * unit)) numbers[j] = 0.1 * unit;
-      numbers[j] = std::min(numbers[j], 50.0 * unit);
-    }
-    return numbers;
-  }
-
-  static bool is_one(const Expression& monomial) { return monomial.variables().empty(); }
-
-  /// |y - sum theta_i p_i / Q|^2 over what all of them leave, with a price for each term.
-  double score(const Denominator& denominator) const {
-    const Vector divisor =
-        rows_.values({formula_of(denominator, numbers_of(denominator.numbers))}).col(0);
-    const Matrix samples = numerators_.array().colwise() / divisor.array();
-    if (!samples.allFinite()) return std::numeric_limits<double>::infinity();
-    Matrix system(target_.size(), samples.cols() + 1);
-    system << rows_.projected(samples), target_;
-    const auto rows = static_cast<double>(target_.size());
-    return best_subset(subset_problem(Qr(system).triangle() / unit_), std::log(rows), {},
-                       Exchange::Single, context_)
-        .score;
-  }
-
-  const Scope& scope_;
-  const FormRows& rows_;
-  const RunContext& context_;
-  Vector target_, rate_;
-  std::vector<Expression> library_, monomials_;
-  Matrix numerators_, projected_;
-  double unit_ = 1.0;  ///< rms of what the library leaves beside a constant denominator
+/// One equation in rows, with the library as numerators.
+struct Numerators {
+  Vector target;      ///< K
+  Vector rate;        ///< at the samples
+  Matrix values;      ///< samples x terms
+  Matrix projected;   ///< K x terms
+  double unit = 1.0;  ///< rms of what they leave over a constant denominator
 };
+
+Numerators numerators_of(const EquationForms& equation, const FormRows& rows) {
+  std::vector<Expression> library;
+  for (const Term& term : equation.terms) library.push_back(term.expression());
+  Numerators all{
+      rows.target(equation.equation), rows.rate(equation.equation), rows.values(library), {}};
+  all.projected = rows.projected(all.values);
+  const double least = 1e-16 * all.target.squaredNorm();
+  all.unit = std::sqrt(std::max(squares_left(all.projected, all.target), least) /
+                       static_cast<double>(all.target.size()));
+  return all;
+}
+
+/// Monomials that are amounts in the records: a denominator with them has no zero.
+std::vector<Expression> amounts(const Scope& scope, const FormRows& rows) {
+  constexpr std::size_t kFewVariables = 3;  // of more: the variables themselves
+  const int degree = scope.variables.size() <= kFewVariables ? 2 : 1;
+  std::vector<Expression> result;
+  for (const Expression& monomial : monomials_of(scope, degree)) {
+    if (is_one(monomial)) continue;
+    const Matrix values = rows.values({monomial});
+    if (values.minCoeff() >= -0.05 * values.maxCoeff()) result.push_back(monomial);
+  }
+  return result;
+}
+
+/// 1 + q u, 1 + q u + r v and u + q v of all monomials u and v.
+std::vector<Denominator> denominators_of(const std::vector<Expression>& monomials) {
+  const Expression one = Expression::number(1.0);
+  std::vector<Denominator> all;
+  for (std::size_t i = 0; i < monomials.size(); ++i) {
+    if (!is_power(monomials[i])) all.push_back({{one, monomials[i]}, {}, 0.0});
+    for (std::size_t j = 0; j < i; ++j) {
+      all.push_back({{one, monomials[j], monomials[i]}, {}, 0.0});
+      all.push_back({{monomials[j], monomials[i]}, {}, 0.0});
+    }
+  }
+  return all;
+}
+
+/// q of the implicit form; what is not positive begins at a tenth of what is large.
+Vector implicit_numbers(const Denominator& denominator, const Numerators& numerators,
+                        const FormRows& rows) {
+  Matrix monomials = rows.values(denominator.monomials);
+  monomials.array().colwise() *= numerators.rate.array();
+  const Matrix products = rows.projected(monomials);
+  const Index count = products.cols() - 1;
+  const Matrix& projected = numerators.projected;
+  Matrix columns(projected.rows(), projected.cols() + count);
+  columns << products.rightCols(count), projected;
+  const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
+  columns.array().rowwise() /= norms.transpose().array();
+  const Vector left =
+      is_one(denominator.monomials[0]) ? numerators.target : Vector(products.col(0));
+  const Vector solution = least_squares(columns, left);
+  Vector numbers = -(solution.head(count).array() / norms.head(count).array());
+  const double size = size_of(denominator.monomials[0], rows);
+  for (Index j = 0; j < count; ++j) {
+    const double unit =
+        size / size_of(denominator.monomials[static_cast<std::size_t>(j + 1)], rows);
+    if (!(numbers[j] > 0.01 * unit)) numbers[j] = 0.1 * unit;
+    numbers[j] = std::min(numbers[j], 50.0 * unit);
+  }
+  return numbers;
+}
+
+/// |y - sum theta_i p_i / Q|^2 over what all of them leave, with a price for each term.
+double score_of(const Denominator& denominator, const Numerators& numerators,
+                const FormRows& rows, const RunContext& context) {
+  const Vector divisor =
+      rows.values({formula_of(denominator, numbers_of(denominator.numbers))}).col(0);
+  const Matrix samples = numerators.values.array().colwise() / divisor.array();
+  if (!samples.allFinite()) return std::numeric_limits<double>::infinity();
+  Matrix system(numerators.target.size(), samples.cols() + 1);
+  system << rows.projected(samples), numerators.target;
+  return best_subset(subset_problem(Qr(system).triangle() / numerators.unit),
+                     parameter_price(static_cast<double>(system.rows())), {}, Exchange::Single,
+                     context)
+      .score;
+}
+
+/// The best denominators of an equation, each with its numbers.
+std::vector<Denominator> best_denominators(const Scope& scope, const FormRows& rows,
+                                           const EquationForms& equation, std::size_t count,
+                                           const RunContext& context) {
+  const Numerators numerators = numerators_of(equation, rows);
+  std::vector<Denominator> all = denominators_of(amounts(scope, rows));
+  parallel_for(all.size(), context.threads, [&](std::size_t i) {
+    context.check_stop();
+    all[i].numbers = implicit_numbers(all[i], numerators, rows);
+    all[i].score = score_of(all[i], numerators, rows, context);
+  });
+  std::stable_sort(all.begin(), all.end(), [](const Denominator& a, const Denominator& b) {
+    return a.score < b.score;
+  });
+  if (all.size() > count) all.resize(count);
+  return all;
+}
 
 /// Whether a variable is a factor of the numerator and of all of the denominator.
 bool is_reducible(const Expression& numerator, const Denominator& denominator) {
@@ -158,15 +165,15 @@ bool is_reducible(const Expression& numerator, const Denominator& denominator) {
   return false;
 }
 
-Candidate fraction(const Scope& scope, const Denominators& all, const Denominator& denominator,
+Candidate fraction(const Scope& scope, const FormRows& rows, const Denominator& denominator,
                    const Expression& numerator) {
   std::vector<Expression> names;
   Candidate candidate;
-  const double size = all.size_of(denominator.monomials[0]);
+  const double size = size_of(denominator.monomials[0], rows);
   for (Index j = 0; j < denominator.numbers.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
     const std::string name = scope.free_name(kNames[place]);
-    const double unit = size / all.size_of(denominator.monomials[place + 1]);
+    const double unit = size / size_of(denominator.monomials[place + 1], rows);
     names.push_back(Expression::variable(name));
     candidate.shapes.push_back({name, "", 0.005 * unit, 100.0 * unit, true});
   }
@@ -184,11 +191,11 @@ std::vector<Candidate> rational_forms(const Scope& scope, const FormRows& rows,
                                       const RunContext& context) {
   std::vector<Candidate> result;
   if (rows.rows() <= static_cast<Index>(equation.terms.size()) + 3) return result;
-  const Denominators all(scope, rows, equation.equation, equation.terms, context);
-  for (const Denominator& denominator : all.best(denominators))
+  for (const Denominator& denominator :
+       best_denominators(scope, rows, equation, denominators, context))
     for (const Expression& numerator : monomials_of(scope, 2)) {
       if (is_reducible(numerator, denominator)) continue;
-      result.push_back(fraction(scope, all, denominator, numerator));
+      result.push_back(fraction(scope, rows, denominator, numerator));
       result.back().equation = equation.equation;
     }
   return result;

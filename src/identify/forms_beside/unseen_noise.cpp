@@ -6,7 +6,8 @@
 namespace lacuna {
 
 Vector unseen_noise(const Dataset& data) {
-  constexpr double kOfMotion = 1e-4;
+  // A decision (docs/decisions.md).
+  constexpr double kShareOfMotion = 1e-4;
   Vector squares = Vector::Zero(data.state_count());
   double count = 0.0;
   for (const Trajectory& record : data.trajectories) {
@@ -17,7 +18,7 @@ Vector unseen_noise(const Dataset& data) {
                    .transpose();
     count += static_cast<double>(steps);
   }
-  return kOfMotion * (squares / std::max(count, 1.0)).cwiseSqrt();
+  return kShareOfMotion * (squares / std::max(count, 1.0)).cwiseSqrt();
 }
 
 }  // namespace lacuna

@@ -60,9 +60,7 @@ OdeModel model_of(const HiddenStateModel& polynomials, const Dataset& data,
                   const std::string& name) {
   std::vector<Quantity> states = data.states;
   states.push_back({name, ""});
-  Variables variables;
-  for (const Quantity& state : states) variables.states.push_back(state.name);
-  for (const Quantity& input : data.inputs) variables.inputs.push_back(input.name);
+  const Variables variables{names_of(states), names_of(data.inputs)};
   std::vector<Equation> equations;
   for (const Polynomial& rate : polynomials.rates) {
     Equation& equation = equations.emplace_back();
@@ -87,12 +85,12 @@ ParametrisedModel parametrised(OdeModel model, Index of) {
 }
 
 /// Residuals below this share of a state's deviation are those of digits and steps.
-constexpr double kClean = 1e-5;
+constexpr double kDigitsAndSteps = 1e-5;
 
 bool is_clean(const Refinement& fit, const ResidualStatistics& residual) {
   const Vector path = fit.states.col(residual.state);
   const double squares = (path.array() - path.mean()).square().mean();
-  return residual.rms <= kClean * std::sqrt(squares);
+  return residual.rms <= kDigitsAndSteps * std::sqrt(squares);
 }
 
 /// Whether nothing but noise is left of a state.

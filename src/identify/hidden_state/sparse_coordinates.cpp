@@ -145,11 +145,12 @@ int complexity(const HiddenStateModel& model) {
 }
 
 HiddenStateModel without_vanishing(HiddenStateModel model) {
-  constexpr double kErrors = 4.0;
+  // A decision (docs/decisions.md).
+  constexpr double kStandardErrors = 4.0;
   for (Polynomial& rate : model.rates) {
     Polynomial kept;
     for (const auto& [exponents, coefficient] : rate.terms())
-      if (std::abs(coefficient.value) > kErrors * std::sqrt(coefficient.variance))
+      if (std::abs(coefficient.value) > kStandardErrors * std::sqrt(coefficient.variance))
         kept.add(exponents, coefficient);
     rate = std::move(kept);
   }

@@ -6,6 +6,7 @@
 
 #include "core/numerics/constrained_least_squares.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {
@@ -40,7 +41,7 @@ struct JointProblem {
 
 JointProblem joint_problem(const LeastSquaresSystem& system, const CoefficientPlaces& places,
                            Index equations) {
-  constexpr double kLeast = 1e-12;  // of the target: what rounding leaves
+  constexpr double kRoundingShare = 1e-12;  // of the target: what rounding leaves
   const auto size = static_cast<Index>(places.size());
   JointProblem joint{Matrix::Zero(size, size), Vector::Zero(size)};
   Index first = 0;
@@ -49,8 +50,9 @@ JointProblem joint_problem(const LeastSquaresSystem& system, const CoefficientPl
     if (terms.empty()) continue;
     const Subproblem problem = system.subproblem(k, terms);
     const auto count = static_cast<Index>(terms.size());
-    const double rms = std::max(problem.residual_norm(), kLeast * problem.target_norm()) /
-                       std::sqrt(std::max(1.0, double(problem.rows() - count)));
+    const double rms =
+        std::max(problem.residual_norm(), kRoundingShare * problem.target_norm()) /
+        std::sqrt(std::max(1.0, double(problem.rows() - count)));
     const double weight = rms > 0.0 ? 1.0 / rms : 1.0;
     joint.r.block(first, first, count, count) =
         weight * (problem.triangle() * problem.column_norms().asDiagonal()).eval();
@@ -72,12 +74,11 @@ void enter_in_trail(const std::string& equation, const WeightedTerm& summand,
 }
 
 WeightedTerm summand_of(const Term& term, double coefficient, double variance) {
-  constexpr double kReach = 1.959963984540054;
   WeightedTerm summand{term, coefficient};
   const double error = std::sqrt(variance);
   if (!(error > 1e-12 * std::abs(coefficient)) || !std::isfinite(error)) return summand;
   summand.standard_error = error;
-  summand.ci95 = {coefficient - kReach * error, coefficient + kReach * error};
+  summand.ci95 = interval95(coefficient, error);
   return summand;
 }
 

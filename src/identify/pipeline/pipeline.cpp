@@ -8,8 +8,8 @@
 #include "constrained_equations.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/text.hpp"
-#include "core/numerics/interval.hpp"
 #include "data/records/number_range.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "refined_result.hpp"
 
@@ -37,10 +37,7 @@ struct EquationOutcome {
 };
 
 Variables variables_of(const Dataset& data) {
-  Variables variables;
-  for (const Quantity& state : data.states) variables.states.push_back(state.name);
-  for (const Quantity& input : data.inputs) variables.inputs.push_back(input.name);
-  return variables;
+  return {names_of(data.states), names_of(data.inputs)};
 }
 
 std::string stage_name(const StageInterface& stage, std::string_view kind) {
@@ -142,9 +139,9 @@ WeightedTerm weighted_term(const Run& run, const Regression& regression,
     return summand;
   const double error = std::sqrt(variances[position]);
   const Index freedom = run.system.rows() - static_cast<Index>(regression.active.size());
-  const double reach = student_quantile_975(static_cast<double>(freedom)) * error;
   summand.standard_error = error;
-  summand.ci95 = {summand.coefficient - reach, summand.coefficient + reach};
+  summand.ci95 = interval95(summand.coefficient, error,
+                            student_quantile_975(static_cast<double>(freedom)));
   return summand;
 }
 
@@ -215,6 +212,7 @@ void note_noise_floors(const Run& run, IdentificationResult& result) {
 
 /// Judges every fitted equation, by the noise where it is known.
 void judge_fits(IdentificationResult& result) {
+  // A decision on a warning (docs/decisions.md).
   constexpr double kPoorFit = 0.1;
   for (EquationFit& fit : result.fit) {
     if (fit.identity) continue;

@@ -145,15 +145,16 @@ void add(const Predictions& all, Index i, Index nearest, Means& means) {
 
 PredictionError error_of(const std::string& state, const Means& means, Index k, Index steps,
                          const ValidationOptions& options) {
-  constexpr double kClose = 0.25;  // of the variance: half of the deviation
+  constexpr double kVarianceOfNeighbours = 0.25;  // of the variance: half of the deviation
   const double count = static_cast<double>(means.count);
   const double variance = means.variance()[k];
-  PredictionError result{.state = state,
-                         .error = std::sqrt(means.squares[k] / count),
-                         .noise = std::sqrt(means.apart[k] / count),
-                         .noise_seen = means.ends_apart[k] / count < kClose * variance,
-                         .motion = std::sqrt(variance),
-                         .freedom = count / static_cast<double>(steps)};
+  PredictionError result{
+      .state = state,
+      .error = std::sqrt(means.squares[k] / count),
+      .noise = std::sqrt(means.apart[k] / count),
+      .noise_seen = means.ends_apart[k] / count < kVarianceOfNeighbours * variance,
+      .motion = std::sqrt(variance),
+      .freedom = count / static_cast<double>(steps)};
   const double sure =
       1.0 + options.noise_slack + options.scatter / std::sqrt(2.0 * result.freedom);
   const double bound = result.noise * std::sqrt(1.0 + means.gain[k] / count);

@@ -83,6 +83,7 @@ StartProblem start_problem(const PredictedRecord& record, const LinearisedRecord
 /// Nothing where the model has no finite solution in the window.
 std::optional<WindowSolution> solve(const PredictedRecord& record,
                                     const LinearisedRecord& linear, const Window& window) {
+  // A fact of rounding.
   constexpr double kRank = 1e-10;
   const WindowFlow flow = flow_of(linear, window);
   if (!is_finite(flow)) return std::nullopt;
@@ -113,15 +114,16 @@ std::optional<WindowSolution> solve(const PredictedRecord& record,
 /// How exact steps have to be: small against what samples deviate by, and against what a state
 /// moves that is not measured.
 Vector accuracy_for(const PredictedRecord& record) {
-  constexpr double kOfDeviation = 0.02, kOfMotion = 1e-4, kRounding = 1e-13;
+  // Facts: what steps need not be more exact than is no error beside noise and motion.
+  constexpr double kShareOfDeviation = 0.02, kShareOfMotion = 1e-4, kRounding = 1e-13;
   const Index steps = record.path.rows() - 1;
   const Matrix moves = record.path.bottomRows(steps) - record.path.topRows(steps);
   Vector accuracy(record.path.cols());
   for (Index k = 0; k < accuracy.size(); ++k) {
     const double most = record.deviations.col(k).maxCoeff();
-    const double wanted =
-        most > 0.0 ? kOfDeviation * most
-                   : kOfMotion * moves.col(k).norm() / std::sqrt(static_cast<double>(steps));
+    const double wanted = most > 0.0 ? kShareOfDeviation * most
+                                     : kShareOfMotion * moves.col(k).norm() /
+                                           std::sqrt(static_cast<double>(steps));
     accuracy[k] = std::max({wanted, kRounding * record.path.col(k).cwiseAbs().maxCoeff(),
                             std::numeric_limits<double>::min()});
   }

@@ -123,27 +123,53 @@ std::vector<std::string> sources_of(const Dataset& data, const std::vector<Block
   return sources;
 }
 
+const Dataset& tested_data(const ValidationTask& task) {
+  return task.held_out ? *task.held_out : task.data;
+}
+
+/// Samples to test a model on, and its coefficients fitted without them, where they were taken
+/// out of its own records and that can be done.
+struct HeldOut {
+  std::vector<Block> blocks;
+  std::optional<OdeModel> refitted = {};
+};
+
+/// @param period samples that no block is shorter than. @param fitted samples at most that are
+/// fitted.
+HeldOut held_out_for(const ValidationTask& task, Index period, Index fitted,
+                     const ValidationOptions& options, const RunContext& context) {
+  if (task.held_out) return {all_blocks(*task.held_out)};
+  HeldOut result{held_blocks(task.data, period, options)};
+  if (!result.blocks.empty() && !has_hidden_state(task.data))
+    result.refitted =
+        refitted_on(thinned(without_blocks(task.data, result.blocks, kShortestFitted), fitted),
+                    task.result.model, task.pipeline, context);
+  if (!result.refitted) result.blocks = all_blocks(task.data);
+  return result;
+}
+
+/// What a validation says ahead of all predictions.
+Validation validation_on(const ValidationTask& task, const HeldOut& held,
+                         const std::string& time_unit) {
+  Validation validation{.records = sources_of(tested_data(task), held.blocks),
+                        .time_unit = time_unit,
+                        .given = task.held_out.has_value(),
+                        .refitted = held.refitted.has_value()};
+  for (const Block& block : held.blocks) validation.samples += block.count;
+  return validation;
+}
+
 /// Predictions of a map, whose samples show no noise by themselves.
 Validation validate_map(const ValidationTask& task, const ValidationOptions& options,
                         const RunContext& context) {
-  const auto& [result, data, pipeline, held_out] = task;
-  const Dataset& tested = held_out ? *held_out : data;
-  std::vector<Block> blocks =
-      held_out ? all_blocks(tested) : held_blocks(tested, 2 * kStepsOfMap, options);
-  std::optional<OdeModel> refitted;
-  if (!held_out && !blocks.empty())
-    refitted = refitted_on(without_blocks(data, blocks, kShortestFitted), result.model,
-                           pipeline, context);
-  if (!held_out && !refitted) blocks = all_blocks(tested);
-  const OdeModel& model = refitted ? *refitted : result.model;
-  Validation validation{.records = sources_of(tested, blocks),
-                        .time_unit = "steps",
-                        .given = held_out.has_value(),
-                        .refitted = refitted.has_value()};
-  for (const Block& block : blocks) validation.samples += block.count;
-  validation.one_step = predict_map(model, tested, blocks, 1, options);
-  validation.windows = predict_map(model, tested, blocks, kStepsOfMap, options);
-  // What may be noise over several steps says nothing beside what one step says.
+  const Dataset& tested = tested_data(task);
+  const HeldOut held =
+      held_out_for(task, 2 * kStepsOfMap, task.data.samples(), options, context);
+  const OdeModel& model = held.refitted ? *held.refitted : task.result.model;
+  Validation validation = validation_on(task, held, "steps");
+  validation.one_step = predict_map(model, tested, held.blocks, 1, options);
+  validation.windows = predict_map(model, tested, held.blocks, kStepsOfMap, options);
+  // What may be noise over several steps is no news beside what one step shows.
   std::erase_if(validation.windows.states, [](const PredictionError& state) {
     return !state.noise_seen && state.error <= state.noise;
   });
@@ -162,63 +188,60 @@ struct Judges {
 /// A validation with what a model predicts, and the verdict on it.
 Validation judged_by(const OdeModel& given, const Judges& judges, Validation validation,
                      const RunContext& context) {
-  constexpr int kOnce = 1, kSettled = 4;  // linearisations: a step is nearly linear
+  // Facts of the problem: a step is nearly linear, a window has settled after four.
+  constexpr int kPassesOfAStep = 1, kPassesOfAWindow = 4;
   const OdeModel model = with_shown_holds(given, judges.data);
   const OdeModel still = without_rates(model, judges.data);
   const WindowTrial trial{model, still, judges.data, judges.records, judges.options};
   const Index shortest = shortest_window(judges.data);
-  validation.one_step = test_windows(trial, shortest, kOnce, context);
+  validation.one_step = test_windows(trial, shortest, kPassesOfAStep, context);
   if (judges.window > shortest)
-    validation.windows = test_windows(trial, judges.window, kSettled, context);
+    validation.windows = test_windows(trial, judges.window, kPassesOfAWindow, context);
   judge(judges.options, validation);
   return validation;
+}
+
+bool falls_short(const Validation& validation) {
+  return validation.verdict == ValidationVerdict::Approximation ||
+         validation.verdict == ValidationVerdict::WrongLibrary;
+}
+
+Validation validate_flow(const ValidationTask& task, const ValidationOptions& options,
+                         const RunContext& context) {
+  const Dataset& tested = tested_data(task);
+  const bool own_noise = !task.held_out || tested.samples() >= options.noise_samples;
+  const std::vector<StateNoise> noise =
+      analyse_noise(own_noise ? tested : task.data, context.threads);
+  const Index period =
+      period_of(tested, noise, options.held_every * options.most_samples, context.threads);
+  const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);
+  HeldOut held =
+      held_out_for(task, period, (options.held_every - 1) * needed, options, context);
+  held.blocks = limited(held.blocks, needed);
+
+  const PredictedRecords records =
+      predicted_records(tested, held.blocks, noise, context.threads);
+  const Judges judges{tested, records, options, std::min(period, common_room(held.blocks))};
+  Validation validation = validation_on(task, held, tested.time_unit);
+  const OdeModel& model = held.refitted ? *held.refitted : task.result.model;
+  Validation found = judged_by(model, judges, validation, context);
+  if (!held.refitted || found.verdict != ValidationVerdict::FitsToNoise) return found;
+  // Where terms depend on each other the coefficients that are shown may be lost though those
+  // of a part of the records are not.
+  validation.refitted = false;
+  Validation shown = judged_by(task.result.model, judges, validation, context);
+  return falls_short(shown) ? shown : found;
 }
 
 }  // namespace
 
 Validation validate(const ValidationTask& task, const ValidationOptions& options,
                     const RunContext& context) {
-  const auto& [result, data, pipeline, held_out] = task;
   context.report("predicting samples held out", 0.0);
-  const Dataset& tested = held_out ? *held_out : data;
-  check_dataset(tested);
-  if (held_out) check_are_others(data, *held_out);
-  if (result.model.is_map()) return validate_map(task, options, context);
-  const bool own_noise = !held_out || tested.samples() >= options.noise_samples;
-  const std::vector<StateNoise> noise =
-      analyse_noise(own_noise ? tested : data, context.threads);
-  const Index period =
-      period_of(tested, noise, options.held_every * options.most_samples, context.threads);
-  const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);
-  std::vector<Block> blocks =
-      held_out ? all_blocks(tested) : held_blocks(tested, period, options);
-  std::optional<OdeModel> refitted;
-  if (!held_out && !blocks.empty() && !has_hidden_state(data))
-    refitted = refitted_on(thinned(without_blocks(data, blocks, kShortestFitted),
-                                   (options.held_every - 1) * needed),
-                           result.model, pipeline, context);
-  if (!held_out && !refitted) blocks = all_blocks(tested);
-  blocks = limited(blocks, needed);
-
-  const PredictedRecords records = predicted_records(tested, blocks, noise, context.threads);
-  Validation validation{.records = sources_of(tested, blocks),
-                        .time_unit = tested.time_unit,
-                        .given = held_out.has_value(),
-                        .refitted = refitted.has_value()};
-  for (const Block& block : blocks) validation.samples += block.count;
-  const Index window = std::min(period, common_room(blocks));
-  const auto judged = [&](const OdeModel& model) {
-    return judged_by(model, {tested, records, options, window}, validation, context);
-  };
-  const Validation found = judged(refitted.value_or(result.model));
-  if (!refitted || found.verdict != ValidationVerdict::FitsToNoise) return found;
-  // Where terms depend on each other the coefficients that are shown may be lost though those
-  // of a part of the records are not.
-  validation.refitted = false;
-  const Validation shown = judged(result.model);
-  const bool is_lost = shown.verdict == ValidationVerdict::Approximation ||
-                       shown.verdict == ValidationVerdict::WrongLibrary;
-  return is_lost ? shown : found;
+  check_dataset(tested_data(task));
+  if (task.held_out) check_are_others(task.data, *task.held_out);
+  return task.result.model.is_map() ? validate_map(task, options, context)
+                                    : validate_flow(task, options, context);
 }
 
 }  // namespace lacuna

@@ -13,6 +13,7 @@
 namespace lacuna {
 namespace {
 
+// A fact of cost: sums that are multiplied out grow as a product.
 constexpr std::size_t kMostTerms = 1000;
 
 /// coefficient x factors / divisors.

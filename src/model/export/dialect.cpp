@@ -117,6 +117,7 @@ class Printer {
 
 /// Beyond it (c*x)*y and c*(x*y) may differ in what a double holds.
 bool is_extreme(double coefficient) {
+  // Facts of doubles: products of such a coefficient may leave their range.
   constexpr double kSmall = 1e-100, kLarge = 1e100;
   return std::abs(coefficient) < kSmall || std::abs(coefficient) > kLarge;
 }

@@ -52,7 +52,8 @@ std::string numbered_byte(char c) {
 
 /// A name of the right shape, with room for a number.
 std::string shaped(std::string_view name, const NameRules& rules) {
-  constexpr std::size_t kRoom = 12;
+  // What a number behind a name may take.
+  constexpr std::size_t kLettersOfNumber = 12;
   std::string text;
   for (const char c : name.substr(0, kLongestName))
     if (c != '_' || rules.underscores || !text.ends_with('_'))
@@ -60,7 +61,8 @@ std::string shaped(std::string_view name, const NameRules& rules) {
   if (text.empty() || is_digit(text.front()) || (text.front() == '_' && !rules.underscores))
     text = "v" + text;
   if (has_prefix(text, rules)) text = "v_" + text;
-  if (text.size() > kLongestName - kRoom) text.resize(kLongestName - kRoom);
+  if (text.size() > kLongestName - kLettersOfNumber)
+    text.resize(kLongestName - kLettersOfNumber);
   return text;
 }
 

@@ -10,6 +10,7 @@
 namespace lacuna {
 namespace {
 
+// For people.
 constexpr std::size_t kLongestQuote = 100;
 constexpr std::size_t kCommentColumns = 92;
 

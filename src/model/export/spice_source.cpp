@@ -12,6 +12,7 @@ namespace {
 
 /// ngspice takes 11 digits of a number in an expression: one with more is the sum of two.
 std::string spice_number(double value) {
+  // More than coefficients are known to.
   constexpr int kDigits = 10;
   const std::string begin = format_number(value, kDigits);
   const double rest = value - parse_number(begin).value_or(value);
@@ -26,6 +27,7 @@ constexpr std::size_t kLongestFactor = 200;
 /// ngspice's pow(x, y) is |x|^y, its pwr(x, y) is sign(x)*|x|^y. Short bases are multiplied,
 /// which every simulator does alike.
 std::string whole_power(const std::string& base, int exponent) {
+  // For people: longer products are powers.
   constexpr int kMostFactors = 9;
   const int size = std::abs(exponent);
   std::string product = "1";
@@ -39,8 +41,9 @@ std::string whole_power(const std::string& base, int exponent) {
 /// Below 0 a power that is not whole is an error of sqrt or ln.
 std::string spice_power(const std::string& base, const std::string& exponent,
                         const Expression& formula) {
-  constexpr double kLargest = 1000.0;
-  if (is_whole_number(formula) && std::abs(formula.value()) <= kLargest)
+  // A fact of doubles: higher powers are 0 or infinite.
+  constexpr double kLargestPower = 1000.0;
+  if (is_whole_number(formula) && std::abs(formula.value()) <= kLargestPower)
     return whole_power(base, static_cast<int>(formula.value()));
   if (is_number(formula, 0.5)) return "sqrt(" + base + ")";
   if (base.size() > kLongestFactor) return "exp((" + exponent + ")*ln(" + base + "))";

@@ -6,11 +6,12 @@ namespace {
 
 /// The formula for a one-line message: not too long, nothing that breaks the line.
 std::string excerpt(std::string_view formula) {
-  constexpr std::size_t kLongest = 60;
-  std::string text(formula.substr(0, kLongest));
+  // For people.
+  constexpr std::size_t kLettersShown = 60;
+  std::string text(formula.substr(0, kLettersShown));
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return formula.size() > kLongest ? text + "..." : text;
+  return formula.size() > kLettersShown ? text + "..." : text;
 }
 
 }  // namespace

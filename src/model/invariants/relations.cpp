@@ -35,6 +35,7 @@ std::optional<Vector> flattest(const MonomialMoments& moments, const Set& set) {
   const Vector scale = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   Matrix noise = (moments.white + moments.lasting)(set, set);
   noise = scale.asDiagonal() * noise * scale.asDiagonal();
+  // A fact of rounding: of moments whose diagonal is 1.
   constexpr double kRounding = 1e-14;
   noise.diagonal().array() += kRounding;
   const auto found =

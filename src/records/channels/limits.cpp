@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
+#include "core/numerics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "value_spacing.hpp"
@@ -52,9 +54,7 @@ std::vector<double> steps_at(const std::vector<Vector>& pieces, double end) {
 bool comes_at_speed(std::vector<double> steps, double spacing) {
   constexpr double kMany = 3.0;
   if (steps.empty()) return false;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle > kMany * spacing;
+  return upper_median(std::move(steps)) > kMany * spacing;
 }
 
 /// The largest value where samples pile up there. @param spacing of the values.

@@ -117,6 +117,7 @@ std::vector<RecordRows> LibraryRows::record_rows() const {
 }
 
 std::optional<NonFiniteEntry> LibraryRows::find_non_finite() const {
+  // A fact of caches.
   constexpr Index kTile = 256;
   Program::Workspace workspace;
   for (const Block& block : blocks_) {

@@ -70,6 +70,7 @@ class Spectrum {
 /// power, which noise alone exceeds at one frequency in 20 000), looked for downwards from the
 /// highest.
 double corner_frequency(const Trajectory& record, Index state, double noise, double highest) {
+  // A fact of the search: a test function is chosen to a tenth of its width.
   constexpr double kStep = 1.1;
   const Spectrum spectrum(record, state);
   const double lowest = 6.3 / record.duration();
@@ -125,6 +126,7 @@ int order_for(double radius_in_steps, double level) {
 
 TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options,
                                   int threads) {
+  // A fact of quadrature: fewer steps do not resolve a test function.
   constexpr double kFewestSteps = 6.0;
   check_dataset(data, threads);
   const Vector noise = estimate_noise(data, threads);

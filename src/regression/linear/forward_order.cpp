@@ -10,6 +10,9 @@
 namespace lacuna {
 namespace {
 
+/// A fact of doubles: keeps divisors that are not used from 0.
+constexpr double kLeastDivisor = 1e-300;
+
 /// What is left of the columns and of the target beside an orthonormal basis of those taken.
 class Deflation {
  public:
@@ -18,7 +21,7 @@ class Deflation {
         rest_(target),
         products_(columns.transpose() * target),
         sizes_(columns.colwise().squaredNorm()),
-        smallest_(kNew * sizes_),
+        smallest_(kNewShare * sizes_),
         basis_(columns.rows(), 0) {}
 
   double left() const { return rest_.squaredNorm(); }
@@ -27,7 +30,7 @@ class Deflation {
   double best(Index& column) const {
     const auto is_new = sizes_.array() > smallest_.array();
     const Vector gains =
-        is_new.select(products_.array().square() / sizes_.array().max(kTiny), 0.0);
+        is_new.select(products_.array().square() / sizes_.array().max(kLeastDivisor), 0.0);
     return gains.size() == 0 ? 0.0 : gains.maxCoeff(&column);
   }
 
@@ -52,8 +55,7 @@ class Deflation {
   }
 
  private:
-  static constexpr double kNew = 1e-12;  ///< squared share of a column
-  static constexpr double kTiny = 1e-300;
+  static constexpr double kNewShare = 1e-12;  ///< squared, of a column: a fact of rounding
 
   const Eigen::Ref<const Matrix>& columns_;
   Vector rest_;
@@ -71,7 +73,7 @@ class GramDeflation {
         left_(gram(target, target)),
         products_(gram.col(target).head(q)),
         sizes_(gram.diagonal().head(q)),
-        smallest_(kNew * sizes_),
+        smallest_(kNewShare * sizes_),
         shares_(q, 0) {}
 
   double left() const { return std::max(left_, 0.0); }
@@ -79,7 +81,7 @@ class GramDeflation {
   double best(Index& column) const {
     const auto is_new = sizes_.array() > smallest_.array();
     const Vector gains =
-        is_new.select(products_.array().square() / sizes_.array().max(kTiny), 0.0);
+        is_new.select(products_.array().square() / sizes_.array().max(kLeastDivisor), 0.0);
     return gains.size() == 0 ? 0.0 : gains.maxCoeff(&column);
   }
 
@@ -100,8 +102,7 @@ class GramDeflation {
   }
 
  private:
-  static constexpr double kNew = 1e-10;  ///< squared share of a column
-  static constexpr double kTiny = 1e-300;
+  static constexpr double kNewShare = 1e-10;  ///< squared: a Gram matrix has half the digits
 
   const Matrix& gram_;
   double left_;

@@ -13,7 +13,7 @@ namespace lacuna {
 namespace {
 
 // Share of a unit column in another from which on they are taken to depend on each other.
-constexpr double kShare = 1e-6;
+constexpr double kDependent = 1e-6;
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
   throw ArgumentError("Subproblem", problem, remedy);
@@ -163,7 +163,7 @@ Vector Subproblem::inverse_gram_diagonal() const {
   for (const Index column : complement(size(), kept)) {
     const Vector shares = shares_of(triangle_, column, kept);
     for (std::size_t j = 0; j < kept.size(); ++j) {
-      if (std::abs(shares[static_cast<Index>(j)]) > kShare) diagonal[kept[j]] = infinity;
+      if (std::abs(shares[static_cast<Index>(j)]) > kDependent) diagonal[kept[j]] = infinity;
     }
   }
   return diagonal;

@@ -52,6 +52,7 @@ void reflect_column(Matrix& columns, Vector& target, Index j, Index height) {
 
 // |R^-1|_1 from below: climbs along the gradient of |R^-1 x|_1 over unit vectors.
 double inverse_norm_estimate(const Matrix& triangle) {
+  // Higham (1988): the estimate is mostly exact after two.
   constexpr int kMaxSteps = 5;
   const auto upper = triangle.triangularView<Eigen::Upper>();
   Vector x = Vector::Constant(triangle.cols(), 1.0 / static_cast<double>(triangle.cols()));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/numerics/information.hpp"
 #include "regression/linear/forward_order.hpp"
 #include "regression/pruners/elimination.hpp"
 
@@ -56,12 +57,14 @@ struct Leading {
 /// many that the others are not worth Schwarz' price. An elimination from L terms costs L^4.
 Leading leading_terms(const LeastSquaresSystem& system, Index target, const TermSet& active,
                       double error, const RunContext& context) {
+  // Facts of cost: an elimination from L terms costs L^4.
   constexpr Index kWide = 256, kFewest = 128;
   const Subproblem problem = system.subproblem(target, active);
   const double full = problem.residual_norm();
   if (problem.size() <= kWide) return {active, full, full, full};
   const double rows = static_cast<double>(system.rows());
-  const double price = static_cast<double>(problem.size() - kFewest) * std::log(rows) / rows;
+  const double price =
+      static_cast<double>(problem.size() - kFewest) * parameter_price(rows) / rows;
   const double allowed = full * full * price + rows * error * error;
   ForwardOrder order =
       forward_order(problem.triangle(), problem.projected_target(),
@@ -130,7 +133,8 @@ PruneResult cut_by_errors(const Path& path, double rows, double error,
   PruneResult result;
   std::size_t dropped = 0;
   for (; dropped < path.terms.size(); ++dropped) {
-    const double price = static_cast<double>(path.behind + dropped + 1) * std::log(rows) / rows;
+    const double price =
+        static_cast<double>(path.behind + dropped + 1) * parameter_price(rows) / rows;
     const double limit = std::sqrt(base * base * (1.0 + price) + rows * error * error);
     if (!(path.residuals[dropped + 1] <= limit)) break;
     result.removed.push_back(

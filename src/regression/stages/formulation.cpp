@@ -32,6 +32,7 @@ void check_variables(const Dataset& data, const Variables& variables) {
 
 /// Whether values differ by no more than rounding of their own size.
 bool is_constant(double low, double high) {
+  // A fact of rounding.
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   return high - low <= kRounding * std::max(std::abs(low), std::abs(high));
 }

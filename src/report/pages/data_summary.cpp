@@ -34,7 +34,9 @@ ChannelSummary with_range(ChannelSummary channel, const Dataset& data, Column co
 
 /// Highest frequency at which the longest record shows more than noise.
 std::optional<double> signal_until(const Dataset& data, Index state, double sigma) {
-  constexpr double kAbove = 4.0;  // times the noise: chance alone gives that to no frequency
+  // Chance alone gives that to no frequency.
+  constexpr double kPowerOverNoise = 4.0;
+  // A fact of the statistic: the mean of so many spectra scatters by a quarter.
   constexpr Index kSegments = 16;
   const Trajectory& record = longest_record(data);
   const auto step = uniform_step(record);
@@ -42,7 +44,7 @@ std::optional<double> signal_until(const Dataset& data, Index state, double sigm
   Trajectory one = record;
   one.states = record.states.col(state).eval();
   const PowerSpectrum spectrum = power_spectrum(one, kSegments);
-  const double floor = kAbove * 2.0 * *step * sigma * sigma;
+  const double floor = kPowerOverNoise * 2.0 * *step * sigma * sigma;
   for (Index f = spectrum.frequency.size() - 1; f > 0; --f)
     if (spectrum.density(f, 0) > floor) return spectrum.frequency[f];
   return 0.0;

@@ -5,6 +5,7 @@
 
 #include "core/base/text.hpp"
 #include "diagnosis_sentences.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "readable.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
@@ -107,7 +108,7 @@ std::vector<Picture> change_pictures(const Diagnosis& diagnosis) {
 Markup change_table(const Diagnosis& diagnosis) {
   std::vector<std::vector<std::string>> rows;
   for (const CoefficientChange& change : diagnosis.coefficient_changes) {
-    const double half = 1.96 * change.deviation;
+    const double half = kNormalQuantile975 * change.deviation;
     rows.push_back({state_name(diagnosis, change.equation), change.term,
                     format_number(change.nominal, 6), with_error(change.estimated, half),
                     format_number(change.sigma, 3)});

@@ -6,15 +6,14 @@
 #include <numbers>
 
 #include "core/base/text.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "readable.hpp"
 
 namespace lacuna {
 namespace {
 
 /// Coefficients further off than this are told of.
-constexpr double kTold = 3.0;
-
-constexpr double kInterval = 1.96;  // standard errors of half a 95 % interval
+constexpr double kSignificant = 3.0;
 
 const Quantity& state_of(const Diagnosis& diagnosis, Index equation) {
   return diagnosis.nominal.states()[static_cast<std::size_t>(equation)];
@@ -35,7 +34,8 @@ std::string readable_number(const std::string& text,
   if (*value == std::numbers::pi) return "pi";
   for (const NamedParameter& parameter : parameters)
     if (parameter.deviation && std::abs(parameter.value) == *value)
-      return format_number(*value, digits_of(*value, kInterval * *parameter.deviation));
+      return format_number(*value,
+                           digits_of(*value, kNormalQuantile975 * *parameter.deviation));
   return format_number(*value, 4);
 }
 
@@ -77,7 +77,7 @@ void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentence
                                 : state_of(diagnosis, effect.equation).unit;
   out.push_back((acts ? "Equation " : "Channel ") + state_name(diagnosis, effect.equation) +
                 ": " + effect.description + " (" + effect.name + "), " +
-                with_error(effect.coefficient, kInterval * effect.deviation) +
+                with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +
                 readable_formula(effect.term, effect.parameters) + ", explains " +
                 share_of(effect.gap_closed) + " of the disagreement (" +
@@ -92,17 +92,18 @@ void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentence
 }
 
 void tell_changes(const Diagnosis& diagnosis, Sentences& out) {
-  constexpr int kMost = 4;
+  // For people.
+  constexpr int kMostChanges = 4;
   int written = 0;
   for (const CoefficientChange& change : diagnosis.coefficient_changes) {
-    if (change.sigma < kTold || written == kMost) break;
+    if (change.sigma < kSignificant || written == kMostChanges) break;
     if (std::abs(change.estimated - change.nominal) < 1e-3 * std::abs(change.nominal)) continue;
     ++written;
     out.push_back("Equation " + state_name(diagnosis, change.equation) +
                   ": the coefficient of " + change.term + " is " +
-                  with_error(change.estimated, kInterval * change.deviation) + ", not " +
-                  format_number(change.nominal, 6) + " (" + format_number(change.sigma, 3) +
-                  " sigma).");
+                  with_error(change.estimated, kNormalQuantile975 * change.deviation) +
+                  ", not " + format_number(change.nominal, 6) + " (" +
+                  format_number(change.sigma, 3) + " sigma).");
   }
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/base/text.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
 
@@ -196,9 +197,10 @@ std::string format_text(const Fit& fit) {
     out << (r == 0 ? "Initial states\n" : "") << "  " << fit.records[r] << ":";
     for (const FittedStart& start : fit.initial[r])
       out << " " << start.state << " " << format_number(start.value, 5)
-          << (start.fixed            ? " (fixed)"
-              : start.standard_error ? " +- " + format_number(1.96 * *start.standard_error, 2)
-                                     : " (not determined)");
+          << (start.fixed ? " (fixed)"
+              : start.standard_error
+                  ? " +- " + format_number(kNormalQuantile975 * *start.standard_error, 2)
+                  : " (not determined)");
     out << "\n";
   }
   write_quality("Free run", fit.quality, fit.prediction, out);

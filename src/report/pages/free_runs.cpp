@@ -10,9 +10,9 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kShortest = 20;    // samples of a window
-constexpr Index kLongest = 60000;  // samples of a record that are looked at: a picture shows
-                                   // the difference of no more
+constexpr Index kShortestWindow = 20;    // samples of a window
+constexpr Index kLongestRecord = 60000;  // samples of a record that are looked at: a picture
+                                         // shows the difference of no more
 
 /// Samples between upward crossings of the mean, the fewest of all states.
 Index mean_period(const Matrix& states) {
@@ -24,7 +24,7 @@ Index mean_period(const Matrix& states) {
       if (states(i - 1, k) < mean && states(i, k) >= mean) ++crossings;
     if (crossings > 1) shortest = std::min(shortest, states.rows() / crossings);
   }
-  return std::clamp(shortest, std::min(kShortest, states.rows()), states.rows());
+  return std::clamp(shortest, std::min(kShortestWindow, states.rows()), states.rows());
 }
 
 /// White noise of each state; where none is known, what is small against its spread.
@@ -43,6 +43,7 @@ NoiseModel noise_of(const Matrix& states, const Vector& noise) {
 /// The paths in windows, by Newton's method: each pass linearises along the path of the last.
 Matrix paths_of(const OdeModel& model, const Trajectory& record, const NoiseModel& noise,
                 Index length) {
+  // A fact of the search.
   constexpr int kPasses = 4;
   const Vector accuracy = 1e-4 * column_deviations({record.states});
   Matrix path = record.states;
@@ -63,8 +64,8 @@ std::vector<GapRecord> free_runs(const OdeModel& model, const Dataset& data,
                                  const Vector& noise) {
   std::vector<GapRecord> runs;
   for (const Trajectory& whole : data.trajectories) {
-    if (whole.samples() < kShortest) continue;
-    const Trajectory record = rows_of(whole, 0, std::min(whole.samples(), kLongest));
+    if (whole.samples() < kShortestWindow) continue;
+    const Trajectory record = rows_of(whole, 0, std::min(whole.samples(), kLongestRecord));
     const Index length = mean_period(record.states);
     const Matrix after = paths_of(model, record, noise_of(record.states, noise), length);
     if (!after.array().isFinite().any()) continue;

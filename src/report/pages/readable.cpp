@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// Half of the 95 % interval of a coefficient, where it is known.
 std::optional<double> error_of(const WeightedTerm& summand) {
   if (summand.ci95) return ((*summand.ci95)[1] - (*summand.ci95)[0]) / 2.0;
-  if (summand.standard_error) return 1.96 * *summand.standard_error;
+  if (summand.standard_error) return kNormalQuantile975 * *summand.standard_error;
   return std::nullopt;
 }
 

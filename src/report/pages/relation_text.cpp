@@ -12,6 +12,7 @@ namespace {
 
 /// The plainest number within three errors: 1 for 1.0015 +- 0.0009.
 std::string plainest(double value, double error) {
+  // For people: the plainest number within the errors.
   constexpr int kDigits = 9;
   constexpr double kErrors = 3.0;
   for (int digits = 1; digits < kDigits; ++digits) {

@@ -7,6 +7,7 @@
 
 #include "core/base/text.hpp"
 #include "dynamics/attractor/power_spectrum.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "readable.hpp"
 #include "trajectories/windows/window_gap.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 constexpr Index kMostStates = 6;  // further ones are in the files
 constexpr Index kWindows = 8;     // of an excerpt
 constexpr Index kExcerpt = 1500;  // samples of an excerpt, at most
-constexpr double kBand = 1.96;    // standard deviations of the noise
 
 const GapRecord& longest(const std::vector<GapRecord>& runs) {
   return *std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
@@ -160,8 +160,8 @@ std::vector<Picture> deviation_pictures(const RunView& view) {
         view.after + ", rms " + format_number(rms_off(run.measured, run.after, k), 3), run,
         run.measured.col(k) - run.after.col(k), Curve::Model));
     if (k < view.noise.size() && view.noise[k] > 0.0)
-      figure.band =
-          Band{"95 % of the measurement noise", -kBand * view.noise[k], kBand * view.noise[k]};
+      figure.band = Band{"95 % of the measurement noise", -kNormalQuantile975 * view.noise[k],
+                         kNormalQuantile975 * view.noise[k]};
     pictures.push_back(draw(figure));
   }
   return pictures;

@@ -138,6 +138,7 @@ Markup summand_markup(const WeightedTerm& summand, bool first) {
 
 /// The terms of an equation in lines of a few, which narrow screens can show.
 std::vector<Markup> right_hand_side(const OdeModel& model, Index k, const TermNames& fresh) {
+  // For people.
   constexpr std::size_t kTermsOfLine = 5;
   const Equation& equation = model.equations()[static_cast<std::size_t>(k)];
   if (equation.empty()) return {number_markup("0")};

@@ -12,6 +12,7 @@ namespace {
 
 /// The initial state of a window.
 Vector start_of(const Matrix& head, const Vector& values) {
+  // A fact of rounding.
   constexpr double kSingular = 1e-10;
   const Index m = head.rows();
   const Vector target = head.col(head.cols() - 1) - head.middleCols(m, values.size()) * values;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/base/parallel.hpp"
+#include "core/numerics/robust_statistics.hpp"
 
 namespace lacuna {
 namespace {
@@ -17,15 +19,9 @@ struct Group {
   double weight = 0.0;     ///< 1 / variance of log_scale
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Group group_of(const Vector& signal, const Vector& sizes, const Index* first,
                const Index* last) {
-  constexpr double kNormalMedian = 0.674489750196082, kVariance = 1.36;
+  constexpr double kVarianceOfLogScale = 1.36;  // a fact of normal noise, times n
   Group group;
   std::vector<double> values;
   for (const Index* i = first; i != last; ++i) {
@@ -34,8 +30,8 @@ Group group_of(const Vector& signal, const Vector& sizes, const Index* first,
   }
   const auto count = static_cast<double>(values.size());
   group.level = std::sqrt(group.level / count);
-  group.log_scale = std::log(std::max(median(values) / kNormalMedian, 1e-300));
-  group.weight = count / kVariance;
+  group.log_scale = std::log(std::max(normal_deviation(std::move(values)), 1e-300));
+  group.weight = count / kVarianceOfLogScale;
   return group;
 }
 
@@ -57,9 +53,10 @@ std::vector<Group> groups_by_level(const SizedDifferences& differences, Index co
 /// The groups that show noise: where deviations level off from order to order, with their mean
 /// from there on.
 std::vector<Group> noisy_groups(const std::vector<SizedDifferences>& orders) {
-  constexpr Index kFewest = 16, kMost = 12;
-  const double level = std::log(0.93);  // as in analyse_noise()
-  const Index count = std::min(kMost, orders.back().signal.size() / kFewest);
+  // Facts of the statistic: a scale of fewer is not known; more groups resolve no better.
+  constexpr Index kFewestOfAGroup = 16, kMostGroups = 12;
+  const double level = std::log(kLevelledOff);
+  const Index count = std::min(kMostGroups, orders.back().signal.size() / kFewestOfAGroup);
   std::vector<std::vector<Group>> by_order;
   for (const SizedDifferences& differences : orders)
     by_order.push_back(groups_by_level(differences, count));
@@ -116,6 +113,7 @@ SizedDifferences differences_of(const Dataset& data, Index state, Index order) {
 
 std::optional<NoiseGrowth> growth_of(const Dataset& data, Index state, Index order,
                                      const GrowingNoise& rule) {
+  // A fact of the statistic: orders that are compared, from the first that shows noise on.
   constexpr Index kOrders = 5;
   std::vector<SizedDifferences> orders;
   for (Index o = order; o < order + kOrders; ++o)
@@ -137,11 +135,10 @@ Vector local_rms(const Vector& x, Index reach) {
 /// Whether differences are of unit variance in units of the growing noise, outliers apart. What
 /// a solver leaves comes in bursts, which a level does not explain.
 bool describes(const NoiseGrowth& growth, const SizedDifferences& differences, double most) {
-  constexpr double kOutlier = 6.0;
   double squares = 0.0, count = 0.0;
   for (Index i = 0; i < differences.sizes.size(); ++i) {
     const double size = differences.sizes[i] / growth.at(differences.signal[i]);
-    if (size > kOutlier) continue;
+    if (size > kOutlyingDeviations) continue;
     squares += size * size;
     ++count;
   }
@@ -154,14 +151,14 @@ double NoiseGrowth::at(double x) const { return std::hypot(floor, share * x); }
 
 std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders,
                                         const GrowingNoise& rule) {
-  constexpr double kStep = 1.25893;
+  constexpr double kRatioOfTrials = 1.25893;  // a tenth of a decade
   const std::vector<Group> groups = noisy_groups(orders);
   if (groups.size() < 3 || !(groups.back().level > 0.0)) return std::nullopt;
   const double unit = 1.0 / (groups.back().level * groups.back().level);
   const ScaleFit same = fit_scale(groups, 0.0);
   ScaleFit best = same;
   double ratio = 0.0;
-  for (double trial = 1e-2; trial < 1e8; trial *= kStep)
+  for (double trial = 1e-2; trial < 1e8; trial *= kRatioOfTrials)
     if (const ScaleFit fit = fit_scale(groups, trial * unit); fit.squares < best.squares) {
       best = fit;
       ratio = trial * unit;

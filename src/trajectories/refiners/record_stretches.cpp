@@ -21,6 +21,7 @@ void add_stretches(const Trajectory& record, Index length, double share, Dataset
 }  // namespace
 
 Dataset record_stretches(const Dataset& data, Index most, Index window) {
+  // Facts of the statistic: all parts of a long record are seen, each by several windows.
   constexpr Index kStretches = 16, kWindows = 8;
   const Index all = data.samples();
   if (all <= 2 * most) return data;

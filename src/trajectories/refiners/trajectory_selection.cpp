@@ -8,6 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "core/numerics/constrained_least_squares.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "record_stretches.hpp"
 #include "refitted.hpp"
@@ -30,9 +31,6 @@ Matrix coefficients_of(const OdeModel& model, const TermLibrary& library) {
     }
   return coefficients;
 }
-
-/// 97.5 % quantile of the normal distribution.
-constexpr double kReach = 1.959963984540054;
 
 /// Builds what is handed back from a fit.
 class Outcome {
@@ -70,8 +68,7 @@ class Outcome {
       const bool is_fixed = error <= 1e-12 * std::abs(summand.coefficient);
       if (std::isfinite(error) && !is_fixed) {
         summand.standard_error = error;
-        summand.ci95 = {
-            {summand.coefficient - kReach * error, summand.coefficient + kReach * error}};
+        summand.ci95 = interval95(summand.coefficient, error);
       }
       equations[static_cast<std::size_t>(column.equation)].push_back(std::move(summand));
     }
@@ -138,6 +135,7 @@ class Outcome {
 
   /// The terms outside the model that would buy most.
   void add_candidates(Index equation, const Vector& gains, std::vector<PathStep>& steps) const {
+    // For people.
     constexpr std::size_t kShown = 3;
     std::vector<PathStep> others;
     for (std::size_t c = 0; c < fit_.columns.size(); ++c)

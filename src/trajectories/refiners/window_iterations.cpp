@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/numerics/constrained_least_squares.hpp"
+#include "core/numerics/information.hpp"
 #include "move_path.hpp"
 #include "trajectories/subset_selection/candidate_screening.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"
@@ -70,7 +71,7 @@ bool choose(const SearchTask& task, WindowSearch& search, const RunContext& cont
   const double all =
       std::pow(fit.triangle(fit.triangle.rows() - 1, fit.triangle.rows() - 1), 2);
   fit.scale = std::max(1.0, all / std::max(1.0, n - q));
-  fit.price = task.price.value_or(std::log(n) + std::log(all_candidates));
+  fit.price = task.price.value_or(parameter_price(n) + choice_price(all_candidates));
   const SubsetProblem problem = problem_of(fit);
   const std::vector<Index> before = fit.subset;
   fit.subset = best_subset(problem, fit.price, {before}, Exchange::Single, context).columns;
@@ -159,6 +160,7 @@ double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext
 }
 
 void converge(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  // A fact of the search: bounds the work where subsets take turns.
   constexpr int kRounds = 12;
   search.fit.settled = false;
   settle(search, {}, context);

@@ -5,23 +5,11 @@
 #include <limits>
 
 #include "core/base/parallel.hpp"
+#include "data/records/state_statistics.hpp"
 #include "window_iterations.hpp"
 
 namespace lacuna {
 namespace {
-
-Vector spread_of(const Dataset& data) {
-  Vector spread(data.state_count());
-  for (Index k = 0; k < spread.size(); ++k) {
-    double low = data.trajectories[0].states(0, k), high = low;
-    for (const Trajectory& record : data.trajectories) {
-      low = std::min(low, record.states.col(k).minCoeff());
-      high = std::max(high, record.states.col(k).maxCoeff());
-    }
-    spread[k] = std::max(high - low, 1e-300);
-  }
-  return spread;
-}
 
 bool is_known(const SearchTask& task, Index state) {
   return task.noise[static_cast<std::size_t>(state)].kind != NoiseKind::None;
@@ -53,7 +41,7 @@ void set_substeps(const SearchTask& task, WindowSearch& search, Index substeps, 
 
 Vector rounding_floor(const Dataset& data) {
   constexpr double kRounding = 1e-7;  // share of a state's spread
-  return kRounding * spread_of(data);
+  return kRounding * state_spans(data).cwiseMax(1e-300);
 }
 
 bool learn_noise(const SearchTask& task, WindowSearch& search) {
@@ -67,25 +55,28 @@ bool learn_noise(const SearchTask& task, WindowSearch& search) {
 }
 
 bool refine_steps(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  // A fact of cost.
   constexpr Index kMostSubsteps = 8;
-  constexpr double kTruncation = 0.1;
-  constexpr double kGain = 0.25;  // fourth order gives 1/16; where terms jump nothing is gained
+  // A fact: an error of a tenth of the noise is a hundredth of its square.
+  constexpr double kTruncationOverNoise = 0.1;
+  // A fact: fourth order gives 1/16; where terms jump nothing is gained.
+  constexpr double kMovedAgain = 0.25;
   const Index before = search.path.substeps();
   double last = std::numeric_limits<double>::infinity();
   while (search.path.substeps() < kMostSubsteps) {
     const Index coarse = search.path.substeps();
     set_substeps(task, search, 2 * coarse, context.threads);
     const double moved = settle(search, {.move = 0.0, .iterations = 1}, context);
-    const bool gains = moved < kGain * last;
+    const bool gains = moved < kMovedAgain * last;
     last = moved;
-    if (moved > kTruncation && gains) continue;
+    if (moved > kTruncationOverNoise && gains) continue;
     set_substeps(task, search, gains ? coarse : before, context.threads);
     settle(search, {.iterations = 1}, context);
     break;
   }
   // The finest steps leave a fifteenth of what the last halving moved.
   if (search.path.substeps() == kMostSubsteps && before < kMostSubsteps)
-    raise_floor(task, search, last / 15.0 / kTruncation);
+    raise_floor(task, search, last / 15.0 / kTruncationOverNoise);
   return search.path.substeps() > before;
 }
 

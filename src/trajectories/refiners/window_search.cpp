@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "lacuna/data/records/noise.hpp"
 #include "move_path.hpp"
 #include "refitted.hpp"
 #include "regression/formulations/test_functions.hpp"
@@ -46,9 +47,8 @@ void drop_others(WindowFit& fit) {
 /// Fits windows of so many samples.
 void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coefficients,
                  Index samples, const RunContext& context) {
+  // A fact of the search: bounds the work where noise and steps take turns.
   constexpr int kPasses = 5;
-  // Residuals beyond so many sigma are not noise of a normal distribution in any record.
-  constexpr double kOutlier = 7.0;
   search.path.windows = windows_of(search.path.records, samples, search.most);
   search.fit = WindowFit();
   search.fit.coefficients = coefficients;
@@ -63,11 +63,12 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
     const bool finer = refine_steps(task, search, context);
     if (!quieter && !finer) break;
   }
-  mask_beyond(search.path, kOutlier * std::sqrt(std::max(1.0, search.fit.misfit)));
+  mask_beyond(search.path, kOutlyingDeviations * std::sqrt(std::max(1.0, search.fit.misfit)));
 }
 
 /// Samples that are fitted in all.
 Index most_samples(const SearchTask& task) {
+  // A fact of cost.
   constexpr Index kMostValues = 200000;
   return std::min(kMostSamples, kMostValues / task.equations.dimension());
 }
@@ -75,9 +76,11 @@ Index most_samples(const SearchTask& task) {
 /// Samples that a choice among many candidates takes: four for each candidate of an equation,
 /// and values enough to tell terms from noise.
 Index samples_of_a_choice(const SearchTask& task) {
-  constexpr Index kValues = 30000, kOfCandidate = 4;
-  return std::min(most_samples(task), std::max(kValues / task.equations.dimension(),
-                                               kOfCandidate * task.equations.library.size()));
+  // Facts of cost and of the statistic.
+  constexpr Index kValuesOfAChoice = 30000, kSamplesOfACandidate = 4;
+  return std::min(most_samples(task),
+                  std::max(kValuesOfAChoice / task.equations.dimension(),
+                           kSamplesOfACandidate * task.equations.library.size()));
 }
 
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
@@ -128,8 +131,10 @@ Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
 Index first_window(const Dataset& data, int threads) {
   const TestFunction function = choose_test_function(measured_part(data), {}, threads);
   const Trajectory& record = data.trajectories.front();
-  constexpr Index kFewest = 8;
-  return std::max(kFewest, static_cast<Index>(std::round(function.radius / mean_step(record))));
+  // A fact: shorter windows leave no residual beside the initial state of many states.
+  constexpr Index kFewestSamples = 8;
+  return std::max(kFewestSamples,
+                  static_cast<Index>(std::round(function.radius / mean_step(record))));
 }
 
 SearchTask search_task(Dataset data, const StructureTask& structure,

@@ -39,8 +39,9 @@ std::vector<SampleWindow> windows_of(const std::vector<PathRecord>& records, Ind
 }
 
 std::vector<WindowChunk> window_chunks(std::size_t windows, Index columns) {
-  constexpr Index kMost = 16, kMostEntries = Index{1} << 24;  // 128 MiB in all
-  const Index chunks_of_size = std::clamp<Index>(kMostEntries / (columns * columns), 1, kMost);
+  constexpr Index kMostChunks = 16, kMostEntries = Index{1} << 24;  // 128 MiB in all
+  const Index chunks_of_size =
+      std::clamp<Index>(kMostEntries / (columns * columns), 1, kMostChunks);
   const std::size_t count = std::min(windows, static_cast<std::size_t>(chunks_of_size));
   std::vector<WindowChunk> chunks;
   for (std::size_t c = 0; c < count; ++c)

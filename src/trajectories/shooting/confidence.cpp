@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/interval.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/numerics/robust_statistics.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -45,8 +47,8 @@ bool descend(ShootingProblem& problem, ShootingFit& fit, double& damping,
 constexpr double kSmallError = 0.1;
 
 /// Where errors of so many schemes in a row do not fall, rates jump, and none is better than
-/// the first of these. A fact of stiff models: a first coarse scheme may be off by less than the
-/// next, because both are far from where their order shows; of two in a row that is not so.
+/// the first of these. A fact of stiff models: a first coarse scheme may be off by less than
+/// the next, because both are far from where their order shows; of two in a row that is not so.
 constexpr int kStalls = 2;
 
 const std::array<StepScheme, 7>& ladder() {
@@ -72,14 +74,6 @@ double distance(const ShootingProblem& problem, const ShootingPoint& a, const Sh
         (a.orbits.samples.col(measured[q]) - b.orbits.samples.col(measured[q])).squaredNorm() /
         (sigma[static_cast<Index>(q)] * sigma[static_cast<Index>(q)]);
   return std::sqrt(squares);
-}
-
-double median_size(Vector values) {
-  auto middle = values.begin() + values.size() / 2;
-  values = values.cwiseAbs();
-  middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -126,7 +120,7 @@ Vector residual_sigma(const ShootingProblem& problem, const ShootingFit& fit, bo
   for (Index q = 0; q < r.cols(); ++q) {
     const double freedom =
         taken.size() > 0 ? std::max(1.0, static_cast<double>(n) - taken[q]) : even;
-    const double size = robust ? median_size(r.col(q)) / 0.674489750196082 *
+    const double size = robust ? normal_deviation(magnitudes(r.col(q))) *
                                      std::sqrt(static_cast<double>(n) / freedom)
                                : r.col(q).norm() / std::sqrt(freedom);
     sigma[q] = size * problem.sigma()[q];

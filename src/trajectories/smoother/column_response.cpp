@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 /// Terms that go together: what fits into the registers, and what a few need.
-constexpr int kMany = 8, kFew = kLane;
+constexpr int kWideTerms = 8, kNarrowTerms = kLane;
 
 /// One number for each of the terms that go together.
 template <int Together>
@@ -191,11 +191,11 @@ LACUNA_INLINE void all_lanes(const ResponseTask& task) {
     else
       channel_lanes<Size, Exact, together()>(task, first);
   };
-  for (Index first = 0; first < task.values.cols(); first += kMany)
-    if (task.values.cols() - first > kFew)
-      some(first, std::integral_constant<int, kMany>{});
+  for (Index first = 0; first < task.values.cols(); first += kWideTerms)
+    if (task.values.cols() - first > kNarrowTerms)
+      some(first, std::integral_constant<int, kWideTerms>{});
     else
-      some(first, std::integral_constant<int, kFew>{});
+      some(first, std::integral_constant<int, kNarrowTerms>{});
 }
 
 template <int Size, bool Exact, Acting Place>

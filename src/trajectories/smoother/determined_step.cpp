@@ -35,7 +35,7 @@ Matrix schur_complement(const Matrix& normal, const Parts& parts) {
 
 DeterminedStep determined_step(const Matrix& normal, const Vector& right, const Vector& size,
                                const std::vector<Index>& kept) {
-  constexpr double kTold = 3.0;  // standard deviations in the size of an unknown that is told
+  constexpr double kStandardErrors = 3.0;  // in the size of an unknown that is determined
   const Index p = right.size();
   const Parts parts = parts_of(size, kept);
   const auto sized = static_cast<Index>(parts.sized.size());
@@ -47,7 +47,9 @@ DeterminedStep determined_step(const Matrix& normal, const Vector& right, const 
     const SymmetricEigen directions = symmetric_eigen(
         sizes.asDiagonal() * schur_complement(normal, parts) * sizes.asDiagonal());
     changes = directions.vectors;
-    while (held < sized && !(directions.values[held] >= 1.0 / (kTold * kTold))) ++held;
+    while (held < sized &&
+           !(directions.values[held] >= 1.0 / (kStandardErrors * kStandardErrors)))
+      ++held;
   }
   const Index moved = sized - held;
   Matrix basis = Matrix::Zero(p, moved + static_cast<Index>(parts.free.size()));

@@ -21,6 +21,7 @@ const Matrix& omitted_of(const Assimilation& fit, std::size_t record) {
 /// Deviance with the variances that fit best; without the disturbance of an equation, if one is
 /// given.
 double least_deviance(const Assimilation& fit, std::optional<Index> without) {
+  // A fact of the search: what further ones move no test would notice.
   constexpr int kIterations = 30;
   NoiseModel noise = fit.noise;
   if (without) noise.disturbance[*without] = 0.0;

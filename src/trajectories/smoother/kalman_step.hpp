@@ -146,6 +146,7 @@ class Transition {
   /// Where the model is unstable the skew part of P, which is rounding, must not grow: it is
   /// taken out now and then.
   LACUNA_INLINE void make_symmetric(Index i, double* p) const {
+    // A fact of cost.
     constexpr Index kNowAndThen = 8;
     if (i % kNowAndThen != 0) return;
     const Index stride = shape_.stride();
@@ -256,13 +257,13 @@ class KalmanStep {
   /// beyond the end of the channel: with z in deviations, a value of lambda/delta deviations
   /// and a variance of 1/delta of the whole.
   static Innovation censored(const Innovation& at_end, Mark mark) {
-    constexpr double kNothing = 1e-12;  // share of the variance: the model is far beyond
+    constexpr double kLeastShare = 1e-12;  // share of the variance: the model is far beyond
     const double side = mark == Mark::AtTop ? 1.0 : -1.0;
     const double deviation = std::sqrt(at_end.variance);
     const double z = -side * at_end.value / deviation;
     const Truncation known(z);
     const double slope = known.shift * z / at_end.variance;
-    if (known.share < kNothing)
+    if (known.share < kLeastShare)
       return {0.0, std::numeric_limits<double>::infinity(), known.deviance, 1.0, slope};
     return {side * known.shift / known.share * deviation, at_end.variance / known.share,
             known.deviance, 1.0, slope};

@@ -14,9 +14,9 @@ namespace {
 
 constexpr Index kPoints = 200;  // many more than unknowns
 /// Singular values below this share of the largest are rounding.
-constexpr double kNothing = 1e-7;
+constexpr double kRankTolerance = 1e-7;
 /// Part of a null vector that is more than rounding.
-constexpr double kOwn = 1e-5;
+constexpr double kRoundingShare = 1e-5;
 
 /// Points of the records: states, inputs and t in rows.
 Matrix points_of(const Dataset& data, Index states) {
@@ -147,7 +147,7 @@ std::vector<Index> units_of(Matrix directions, const OdeModel& model,
                             const std::vector<CoefficientPlace>& free) {
   // Of the largest: far from 0, so that elimination by it is exact. Any choice gives the same
   // model in other units.
-  constexpr double kShare = 0.3;
+  constexpr double kShareOfLargest = 0.3;
   std::vector<Index> units;
   while (static_cast<Index>(units.size()) < directions.cols()) {
     const Vector size = directions.rowwise().norm();
@@ -162,7 +162,7 @@ std::vector<Index> units_of(Matrix directions, const OdeModel& model,
           has_hidden(
               model.equations()[equation][static_cast<std::size_t>(term)].term.expression(),
               model, hidden);
-      if (!acts || size[j] < kShare * largest || size[j] <= most) continue;
+      if (!acts || size[j] < kShareOfLargest * largest || size[j] <= most) continue;
       best = j;
       most = size[j];
     }
@@ -178,7 +178,7 @@ Matrix changes_in(const Matrix& null, const Vector& scale,
                   const std::vector<std::size_t>& unknown, Index free) {
   const auto p = static_cast<Index>(unknown.size());
   const SingularValues own = singular_values(null.topRows(p));
-  const Index seen = (own.values.array() > kOwn).count();
+  const Index seen = (own.values.array() > kRoundingShare).count();
   Matrix result = Matrix::Zero(free, seen);
   if (seen == 0) return result;
   const Matrix relative = scale.head(p).asDiagonal() * own.left.leftCols(seen);
@@ -217,7 +217,7 @@ UnseenChanges unseen_changes(const OdeModel& model, const Dataset& data,
   System system = system_of(model, states, changes, points_of(data, model.dimension()));
   if (!system.columns.allFinite()) return result;
   const Vector scale = balance(system, model.dimension());
-  const Matrix null = singular_values(system.columns).null_space(kNothing);
+  const Matrix null = singular_values(system.columns).null_space(kRankTolerance);
   if (null.cols() == 0) return result;
   result.coefficients = changes_in(null, scale, unknown, count);
   result.units = units_of(result.coefficients, model, hidden, free);

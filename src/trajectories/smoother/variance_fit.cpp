@@ -118,7 +118,7 @@ void VarianceFit::begin_with(const SmoothedNoise& start) {
 
 SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& start,
                                int iterations) {
-  constexpr double kLongest = 1.5;  // of a step in a logarithm: a factor of 4.5
+  constexpr double kLongestStep = 1.5;  // of a step in a logarithm: a factor of 4.5
   if (std::vector<NoiseEntry> entries = entries_of(start); entries != known_.entries)
     known_ = {std::move(entries), Matrix()};
   SmoothedNoise best = at(data, start);
@@ -128,7 +128,7 @@ SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& sta
     Vector step = -known_.inverse * best.gradient;
     if (!step.allFinite() || -0.5 * step.dot(best.gradient) < kUnnoticed) break;
     const double longest = step.cwiseAbs().maxCoeff();
-    if (longest > kLongest) step *= kLongest / longest;
+    if (longest > kLongestStep) step *= kLongestStep / longest;
     SmoothedNoise next = at(data, moved(best.noise, step));
     const bool better = next.deviance < best.deviance;
     const bool learnt = learn(step, next.gradient - best.gradient);

@@ -2,11 +2,11 @@
 #include "candidate_screening.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/base/parallel.hpp"
+#include "core/numerics/information.hpp"
 #include "regression/linear/forward_order.hpp"
 #include "regression/linear/gram.hpp"
 #include "regression/linear/row_fold.hpp"
@@ -170,7 +170,8 @@ Matrix gram_of(const IntegralRows& rows, std::vector<Index> terms, Index target)
 ScreenedCandidates screen_equation(const SearchTask& task, const WindowSearch& search,
                                    Index equation, const IntegralRows& rows,
                                    const RunContext& context) {
-  constexpr std::size_t kTimes = 2, kMore = 4;
+  // Facts of the search: of those near the price the right ones may be any.
+  constexpr std::size_t kPlausibleOfWorth = 2, kPlausibleBeside = 4;
   const Index room = kMostColumns / task.equations.dimension();
   const Index taken = std::max<Index>(40, room);
   const double sigma = search.sigma[equation];
@@ -187,12 +188,13 @@ ScreenedCandidates screen_equation(const SearchTask& task, const WindowSearch& s
   const double scale =
       std::max(1.0, order.left / (sigma * sigma) /
                         std::max(1.0, n - static_cast<double>(problem.columns())));
-  const double price =
-      task.price.value_or(std::log(n) + std::log(static_cast<double>(task.candidates.size())));
+  const double price = task.price.value_or(
+      parameter_price(n) + choice_price(static_cast<double>(task.candidates.size())));
   const Elimination left = eliminated(problem, scale * price, context);
   const std::size_t size = left.order.size();
-  const std::size_t plausible = std::min(
-      size, std::max(kTimes * (size - left.worth) + kMore, static_cast<std::size_t>(room)));
+  const std::size_t plausible =
+      std::min(size, std::max(kPlausibleOfWorth * (size - left.worth) + kPlausibleBeside,
+                              static_cast<std::size_t>(room)));
   ScreenedCandidates result;
   for (std::size_t i = 0; i < size; ++i) {
     const auto place = static_cast<std::size_t>(left.order[i]);

@@ -25,14 +25,15 @@ std::vector<Coefficient> columns_of(const WindowFit& fit) {
 /// How much the residuals may grow. Where they are what the record itself says of its noise
 /// they are no errors of a solver, and the model is to stay at the noise; else as they like.
 double slack_of(const SearchTask& task, const WindowFit& fit) {
-  constexpr double kTenth = 0.1;
+  // A decision (docs/decisions.md): so well the noise of a record is known.
+  constexpr double kSlack = 0.1;
   for (Index k = 0; k < fit.rms.size(); ++k) {
     const StateNoise& noise = task.noise[static_cast<std::size_t>(k)];
     if (fit.counts[k] > 0.0 &&
-        (noise.kind == NoiseKind::None || fit.rms[k] > (1.0 + kTenth) * noise.sigma))
+        (noise.kind == NoiseKind::None || fit.rms[k] > (1.0 + kSlack) * noise.sigma))
       return std::numeric_limits<double>::infinity();
   }
-  return kTenth;
+  return kSlack;
 }
 
 /// A model's columns as a problem of their own; members are positions among them.

@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "core/numerics/interval.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
+#include "trajectories/smoother/assimilation_steps.hpp"
 
 namespace lacuna {
 namespace {
@@ -115,8 +116,7 @@ double WindowSquares::above_by_scatter(double floor) const {
   const double variance = (all.array() - mean).square().sum() / freedom;
   const double error = std::sqrt(variance / (freedom + 1.0));
   if (!(error > 0.0)) return mean > floor * floor ? INFINITY : 0.0;
-  constexpr double kNormal = 1.959963984540054;
-  return (mean - floor * floor) / error * kNormal / student_quantile_975(freedom);
+  return (mean - floor * floor) / error * kNormalQuantile975 / student_quantile_975(freedom);
 }
 
 WindowSquares window_squares(const LinearisedRecord& record, const MarkedSamples& measured,
@@ -173,16 +173,14 @@ Index window_samples(const std::vector<Matrix>& paths, const std::vector<bool>& 
 }
 
 Index window_samples(const Assimilation& fit) {
-  std::vector<Matrix> paths;
-  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
+  const std::vector<Matrix> paths = paths_of(fit);
   std::vector<bool> measured;
   for (const auto& noise : fit.noise.measurement) measured.push_back(noise.has_value());
   return window_samples(paths, measured);
 }
 
 double window_gap(const Assimilation& fit) {
-  std::vector<Matrix> paths;
-  for (const LinearisedRecord& record : fit.records) paths.push_back(record.path);
+  const std::vector<Matrix> paths = paths_of(fit);
   const Vector scale = moving_deviations(paths);
   const Index length = window_samples(fit);
   const Matrix none;

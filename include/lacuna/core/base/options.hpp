@@ -76,27 +76,42 @@ class OptionVisitor {
                             std::shared_ptr<const StageInterface>& stage) = 0;
 };
 
+/// Leaves every option as it is: the base of visitors that look at some kinds of fields only,
+/// which override those and say `using IdleVisitor::field`.
+class IdleVisitor : public OptionVisitor {
+ public:
+  using OptionVisitor::field;
+  void field(const FieldInfo&, double&) override {}
+  void field(const FieldInfo&, int&) override {}
+  void field(const FieldInfo&, bool&) override {}
+  void field(const FieldInfo&, std::string&) override {}
+  void field(const FieldInfo&, std::optional<double>&) override {}
+  void field(const FieldInfo&, std::optional<int>&) override {}
+  void field(const FieldInfo&, std::vector<std::string>&) override {}
+
+ protected:
+  void choice(const FieldInfo&, std::span<const std::string_view>, int&) override {}
+  void nested_stage(const FieldInfo&, std::string_view,
+                    std::shared_ptr<const StageInterface>&) override {}
+};
+
 /// Checks one number against the range of its field.
 /// @throws ConfigError naming the stage, the field, the value and the range.
 void check_range(std::string_view stage, const FieldInfo& info, double value);
 
 /// Visitor that checks the range of every number.
-class RangeCheck final : public OptionVisitor {
+class RangeCheck final : public IdleVisitor {
  public:
   explicit RangeCheck(std::string_view stage) : stage_(stage) {}  ///< its name, for messages
+  using IdleVisitor::field;
   void field(const FieldInfo& info, double& value) override;
   void field(const FieldInfo& info, int& value) override;
-  void field(const FieldInfo&, bool&) override {}
-  void field(const FieldInfo&, std::string&) override {}
   void field(const FieldInfo& info, std::optional<double>& value) override;
   void field(const FieldInfo& info, std::optional<int>& value) override;
-  void field(const FieldInfo&, std::vector<std::string>&) override {}
 
  protected:
   void choice(const FieldInfo& info, std::span<const std::string_view> names,
               int& index) override;
-  void nested_stage(const FieldInfo&, std::string_view,
-                    std::shared_ptr<const StageInterface>&) override {}
 
  private:
   std::string_view stage_;

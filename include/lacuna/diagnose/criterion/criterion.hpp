@@ -17,8 +17,8 @@ struct Evidence {
 
 /// Plug point: by what number explanations of the same records are compared; the least wins.
 ///
-/// value = deviance + penalty(parameters, samples, choices). It is the only place where a price
-/// of parameters is computed.
+/// value = deviance + penalty(parameters, samples, choices). A diagnosis
+/// computes the price of parameters nowhere else.
 class Criterion : public StageInterface {
  public:
   static constexpr std::string_view kKind = "criterion";

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 
@@ -46,9 +47,7 @@ struct NamedEffect {
   std::vector<Alternative> alternatives = {};
 
   /// 95 % confidence interval of the coefficient.
-  std::array<double, 2> ci95() const {
-    return {coefficient - 1.96 * deviation, coefficient + 1.96 * deviation};
-  }
+  std::array<double, 2> ci95() const { return interval95(coefficient, deviation); }
 };
 
 /// One round of the search: what was tried and what came of it.

@@ -39,9 +39,7 @@ struct CoefficientChange {
   bool determined = true;
 
   /// 95 % confidence interval of the estimate.
-  std::array<double, 2> ci95() const {
-    return {estimated - 1.96 * deviation, estimated + 1.96 * deviation};
-  }
+  std::array<double, 2> ci95() const { return interval95(estimated, deviation); }
 };
 
 /// What is left over in the end.

@@ -44,23 +44,12 @@ struct SampleOptions {
 };
 
 /// Changes the choice, as the reader of a configuration does.
-class SetChoice final : public OptionVisitor {
- public:
-  void field(const FieldInfo&, double&) override {}
-  void field(const FieldInfo&, int&) override {}
-  void field(const FieldInfo&, bool&) override {}
-  void field(const FieldInfo&, std::string&) override {}
-  void field(const FieldInfo&, std::optional<double>&) override {}
-  void field(const FieldInfo&, std::optional<int>&) override {}
-  void field(const FieldInfo&, std::vector<std::string>&) override {}
-
+class SetChoice final : public IdleVisitor {
  protected:
   void choice(const FieldInfo&, std::span<const std::string_view> names, int& index) override {
     EXPECT_EQ(names[static_cast<std::size_t>(index)], "exact");
     index = 0;
   }
-  void nested_stage(const FieldInfo&, std::string_view,
-                    std::shared_ptr<const StageInterface>&) override {}
 };
 
 void expect_refused(const SampleOptions& options, const std::string& where,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "core/numerics/interval.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "lacuna/core/base/error.hpp"
 
@@ -17,6 +19,18 @@ TEST(StudentQuantile, AgreesWithTables) {
   EXPECT_NEAR(student_quantile_975(10.0), 2.2281, 1e-4);
   EXPECT_NEAR(student_quantile_975(30.0), 2.0423, 1e-4);
   EXPECT_NEAR(student_quantile_975(1e9), 1.959964, 1e-6);
+}
+
+TEST(NormalQuantile, IsTheLimitOfStudents) {
+  EXPECT_NEAR(std::erf(kNormalQuantile975 / std::sqrt(2.0)), 0.95, 1e-15);
+  EXPECT_NEAR(student_quantile_975(1e15), kNormalQuantile975, 1e-14);
+}
+
+TEST(Interval95, LiesAboutTheEstimate) {
+  const auto normal = interval95(3.0, 0.5);
+  EXPECT_DOUBLE_EQ(normal[0], 3.0 - 0.5 * kNormalQuantile975);
+  EXPECT_DOUBLE_EQ(normal[1], 3.0 + 0.5 * kNormalQuantile975);
+  EXPECT_EQ(interval95(3.0, 0.5, 2.0), (std::array<double, 2>{2.0, 4.0}));
 }
 
 TEST(StudentQuantile, RefusesLessThanOneDegreeOfFreedom) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lacuna/core/numerics/interval.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
@@ -81,8 +82,8 @@ TEST(CoefficientChanges, FreeCoefficientsHaveIntervals) {
   const WeightedTerm& q = model.equations()[1][0];
   ASSERT_TRUE(q.standard_error && q.ci95);
   EXPECT_DOUBLE_EQ(*q.standard_error, 0.2);
-  EXPECT_DOUBLE_EQ((*q.ci95)[0], -3.5 - 1.96 * 0.2);
-  EXPECT_DOUBLE_EQ((*q.ci95)[1], -3.5 + 1.96 * 0.2);
+  EXPECT_DOUBLE_EQ((*q.ci95)[0], -3.5 - kNormalQuantile975 * 0.2);
+  EXPECT_DOUBLE_EQ((*q.ci95)[1], -3.5 + kNormalQuantile975 * 0.2);
   EXPECT_FALSE(model.equations()[0][0].standard_error) << "an identity";
 }
 

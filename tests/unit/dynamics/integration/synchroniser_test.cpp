@@ -346,6 +346,22 @@ TEST(Synchroniser, TheResponseToNoiseIsThatOfTheSlaveAlone) {
   EXPECT_LT(synchronise(model, clean, Rk4{}, coupling).response[0], 1e-12);
 }
 
+TEST(Synchroniser, TheNoiseOfTheResponseIsDrawnBySeed) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel model({{"x", ""}}, {}, {{{Term::parse("x", variables), -1.0}}});
+  Dataset noisy = record_of(model, Rk4{}, Vector::Constant(1, 1.0), 0.01, 500);
+  Random random(3);
+  for (double& x : noisy.trajectories.front().states.reshaped()) x += 0.1 * random.normal();
+  const auto response = [&](std::uint64_t seed) {
+    RunContext context;
+    context.seed = seed;
+    return synchronise(model, noisy, Rk4{}, {}, context).response[0];
+  };
+  EXPECT_EQ(response(1), response(1));
+  EXPECT_NE(response(1), response(2));
+  EXPECT_NEAR(response(2), response(1), 0.2 * response(1));
+}
+
 /// A stage whose fast pole lies at 3 / h of records with the step h.
 OdeModel fast_stage(double pole) {
   return parse_ode("input u hold zero\ndy/dt = " + std::to_string(pole) + "*(u - y)\n", "fast");

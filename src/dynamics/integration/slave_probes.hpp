@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What further slaves along a record show.
+#pragma once
+
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "slave.hpp"
+
+namespace lacuna {
+
+/// See SyncResult::response. The noise is drawn by the seed of the context.
+Vector response_to_noise(const SlaveTask& task, const Dataset& record,
+                         const SyncResult& result);
+
+/// See SyncResult::conditional_exponent.
+double conditional_exponent(const SlaveTask& task, const Trajectory& record,
+                            const SyncResult& result);
+
+}  // namespace lacuna

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "core/numerics/information.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+TEST(Information, AParameterCostsTheLogarithmOfTheSamples) {
+  EXPECT_DOUBLE_EQ(parameter_price(1000.0), 6.907755278982137);
+  EXPECT_EQ(parameter_price(1.0), 0.0);
+}
+
+TEST(Information, ChoosingAmongOneCostsNothing) {
+  EXPECT_EQ(choice_price(1.0), 0.0);
+  EXPECT_DOUBLE_EQ(choice_price(20.0), 2.995732273553991);
+}
+
+TEST(Information, NoSamplesAndNoCandidatesCostNothing) {
+  EXPECT_EQ(parameter_price(0.0), 0.0);
+  EXPECT_EQ(choice_price(0.0), 0.0);
+}
+
+}  // namespace
+}  // namespace lacuna
