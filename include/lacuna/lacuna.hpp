@@ -11,6 +11,7 @@
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stage.hpp"
 #include "lacuna/core/base/types.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/core/numerics/negligible.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/data/formats/read.hpp"
