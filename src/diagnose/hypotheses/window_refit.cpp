@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/records/known_noise.hpp"
 #include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/trajectories/shooting/refine.hpp"
 #include "lacuna/trajectories/smoother/window_gap.hpp"
@@ -87,6 +88,7 @@ std::optional<Explanation> refit_over_windows(const Problem& problem, const Base
   problem.context.report("refitting over windows", 0.0);
   RefineOptions windows;
   windows.window_samples = length;
+  windows.noise = white_noise(noise_of(*base.records));
   const Refinement refined = refine(parametrised(explanation.fit, base.fit_options),
                                     base.records->data, windows, problem.context);
   if (refined.status == RefineStatus::Diverged || !refined.covariance.allFinite())

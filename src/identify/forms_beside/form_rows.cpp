@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "data/records/known_noise.hpp"
 #include "lacuna/core/base/parallel.hpp"
 #include "lacuna/core/numerics/qr.hpp"
 #include "lacuna/regression/formulations/weak_form.hpp"
@@ -39,25 +40,26 @@ SparseRows whitening(const Projection& projection) {
 }
 
 /// The test function for a dataset, narrower where that leaves too few rows.
-TestFunction narrow_function(const Dataset& data) {
+TestFunction narrow_function(const Dataset& data, const std::optional<Vector>& seen) {
   constexpr double kRows = 400.0, kSamplesOfARow = 4.0;
-  const TestFunction function = choose_test_function(data);
+  const Vector noise = known_or_estimated(seen, data);
+  const TestFunction function = choose_test_function(data, {}, 1, noise);
   const double samples = static_cast<double>(data.samples());
 
   const double wanted = std::min(kRows, samples / kSamplesOfARow);
   const double narrow =
       total_duration(data) / wanted * std::sqrt(static_cast<double>(function.order));
   if (function.radius <= narrow) return function;
-  return choose_test_function(data, {.radius = narrow, .order = {}});
+  return choose_test_function(data, {.radius = narrow, .order = {}}, 1, noise);
 }
 
 }  // namespace
 
 FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library,
-                   int threads) {
+                   int threads, const std::optional<Vector>& seen) {
   for (const Quantity& state : data.states) variables_.states.push_back(state.name);
   for (const Quantity& input : data.inputs) variables_.inputs.push_back(input.name);
-  const TestFunction function = narrow_function(data);
+  const TestFunction function = narrow_function(data, seen);
   const double spacing =
       std::max(test_function_spacing(function), total_duration(data) / kMostRows);
   states_.resize(data.samples(), data.state_count());

@@ -6,11 +6,11 @@
 #include <mutex>
 
 #include "constrained_equations.hpp"
+#include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
 #include "lacuna/core/base/parallel.hpp"
 #include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/interval.hpp"
-#include "lacuna/data/records/noise.hpp"
 #include "refined_result.hpp"
 
 namespace lacuna {
@@ -26,6 +26,7 @@ struct Run {
   const FilterResult& filtered;
   const Vector& noise;  ///< of the states, as the record itself tells it; of a map it does not
   const EquationLibraries& libraries;
+  const KnownNoise& analysed;  ///< the same in full
 };
 
 /// What is found out about one equation.
@@ -271,8 +272,8 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   RunContext silent = run.context;
   silent.progress = nullptr;
   silent.threads = 1;
-  const Run each{run.data,   run.pipeline, silent,    run.library,
-                 run.system, run.filtered, run.noise, run.libraries};
+  const Run each{run.data,     run.pipeline, silent,        run.library, run.system,
+                 run.filtered, run.noise,    run.libraries, run.analysed};
   std::mutex reporting;
   std::size_t done = 0;
   parallel_for(states, run.context.threads, [&](std::size_t k) {
@@ -295,7 +296,7 @@ bool is_worse_than_none(const IdentificationResult& result) {
 /// Fits a result to the trajectories, where that leads to a model that explains more than none.
 void refine_result(const Run& run, IdentificationResult& result) {
   IdentificationResult refined = result;
-  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, refined,
+  if (apply_refiner(*run.pipeline.refiner, {run.data, run.analysed}, run.libraries, refined,
                     run.context.alone())) {
     measure_residuals(run, refined);
     if (!is_worse_than_none(refined)) {
@@ -361,13 +362,15 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
     throw ConfigError("constraint energy-preserving",
                       "it is one of rates, which a map has none of",
                       "leave it out, or identify a flow");
-  const Vector noise = is_map ? Vector() : estimate_noise(data, context.threads);
+  const KnownNoise analysed =
+      is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
+  const Vector noise = is_map ? Vector() : white_noise(*analysed);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
   const LeastSquaresSystem system = fitted.formulation->assemble(records, library, context);
   context.report("filtering terms", 0.0);
   const FilterResult filtered = fitted.filter->filter(system, context);
-  IdentificationResult result =
-      run_equations({data, fitted, context, library, system, filtered, noise, libraries});
+  IdentificationResult result = run_equations(
+      {data, fitted, context, library, system, filtered, noise, libraries, analysed});
   if (records.is_long() && !is_map) result.warnings.push_back(excerpt_note(records));
   context.report("fitting equations", 1.0);
   return result;

@@ -132,12 +132,12 @@ double unexplained(const IdentificationResult& result) {
 
 }  // namespace
 
-bool apply_refiner(const Refiner& refiner, const Dataset& data,
+bool apply_refiner(const Refiner& refiner, const KnownRecords& records,
                    const EquationLibraries& libraries, IdentificationResult& result,
                    const RunContext& context) {
   RefinedModel refined =
-      refiner.refine({data, libraries.library, result.model, unexplained(result),
-                      libraries.allowed, libraries.constraints},
+      refiner.refine({records.data, libraries.library, result.model, unexplained(result),
+                      libraries.allowed, libraries.constraints, records.noise},
                      context);
   if (!refined.usable) {
     if (!refined.message.empty())
@@ -146,7 +146,7 @@ bool apply_refiner(const Refiner& refiner, const Dataset& data,
   }
   drop_void_warnings(refined.model, result.warnings);
   rewrite_trail(refined, "refiner " + std::string(refiner.info().name), result);
-  judge(data, refined, result);
+  judge(records.data, refined, result);
   for (Index k = 0; k < result.noise.size(); ++k)
     if (refined.noise[k] > 0.0) result.noise[k] = refined.noise[k];
   result.warnings.insert(result.warnings.end(), refined.notes.begin(), refined.notes.end());

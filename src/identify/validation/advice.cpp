@@ -30,13 +30,13 @@ class FormAdvice {
  public:
   FormAdvice(const IdentificationResult& result, const Dataset& data,
              const std::vector<Stage<Effect>>& effects, const AdviceOptions& options,
-             const RunContext& context)
+             const RunContext& context, const std::optional<Vector>& seen)
       : model_(result.model),
         scope_(make_scope(result.model, data, result.noise)),
         effects_(effects),
         options_(options),
-        search_(data, result.noise, options.search, context),
-        problem_(data, result.noise, options.search, context) {}
+        search_(data, result.noise, options.search, context, {}, seen),
+        problem_(data, result.noise, options.search, context, {}, seen) {}
 
   /// Nothing where no form stands out.
   std::optional<Asked> asked_by(Index k) const {
@@ -86,8 +86,9 @@ class FormAdvice {
 
 std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
                                     const std::vector<Stage<Effect>>& effects,
-                                    const AdviceOptions& options, const RunContext& context) {
-  const FormAdvice forms(result, data, effects, options, context);
+                                    const AdviceOptions& options, const RunContext& context,
+                                    const std::optional<Vector>& seen) {
+  const FormAdvice forms(result, data, effects, options, context, seen);
   std::vector<std::string> advice;
   for (Index k = 0; k < data.state_count(); ++k) {
     context.report("asking what the residuals ask for",

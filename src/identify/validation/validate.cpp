@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/records/known_noise.hpp"
 #include "judgement.hpp"
 #include "lacuna/records/channels/shown_holds.hpp"
 #include "lacuna/trajectories/smoother/window_gap.hpp"
@@ -126,7 +127,7 @@ std::vector<std::string> sources_of(const Dataset& data, const std::vector<Block
 /// Predictions of a map, whose samples show no noise by themselves.
 Validation validate_map(const ValidationTask& task, const ValidationOptions& options,
                         const RunContext& context) {
-  const auto& [result, data, pipeline, held_out] = task;
+  const auto& [result, data, pipeline, held_out, noise] = task;
   const Dataset& tested = held_out ? *held_out : data;
   std::vector<Block> blocks =
       held_out ? all_blocks(tested) : held_blocks(tested, 2 * kStepsOfMap, options);
@@ -178,15 +179,17 @@ Validation judged_by(const OdeModel& given, const Judges& judges, Validation val
 
 Validation validate(const ValidationTask& task, const ValidationOptions& options,
                     const RunContext& context) {
-  const auto& [result, data, pipeline, held_out] = task;
+  const auto& [result, data, pipeline, held_out, known] = task;
   context.report("predicting samples held out", 0.0);
   const Dataset& tested = held_out ? *held_out : data;
   check_dataset(tested);
+  check_known(known, data, "validate");
   if (held_out) check_are_others(data, *held_out);
   if (result.model.is_map()) return validate_map(task, options, context);
   const bool own_noise = !held_out || tested.samples() >= options.noise_samples;
-  const std::vector<StateNoise> noise =
-      analyse_noise(own_noise ? tested : data, context.threads);
+  const bool is_known = !held_out || !own_noise;
+  const std::vector<StateNoise> noise = known_or_analysed(
+      is_known ? known : std::nullopt, own_noise ? tested : data, context.threads);
   const Index period =
       period_of(tested, noise, options.held_every * options.most_samples, context.threads);
   const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);
