@@ -74,7 +74,7 @@ OdeModel with_intervals(const Assimilation& fit) {
     summand.ci95 = {
         {summand.coefficient - 1.96 * deviation, summand.coefficient + 1.96 * deviation}};
   }
-  return {fit.model.states(), fit.model.inputs(), std::move(equations), fit.model.time_unit()};
+  return fit.model.with_equations(std::move(equations));
 }
 
 }  // namespace lacuna

@@ -161,7 +161,7 @@ OdeModel held(const OdeModel& model) {
   std::vector<Equation> equations = model.equations();
   for (Equation& equation : equations)
     for (WeightedTerm& term : equation) term.fixed = true;
-  return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
+  return model.with_equations(std::move(equations));
 }
 
 /// Records that were smoothed, as their noise shows, as they were before.
