@@ -162,7 +162,6 @@ void write_equation(const Run& run, Index state, const Regression& regression,
       outcome.warnings.push_back(left + ": the data do not determine the coefficient of " +
                                  summand.term.name());
   }
-  if (outcome.equation.empty()) outcome.warnings.push_back(left + ": no term was found");
   if (!regression.converged)
     outcome.warnings.push_back(left + ": the regression did not converge in " +
                                std::to_string(regression.iterations) + " iterations");
@@ -312,6 +311,19 @@ void refine_result(const Run& run, IdentificationResult& result) {
   judge_fits(result);
 }
 
+/// What the stages before the refiner have to warn of that is so in the model.
+std::vector<std::string> warnings_of(std::vector<EquationOutcome> outcomes,
+                                     const OdeModel& model) {
+  std::vector<std::string> warnings;
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    if (outcomes[k].equation.empty() && model.equations()[k].empty())
+      warnings.push_back(left_hand_side(model.states()[k].name, model.evolution()) +
+                         ": no term was found");
+    append(warnings, std::move(outcomes[k].warnings));
+  }
+  return warnings;
+}
+
 IdentificationResult run_equations(const Run& run) {
   std::vector<EquationOutcome> outcomes = fit_equations(run);
   std::vector<Equation> equations;
@@ -327,13 +339,15 @@ IdentificationResult run_equations(const Run& run) {
   for (EquationOutcome& outcome : outcomes) {
     result.fit.push_back(std::move(outcome.fit));
     append(result.trail, std::move(outcome.trail));
-    append(result.warnings, std::move(outcome.warnings));
   }
   satisfy_constraints(run.system, run.libraries, result);
   if (!run.libraries.constraints.empty()) measure_residuals(run, result);
   note_noise_floors(run, result);
+  if (run.context.leads()) refine_result(run, result);
+  std::vector<std::string> first = warnings_of(std::move(outcomes), result.model);
+  append(first, std::move(result.warnings));
+  result.warnings = std::move(first);
   if (!run.context.leads()) return result;
-  refine_result(run, result);
   result.adequacy = adequacy_of_equations(result.fit);
   return result;
 }
