@@ -108,6 +108,10 @@ All<Limits> Choices<Limits>::all() {
           {"nan", {kNan, kNan}, false}};
 }
 
+All<StateNoise> Choices<StateNoise>::all() {
+  return {{"white", {0.1, NoiseKind::White, {}, 0.0, 2, 0.1}}, {"none", {}}};
+}
+
 All<BoundRecords> Choices<BoundRecords>::all() {
   return {{"a record", observed(dataset({record()}))}};
 }

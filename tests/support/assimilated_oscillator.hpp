@@ -15,7 +15,7 @@ inline AssimilationOptions oscillator_fit_options() {
 }
 
 inline Assimilation assimilated(const Dataset& data) {
-  return assimilate(oscillator(), data, {}, oscillator_fit_options(), RunContext{});
+  return assimilate(oscillator(), as_measured(data), oscillator_fit_options(), RunContext{});
 }
 
 inline double dry_friction(double, double, double v) { return -0.3 * (v > 0.0 ? 1.0 : -1.0); }

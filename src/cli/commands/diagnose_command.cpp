@@ -140,12 +140,12 @@ int diagnose_each(const Session& session, const DiagnoseArguments& options) {
   std::vector<std::string> texts(files.size());
   const OwnParts own = own_parts(files.size(), context);
   for (std::size_t i = own.first; i < own.end; ++i)
-    texts[i] = answer_of(files[i], model, options, session, context.alone()).json;
+    texts[i] = packed(answer_of(files[i], model, options, session, context.alone()));
   share_texts(texts, context);
   if (!context.leads()) return 0;
   finish_progress(session, options.run);
   std::vector<FleetAnswer> fleet;
-  for (const std::string& text : texts) fleet.push_back({text});
+  for (const std::string& text : texts) fleet.push_back(unpacked(text));
   if (options.json) write_output(session, *options.json, format_json(fleet));
   if (options.json != "-") show(session, format_text(fleet));
   return 0;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "data/records/piece_name.hpp"
 #include "data/records/same_columns.hpp"
 #include "find_records.hpp"
 #include "is_plain.hpp"
@@ -82,7 +83,7 @@ void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
                  std::vector<std::shared_ptr<const SampleSource>>& records) {
   for (std::size_t i = 0; i < found.ranges.size(); ++i) {
     std::string name = file->file.columns().source;
-    if (found.ranges.size() > 1) name += ", record " + std::to_string(i + 1);
+    if (found.ranges.size() > 1) name = piece_name(name, i + 1);
     records.push_back(std::make_shared<const RecordInFile>(file, found.ranges[i], name));
   }
 }

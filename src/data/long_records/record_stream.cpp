@@ -167,6 +167,12 @@ RecordStream::RecordStream(Dataset description, Sources records)
   take_excerpt(std::move(description));
 }
 
+const std::vector<StateNoise>& RecordStream::noise(int threads) const {
+  std::call_once(analysis_->once,
+                 [&] { analysis_->noise = analyse_noise(*excerpt_, threads); });
+  return analysis_->noise;
+}
+
 void RecordStream::take_excerpt(Dataset description) {
   const Selection chosen = selection_of(records_);
   records_ = thinned_by(chosen.step, std::move(records_));

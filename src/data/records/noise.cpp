@@ -13,6 +13,7 @@
 #include "core/numerics/column_kernels.hpp"
 #include "core/numerics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
+#include "data/records/lattice.hpp"
 #include "data/records/state_statistics.hpp"
 #include "lacuna/data/records/marks.hpp"
 
@@ -146,48 +147,11 @@ std::optional<double> coloured_level(const Dataset& data, Index state, double si
   return second;
 }
 
-/// All values of a state that are different, in order.
-std::vector<double> distinct_values(const Dataset& data, Index state) {
-  std::vector<double> values;
-  for (const Trajectory& record : data.trajectories)
-    values.insert(values.end(), record.states.col(state).begin(),
-                  record.states.col(state).end());
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
-
-/// The spacing q of which all differences of values are whole multiples. It is found from the
-/// small gaps and made more exact by the large ones, over which rounded digits matter least.
-std::optional<double> lattice_of(const Dataset& data, Index state) {
-  constexpr double kRounding = 1e-3;        // of a multiple, as a share of q
-  constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
-  const std::vector<double> values = distinct_values(data, state);
-  if (values.size() < kFewest) return std::nullopt;
-  std::vector<double> gaps(values.size() - 1);
-  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
-  std::sort(gaps.begin(), gaps.end());
-  const double smallest = (values.back() - values.front()) / kMostLevels;
-  double spacing = gaps.front();
-  for (std::size_t i = 1; i < gaps.size() && spacing > smallest; ++i) {
-    // Euclid's algorithm on the gaps.
-    double rest = std::abs(std::remainder(gaps[i], spacing));
-    const double limit = kRounding * spacing;
-    if (rest <= limit) spacing = gaps[i] / std::round(gaps[i] / spacing);
-    while (rest > limit) {
-      const double next = std::abs(std::remainder(spacing, rest));
-      spacing = rest;
-      rest = next;
-    }
-  }
-  if (!(spacing > smallest)) return std::nullopt;
-  return spacing;
-}
-
 StateNoise analyse_state(const Dataset& data, Index state) {
   StateNoise noise;
   const std::vector<double> sigmas = noise_by_order(data, state);
   const std::optional<double> level = plateau(sigmas);
+  noise.white = level.value_or(0.0);
   noise.sigma = level.value_or(least(sigmas));
   noise.kind = level && *level > 0.0 ? NoiseKind::White : NoiseKind::None;
   if (level) noise.order = static_cast<Index>(first_level(sigmas)) + 1;
@@ -219,6 +183,11 @@ Dataset values_only(const Dataset& data, Index state) {
     if (values.samples() >= 2) result.trajectories.push_back(std::move(values));
   }
   return result;
+}
+
+StateNoise analyse(const Dataset& data, Index state) {
+  return has_marks(data) ? analyse_state(values_only(data, state), 0)
+                         : analyse_state(data, state);
 }
 
 /// x_i minus the straight line between its neighbours; 0 at the ends.
@@ -303,12 +272,15 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
 std::vector<StateNoise> analyse_noise(const Dataset& data, int threads) {
   check_states(data, "analyse_noise");
   std::vector<StateNoise> noise(static_cast<std::size_t>(data.state_count()));
-  parallel_for(noise.size(), threads, [&](std::size_t k) {
-    const auto state = static_cast<Index>(k);
-    noise[k] = has_marks(data) ? analyse_state(values_only(data, state), 0)
-                               : analyse_state(data, state);
-  });
+  parallel_for(noise.size(), threads,
+               [&](std::size_t k) { noise[k] = analyse(data, static_cast<Index>(k)); });
   return noise;
+}
+
+StateNoise analyse_noise_of(const Dataset& data, Index state) {
+  check_states(data, "analyse_noise_of");
+  check_number(state, data.state_count(), "analyse_noise_of", "state");
+  return analyse(data, state);
 }
 
 Vector estimate_noise(const Dataset& data, int threads) {

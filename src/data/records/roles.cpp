@@ -11,6 +11,7 @@
 #include "core/base/check.hpp"
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
+#include "data/records/piece_name.hpp"
 #include "data/records/split.hpp"
 #include "data/records/text_field.hpp"
 #include "data/times/time_names.hpp"
@@ -271,7 +272,7 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   for (std::size_t i = 0; i < records.ranges.size(); ++i) {
     const TableRows& rows = records.ranges[i];
     Trajectory trajectory = take_record(table, columns, roles.step, rows);
-    if (records.ranges.size() > 1) trajectory.source += ", record " + std::to_string(i + 1);
+    if (records.ranges.size() > 1) trajectory.source = piece_name(trajectory.source, i + 1);
     if (filled && filled->marks.size() > 0)
       trajectory.marks = filled->marks.middleRows(rows.first, rows.count);
     data.trajectories.push_back(std::move(trajectory));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "data/records/check_record.hpp"
+#include "data/records/piece_name.hpp"
 
 namespace lacuna {
 
@@ -39,7 +40,7 @@ Trajectory rows_of(const Trajectory& trajectory, Index first, Index count) {
 }
 
 std::string file_of(const Trajectory& trajectory) {
-  return trajectory.source.substr(0, trajectory.source.rfind(", record "));
+  return trajectory.source.substr(0, end_of_file_name(trajectory.source));
 }
 
 bool goes_on(const Trajectory& before, const Trajectory& after, double longest_gap) {

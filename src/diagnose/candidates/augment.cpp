@@ -31,7 +31,12 @@ OdeModel augmented_model(const OdeModel& nominal, const std::vector<FittedEffect
           {{Term(bind_formula(candidate, memory.rate, shapes), variables), 1.0}});
     }
   }
-  return {std::move(states), nominal.inputs(), std::move(equations), nominal.time_unit()};
+  std::vector<std::optional<InitialValue>> initial = nominal.initial();
+  initial.resize(states.size());
+  return OdeModel(std::move(states), nominal.inputs(), std::move(equations),
+                  nominal.time_unit())
+      .with_outputs(nominal.outputs())
+      .with_initial(std::move(initial));
 }
 
 /// Memory states of one effect on one record's samples.

@@ -52,7 +52,7 @@ OdeModel nominal_part(const OdeModel& augmented, const OdeModel& nominal) {
   for (Equation& equation : equations)
     for (WeightedTerm& summand : equation)
       summand.term = Term(summand.term.expression(), nominal.variables());
-  return {nominal.states(), nominal.inputs(), std::move(equations), nominal.time_unit()};
+  return nominal.with_equations(std::move(equations));
 }
 
 std::vector<Matrix> nominal_paths(const Assimilation& fit, Index states) {

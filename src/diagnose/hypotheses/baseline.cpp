@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/base/parallel.hpp"
+#include "data/records/known_noise.hpp"
 #include "diagnose/candidates/search_memory.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/records/noise.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
 #include "model/equations/formula_channel.hpp"
 #include "trajectories/smoother/assimilation_steps.hpp"
@@ -40,11 +40,12 @@ std::vector<Assimilation> other_starts(const Baseline& base) {
 
 /// The scope of effects: channels that are measured as formulas say nothing that the states do
 /// not, and no effect is a function of them.
-Scope scope_of(const OdeModel& nominal, const Dataset& data, const Assimilation& fit) {
+Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assimilation& fit) {
+  const Dataset& data = records.data;
   Index states = 0;
   for (const Quantity& state : nominal.states()) states += is_formula_channel(state) ? 0 : 1;
   std::vector<SpectralLine> lines = spectral_lines(fit, kSpectralLines);
-  const Vector noise = estimate_noise(data);
+  const Vector noise = white_noise(noise_of(records));
   if (states == nominal.dimension()) return make_scope(nominal, data, noise, std::move(lines));
   const auto count = static_cast<std::ptrdiff_t>(states);
   const OdeModel own(
@@ -94,8 +95,7 @@ Baseline plain_baseline(const Problem& problem) {
   context.report("bringing the model onto the records", 0.0);
   AssimilationOptions as_given;
   as_given.hidden = hidden_states(nominal, records.data);
-  Assimilation given =
-      assimilate_from_starts(nominal, records.data, records.outliers, as_given, context);
+  Assimilation given = assimilate_from_starts(nominal, records, as_given, context);
   OutlierCheck outliers = check_outliers(nominal.states(), given, options.decision.outlying);
   given.omitted = std::move(outliers.outliers);
   if (outliers.any_false)
@@ -135,9 +135,8 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
     fit_options.free.clear();
     fitted = given;
   }
-  BoundRecords known = records;
-  known.data = with_paths_of(std::move(known.data), fit_options.hidden, paths_of(fitted));
-  Scope scope = scope_of(nominal, known.data, fitted);
+  BoundRecords known = with_paths_of(records, fit_options.hidden, paths_of(fitted));
+  Scope scope = scope_of(nominal, known, fitted);
   return {std::make_shared<const BoundRecords>(std::move(known)),
           std::move(given),
           std::move(fitted),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -51,12 +52,15 @@ std::vector<bool> doubtful(const OdeModel& nominal, const Assimilation& exact) {
 /// The nominal model on the records with further equations disturbed.
 Assimilation loosened(const Problem& problem, const Baseline& base,
                       const std::vector<bool>& further) {
-  AssimilationOptions options;
+  std::vector<bool> disturbed;
   for (std::size_t k = 0; k < further.size(); ++k)
-    options.disturbed.push_back(further[k] ||
-                                base.given.noise.disturbance[static_cast<Index>(k)] > 0.0);
-  return assimilate(problem.nominal, base.records->data, base.given.omitted, options,
-                    problem.context);
+    disturbed.push_back(further[k] ||
+                        base.given.noise.disturbance[static_cast<Index>(k)] > 0.0);
+  AssimilationOptions options;
+  options.disturbed = std::move(disturbed);
+  BoundRecords records = *base.records;
+  records.outliers = base.given.omitted;
+  return assimilate(problem.nominal, records, options, problem.context);
 }
 
 /// Of the doubted equations those that are substantially disturbed when they may be.

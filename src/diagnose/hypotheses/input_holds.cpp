@@ -139,8 +139,7 @@ ChosenHolds choose_holds(const Problem& problem) {
   context.report("how inputs go on between samples", 0.0);
   AssimilationOptions few;
   few.passes = kPasses;
-  const Assimilation start =
-      assimilate(nominal.with_holds(holds), records.data, records.outliers, few, context);
+  const Assimilation start = assimilate(nominal.with_holds(holds), records, few, context);
   for (const Index j : unknown) {
     if (!std::isfinite(start.deviance)) break;
     auto& hold = holds[static_cast<std::size_t>(j)];

@@ -36,7 +36,7 @@ SearchedAccount account_of(const EffectSearch& search, std::shared_ptr<const Bas
 Proposals proposed(const EffectSearch& search, const Account& best, FoundEffects found,
                    double lead) {
   SearchedAccount result = account_of(search, best.base, std::move(found));
-  Proposal proposal{.account = std::move(result.account), .lead = lead};
+  Proposal proposal{.account = std::move(result.account), .judged = ByCriterion{lead}};
   proposal.account.findings = best.findings;
   proposal.account.notes = best.notes;
   return {{std::move(proposal)}, std::move(result.rivals)};

@@ -139,7 +139,7 @@ Proposals ResidualFunction::do_propose(const Problem& problem, const Account& be
   }
   Proposal proposal{described(problem, best)};
   proposal.account.hypothesis = info().name;
-  proposal.precedence = "describes what is left; explains nothing";
+  proposal.judged = ByRule{"describes what is left; explains nothing"};
   return {{std::move(proposal)}, {}};
 }
 

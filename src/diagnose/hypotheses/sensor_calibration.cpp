@@ -305,7 +305,7 @@ Proposal beside(const Account& best, const NamedEffect& fault, const std::string
     effect.alternatives.insert(effect.alternatives.begin(),
                                {fault.name, term, 0.5 * effect.probability});
   return {.account = std::move(account),
-          .precedence = "a channel explains the records as well"};
+          .judged = ByRule{"a channel explains the records as well"}};
 }
 
 /// The channel against its peers: alone where they do worse beyond doubt, first where it is the
@@ -328,7 +328,7 @@ Proposals against_peers(const Problem& problem, const Account& best, const Basel
   }
   const bool elsewhere = acts_elsewhere(best, fault);
   Account account = account_of(best, given, std::move(own), std::move(fault));
-  if (is_sure) return {{{.account = std::move(account), .lead = undecided}}, {}};
+  if (is_sure) return {{{.account = std::move(account), .judged = ByCriterion{undecided}}}, {}};
   std::vector<std::string>& said = elsewhere ? account.doubts : account.notes;
   for (const NamedEffect& other : best.named) {
     said.push_back(as_well(other.description + " (" + other.name + ")"));
@@ -336,7 +336,7 @@ Proposals against_peers(const Problem& problem, const Account& best, const Basel
                                          {other.name, other.term, 0.0});
   }
   return {{{.account = std::move(account),
-            .precedence = "the plainer one of two that explain the records as well"}},
+            .judged = ByRule{"the plainer one of two that explain the records as well"}}},
           {}};
 }
 

@@ -42,8 +42,9 @@ Proposals SensorFault::do_propose(const Problem& problem, const Account& best) c
               1.0}}};
   other.rounds.insert(other.rounds.begin(), best.rounds.begin(), best.rounds.end());
   Proposal proposal{std::move(other)};
-  proposal.precedence =
-      "a fault of the measurement leaves structure; effects of the dynamics alone explain most";
+  proposal.judged = ByRule{
+      "a fault of the measurement leaves structure; effects of the dynamics alone explain "
+      "most"};
   return {{std::move(proposal)}, std::move(found.rivals)};
 }
 

@@ -220,9 +220,9 @@ Account named_account(FoundInput input, std::vector<EquationStructure> left,
 Proposal unnamed_proposal(const Search& search, const Account& best) {
   Proposal proposal{bare_account(search.problem, {}, best.base)};
   proposal.account.rounds = best.rounds;
-  proposal.precedence =
+  proposal.judged = ByRule{
       "a process in time explains the records better than the effects, and is no input: it "
-      "depends on what was recorded";
+      "depends on what was recorded"};
   return proposal;
 }
 

@@ -74,7 +74,7 @@ OdeModel with_intervals(const Assimilation& fit) {
     summand.standard_error = deviation;
     summand.ci95 = interval95(summand.coefficient, deviation);
   }
-  return {fit.model.states(), fit.model.inputs(), std::move(equations), fit.model.time_unit()};
+  return fit.model.with_equations(std::move(equations));
 }
 
 }  // namespace lacuna

@@ -29,7 +29,7 @@ namespace {
 struct Records {
   BoundRecords find;
   Dataset unused;  ///< as `find`, with columns that the model does not know as inputs
-  Dataset check;
+  BoundRecords check;
   std::vector<std::string> notes = {};
 };
 
@@ -87,15 +87,16 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
         "nothing moves in the last quarter of the records, which is kept back to measure the "
         "gap "
         "on: give other records for that (--holdout)");
-  return {std::move(find), std::move(unused), std::move(check), std::move(all.notes)};
+  BoundRecords known = observed_alike(std::move(check), find, channel_options(decision));
+  return {std::move(find), std::move(unused), std::move(known), std::move(all.notes)};
 }
 
 /// The gap on records that chose nothing, which the account's assumptions correct like the
 /// others.
 std::optional<Gap> gap_of(const Problem& problem, const Account& account,
-                          const Dataset& check) {
+                          const BoundRecords& check) {
   const auto& correct = account.base->correct;
-  const Dataset corrected = correct ? correct(check) : check;
+  const Dataset corrected = correct ? correct(check.data) : check.data;
   Gap gap = measure_gap(problem.nominal, account.explanation,
                         {check, corrected, problem.options.decision.outlying}, problem.context);
   const bool refuted = std::isinf(gap.after);
@@ -111,7 +112,7 @@ struct HeardAccount {
   std::vector<std::string> withdrawn = {};  ///< what was, and why
 };
 
-HeardAccount heard_on(const Dataset& check, const Problem& problem,
+HeardAccount heard_on(const BoundRecords& check, const Problem& problem,
                       const std::vector<Stage<Hypothesis>>& hypotheses, Judged judged) {
   HeardAccount heard{settle_account(problem, hypotheses, std::move(judged)), {}};
   for (;;) {
@@ -161,7 +162,7 @@ OdeModel held(const OdeModel& model) {
   std::vector<Equation> equations = model.equations();
   for (Equation& equation : equations)
     for (WeightedTerm& term : equation) term.fixed = true;
-  return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
+  return model.with_equations(std::move(equations));
 }
 
 /// Records that were smoothed, as their noise shows, as they were before.
@@ -213,8 +214,6 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   Records records = prepared(nominal, data, held_out, options.decision);
   std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
-  records.check =
-      observed_alike(std::move(records.check), records.find, channel_options(options.decision));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
   sharpen(known, options, context, records);

@@ -59,24 +59,32 @@ bool is_finite(const Dataset& data) {
                      [](const Trajectory& record) { return record.states.allFinite(); });
 }
 
+/// Records with states behind those that were measured.
+BoundRecords with_further_states(const BoundRecords& records, Dataset data) {
+  BoundRecords all{std::move(data), records.channels, {}};
+  all.channels.resize(all.data.states.size(), {.measured = false});
+  for (const Trajectory& record : all.data.trajectories)
+    all.outliers.push_back(marks_of(record));
+  return all;
+}
+
 /// The model on records, with noise of the kind that was found and without the summands that
 /// the measurement has: these are taken on the path, which moves with them. Marked samples that
 /// are outliers are left out.
-Assimilation without_faults(const Assimilation& found, Dataset& data,
+Assimilation without_faults(const Assimilation& found, BoundRecords& records,
                             const std::vector<bool>& hidden, double outlying,
                             const RunContext& context) {
+  Dataset& data = records.data;
   AssimilationOptions options;
   options.coloured = found.noise.coloured;
   options.hidden = hidden;
-  std::vector<Matrix> marks;
-  for (const Trajectory& record : data.trajectories) marks.push_back(marks_of(record));
-  Assimilation fit = assimilate_from_starts(found.model, data, marks, options, context);
+  Assimilation fit = assimilate_from_starts(found.model, records, options, context);
   OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
   fit.omitted = std::move(outliers.outliers);
   if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
   if (found.channel_terms.empty()) return fit;
   constexpr int kPasses = 4;  // what a filter of a third of the time scale takes away: 1 %
-  marks = fit.omitted;
+  records.outliers = fit.omitted;
   std::vector<Matrix> given;
   for (const Trajectory& record : data.trajectories) given.push_back(record.states);
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -84,7 +92,8 @@ Assimilation without_faults(const Assimilation& found, Dataset& data,
       data.trajectories[r].states = without_channel_terms(
           given[r], fit.records[r], found.model.variables(), found.channel_terms);
     if (!is_finite(data)) return fit;
-    fit = assimilate(found.model, data, marks, options, context);
+    records = with_noise_anew(std::move(records));
+    fit = assimilate(found.model, records, options, context);
   }
   return fit;
 }
@@ -162,18 +171,19 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
     paths.push_back(record.states);
   AugmentedProblem problem =
       augment(nominal, held_out.corrected, {}, explanation.effects, paths);
-  if (!is_finite(problem.data)) return not_measured(held_out.given);
+  if (!is_finite(problem.data)) return not_measured(held_out.given.data);
+  BoundRecords records = with_further_states(held_out.given, std::move(problem.data));
   const Assimilation fit =
-      without_faults(explanation.fit, problem.data, hidden_states(nominal, held_out.corrected),
+      without_faults(explanation.fit, records, hidden_states(nominal, held_out.corrected),
                      held_out.outlying, context);
-  if (!is_finite(problem.data)) return not_measured(held_out.given);
-  const Vector scale = deviations(problem.data);
+  if (!is_finite(records.data)) return not_measured(held_out.given.data);
+  const Vector scale = deviations(records.data);
   const Index length = window_samples(fit);
   Comparison all;
   std::vector<GapRecord> runs;
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
     const Index samples = std::min(length, fit.records[r].samples());
-    const Trajectory& given = held_out.given.trajectories[r];
+    const Trajectory& given = held_out.given.data.trajectories[r];
     const Index begin =
         first_known(nominal, explanation.effects, held_out.corrected.trajectories[r], samples);
     Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
@@ -191,7 +201,7 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
       floor,
       all.after.above(floor),
       static_cast<double>(length) * (time[1] - time[0]),
-      sources_of(held_out.given),
+      sources_of(held_out.given.data),
       all.before.diverged + all.after.diverged,
       std::move(runs)};
 }

@@ -36,10 +36,15 @@ Rival compare(const Problem& problem, const Proposal& proposal, const Account& b
   const double least = criterion.value(evidence_of(best));
   Rival rival{proposal.account.hypothesis, says(proposal.account, problem.nominal), value};
   rival.quantity = criterion.info().name;
-  rival.rule = proposal.precedence;
-  rival.value = value + proposal.lead;
   rival.threshold = least;
-  rival.taken = !proposal.precedence.empty() || rival.value < least;
+  if (const auto* rule = std::get_if<ByRule>(&proposal.judged)) {
+    rival.value = value;
+    rival.rule = rule->why;
+    rival.taken = true;
+  } else {
+    rival.value = value + std::get<ByCriterion>(proposal.judged).lead;
+    rival.taken = rival.value < least;
+  }
   return rival;
 }
 

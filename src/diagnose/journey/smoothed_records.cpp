@@ -54,7 +54,7 @@ Assimilation fit_before(const Smoothing& smoothing, const Problem& problem) {
   options.passes = kPasses;
   options.free = free_coefficients(problem.nominal);
   options.priors = problem.options.tolerances;
-  return assimilate(problem.nominal, sharp.data, sharp.outliers, options, problem.context);
+  return assimilate(problem.nominal, sharp, options, problem.context);
 }
 
 /// What leaves the same noise; without inputs nothing tells it.
@@ -116,7 +116,7 @@ BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records,
     if (outliers.size() == 0) outliers = Matrix::Zero(marks.rows(), marks.cols());
     outliers = (marks.array() == number_of(Mark::Missing)).select(marks, outliers);
   }
-  return records;
+  return with_noise_anew(std::move(records));
 }
 
 std::string note_on(const Smoothing& smoothing) {

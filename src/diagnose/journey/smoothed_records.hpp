@@ -31,7 +31,7 @@ std::optional<Smoothing> smoothing_of(const Problem& problem);
 Dataset sharpened(const Smoothing& smoothing, Dataset data,
                   const SmoothingOptions& options = {});
 
-/// The same of bound records.
+/// The same of bound records, with the noise that they have then.
 BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records,
                        const SmoothingOptions& options = {});
 

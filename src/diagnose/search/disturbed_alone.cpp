@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "disturbed_alone.hpp"
 
+#include <utility>
+#include <vector>
+
 #include "trajectories/smoother/hidden_states.hpp"
 
 namespace lacuna {
@@ -8,11 +11,11 @@ namespace lacuna {
 Assimilation disturbed_alone(const Problem& problem, const Baseline& base, Index equation) {
   AssimilationOptions options;
   options.hidden = base.fit_options.hidden;
-  options.disturbed.assign(static_cast<std::size_t>(problem.nominal.dimension()), false);
-  options.disturbed[static_cast<std::size_t>(equation)] = true;
-  const BoundRecords& records = problem.records;
-  Assimilation given = assimilate_from_starts(problem.nominal, records.data, records.outliers,
-                                              options, problem.context);
+  std::vector<bool> alone(static_cast<std::size_t>(problem.nominal.dimension()), false);
+  alone[static_cast<std::size_t>(equation)] = true;
+  options.disturbed = std::move(alone);
+  Assimilation given =
+      assimilate_from_starts(problem.nominal, problem.records, options, problem.context);
   given.free = base.fit_options.free;
   return given;
 }

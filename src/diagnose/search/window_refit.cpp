@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/records/known_noise.hpp"
 #include "data/records/state_statistics.hpp"
 #include "model/equations/formula_channel.hpp"
 #include "trajectories/shooting/refine.hpp"
@@ -82,6 +83,7 @@ std::optional<Explanation> refit_over_windows(const Problem& problem, const Base
   problem.context.report("refitting over windows", 0.0);
   RefineOptions windows;
   windows.window_samples = length;
+  windows.noise = white_noise(noise_of(*base.records));
   const Refinement refined = refine(parametrised(explanation.fit, base.fit_options),
                                     base.records->data, windows, problem.context);
   if (refined.status == RefineStatus::Diverged || !refined.covariance.allFinite())

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/numerics/interval.hpp"
 #include "data/records/number_range.hpp"
 #include "dynamics/attractor/density_distance.hpp"
 #include "dynamics/attractor/extents.hpp"
@@ -10,7 +11,6 @@
 #include "dynamics/attractor/rosenstein.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
-#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

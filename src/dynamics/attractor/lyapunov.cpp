@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/numerics/interval.hpp"
 #include "core/numerics/qr.hpp"
-#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/base/random.hpp"
 #include "core/numerics/lagrange.hpp"
+#include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
-#include "lacuna/data/records/noise.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "slave.hpp"
@@ -83,10 +83,10 @@ std::string divergence_message(const Trajectory& trajectory, const SlaveRun& run
 }
 
 /// The slaves of all trajectories and what they show.
-SyncResult driven(const SlaveTask& task, const Dataset& view) {
+SyncResult driven(const SlaveTask& task, const Dataset& view, const Vector& noise) {
   SyncResult result;
   result.coupling = task.coupling;
-  result.noise = estimate_noise(view);
+  result.noise = noise;
   for (const Trajectory& trajectory : view.trajectories) {
     SlaveRun run = run_slave(task, trajectory, start_of(task, trajectory));
     if (run.status != IntegrationStatus::Completed && result.message.empty()) {
@@ -103,6 +103,13 @@ SyncResult driven(const SlaveTask& task, const Dataset& view) {
   if (task.seen.minCoeff() == 0.0)
     result.conditional_exponent = conditional_exponent(task, view.trajectories.front(), result);
   return result;
+}
+
+/// The noise of a view of a record: known where it has the states of the record.
+Vector noise_in(const Dataset& view, const Dataset& record,
+                const std::optional<Vector>& known) {
+  const bool same = names_of(view.states) == names_of(record.states);
+  return known_or_estimated(same ? known : std::nullopt, view);
 }
 
 /// Steps for slaves that are faster than the samples: the record between its samples is known
@@ -138,6 +145,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
                        const RunContext& context) {
   check_flow(model, "synchronise");
   check_dataset(record);
+  check_known(options.noise, record, "synchronise");
   check_shapes(model, options);
   const LagrangeWindow window = LagrangeWindow::driving(integrator.order());
   const Dataset view = model_view(model, record);
@@ -146,12 +154,13 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   const Vector seen = seen_states(view);
   check_delays(model, seen);
   const Matrix coupling = coupling_of(model, view, seen, options.coupling);
+  const Vector noise = noise_in(view, record, options.noise);
   SyncResult result =
-      driven({model, coupling, integrator, window, options.start, seen, context}, view);
+      driven({model, coupling, integrator, window, options.start, seen, context}, view, noise);
   if (result.status == IntegrationStatus::Completed) return result;
   const Dopri5 adaptive(stiff_steps(view));
   SyncResult finer =
-      driven({model, coupling, adaptive, window, options.start, seen, context}, view);
+      driven({model, coupling, adaptive, window, options.start, seen, context}, view, noise);
   if (finer.status != IntegrationStatus::Completed) return result;
   finer.stiff = true;
   return finer;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "data/records/known_noise.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "refined_shapes.hpp"
 
@@ -81,8 +82,9 @@ ExtendedPipeline::ExtendedPipeline(const RecordStream& records, const Pipeline& 
       context_(context),
       alone_(alone),
       library_(pipeline.basis->library(alone.model.variables())),
-      models_(records.excerpt(), context.threads),
-      search_(records.excerpt(), alone.noise, options, context, library_.terms) {}
+      models_(records.excerpt(), records.noise(context.threads)),
+      search_(records.excerpt(), alone.noise, options, context, library_.terms,
+              white_noise(records.noise(context.threads))) {}
 
 IdentificationResult ExtendedPipeline::identified(
     const std::vector<EquationForms>& equations) const {
@@ -98,7 +100,7 @@ Extension ExtendedPipeline::settled(
   IdentificationResult alone = identified_as(equations);
   if (is_worse(alone)) return {std::move(alone), std::move(equations)};
   const std::vector<Vector> coefficients = coefficients_of(alone.model, equations);
-  equations = refined_shapes(alone.model, std::move(equations), records_.excerpt(), context_);
+  equations = refined_shapes(alone.model, std::move(equations), records_, context_);
   for (std::size_t k = 0; k < equations.size(); ++k)
     equations[k] =
         search_.plainly_written(std::move(equations[k]), coefficients[k], candidates[k]);
@@ -137,7 +139,7 @@ bool ExtendedPipeline::is_worse(const IdentificationResult& model) const {
 
 Extension ExtendedPipeline::reshaped(Extension found) const {
   std::vector<EquationForms> equations =
-      refined_shapes(found.result.model, found.equations, records_.excerpt(), context_);
+      refined_shapes(found.result.model, found.equations, records_, context_);
   IdentificationResult result = identified_as(equations);
   equations = kept_in(result, equations);
   const bool leaves_less = models_.excess(result, found.result) < 0.0;

@@ -86,8 +86,9 @@ bool Limit::prefers(const Trial& a, const Trial& b) {
 }
 
 FormProblem::FormProblem(const Dataset& data, Vector noise, FormOptions options,
-                         RunContext context, const std::vector<Term>& library)
-    : rows_(data, noise, library, context.threads),
+                         RunContext context, const std::vector<Term>& library,
+                         const std::optional<Vector>& seen)
+    : rows_(data, noise, library, context.threads, seen),
       noise_(std::move(noise)),
       options_(options),
       context_(std::move(context)) {}

@@ -59,9 +59,10 @@ struct Limit {
 /// Rows of the weak form, and what equations leave in them.
 class FormProblem {
  public:
-  /// @param library terms whose columns are kept.
+  /// @param library terms whose columns are kept. @param seen as of FormSearch.
   FormProblem(const Dataset& data, Vector noise, FormOptions options = {},
-              RunContext context = {}, const std::vector<Term>& library = {});
+              RunContext context = {}, const std::vector<Term>& library = {},
+              const std::optional<Vector>& seen = {});
 
   const FormOptions& options() const { return options_; }
   const FormRows& all_rows() const { return rows_; }

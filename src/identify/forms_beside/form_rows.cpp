@@ -8,6 +8,7 @@
 #include "core/base/parallel.hpp"
 #include "core/numerics/qr.hpp"
 #include "data/derivatives/moving_polynomial.hpp"
+#include "data/records/known_noise.hpp"
 #include "regression/formulations/test_functions.hpp"
 
 namespace lacuna {
@@ -40,33 +41,35 @@ SparseRows whitening(const Projection& projection) {
 }
 
 /// The test function for a dataset, narrower where that leaves too few rows.
-TestFunction narrow_function(const Dataset& data) {
+TestFunction narrow_function(const Dataset& data, const std::optional<Vector>& seen) {
   // Facts of the statistic: fewer rows rank forms by chance; a row needs samples to be white.
   constexpr double kRows = 400.0, kSamplesOfARow = 4.0;
-  const TestFunction function = choose_test_function(data);
+  const Vector noise = known_or_estimated(seen, data);
+  const TestFunction function = choose_test_function(data, {}, 1, noise);
   const double samples = static_cast<double>(data.samples());
 
   const double wanted = std::min(kRows, samples / kSamplesOfARow);
   const double narrow =
       total_duration(data) / wanted * std::sqrt(static_cast<double>(function.order));
   if (function.radius <= narrow) return function;
-  return choose_test_function(data, {.radius = narrow, .order = {}});
+  return choose_test_function(data, {.radius = narrow, .order = {}}, 1, noise);
 }
 
 }  // namespace
 
 FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library,
-                   int threads) {
+                   int threads, const std::optional<Vector>& seen) {
   variables_ = {names_of(data.states), names_of(data.inputs)};
   states_.resize(data.samples(), data.state_count());
   rates_.resize(data.samples(), data.state_count());
   slots_.resize(data.samples(), variables_.count());
-  take_in(data, noise, threads);
+  take_in(data, noise, threads, seen);
   take_in(library, threads);
 }
 
-void FormRows::take_in(const Dataset& data, const Vector& noise, int threads) {
-  const TestFunction function = narrow_function(data);
+void FormRows::take_in(const Dataset& data, const Vector& noise, int threads,
+                       const std::optional<Vector>& seen) {
+  const TestFunction function = narrow_function(data, seen);
   const double spacing =
       std::max(test_function_spacing(function), total_duration(data) / kMostRows);
   std::vector<Part> parts;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ class FormRows {
   /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
   ///   argument makes bends out of jumps.
   /// @param library terms whose columns are made once.
+  /// @param seen as of FormSearch.
   FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library = {},
-           int threads = 1);
+           int threads = 1, const std::optional<Vector>& seen = {});
 
   const Variables& variables() const { return variables_; }
   Index rows() const { return rows_; }  ///< K
@@ -52,7 +54,8 @@ class FormRows {
   };
 
   /// Samples and rows of all records.
-  void take_in(const Dataset& data, const Vector& noise, int threads);
+  void take_in(const Dataset& data, const Vector& noise, int threads,
+               const std::optional<Vector>& seen);
 
   /// Columns of terms.
   void take_in(const std::vector<Term>& library, int threads);

@@ -42,9 +42,10 @@ std::size_t EquationForms::parameters() const {
 }
 
 FormSearch::FormSearch(const Dataset& data, Vector noise, FormOptions options,
-                       RunContext context, const std::vector<Term>& library)
+                       RunContext context, const std::vector<Term>& library,
+                       const std::optional<Vector>& seen)
     : problem_(std::make_unique<const FormProblem>(data, std::move(noise), options,
-                                                   std::move(context), library)) {}
+                                                   std::move(context), library, seen)) {}
 FormSearch::~FormSearch() = default;
 
 Index FormSearch::rows() const { return problem_->rows(); }

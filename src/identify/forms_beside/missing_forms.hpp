@@ -53,8 +53,10 @@ enum class Remainder {
 class FormSearch {
  public:
   /// @param noise of each state, state units. @param library terms whose rows are made once.
+  /// @param seen white noise as the samples show it (estimate_noise()), where it is known.
   FormSearch(const Dataset& data, Vector noise, FormOptions options = {},
-             RunContext context = {}, const std::vector<Term>& library = {});
+             RunContext context = {}, const std::vector<Term>& library = {},
+             const std::optional<Vector>& seen = {});
   ~FormSearch();
 
   /// Rows of the weak form; a search needs more of them than terms.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/data/records/noise.hpp"
 #include "unseen_noise.hpp"
 
 namespace lacuna {
@@ -29,8 +28,7 @@ bool is_known_to_fit(const IdentificationResult& result) {
                      [](const EquationFit& fit) { return is_known_to_fit(fit); });
 }
 
-ModelComparison::ModelComparison(const Dataset& data, int threads) {
-  const std::vector<StateNoise> noise = analyse_noise(data, threads);
+ModelComparison::ModelComparison(const Dataset& data, const std::vector<StateNoise>& noise) {
   const Vector unseen = unseen_noise(data);
   for (Index k = 0; k < data.state_count(); ++k) {
     const StateNoise& state = noise[static_cast<std::size_t>(k)];

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 #include "lacuna/identify/pipeline/result.hpp"
 
 namespace lacuna {
@@ -21,7 +21,8 @@ bool is_known_to_fit(const IdentificationResult& result);
 /// rates count.
 class ModelComparison {
  public:
-  explicit ModelComparison(const Dataset& data, int threads = 1);
+  /// @param noise of the states (analyse_noise()).
+  ModelComparison(const Dataset& data, const std::vector<StateNoise>& noise);
 
   /// Sum over equations of ln(what one model leaves / what another does): of the misfits, or of
   /// the residuals where not both have a finite one, or none with a unit in common.

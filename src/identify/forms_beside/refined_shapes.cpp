@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "data/records/known_noise.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "trajectories/shooting/refine.hpp"
 
@@ -66,7 +67,9 @@ Symbolic symbolic_of(const OdeModel& model, const std::vector<EquationForms>& eq
 
 std::vector<EquationForms> refined_shapes(const OdeModel& model,
                                           std::vector<EquationForms> equations,
-                                          const Dataset& data, const RunContext& context) {
+                                          const RecordStream& records,
+                                          const RunContext& context) {
+  const Dataset& data = records.excerpt();
   Symbolic symbolic = symbolic_of(model, equations);
   if (symbolic.shapes.empty()) return equations;
   std::vector<bool> exact;
@@ -76,7 +79,8 @@ std::vector<EquationForms> refined_shapes(const OdeModel& model,
         with_free_coefficients(OdeModel(model.states(), std::move(symbolic.inputs),
                                         std::move(symbolic.equations), model.time_unit()),
                                exact, std::move(symbolic.shapes));
-    const Refinement fit = refine(start, data, {}, context);
+    const Refinement fit =
+        refine(start, data, {.noise = white_noise(records.noise(context.threads))}, context);
     if (fit.status == RefineStatus::Diverged) return equations;
     for (std::size_t i = 0; i < symbolic.places.size(); ++i) {
       const ShapePlace& at = symbolic.places[i];

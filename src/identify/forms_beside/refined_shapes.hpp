@@ -5,7 +5,7 @@
 
 #include "identify/forms_beside/missing_forms.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/long_records/record_stream.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
@@ -15,6 +15,7 @@ namespace lacuna {
 /// @param model with the terms of the equations, forms by their expressions.
 std::vector<EquationForms> refined_shapes(const OdeModel& model,
                                           std::vector<EquationForms> equations,
-                                          const Dataset& data, const RunContext& context);
+                                          const RecordStream& records,
+                                          const RunContext& context);
 
 }  // namespace lacuna

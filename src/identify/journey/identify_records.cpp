@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "data/records/known_noise.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/validation/validate.hpp"
@@ -32,12 +33,16 @@ Identification find_equations(RecordStream records, const IdentificationTask& ta
 /// Drives a model with its record.
 /// @throws DataError where the record is too short for that.
 std::optional<Verification> verify(const IdentificationTask& task, IdentificationResult& found,
-                                   const Dataset& data, const RunContext& context) {
+                                   const RecordStream& records, const RunContext& context) {
   const Integrator& integrator = *task.integrator;
+  const Dataset& data = records.excerpt();
   const Dataset driving = long_enough(data, integrator);
-  if (driving.notes.size() > data.notes.size())
+  SyncOptions options;
+  if (driving.trajectories.size() < data.trajectories.size())
     found.warnings.push_back("synchronisation: " + driving.notes.back());
-  SyncResult sync = synchronise(found.model, driving, integrator, {}, context);
+  else
+    options.noise = white_noise(records.noise(context.threads));
+  SyncResult sync = synchronise(found.model, driving, integrator, options, context);
   if (sync.status != IntegrationStatus::Completed)
     found.warnings.push_back("synchronisation with the record failed: " + sync.message);
   else if (!sync.settled)
@@ -61,16 +66,20 @@ std::optional<Dataset> held_out_records(const IdentificationTask& task, const Od
 /// Judges a model on samples that it was not fitted to, and looks for what else the data hold.
 /// @throws DataError where they are too few for that.
 void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out,
-                 IdentificationResult& found, const Dataset& data, const RunContext& context) {
-  Validation validation = validate({found, data, task.pipeline, std::move(held_out)},
+                 IdentificationResult& found, const RecordStream& records,
+                 const RunContext& context) {
+  const bool is_map = found.model.is_map();
+  const Dataset& data = is_map ? *records.in_memory() : records.excerpt();
+  const KnownNoise noise = is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
+  Validation validation = validate({found, data, task.pipeline, std::move(held_out), noise},
                                    task.options.validation, context);
   const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
                      validation.verdict == ValidationVerdict::WrongLibrary;
-  const bool is_map = found.model.is_map();
   if (lacks && !is_map)
-    validation.advice = advice_for(found, data, task.effects, task.options.advice, context);
+    validation.advice = advice_for(found, data, task.effects, task.options.advice, context,
+                                   white_noise(*noise));
   take_in(std::move(validation), data, found);
-  if (!is_map) found.relations = find_relations(data, task.options.relations, context);
+  if (!is_map) found.relations = find_relations(data, task.options.relations, context, noise);
 }
 
 /// What is odd about the records, ahead of all other warnings.
@@ -95,12 +104,12 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
   warn_of_records(task, result, data);
   std::optional<Dataset> held_out = held_out_records(task, result.model, data);
   try {
-    judge_model(task, std::move(held_out), result, data, alone);
+    judge_model(task, std::move(held_out), result, found.records, alone);
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not validated: ") + error.what());
   }
   try {
-    if (!is_map) found.verification = verify(task, result, data, alone);
+    if (!is_map) found.verification = verify(task, result, found.records, alone);
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
   }

@@ -8,9 +8,9 @@
 #include "constrained_equations.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/text.hpp"
+#include "core/numerics/interval.hpp"
+#include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
-#include "lacuna/core/numerics/interval.hpp"
-#include "lacuna/data/records/noise.hpp"
 #include "refined_result.hpp"
 
 namespace lacuna {
@@ -26,6 +26,7 @@ struct Run {
   const FilterResult& filtered;
   const Vector& noise;  ///< of the states, as the record itself tells it; of a map it does not
   const EquationLibraries& libraries;
+  const KnownNoise& analysed;  ///< the same in full
 };
 
 /// What is found out about one equation.
@@ -158,7 +159,6 @@ void write_equation(const Run& run, Index state, const Regression& regression,
       outcome.warnings.push_back(left + ": the data do not determine the coefficient of " +
                                  summand.term.name());
   }
-  if (outcome.equation.empty()) outcome.warnings.push_back(left + ": no term was found");
   if (!regression.converged)
     outcome.warnings.push_back(left + ": the regression did not converge in " +
                                std::to_string(regression.iterations) + " iterations");
@@ -269,8 +269,8 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   RunContext silent = run.context;
   silent.progress = nullptr;
   silent.threads = 1;
-  const Run each{run.data,   run.pipeline, silent,    run.library,
-                 run.system, run.filtered, run.noise, run.libraries};
+  const Run each{run.data,     run.pipeline, silent,        run.library, run.system,
+                 run.filtered, run.noise,    run.libraries, run.analysed};
   std::mutex reporting;
   std::size_t done = 0;
   parallel_for(states, run.context.threads, [&](std::size_t k) {
@@ -293,7 +293,7 @@ bool is_worse_than_none(const IdentificationResult& result) {
 /// Fits a result to the trajectories, where that leads to a model that explains more than none.
 void refine_result(const Run& run, IdentificationResult& result) {
   IdentificationResult refined = result;
-  if (apply_refiner(*run.pipeline.refiner, run.data, run.libraries, refined,
+  if (apply_refiner(*run.pipeline.refiner, {run.data, run.analysed}, run.libraries, refined,
                     run.context.alone())) {
     measure_residuals(run, refined);
     if (!is_worse_than_none(refined)) {
@@ -307,6 +307,19 @@ void refine_result(const Run& run, IdentificationResult& result) {
     result.warnings = std::move(refined.warnings);
   }
   judge_fits(result);
+}
+
+/// What the stages before the refiner have to warn of that is so in the model.
+std::vector<std::string> warnings_of(std::vector<EquationOutcome> outcomes,
+                                     const OdeModel& model) {
+  std::vector<std::string> warnings;
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    if (outcomes[k].equation.empty() && model.equations()[k].empty())
+      warnings.push_back(left_hand_side(model.states()[k].name, model.evolution()) +
+                         ": no term was found");
+    append(warnings, std::move(outcomes[k].warnings));
+  }
+  return warnings;
 }
 
 IdentificationResult run_equations(const Run& run) {
@@ -324,13 +337,15 @@ IdentificationResult run_equations(const Run& run) {
   for (EquationOutcome& outcome : outcomes) {
     result.fit.push_back(std::move(outcome.fit));
     append(result.trail, std::move(outcome.trail));
-    append(result.warnings, std::move(outcome.warnings));
   }
   satisfy_constraints(run.system, run.libraries, result);
   if (!run.libraries.constraints.empty()) measure_residuals(run, result);
   note_noise_floors(run, result);
+  if (run.context.leads()) refine_result(run, result);
+  std::vector<std::string> first = warnings_of(std::move(outcomes), result.model);
+  append(first, std::move(result.warnings));
+  result.warnings = std::move(first);
   if (!run.context.leads()) return result;
-  refine_result(run, result);
   result.adequacy = adequacy_of_equations(result.fit);
   return result;
 }
@@ -359,13 +374,15 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
     throw ConfigError("constraint energy-preserving",
                       "it is one of rates, which a map has none of",
                       "leave it out, or identify a flow");
-  const Vector noise = is_map ? Vector() : estimate_noise(data, context.threads);
+  const KnownNoise analysed =
+      is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
+  const Vector noise = is_map ? Vector() : white_noise(*analysed);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
   const LeastSquaresSystem system = fitted.formulation->assemble(records, library, context);
   context.report("filtering terms", 0.0);
   const FilterResult filtered = fitted.filter->filter(system, context);
-  IdentificationResult result =
-      run_equations({data, fitted, context, library, system, filtered, noise, libraries});
+  IdentificationResult result = run_equations(
+      {data, fitted, context, library, system, filtered, noise, libraries, analysed});
   if (records.is_long() && !is_map) result.warnings.push_back(excerpt_note(records));
   context.report("fitting equations", 1.0);
   return result;

@@ -112,15 +112,6 @@ void judge(const Dataset& data, const RefinedModel& refined, IdentificationResul
   }
 }
 
-/// Warnings of the stages before that the refinement has made void.
-void drop_void_warnings(const OdeModel& model, std::vector<std::string>& warnings) {
-  for (std::size_t k = 0; k < model.equations().size(); ++k) {
-    if (model.equations()[k].empty()) continue;
-    const std::string none = "d" + model.states()[k].name + "/dt: no term was found";
-    warnings.erase(std::remove(warnings.begin(), warnings.end(), none), warnings.end());
-  }
-}
-
 /// The largest residual of an equation relative to its target.
 double unexplained(const IdentificationResult& result) {
   double worst = 0.0;
@@ -132,21 +123,20 @@ double unexplained(const IdentificationResult& result) {
 
 }  // namespace
 
-bool apply_refiner(const Refiner& refiner, const Dataset& data,
+bool apply_refiner(const Refiner& refiner, const KnownRecords& records,
                    const EquationLibraries& libraries, IdentificationResult& result,
                    const RunContext& context) {
   RefinedModel refined =
-      refiner.refine({data, libraries.library, result.model, unexplained(result),
-                      libraries.allowed, libraries.constraints},
+      refiner.refine({records.data, libraries.library, result.model, unexplained(result),
+                      libraries.allowed, libraries.constraints, records.noise},
                      context);
   if (!refined.usable) {
     if (!refined.message.empty())
       result.warnings.push_back("not refined on the trajectories: " + refined.message);
     return false;
   }
-  drop_void_warnings(refined.model, result.warnings);
   rewrite_trail(refined, "refiner " + std::string(refiner.info().name), result);
-  judge(data, refined, result);
+  judge(records.data, refined, result);
   for (Index k = 0; k < result.noise.size(); ++k)
     if (refined.noise[k] > 0.0) result.noise[k] = refined.noise[k];
   result.warnings.insert(result.warnings.end(), refined.notes.begin(), refined.notes.end());

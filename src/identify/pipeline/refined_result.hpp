@@ -7,9 +7,15 @@
 
 namespace lacuna {
 
+/// Records and what is known of their noise.
+struct KnownRecords {
+  const Dataset& data;
+  const KnownNoise& noise;
+};
+
 /// Refines the model of a result and enters what became of it: model, noise, fits, trail, path,
 /// warnings. @return false when the refiner left the model as it was.
-bool apply_refiner(const Refiner& refiner, const Dataset& data,
+bool apply_refiner(const Refiner& refiner, const KnownRecords& records,
                    const EquationLibraries& libraries, IdentificationResult& result,
                    const RunContext& context);
 

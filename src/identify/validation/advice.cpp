@@ -76,9 +76,10 @@ std::string sentence_of(const Asked& asked, const OdeModel& model) {
 
 std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
                                     const std::vector<Stage<Effect>>& effects,
-                                    const AdviceOptions& options, const RunContext& context) {
+                                    const AdviceOptions& options, const RunContext& context,
+                                    const std::optional<Vector>& seen) {
   const Scope scope = make_scope(result.model, data, result.noise);
-  const FormSearch search(data, result.noise, options.search, context);
+  const FormSearch search(data, result.noise, options.search, context, {}, seen);
   const FormTask task{result.model, scope, effects, search, options};
   std::vector<std::string> advice;
   for (Index k = 0; k < data.state_count(); ++k) {

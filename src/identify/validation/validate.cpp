@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/records/known_noise.hpp"
 #include "judgement.hpp"
 #include "map_predictions.hpp"
 #include "predicted_records.hpp"
@@ -210,8 +211,10 @@ Validation validate_flow(const ValidationTask& task, const ValidationOptions& op
                          const RunContext& context) {
   const Dataset& tested = tested_data(task);
   const bool own_noise = !task.held_out || tested.samples() >= options.noise_samples;
+  const bool is_known = !task.held_out || !own_noise;
   const std::vector<StateNoise> noise =
-      analyse_noise(own_noise ? tested : task.data, context.threads);
+      known_or_analysed(is_known ? task.noise : std::nullopt,
+                        own_noise ? tested : task.data, context.threads);
   const Index period =
       period_of(tested, noise, options.held_every * options.most_samples, context.threads);
   const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);
@@ -239,6 +242,7 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
                     const RunContext& context) {
   context.report("predicting samples held out", 0.0);
   check_dataset(tested_data(task));
+  check_known(task.noise, task.data, "validate");
   if (task.held_out) check_are_others(task.data, *task.held_out);
   return task.result.model.is_map() ? validate_map(task, options, context)
                                     : validate_flow(task, options, context);

@@ -14,6 +14,7 @@ struct ValidationTask {
   const Dataset& data;                   ///< what the model was identified from
   const Pipeline& pipeline;              ///< that identified it
   std::optional<Dataset> held_out = {};  ///< records in the states and inputs of the model
+  KnownNoise noise = {};                 ///< of `data`
 };
 
 /// Judges an identified model by its predictions on samples that it was not fitted to.
@@ -31,7 +32,8 @@ struct ValidationTask {
 /// Without records of their own a quarter of the samples is held out, in blocks evenly spread,
 /// and the coefficients are fitted without them by the stages of the pipeline; terms and shapes
 /// are those of the whole record.
-/// @throws DataError as check_dataset(), and as check_are_others() for records of their own.
+/// @throws DataError as check_dataset(), and as check_are_others() for records of their own;
+///   ArgumentError when known noise is not one per state.
 Validation validate(const ValidationTask& task, const ValidationOptions& options = {},
                     const RunContext& context = {});
 

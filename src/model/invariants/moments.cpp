@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/data/records/noise.hpp"
+#include "data/records/known_noise.hpp"
 
 namespace lacuna {
 namespace {
@@ -63,9 +63,8 @@ struct ErrorVariances {
   Vector white, lasting;
 };
 
-ErrorVariances error_variances(const Dataset& data, const std::vector<Index>& states,
-                               const Matrix& samples, double resolution, int threads) {
-  const std::vector<StateNoise> noise = analyse_noise(data, threads);
+ErrorVariances error_variances(const std::vector<Index>& states, const Matrix& samples,
+                               double resolution, const std::vector<StateNoise>& noise) {
   const Index m = samples.cols();
   ErrorVariances errors{Vector::Zero(m), Vector::Zero(m)};
   for (Index k = 0; k < m; ++k) {
@@ -84,7 +83,7 @@ ErrorVariances error_variances(const Dataset& data, const std::vector<Index>& st
 }  // namespace
 
 MonomialMoments monomial_moments(const Dataset& data, int degree, double resolution,
-                                 int threads) {
+                                 int threads, const KnownNoise& noise) {
   std::vector<Index> states;
   Variables variables;
   for (Index k = 0; k < data.state_count(); ++k)
@@ -101,7 +100,8 @@ MonomialMoments monomial_moments(const Dataset& data, int degree, double resolut
   }
 
   const Matrix samples = samples_of(data, states);
-  const ErrorVariances errors = error_variances(data, states, samples, resolution, threads);
+  const ErrorVariances errors =
+      error_variances(states, samples, resolution, known_or_analysed(noise, data, threads));
   const Index n = samples.rows(), count = static_cast<Index>(moments.terms.size());
   Matrix values(n, count);
   moments.white = Matrix::Zero(count, count);

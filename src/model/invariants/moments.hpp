@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/term.hpp"
 
 namespace lacuna {
@@ -24,7 +24,8 @@ struct MonomialMoments {
 
 /// Moments of all monomials of degree 1 to `degree` in the measured states.
 /// @param resolution errors that every state has, as a share of what it varies by.
+/// @param noise of the states, where it is known already.
 MonomialMoments monomial_moments(const Dataset& data, int degree, double resolution,
-                                 int threads = 1);
+                                 int threads = 1, const KnownNoise& noise = {});
 
 }  // namespace lacuna

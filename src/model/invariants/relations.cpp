@@ -7,6 +7,7 @@
 
 #include "core/numerics/least_squares.hpp"
 #include "core/numerics/symmetric_eigen.hpp"
+#include "data/records/known_noise.hpp"
 #include "model/invariants/divides.hpp"
 #include "moments.hpp"
 
@@ -176,15 +177,16 @@ class RelationSearch {
 }  // namespace
 
 std::vector<Relation> find_relations(const Dataset& data, const RelationOptions& options,
-                                     const RunContext& context) {
+                                     const RunContext& context, const KnownNoise& noise) {
   check_dataset(data);
+  check_known(noise, data, "find_relations");
   Index measured = 0;
   for (Index k = 0; k < data.state_count(); ++k)
     if (data.is_measured(k)) ++measured;
   if (measured == 0 || data.samples() < options.fewest_samples) return {};
   const int degree = measured > options.most_states ? 1 : 2;
   const MonomialMoments moments =
-      monomial_moments(data, degree, options.resolution, context.threads);
+      monomial_moments(data, degree, options.resolution, context.threads, noise);
   return RelationSearch(moments, options, context).run(degree);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "data/records/known_noise.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "records/channels/channel_notes.hpp"
 #include "records/channels/interpolated.hpp"
@@ -74,14 +75,48 @@ BoundRecords observed(Dataset data, const ChannelOptions& options) {
   return records;
 }
 
-Dataset observed_alike(Dataset data, const BoundRecords& records,
-                       const ChannelOptions& options) {
+BoundRecords observed_alike(Dataset data, const BoundRecords& records,
+                            const ChannelOptions& options) {
   std::vector<Limits> limits;
   for (const Channel& channel : records.channels) limits.push_back(channel.limits);
   BoundRecords other = observed(with_limits(std::move(data), limits), options);
-  for (std::size_t r = 0; r < other.outliers.size(); ++r)
-    other.data.trajectories[r].marks = std::move(other.outliers[r]);
-  return std::move(other.data);
+  bool any = false;
+  for (std::size_t r = 0; r < other.outliers.size(); ++r) {
+    Trajectory& record = other.data.trajectories[r];
+    any = any || other.outliers[r] != marks_of(record);
+    record.marks = other.outliers[r];
+  }
+  return any ? with_noise_anew(std::move(other)) : other;
+}
+
+BoundRecords as_measured(Dataset data, std::vector<Matrix> outliers) {
+  BoundRecords records{std::move(data), {}, std::move(outliers)};
+  for (Index k = 0; k < records.data.state_count(); ++k)
+    records.channels.push_back({.measured = records.data.is_measured(k)});
+  return with_noise_anew(std::move(records));
+}
+
+BoundRecords with_noise_anew(BoundRecords records) {
+  check_dataset(records.data);
+  const std::vector<StateNoise> noise = analyse_noise(records.data);
+  for (std::size_t k = 0; k < records.channels.size(); ++k)
+    records.channels[k].noise = noise[k];
+  return records;
+}
+
+std::vector<StateNoise> noise_of(const BoundRecords& records) {
+  std::vector<StateNoise> noise;
+  for (const Channel& channel : records.channels) noise.push_back(channel.noise);
+  return noise;
+}
+
+Vector visible_noise(const BoundRecords& records) {
+  Vector visible = white_noise(noise_of(records));
+  for (Index k = 0; k < visible.size(); ++k)
+    if (const StateNoise& noise = records.channels[static_cast<std::size_t>(k)].noise;
+        noise.kind == NoiseKind::Quantised)
+      visible[k] = noise.sigma;
+  return visible;
 }
 
 bool mostly_repeats(const BoundRecords& records) {

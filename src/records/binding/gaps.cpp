@@ -6,6 +6,7 @@
 #include <span>
 
 #include "data/records/check_record.hpp"
+#include "data/records/piece_name.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "records/channels/outliers.hpp"
@@ -103,7 +104,7 @@ Dataset without_blank_stretches(Dataset data, double longest) {
     }
     std::vector<Trajectory> parts = known_parts(record, blank_samples(data, record), longest);
     for (std::size_t i = 0; i < parts.size() && parts.size() > 1; ++i)
-      parts[i].source = file_of(record) + ", record " + std::to_string(records.size() + 1 + i);
+      parts[i].source = piece_name(file_of(record), records.size() + 1 + i);
     std::move(parts.begin(), parts.end(), std::back_inserter(records));
   }
   data.trajectories = std::move(records);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lacuna/data/records/noise.hpp"
+#include "data/records/lattice.hpp"
 
 namespace lacuna {
 
@@ -14,13 +14,11 @@ double spacing_of_digits(const Eigen::Ref<const Vector>& values) {
 }
 
 Vector value_spacings(const Dataset& data) {
-  const std::vector<StateNoise> noise = analyse_noise(data);
   Vector spacings = Vector::Zero(data.state_count());
   for (Index k = 0; k < spacings.size(); ++k) {
     for (const Trajectory& record : data.trajectories)
       spacings[k] = std::max(spacings[k], spacing_of_digits(record.states.col(k)));
-    spacings[k] =
-        std::max(spacings[k], noise[static_cast<std::size_t>(k)].lattice.value_or(0.0));
+    spacings[k] = std::max(spacings[k], lattice_of(data, k).value_or(0.0));
   }
   return spacings;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/regression/formulations/weak_form.hpp"
 #include "regression/formulations/projection.hpp"
@@ -12,9 +14,9 @@ namespace lacuna {
 /// Gaussian of deviation sqrt(2 p + 3) / radius, passes the signal up to the frequency at which
 /// it sinks into the noise.
 /// @param options values that are given are kept.
-/// @throws DataError as check_dataset().
+/// @throws DataError as check_dataset(); ArgumentError when known noise is not one per state.
 TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options = {},
-                                  int threads = 1);
+                                  int threads = 1, const std::optional<Vector>& noise = {});
 
 /// Distance of neighbouring test functions at which their rows hold nearly all information:
 /// radius / sqrt(order), about 1.4 deviations of phi.

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "assemble_projections.hpp"
-#include "lacuna/data/records/noise.hpp"
+#include "data/records/known_noise.hpp"
 #include "regression/formulations/test_functions.hpp"
 
 namespace lacuna {
@@ -125,11 +125,13 @@ int order_for(double radius_in_steps, double level) {
 }  // namespace
 
 TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options,
-                                  int threads) {
+                                  int threads, const std::optional<Vector>& known) {
   // A fact of quadrature: fewer steps do not resolve a test function.
   constexpr double kFewestSteps = 6.0;
   check_dataset(data, threads);
-  const Vector noise = estimate_noise(data, threads);
+  check_known(known, data, "test function");
+  if (options.radius && options.order) return {*options.radius, *options.order};
+  const Vector noise = known_or_estimated(known, data, threads);
   const double step = median_step(data);
   const double level = std::clamp(0.01 * relative_noise(data, noise), kFloor, 1e-3);
   const double corner = corner_frequency(data, noise, step);

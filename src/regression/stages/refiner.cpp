@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/regression/stages/refiner.hpp"
 
+#include "data/records/known_noise.hpp"
+
 namespace lacuna {
 
 RefinedModel Refiner::refine(const RefinerTask& task, const RunContext& context) const {
@@ -9,6 +11,7 @@ RefinedModel Refiner::refine(const RefinerTask& task, const RunContext& context)
   if (task.start.states() != task.data.states)
     throw ArgumentError("refiner", "the model has other states than the data",
                         "give a model of the states of the dataset");
+  check_known(task.noise, task.data, "refiner");
   return do_refine(task, context);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "data/records/piece_name.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
@@ -71,7 +72,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 }
 
 std::string short_name(const std::string& source) {
-  const std::size_t comma = source.rfind(", record ");
+  const std::size_t comma = end_of_file_name(source);
   const std::size_t slash = source.rfind('/', comma);
   return slash == std::string::npos ? source : source.substr(slash + 1);
 }

@@ -95,7 +95,7 @@ void add_channel(const Dataset& view, Index column, const Expression& formula,
   records.valid.conservativeResize(view.samples(), c + 1);
   records.values.col(c) = samples.values;
   records.valid.col(c) = samples.valid;
-  const StateNoise noise = analyse_noise(view)[static_cast<std::size_t>(column)];
+  const StateNoise noise = analyse_noise_of(view, column);
   records.channels.push_back({quantity.name, quantity.unit, formula,
                               noise.kind == NoiseKind::None ? 0.0 : noise.sigma,
                               spread_of(samples)});

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "refitted.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 
-Dataset measured_part(const Dataset& data) {
+namespace {
+
+std::vector<Index> measured_states(const Dataset& data) {
   std::vector<Index> measured;
   for (Index k = 0; k < data.state_count(); ++k)
     if (data.is_measured(k)) measured.push_back(k);
+  return measured;
+}
+
+}  // namespace
+
+Dataset measured_part(const Dataset& data) {
+  const std::vector<Index> measured = measured_states(data);
   Dataset result;
   result.time_unit = data.time_unit;
   result.inputs = data.inputs;
@@ -23,15 +33,26 @@ Dataset measured_part(const Dataset& data) {
   return result;
 }
 
+std::optional<Vector> noise_of_measured_part(const Dataset& data,
+                                             const std::optional<Vector>& noise) {
+  const bool has_marks =
+      std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                  [](const Trajectory& record) { return record.marks.size() > 0; });
+  if (!noise || has_marks) return std::nullopt;
+  return Vector((*noise)(measured_states(data)));
+}
+
 std::optional<OdeModel> refitted(const OdeModel& model, const Dataset& data,
+                                 const std::optional<Vector>& noise,
                                  const RunContext& context) {
   std::vector<bool> exact;
   for (Index k = 0; k < data.state_count(); ++k)
     exact.push_back(data.rate_state(k).has_value());
   // The start is the optimum for windows of one length: what takes longer does not converge.
   constexpr int kIterations = 10;
-  const Refinement fit = refine(with_free_coefficients(model, exact), measured_part(data),
-                                {.max_iterations = kIterations}, context);
+  const Refinement fit = refine(
+      with_free_coefficients(model, exact), measured_part(data),
+      {.max_iterations = kIterations, .noise = noise_of_measured_part(data, noise)}, context);
   if (fit.status != RefineStatus::Converged) return std::nullopt;
   return fit.fitted();
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "core/numerics/constrained_least_squares.hpp"
+#include "data/records/known_noise.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "record_stretches.hpp"
@@ -295,6 +296,11 @@ Dataset stretches_of(const Dataset& data, int threads) {
   return record_stretches(joined, kMostSamples, first_window(begin, threads));
 }
 
+/// What is known of the noise of a task's records.
+std::optional<Vector> white_noise_of(const RefinerTask& task) {
+  return task.noise ? std::optional(white_noise(*task.noise)) : std::nullopt;
+}
+
 void note_length(const Dataset& whole, const Dataset& part, std::vector<std::string>& notes) {
   notes.push_back("refined in " + std::to_string(part.trajectories.size()) +
                   " stretches of the record, " + std::to_string(part.samples()) + " of " +
@@ -312,7 +318,10 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   const bool from_model = options().start == TrajectorySelectionOptions::Start::Model;
   Dataset data = stretches_of(task.data, context.threads);
   const bool is_long = data.samples() < task.data.samples() / 2;
-  const std::vector<StateNoise> noise = analyse_noise(data, context.threads);
+  const bool is_whole = data.trajectories.size() == task.data.trajectories.size() &&
+                        data.samples() == task.data.samples();
+  const std::vector<StateNoise> noise =
+      known_or_analysed(is_whole ? task.noise : std::nullopt, data, context.threads);
   RefinedModel same{.model = task.start, .usable = false};
   same.message = reason_to_leave(task, noise, from_model);
   if (!same.message.empty()) {
@@ -352,7 +361,8 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
     result.notes.push_back("the stages before found no term; the search began from nothing");
   if (!is_noise && task.constraints.empty())
     if (std::optional<OdeModel> model =
-            refitted(result.model, is_long ? search.data : task.data, context))
+            is_long ? refitted(result.model, search.data, white_noise(search.seen), context)
+                    : refitted(result.model, task.data, white_noise_of(task), context))
       result.model = std::move(*model);
   if (is_long) note_length(task.data, search.data, result.notes);
   if (other) note_disputes(task, found.fit, other->fit, result.notes);

@@ -128,8 +128,9 @@ Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
 
 }  // namespace
 
-Index first_window(const Dataset& data, int threads) {
-  const TestFunction function = choose_test_function(measured_part(data), {}, threads);
+Index first_window(const Dataset& data, int threads, const std::optional<Vector>& noise) {
+  const TestFunction function = choose_test_function(measured_part(data), {}, threads,
+                                                     noise_of_measured_part(data, noise));
   const Trajectory& record = data.trajectories.front();
   // A fact: shorter windows leave no residual beside the initial state of many states.
   constexpr Index kFewestSamples = 8;
@@ -141,12 +142,18 @@ SearchTask search_task(Dataset data, const StructureTask& structure,
                        std::vector<StateNoise> noise, const TrajectorySelectionOptions& options,
                        int threads) {
   const auto& [library, allowed, constraints] = structure;
+  std::vector<StateNoise> seen = noise;
   SampleNoise sample_noise = noise_of_samples(data, noise_or_floor(data, noise), noise,
                                               options.growing_noise, threads);
   for (std::size_t k = 0; k < noise.size(); ++k)
     if (sample_noise.growth[k]) noise[k].sigma = sample_noise.rms[static_cast<Index>(k)];
-  SearchTask task{std::move(data),  {library, library.compile(), {}}, {},
-                  std::move(noise), std::move(sample_noise),          options.price,
+  SearchTask task{std::move(data),
+                  {library, library.compile(), {}},
+                  {},
+                  std::move(noise),
+                  std::move(seen),
+                  std::move(sample_noise),
+                  options.price,
                   constraints};
   for (Index k = 0; k < task.data.state_count(); ++k) {
     task.equations.exact.push_back(task.data.rate_state(k));
@@ -168,7 +175,7 @@ WindowSearch prepared_search(const SearchTask& task, const RunContext& context) 
           .sigma = task.sample_noise.rms,
           .floor = rounding_floor(task.data),
           .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
-          .shortest = std::min(first_window(task.data, context.threads),
+          .shortest = std::min(first_window(task.data, context.threads, white_noise(task.seen)),
                                longest_record(task.data).samples()),
           .constraints = task.constraints};
 }

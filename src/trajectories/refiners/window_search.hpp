@@ -19,6 +19,7 @@ struct SearchTask {
   CandidateEquations equations;
   std::vector<Coefficient> candidates;  ///< in all equations that are not exact
   std::vector<StateNoise> noise;        ///< of each state, as estimated from the record
+  std::vector<StateNoise> seen;         ///< the same, whether it grows with the signal or not
   SampleNoise sample_noise;             ///< where it grows with the signal
   std::optional<double> price;          ///< of a term
   std::vector<CoefficientConstraint> constraints = {};
@@ -27,7 +28,7 @@ struct SearchTask {
 /// Samples of the first windows: half the support of a test function, which is the time in
 /// which a signal does what can be told from its noise; at least so many that initial states
 /// leave half of the samples.
-Index first_window(const Dataset& data, int threads);
+Index first_window(const Dataset& data, int threads, const std::optional<Vector>& noise = {});
 
 /// What equations may have and have to satisfy.
 struct StructureTask {

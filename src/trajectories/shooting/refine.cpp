@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "confidence.hpp"
+#include "data/records/known_noise.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "refinement_run.hpp"
 
@@ -96,6 +97,7 @@ void check_options(const ParametrisedModel& model, const Dataset& data,
   if (options.sigma && !(options.sigma->minCoeff() > 0.0))
     throw ArgumentError("refine", "a noise is not positive",
                         "give a positive sigma for each measured state");
+  check_known(options.noise, data, "refine");
 }
 
 }  // namespace
@@ -125,7 +127,7 @@ OdeModel Refinement::fitted() const {
     summand.standard_error = standard_errors[p];
     summand.ci95 = {{ci95(p, 0), ci95(p, 1)}};
   }
-  return {plain.states(), plain.inputs(), std::move(equations), plain.time_unit()};
+  return plain.with_equations(std::move(equations));
 }
 
 Refinement refine(const ParametrisedModel& model, const Dataset& record,

@@ -30,6 +30,9 @@ struct RefineOptions {
   std::optional<Index> window_samples = {};
 
   int max_iterations = 50;  ///< of each plan of windows
+
+  /// White noise of each column of the record (estimate_noise()), where it is known already.
+  std::optional<Vector> noise = {};
 };
 
 /// How a refinement ended.

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "data/records/known_noise.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/records/noise.hpp"
 #include "state_guess.hpp"
 #include "window_search.hpp"
 
@@ -51,8 +51,9 @@ Vector spread_of(const Matrix& states) {
 }
 
 /// Noise of the record in the order of the measured states.
-Vector record_noise(const ShootingProblem& problem, const Dataset& data) {
-  const Vector all = estimate_noise(data);
+Vector record_noise(const ShootingProblem& problem, const Dataset& data,
+                    const std::optional<Vector>& known) {
+  const Vector all = known_or_estimated(known, data);
   Vector noise(static_cast<Index>(problem.record().measured.size()));
   for (Index q = 0; q < noise.size(); ++q) {
     const auto k =
@@ -275,7 +276,7 @@ void polish(const Task& task, RefinementRun& run) {
 
 RefinementStart refinement_start(ShootingProblem& problem, const Dataset& data,
                                  const RefineOptions& options) {
-  Vector noise = options.sigma ? *options.sigma : record_noise(problem, data);
+  Vector noise = options.sigma ? *options.sigma : record_noise(problem, data, options.noise);
   if (noise.size() != static_cast<Index>(problem.record().measured.size()))
     throw ArgumentError("refine", "there is not one sigma per measured state",
                         "leave it out or give one for each state that has a column");

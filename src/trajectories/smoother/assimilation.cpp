@@ -13,7 +13,6 @@
 #include "data/records/state_statistics.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/data/records/noise.hpp"
 #include "model/equations/formula_channel.hpp"
 #include "trajectories/smoother/innovation_system.hpp"
 #include "trajectories/smoother/variance_fit.hpp"
@@ -122,17 +121,6 @@ bool is_undisturbed(const OdeModel& model, const Dataset& data, Index equation) 
           model.equations()[static_cast<std::size_t>(equation)].empty());
 }
 
-/// Noise that the samples show: against their neighbours, or as values on a lattice.
-Vector visible_noise(const Dataset& data) {
-  Vector noise = estimate_noise(data);
-  const std::vector<StateNoise> analysed = analyse_noise(data);
-  for (Index k = 0; k < noise.size(); ++k)
-    if (const StateNoise& state = analysed[static_cast<std::size_t>(k)];
-        state.kind == NoiseKind::Quantised)
-      noise[k] = state.sigma;
-  return noise;
-}
-
 /// Variances to begin with: noise as the differences of the record show it, disturbances as if
 /// the model explained half of each rate.
 NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector& seen,
@@ -147,9 +135,8 @@ NoiseModel first_noise(const OdeModel& model, const Dataset& data, const Vector&
   for (Index k = 0; k < model.dimension(); ++k) {
     const auto measured = data.is_measured(k) ? std::optional(white[k]) : std::nullopt;
     noise.measurement.push_back(measured);
-    const bool disturbed = options.disturbed.empty()
-                               ? !is_undisturbed(model, data, k)
-                               : options.disturbed[static_cast<std::size_t>(k)];
+    const bool disturbed = options.disturbed ? (*options.disturbed)[static_cast<std::size_t>(k)]
+                                             : !is_undisturbed(model, data, k);
     const Vector change = record.states.col(k).tail(record.samples() - 1) -
                           record.states.col(k).head(record.samples() - 1);
     double moved = 0.1 * std::sqrt(change.squaredNorm() / static_cast<double>(change.size()));
@@ -236,18 +223,17 @@ Assimilation settled(Assimilation found, const Dataset& data,
   return other.deviance < found.deviance ? other : found;
 }
 
-Assimilation assimilate(const OdeModel& model, const Dataset& data,
-                        const std::vector<Matrix>& omitted, const AssimilationOptions& options,
-                        const RunContext& context) {
-  check_dataset(data);
+Assimilation assimilate(const OdeModel& model, const BoundRecords& records,
+                        const AssimilationOptions& options, const RunContext& context) {
+  const auto& [data, channels, outliers, notes] = records;
   Assimilation start{model};
-  start.omitted = omitted;
-  start.seen_noise = visible_noise(data);
+  start.omitted = outliers;
+  start.seen_noise = visible_noise(records);
   start.noise = first_noise(model, data, start.seen_noise, options);
   for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
     const Matrix& states = data.trajectories[r].states;
     start.records.emplace_back();
-    start.records.back().path = omitted.empty() ? states : filled(states, omitted[r]);
+    start.records.back().path = outliers.empty() ? states : filled(states, outliers[r]);
     start.measured.push_back(states);
   }
   start.free = options.free;

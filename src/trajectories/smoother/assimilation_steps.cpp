@@ -22,7 +22,7 @@ OdeModel with_coefficients(const OdeModel& model, const std::vector<CoefficientP
     equations[static_cast<std::size_t>(places[j].equation)]
              [static_cast<std::size_t>(places[j].term)]
                  .coefficient += change[static_cast<Index>(j)];
-  return {model.states(), model.inputs(), std::move(equations), model.time_unit()};
+  return model.with_equations(std::move(equations));
 }
 
 /// What a step cannot be predicted better than: noise and disturbances. Where a state is not

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
@@ -85,6 +86,14 @@ Dataset with_paths_of(Dataset data, const std::vector<bool>& hidden,
   return data;
 }
 
+BoundRecords with_paths_of(BoundRecords records, const std::vector<bool>& hidden,
+                           const std::vector<Matrix>& paths) {
+  records.data = with_paths_of(std::move(records.data), hidden, paths);
+  for (const Index k : places_of(hidden))
+    records.channels[static_cast<std::size_t>(k)].noise = analyse_noise_of(records.data, k);
+  return records;
+}
+
 std::vector<Vector> hidden_begins(const Dataset& data, const std::vector<bool>& hidden,
                                   const Vector& first) {
   std::vector<Vector> begins{first};
@@ -106,19 +115,19 @@ std::vector<Vector> hidden_begins(const Dataset& data, const std::vector<bool>& 
   return begins;
 }
 
-Assimilation assimilate_from_starts(const OdeModel& model, const Dataset& data,
-                                    const std::vector<Matrix>& omitted,
+Assimilation assimilate_from_starts(const OdeModel& model, const BoundRecords& records,
                                     const AssimilationOptions& options,
                                     const RunContext& context) {
-  if (options.hidden.empty()) return assimilate(model, data, omitted, options, context);
+  if (options.hidden.empty()) return assimilate(model, records, options, context);
   const Vector given = given_begin(model);
-  const Dataset first = with_hidden_paths(model, data, options.hidden, given);
+  const Dataset first = with_hidden_paths(model, records.data, options.hidden, given);
   const std::vector<Vector> begins = hidden_begins(first, options.hidden, given);
   const RunContext quiet{context.stop, {}, 1, context.seed};
   std::vector<std::optional<Assimilation>> fits(begins.size());
   parallel_for(begins.size(), context.threads, [&](std::size_t i) {
-    fits[i] = assimilate(model, with_hidden_paths(model, first, options.hidden, begins[i]),
-                         omitted, options, quiet);
+    BoundRecords begun = records;  // the noise of what is measured is the same
+    begun.data = with_hidden_paths(model, first, options.hidden, begins[i]);
+    fits[i] = assimilate(model, begun, options, quiet);
   });
   std::size_t best = 0;
   for (std::size_t i = 1; i < fits.size(); ++i)

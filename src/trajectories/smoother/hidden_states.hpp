@@ -27,6 +27,10 @@ Dataset with_hidden_paths(const OdeModel& model, Dataset data, const std::vector
 Dataset with_paths_of(Dataset data, const std::vector<bool>& hidden,
                       const std::vector<Matrix>& paths);
 
+/// The same of bound records, with the noise of those paths.
+BoundRecords with_paths_of(BoundRecords records, const std::vector<bool>& hidden,
+                           const std::vector<Matrix>& paths);
+
 /// Where hidden states may begin: at `first`, and a range of the path from there above and
 /// below it, one state at a time, and all at once (levels and concentrations are all positive).
 /// @param data records with the path from `first`.
@@ -35,8 +39,7 @@ std::vector<Vector> hidden_begins(const Dataset& data, const std::vector<bool>& 
 
 /// assimilate(), where states are hidden (AssimilationOptions::hidden) from several starts of
 /// their path: the largest likelihood is taken.
-Assimilation assimilate_from_starts(const OdeModel& model, const Dataset& data,
-                                    const std::vector<Matrix>& omitted,
+Assimilation assimilate_from_starts(const OdeModel& model, const BoundRecords& records,
                                     const AssimilationOptions& options,
                                     const RunContext& context);
 

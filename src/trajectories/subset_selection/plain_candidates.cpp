@@ -40,7 +40,8 @@ std::optional<SearchTask> plain_task(const SearchTask& task, double strength,
   if (!task.constraints.empty()) return std::nullopt;
   const TermLibrary& library = task.equations.library;
   std::vector<Exponents> leaders;
-  for (const Relation& relation : find_relations(task.data, {.strength = strength}, context))
+  for (const Relation& relation :
+       find_relations(task.data, {.strength = strength}, context, task.seen))
     for (Exponents& summand : highest_summands(relation, library.variables))
       leaders.push_back(std::move(summand));
   const auto is_other_writing = [&](const Coefficient& column) {

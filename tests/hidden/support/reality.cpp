@@ -54,7 +54,8 @@ std::optional<double> real_gap(const OdeModel& model, const Dataset& clean,
 std::optional<double> true_gap(const HiddenCase& hidden, const Dataset& measured) {
   if (!hidden.augmented || !is_shown(*hidden.augmented, measured)) return std::nullopt;
   Explanation truth{{}, {*hidden.augmented}};
-  return measure_gap(hidden.nominal, truth, {measured, measured}, RunContext{}).after;
+  return measure_gap(hidden.nominal, truth, {as_measured(measured), measured}, RunContext{})
+      .after;
 }
 
 }  // namespace lacuna::hidden

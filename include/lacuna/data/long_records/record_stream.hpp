@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "lacuna/data/long_records/sample_source.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {
 
@@ -36,6 +38,10 @@ class RecordStream {
   /// The records, or the excerpt of long ones.
   const Dataset& excerpt() const noexcept { return *excerpt_; }
 
+  /// The noise of the excerpt, analysed when it is first asked for.
+  /// @throws ArgumentError as analyse_noise().
+  const std::vector<StateNoise>& noise(int threads = 1) const;
+
   /// All records in memory, as they were given; null where they are not.
   const Dataset* in_memory() const noexcept { return all_.get(); }
 
@@ -55,8 +61,15 @@ class RecordStream {
 
   void take_excerpt(Dataset description);
 
+  /// What is found once, by whichever copy is asked first.
+  struct Analysis {
+    std::once_flag once;
+    std::vector<StateNoise> noise;
+  };
+
   std::shared_ptr<const Dataset> all_;  ///< null where they are not in memory
   std::shared_ptr<const Dataset> excerpt_;
+  std::shared_ptr<Analysis> analysis_ = std::make_shared<Analysis>();
   std::vector<std::shared_ptr<const SampleSource>> records_;
   Index samples_ = 0;
 };

@@ -31,6 +31,7 @@ struct StateNoise {
 
   double outliers = 0.0;  ///< share of samples that are not explained by noise of this sigma
   Index order = 0;        ///< of the differences that show white noise and no signal
+  double white = 0.0;     ///< what estimate_noise() has: 0 where no noise can be told
 };
 
 /// Sizes of a state's differences of one order, with weights of norm 1: of white noise their
@@ -62,6 +63,9 @@ constexpr double kOutlyingDeviations = 6.0;
 /// @throws ArgumentError as difference_sizes().
 std::vector<StateNoise> analyse_noise(const Dataset& data, int threads = 1);
 
+/// The same of one state. @throws ArgumentError as above, and when there is no such state.
+StateNoise analyse_noise_of(const Dataset& data, Index state);
+
 /// Samples of one state that noise of deviation sigma does not explain: e_i = x_i minus the
 /// straight line between its neighbours deviates from the median of the e around it by more
 /// than `deviations` sigma sqrt(3/2) and by more than `deviations` robust deviations of all e;
@@ -77,5 +81,8 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
 /// @return m entries in the units of the states; 0 where no noise can be told from the signal.
 /// @throws ArgumentError as difference_sizes().
 Vector estimate_noise(const Dataset& data, int threads = 1);
+
+/// The noise of each state of some records, where it is known already.
+using KnownNoise = std::optional<std::vector<StateNoise>>;
 
 }  // namespace lacuna

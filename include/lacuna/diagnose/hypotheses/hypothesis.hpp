@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "lacuna/core/base/options.hpp"
@@ -8,16 +10,22 @@
 
 namespace lacuna {
 
+/// The criterion decides, by so much at least over the best account so far, in its units.
+struct ByCriterion {
+  double lead = 0.0;
+};
+
+/// A rule decides: the account takes the place of the best one whatever the criterion says.
+struct ByRule {
+  std::string why;
+};
+
 /// An account that a hypothesis puts forward.
 struct Proposal {
   Account account;
   /// Effects are sought on its baseline before it is judged, not only after it has won.
   bool search_first = false;
-  /// Least lead over the best account so far, in units of the criterion.
-  double lead = 0.0;
-  /// Why it takes the place of the best account whatever the criterion says; empty: it does
-  /// not.
-  std::string precedence = {};
+  std::variant<ByCriterion, ByRule> judged = ByCriterion();
 };
 
 /// What a hypothesis has to say of records.

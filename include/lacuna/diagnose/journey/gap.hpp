@@ -40,7 +40,7 @@ struct Gap {
 /// Records that were not used, as they were measured and as the assumptions of an explanation
 /// correct them (the same where these correct nothing).
 struct HeldOutRecords {
-  const Dataset& given;
+  const BoundRecords& given;
   const Dataset& corrected;
   double outlying = kOutlyingDeviations;  ///< deviations of the noise that an outlier is off
 };

@@ -23,6 +23,9 @@ struct SyncOptions {
   /// State the slave starts from; without it the record's first sample, and where states are
   /// hidden what the model says.
   std::optional<Vector> start = {};
+
+  /// White noise of the record's states (estimate_noise()), where it is known already.
+  std::optional<Vector> noise = {};
 };
 
 /// How far a model stays from a record that drives it.

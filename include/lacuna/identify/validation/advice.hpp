@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,11 @@ struct AdviceOptions {
 
 /// What to try where a model does not fit: for each of its equations the form that the residual
 /// asks for, if one stands out (FormSearch), else `lacuna diagnose`.
+/// @param seen as of FormSearch.
 std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
                                     const std::vector<Stage<Effect>>& effects,
                                     const AdviceOptions& options = {},
-                                    const RunContext& context = {});
+                                    const RunContext& context = {},
+                                    const std::optional<Vector>& seen = {});
 
 }  // namespace lacuna

@@ -7,6 +7,7 @@
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {
 
@@ -57,8 +58,10 @@ struct RelationOptions {
 ///   c_j sd(phi_j) >= strength * scatter   every summand counts.
 /// What contains a multiple of the leading monomial of a relation follows from it and is not
 /// told (Buchberger and Moeller's order).
-/// @throws DataError as check_dataset().
+/// @param noise of the states, where it is known already (analyse_noise()).
+/// @throws DataError as check_dataset(); ArgumentError when known noise is not one per state.
 std::vector<Relation> find_relations(const Dataset& data, const RelationOptions& options = {},
-                                     const RunContext& context = {});
+                                     const RunContext& context = {},
+                                     const KnownNoise& noise = {});
 
 }  // namespace lacuna

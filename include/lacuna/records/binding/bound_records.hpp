@@ -47,8 +47,24 @@ BoundRecords observed(Dataset data, const ChannelOptions& options = {});
 
 /// Other records of the same channels: as observed(), with the ends that the first ones show.
 /// All marks are in the trajectories, those of possible outliers too.
-Dataset observed_alike(Dataset data, const BoundRecords& records,
-                       const ChannelOptions& options = {});
+BoundRecords observed_alike(Dataset data, const BoundRecords& records,
+                            const ChannelOptions& options = {});
+
+/// Records as they are, of whose channels nothing but the noise is looked for.
+/// @param outliers per record n x m: samples to leave out, beside those with marks; or none.
+/// @throws DataError as check_dataset().
+BoundRecords as_measured(Dataset data, std::vector<Matrix> outliers = {});
+
+/// Records whose samples or marks were changed, with the noise that they have now.
+/// @throws DataError as check_dataset().
+BoundRecords with_noise_anew(BoundRecords records);
+
+/// The noise of each channel: m entries.
+std::vector<StateNoise> noise_of(const BoundRecords& records);
+
+/// Standard deviations of the noise that samples show: against their neighbours
+/// (StateNoise::white), or as values on a lattice. m entries; 0 where they show none.
+Vector visible_noise(const BoundRecords& records);
 
 /// Whether most samples of some measured state are as the one before them: values on a coarse
 /// lattice, whose rounding is not noise that is independent from sample to sample.

@@ -8,6 +8,7 @@
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stage.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "lacuna/regression/stages/coefficient_constraint.hpp"
@@ -42,6 +43,7 @@ struct RefinerTask {
   /// Terms that each equation may have, by their numbers; empty: all of them.
   std::vector<TermSet> allowed = {};
   std::vector<CoefficientConstraint> constraints = {};  ///< which `start` satisfies
+  KnownNoise noise = {};
 };
 
 /// What a refiner makes of a model.
@@ -62,7 +64,8 @@ class Refiner : public StageInterface {
  public:
   static constexpr std::string_view kKind = "refiner";
 
-  /// @throws ArgumentError when the start is not a model of the states of the dataset.
+  /// @throws ArgumentError when the start is not a model of the states of the dataset, or the
+  ///   known noise not one per state.
   RefinedModel refine(const RefinerTask& task, const RunContext& context = {}) const;
 
  private:

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
+#include "lacuna/records/binding/bound_records.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
 
 namespace lacuna {
@@ -42,8 +42,8 @@ inline constexpr double kUnnoticedDeviance = 0.1;
 struct AssimilationOptions {
   std::vector<CoefficientPlace> free = {};    ///< coefficients that are fitted
   std::vector<CoefficientPrior> priors = {};  ///< tolerances of fitted coefficients
-  std::vector<bool> disturbed =
-      {};  ///< equations that may be disturbed; empty: all but identities
+  /// Equations that may be disturbed; nothing: all but identities.
+  std::optional<std::vector<bool>> disturbed = {};
   /// Noise with a memory per state, where the fit of its size begins; empty: none.
   std::vector<std::optional<ColouredNoise>> coloured = {};
   int passes = 12;  ///< at most so many linearisations
@@ -117,11 +117,10 @@ std::optional<Assimilation> with_seen_noise(const Assimilation& fit);
 Assimilation settled(Assimilation found, const Dataset& data,
                      const AssimilationOptions& options, const RunContext& context);
 
-/// Brings a model onto records; the noise is settled().
-/// @param omitted per record samples to leave out (see run_filter), or empty.
-Assimilation assimilate(const OdeModel& model, const Dataset& data,
-                        const std::vector<Matrix>& omitted, const AssimilationOptions& options,
-                        const RunContext& context);
+/// Brings a model onto records, their outliers left out (see run_filter); the noise is
+/// settled().
+Assimilation assimilate(const OdeModel& model, const BoundRecords& records,
+                        const AssimilationOptions& options, const RunContext& context);
 
 /// assimilate() that begins where another one ended; its records' paths and noise are the
 /// start.

@@ -30,6 +30,16 @@ TEST(RecordStream, OfShortRecordsIsTheRecords) {
   EXPECT_TRUE(stream.records().empty());
 }
 
+TEST(RecordStream, FindsTheNoiseOfItsExcerptOnce) {
+  const Dataset data = long_oscillation(kExcerpt + 5000, 50.0);
+  const RecordStream stream = data;
+  const RecordStream copy = stream;
+  const std::vector<StateNoise>& noise = stream.noise();
+  ASSERT_EQ(noise.size(), data.states.size());
+  EXPECT_EQ(noise[0].sigma, analyse_noise(stream.excerpt())[0].sigma);
+  EXPECT_EQ(&copy.noise(), &noise);
+}
+
 TEST(RecordStream, OfShortRecordsThatAreReadInPiecesTakesThemIn) {
   const Dataset data = long_oscillation(5000, 50.0);
   Dataset description = data;

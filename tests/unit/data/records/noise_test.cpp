@@ -187,6 +187,22 @@ TEST(AnalyseNoise, DoesNotDependOnThreads) {
   }
 }
 
+TEST(AnalyseNoise, OfOneStateIsThatOfAll) {
+  Dataset data = dataset({record(0.01, 0.3, 11), record(0.02, 0.0, 12)});
+  set_mark(data.trajectories[0], 7, 0, Mark::Outlier);
+  const std::vector<StateNoise> all = analyse_noise(data);
+  const Vector white = estimate_noise(data);
+  ASSERT_FALSE(all.empty());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const StateNoise one = analyse_noise_of(data, static_cast<Index>(k));
+    EXPECT_EQ(one.sigma, all[k].sigma);
+    EXPECT_EQ(one.outliers, all[k].outliers);
+    EXPECT_EQ(one.white, white[static_cast<Index>(k)]);
+    EXPECT_EQ(all[k].white, white[static_cast<Index>(k)]);
+  }
+  EXPECT_THROW(analyse_noise_of(data, data.state_count()), ArgumentError);
+}
+
 TEST(DifferenceSizes, AreThoseOfWhiteNoiseOnAnyGrid) {
   Random random(4);
   for (const bool uniform : {true, false}) {

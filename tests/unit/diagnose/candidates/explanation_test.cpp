@@ -40,6 +40,19 @@ TEST(Explanation, MemoryBecomesAStateOfTheModel) {
   EXPECT_EQ(problem.effect_places[0], (CoefficientPlace{1, 3}));
 }
 
+TEST(Explanation, KeepsWhatTheNominalModelSaysBesideItsEquations) {
+  const Dataset data = support::hidden_record(support::dry_friction, 0.01);
+  const OdeModel nominal = support::oscillator()
+                               .with_initial({InitialValue{.value = 1.5}, std::nullopt})
+                               .with_outputs({{"angle", "m", parse_expression("q")}});
+  const Explanation found = explain(
+      {data, nominal, support::oscillator_fit_options(), RunContext{}},
+      support::assimilated(data), {{support::plain_candidate("sign(v)"), Vector(0), -0.2}});
+  ASSERT_TRUE(found.fit.model.initial()[0].has_value());
+  EXPECT_EQ(found.fit.model.initial()[0]->value, 1.5);
+  EXPECT_EQ(found.fit.model.outputs().size(), 1U);
+}
+
 TEST(Explanation, SensorsMayHaveSummandsToo) {
   Dataset data = support::hidden_record(support::nothing, 0.005);
   data.trajectories[0].states.col(0).array() += 0.1;

@@ -37,7 +37,7 @@ TEST(NamedEffects, AProposalKeepsWhatTheAssumptionsFoundAndIsLeftToTheCriterion)
   const Proposal& proposal = made.accounts[0];
   EXPECT_EQ(proposal.account.findings[0].name, "an assumption");
   EXPECT_EQ(proposal.account.notes, best.notes);
-  EXPECT_TRUE(proposal.precedence.empty());
+  EXPECT_TRUE(std::holds_alternative<ByCriterion>(proposal.judged));
   EXPECT_LT(asked.options.criterion->value(evidence_of(proposal.account)),
             asked.options.criterion->value(evidence_of(best)));
 }
@@ -84,7 +84,8 @@ TEST(OtherChoices, TakeThePlaceOfAFirstChoiceThatLeavesSomething) {
   ASSERT_EQ(proposal.account.named.size(), 1u);
   EXPECT_EQ(proposal.account.named[0].name, "dry");
   EXPECT_EQ(proposal.account.notes, first.notes);
-  EXPECT_EQ(proposal.lead, -asked.options.decision.undecided) << "it has fewer parameters";
+  EXPECT_EQ(std::get<ByCriterion>(proposal.judged).lead, -asked.options.decision.undecided)
+      << "it has fewer parameters";
   EXPECT_FALSE(made.trail.empty());
 }
 

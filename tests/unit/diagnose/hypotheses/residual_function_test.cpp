@@ -27,7 +27,8 @@ TEST(ResidualFunction, SaysOfWhichVariableTheStructureIsAFunction) {
   EXPECT_GT(account.unnamed->explained, 0.9);
   EXPECT_FALSE(account.unnamed->filled);
   EXPECT_TRUE(account.explanation.effects.empty()) << "it only describes";
-  EXPECT_EQ(made.accounts[0].precedence, "describes what is left; explains nothing");
+  EXPECT_EQ(std::get<ByRule>(made.accounts[0].judged).why,
+            "describes what is left; explains nothing");
 }
 
 TEST(ResidualFunction, StandsInTheModelWhenAsked) {

@@ -107,7 +107,7 @@ TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
   const Proposals made = SensorCalibration().propose(asked.problem(), best);
   ASSERT_EQ(made.accounts.size(), 1u);
   const Account& account = made.accounts[0].account;
-  EXPECT_FALSE(made.accounts[0].precedence.empty());
+  EXPECT_TRUE(std::holds_alternative<ByRule>(made.accounts[0].judged));
   EXPECT_EQ(account.doubts.size(), 1u) << "neither is told from the other";
   ASSERT_EQ(account.named.size(), 1u);
   EXPECT_EQ(account.named[0].name, "constant-offset") << "the dynamics lead";

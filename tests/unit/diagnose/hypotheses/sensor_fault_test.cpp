@@ -51,7 +51,7 @@ TEST(SensorFault, DynamicsThatExplainMostTakeItsPlace) {
   EXPECT_EQ(account.named[0].name, "dry");
   EXPECT_TRUE(account.explanation.fit.channel_terms.empty());
   EXPECT_EQ(account.rounds.front().tried, 7) << "the rounds before come first";
-  EXPECT_FALSE(made.accounts[0].precedence.empty());
+  EXPECT_TRUE(std::holds_alternative<ByRule>(made.accounts[0].judged));
 }
 
 TEST(SensorFault, StaysWhereTheDynamicsDoNotExplainMost) {

@@ -64,7 +64,7 @@ TEST(UnmeasuredInput, AFunctionOfTheStateTakesTheNamesAndGetsNone) {
   const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
   for (const Proposal& proposal : made.accounts) {
     EXPECT_TRUE(proposal.account.named.empty());
-    EXPECT_NE(proposal.precedence.find("is no input"), std::string::npos);
+    EXPECT_NE(std::get<ByRule>(proposal.judged).why.find("is no input"), std::string::npos);
   }
   EXPECT_EQ(made.accounts.size() + made.trail.size(), 1u);
 }

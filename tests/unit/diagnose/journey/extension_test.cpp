@@ -67,7 +67,8 @@ class SamplingTime final : public Configured<Hypothesis, NoOptions<kSamplingTime
   Proposals do_propose(const Problem& problem, const Account& best) const override {
     const std::vector<Matrix>& omitted = best.base->given.omitted;
     const auto on = [&](const Dataset& data) {
-      return assimilate(problem.nominal, data, omitted, AssimilationOptions{}, problem.context);
+      return assimilate(problem.nominal, as_measured(data, omitted), AssimilationOptions{},
+                        problem.context);
     };
     double likeliest = 1.0, least = best.base->given.deviance;
     for (const double step : {0.05, 0.01, 0.002, 0.0004})

@@ -15,7 +15,8 @@ TEST(Gap, FallsToTheNoiseWithTheRightEffect) {
   const Explanation found =
       explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
               {{support::plain_candidate("sign(v)"), Vector(0), -0.2}});
-  const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
+  const Gap gap =
+      measure_gap(support::oscillator(), found, {as_measured(other), other}, RunContext{});
   EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
   EXPECT_NEAR(gap.after / gap.noise_floor, 1.0, 0.1);
   EXPECT_LT(gap.ratio(), 0.5);
@@ -26,7 +27,8 @@ TEST(Gap, StaysWhereNothingIsMissing) {
   const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
   const Explanation nothing{{}, support::assimilated(data)};
   const Dataset other = support::hidden_record(support::nothing, 0.01, 5);
-  const Gap gap = measure_gap(support::oscillator(), nothing, {other, other}, RunContext{});
+  const Gap gap =
+      measure_gap(support::oscillator(), nothing, {as_measured(other), other}, RunContext{});
   EXPECT_NEAR(gap.ratio(), 1.0, 0.05);
 }
 
@@ -50,7 +52,8 @@ TEST(Gap, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
       explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
               {{skew, Vector(0), 0.0}});
   const Dataset other = skewed(4, -0.7);
-  const Gap gap = measure_gap(support::oscillator(), found, {other, other}, RunContext{});
+  const Gap gap =
+      measure_gap(support::oscillator(), found, {as_measured(other), other}, RunContext{});
   EXPECT_GT(gap.before, 2.0 * gap.noise_floor);
   EXPECT_LT(gap.after, 0.5 * gap.before);
 }
@@ -60,7 +63,8 @@ TEST(Gap, WhatHasNoFiniteValuesOnTheRecordsIsNotMeasured) {
   Candidate root = support::plain_candidate("lagged-F");
   root.memory = {{"lagged", parse_expression("(sqrt(F-2)-lagged)/0.5"), parse_expression("F")}};
   const Explanation found{{{root, Vector(0), 1.0}}, support::assimilated(data)};
-  const Gap gap = measure_gap(support::oscillator(), found, {data, data}, RunContext{});
+  const Gap gap =
+      measure_gap(support::oscillator(), found, {as_measured(data), data}, RunContext{});
   EXPECT_TRUE(std::isnan(gap.before) && std::isinf(gap.after));
   EXPECT_EQ(gap.records, std::vector<std::string>{"made"});
 }
@@ -70,7 +74,8 @@ TEST(Gap, AChannelThatNeverMovesIsLeftOut) {
   const Explanation nothing{{}, support::assimilated(data)};
   Dataset still = support::hidden_record(support::nothing, 0.01, 5);
   still.trajectories[0].states.col(0).setConstant(0.1);
-  const Gap gap = measure_gap(support::oscillator(), nothing, {still, still}, RunContext{});
+  const Gap gap =
+      measure_gap(support::oscillator(), nothing, {as_measured(still), still}, RunContext{});
   EXPECT_TRUE(std::isfinite(gap.before) && std::isfinite(gap.noise_floor)) << gap.before;
 }
 

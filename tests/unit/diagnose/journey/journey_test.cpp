@@ -24,8 +24,8 @@ class DevianceOnly final : public Configured<Criterion, NoOptions<kDevianceOnly>
 template <const StageInfo& Info>
 class Claims final : public Configured<Hypothesis, NoOptions<Info>> {
  public:
-  Claims(Phase phase, double gain, std::string precedence = {})
-      : phase_(phase), gain_(gain), precedence_(std::move(precedence)) {}
+  Claims(Phase phase, double gain, std::optional<ByRule> rule = {})
+      : phase_(phase), gain_(gain), rule_(std::move(rule)) {}
 
  private:
   Phase do_phase() const override { return phase_; }
@@ -36,13 +36,13 @@ class Claims final : public Configured<Hypothesis, NoOptions<Info>> {
     proposal.account.notes.push_back(std::string(Info.name));
     if (phase_ == Phase::Assumptions)
       proposal.account.findings.push_back({.name = std::string(Info.name)});
-    proposal.precedence = precedence_;
+    if (rule_) proposal.judged = *rule_;
     return {{std::move(proposal)},
             {{std::string(Info.name), "declined", {}, false, "reason", 1.0, 2.0}}};
   }
   Phase phase_;
   double gain_;
-  std::string precedence_;
+  std::optional<ByRule> rule_;
 };
 
 class Journey : public ::testing::Test {
@@ -78,7 +78,7 @@ TEST_F(Journey, TheCriterionDecides) {
 TEST_F(Journey, ARuleGoesBeforeTheNumberAndIsInTheTrail) {
   const Judged result =
       judged(Phase::Effects, {Claims<kFirst>(Phase::Effects, 5.0),
-                              Claims<kSecond>(Phase::Effects, -1.0, "it is a test")});
+                              Claims<kSecond>(Phase::Effects, -1.0, ByRule{"it is a test"})});
   EXPECT_EQ(result.best.hypothesis, "second");
   EXPECT_EQ(result.trail.back().rule, "it is a test");
   EXPECT_TRUE(result.trail.back().taken);

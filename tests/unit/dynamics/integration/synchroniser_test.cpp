@@ -49,6 +49,14 @@ TEST(Synchroniser, TrueRosslerEquationsStayNearTheirOrbit) {
   EXPECT_TRUE(result.settled);
 }
 
+TEST(Synchroniser, TakesNoiseThatIsKnown) {
+  const Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), 0.1, 400);
+  const OdeModel& model = test_system("rossler").model;
+  const Vector noise = Vector::Constant(3, 0.125);
+  EXPECT_EQ(synchronise(model, record, Rk4{}, {.noise = noise}).noise, noise);
+  EXPECT_THROW(synchronise(model, record, Rk4{}, {.noise = Vector::Ones(2)}), ArgumentError);
+}
+
 TEST(Synchroniser, PiecesThatAreTooShortAreLeftOut) {
   Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), 0.1, 400);
   const Dataset whole = record;

@@ -26,6 +26,8 @@ Dataset orbit(double noise) {
   return data;
 }
 
+ModelComparison comparison(double noise) { return {orbit(noise), analyse_noise(orbit(noise))}; }
+
 EquationFit fit_of(double residual, double misfit, bool fits) {
   EquationFit fit;
   fit.residual_rms = residual;
@@ -41,7 +43,7 @@ IdentificationResult result_of(const EquationFit& x, const EquationFit& y) {
 TEST(ModelComparison, MisfitsCountWhereTheNoiseIsSeenElseWhatIsLeftOfTheRates) {
   const auto one = result_of(fit_of(3e-6, 0.8, true), fit_of(0.1, 1.0, true));
   const auto other = result_of(fit_of(1e-6, 4.0, false), fit_of(0.1, 2.0, false));
-  const ModelComparison models(orbit(0.05));
+  const ModelComparison models = comparison(0.05);
   EXPECT_NEAR(models.excess(one, other), std::log(3.0) + std::log(0.5), 1e-12);
   EXPECT_NEAR(models.excess(other, one), -models.excess(one, other), 1e-12);
 }
@@ -51,22 +53,22 @@ TEST(ModelComparison, NoiseOfAPartOfEachStepIsNotSeen) {
   const auto one = result_of(fit_of(1.0, 1.0, true), fit_of(0.3, 1.0, true));
   const auto other = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 2.0, true));
   ASSERT_NE(analyse_noise(orbit(5e-7))[1].kind, NoiseKind::None);
-  EXPECT_NEAR(ModelComparison(orbit(5e-7)).excess(one, other), std::log(3.0), 1e-12);
-  EXPECT_NEAR(ModelComparison(orbit(5e-6)).excess(one, other), std::log(0.5), 1e-12);
+  EXPECT_NEAR(comparison(5e-7).excess(one, other), std::log(3.0), 1e-12);
+  EXPECT_NEAR(comparison(5e-6).excess(one, other), std::log(0.5), 1e-12);
 }
 
 TEST(ModelComparison, AMisfitThatIsNotFiniteIsNone) {
   const double infinite = std::numeric_limits<double>::infinity();
   const auto one = result_of(fit_of(1.0, 1.0, true), fit_of(0.2, infinite, false));
   const auto other = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 1.0, true));
-  EXPECT_NEAR(ModelComparison(orbit(0.05)).excess(one, other), std::log(2.0), 1e-12);
+  EXPECT_NEAR(comparison(0.05).excess(one, other), std::log(2.0), 1e-12);
 }
 
 TEST(ModelComparison, AFitThatTakesWhatItLeavesForNoiseIsNotAhead) {
   // The cubic that leaves three times as much of x "fits" by a noise of its own.
   const auto cubic = result_of(fit_of(3e-6, 0.8, true), fit_of(1e-6, 0.9, true));
   const auto form = result_of(fit_of(1e-6, 4.0, false), fit_of(1e-6, 0.9, true));
-  const ModelComparison models(orbit(0.0));
+  const ModelComparison models = comparison(0.0);
   EXPECT_FALSE(models.is_ahead(cubic, form, 0.1));
   const auto worse = result_of(fit_of(9e-6, 4.0, false), fit_of(1e-6, 0.9, true));
   EXPECT_TRUE(models.is_ahead(cubic, worse, 0.1));
@@ -76,7 +78,7 @@ TEST(ModelComparison, AFitThatTakesWhatItLeavesForNoiseIsNotAhead) {
 TEST(ModelComparison, WhereTheNoiseIsSeenAFitIsAheadOfNone) {
   const auto fits = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 1.0, true));
   const auto none = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 1.3, false));
-  const ModelComparison models(orbit(0.05));
+  const ModelComparison models = comparison(0.05);
   EXPECT_TRUE(models.is_ahead(fits, none, 0.1));
   EXPECT_FALSE(models.is_ahead(none, fits, 0.1));
   EXPECT_FALSE(models.is_ahead(fits, fits, 0.1));

@@ -148,6 +148,30 @@ TEST(Identify, WarnsOfAnEquationWithoutTerms) {
   EXPECT_NE(result.warnings[0].find("no term was found"), std::string::npos);
 }
 
+struct DecayOptions {
+  static constexpr StageInfo kInfo{"decay", "Finds dx/dt = -x whatever the start is", ""};
+  void describe(OptionVisitor&) {}
+};
+
+class Decay final : public Configured<Refiner, DecayOptions> {
+ private:
+  RefinedModel do_refine(const RefinerTask& task, const RunContext&) const override {
+    const OdeModel model = OdeModel(task.start.states(), task.start.inputs(), {{}})
+                               .with_term(0, {Term::parse("x", task.start.variables()), -1.0});
+    return {.model = model, .noise = Vector::Zero(1), .misfit = {1.0}, .fits_to_noise = {true}};
+  }
+};
+
+TEST(Identify, WarnsOfNoTermThatTheRefinerFound) {
+  Pipeline pipeline = linear_fit();
+  pipeline.regressor = thresholding(5.0);
+  pipeline.refiner = Decay{};
+  const IdentificationResult result = identify(noisy_decay(200, 0.01, 1), pipeline);
+  EXPECT_EQ(result.model.equations()[0].size(), 1U);
+  for (const std::string& warning : result.warnings)
+    EXPECT_EQ(warning.find("no term was found"), std::string::npos) << warning;
+}
+
 TEST(Identify, HoldsResidualsAgainstTheMeasurementNoise) {
   const Dataset noisy = add_relative_noise(rossler_record(4000), 0.01, 5);
   Pipeline pipeline = algorithm1();

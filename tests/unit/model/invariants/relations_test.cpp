@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
@@ -41,6 +42,16 @@ std::vector<std::string> names_of(const Relation& relation) {
   std::vector<std::string> names;
   for (const RelationTerm& term : relation.terms) names.push_back(term.term);
   return names;
+}
+
+TEST(Relations, AreHeldAgainstNoiseThatIsKnown) {
+  const Dataset data = add_relative_noise(orbit(), 0.01, 5);
+  std::vector<StateNoise> noise = analyse_noise(data);
+  EXPECT_EQ(find_relations(data, {}, {}, noise).size(), 1U);
+  for (StateNoise& state : noise) state.sigma *= 0.1;
+  EXPECT_TRUE(find_relations(data, {}, {}, noise).empty()) << "more is left than this noise";
+  noise.pop_back();
+  EXPECT_THROW(find_relations(data, {}, {}, noise), ArgumentError);
 }
 
 TEST(Relations, OneOrbitOfAnOscillatorIsACircle) {

@@ -6,6 +6,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/records/marks.hpp"
 #include "support/harmonic_model.hpp"
 #include "support/oscillation.hpp"
 
@@ -36,6 +37,36 @@ TEST(Bind, SaysHowEachStateWasMeasured) {
   ASSERT_EQ(records.outliers.size(), 1u);
   EXPECT_EQ(records.outliers[0](50, 0), 1.0);
   EXPECT_EQ(records.outliers[0].sum(), 1.0);
+}
+
+TEST(BoundRecords, CarryTheNoiseOfTheirSamples) {
+  Dataset data = without_rate();
+  const BoundRecords records = as_measured(data);
+  EXPECT_EQ(visible_noise(records), estimate_noise(data));
+  BoundRecords doubled = records;
+  doubled.data.trajectories[0].states *= 2.0;
+  EXPECT_EQ(visible_noise(doubled), visible_noise(records)) << "nobody looked again";
+  EXPECT_EQ(visible_noise(with_noise_anew(doubled)), 2.0 * visible_noise(records));
+  data.trajectories[0].time[7] = 0.0;
+  EXPECT_THROW(as_measured(data), DataError);
+}
+
+TEST(BoundRecords, OnALatticeShowTheNoiseOfRounding) {
+  Dataset data = without_rate();
+  for (double& x : data.trajectories[0].states.reshaped()) x = std::round(4.0 * x) / 4.0;
+  const BoundRecords coarse = as_measured(data);
+  ASSERT_EQ(coarse.channels[0].noise.kind, NoiseKind::Quantised);
+  EXPECT_EQ(visible_noise(coarse)[0], coarse.channels[0].noise.sigma);
+}
+
+TEST(ObservedAlike, HasTheNoiseWithoutTheOutliersThatItMarks) {
+  Dataset data = without_rate();
+  const BoundRecords first = observed(data);
+  EXPECT_EQ(visible_noise(observed_alike(data, first)), visible_noise(first));
+  data.trajectories[0].states(50, 0) += 1.0;
+  const BoundRecords other = observed_alike(data, first);
+  EXPECT_EQ(mark_of(other.data.trajectories[0].marks, 50, 0), Mark::Outlier);
+  EXPECT_EQ(visible_noise(other), estimate_noise(other.data));
 }
 
 TEST(Observed, RefusesWhatCannotBeUsed) {

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lacuna/core/base/error.hpp"
 #include "support/diagnosis_scope.hpp"
 
 namespace lacuna {
@@ -55,6 +56,17 @@ TEST(FleetReport, AnEffectThatStandsTwiceInARecordCountsOnce) {
 TEST(FleetReport, WithoutEffectsThereIsNoTableOfThem) {
   EXPECT_THAT(format_text({fleet_answer("a.csv", with_effects({}))}),
               Not(HasSubstr("Effects")));
+}
+
+TEST(FleetReport, AnswersGoFromProcessToProcess) {
+  std::vector<FleetAnswer> given = fleet();
+  given.push_back(fleet_answer("e \"1\".csv", with_effects({})));
+  std::vector<FleetAnswer> taken;
+  for (const FleetAnswer& answer : given) taken.push_back(unpacked(packed(answer)));
+  EXPECT_EQ(format_text(taken), format_text(given));
+  EXPECT_EQ(format_json(taken), format_json(given));
+  for (const char* text : {"", "[]", "[1, 2]", "{", "[\"a\", \"b\", \"c\"]"})
+    EXPECT_THROW(unpacked(text), ArgumentError) << text;
 }
 
 TEST(FleetReport, JsonHoldsWholeDiagnoses) {

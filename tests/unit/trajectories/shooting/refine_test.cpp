@@ -38,6 +38,25 @@ TEST(Refine, FindsLorenzInNoise) {
   EXPECT_NEAR(result.chi_squared / static_cast<double>(result.degrees_of_freedom), 1.0, 0.02);
 }
 
+TEST(Refine, KeepsWhatTheModelSaysBesideItsEquations) {
+  const OdeModel model = test_system("lorenz").model.with_initial(
+      {InitialValue{.value = 2.0}, std::nullopt, std::nullopt});
+  const OdeModel fitted =
+      refine(with_free_coefficients(model), noisy_record("lorenz", 500, 0.01)).fitted();
+  ASSERT_TRUE(fitted.initial()[0].has_value());
+  EXPECT_EQ(fitted.initial()[0]->value, 2.0);
+}
+
+TEST(Refine, TakesNoiseThatIsKnown) {
+  const Dataset record = noisy_record("lorenz", 500, 0.02);
+  const ParametrisedModel truth = with_free_coefficients(test_system("lorenz").model);
+  const Vector noise = estimate_noise(record);
+  EXPECT_EQ(refine(truth, record, {.noise = noise}).model.values(),
+            refine(truth, record).model.values());
+  EXPECT_EQ(refine(truth, record, {.noise = 0.1 * noise}).residuals[0].noise, 0.1 * noise[0]);
+  EXPECT_THROW(refine(truth, record, {.noise = Vector::Ones(2)}), ArgumentError);
+}
+
 TEST(Refine, CleanRecordGivesTheModelToRounding) {
   const ParametrisedModel truth = with_free_coefficients(test_system("rossler").model);
   const TestSystem& system = test_system("rossler");

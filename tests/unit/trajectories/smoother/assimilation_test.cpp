@@ -13,7 +13,7 @@ Assimilation fitted(const Dataset& data, std::vector<CoefficientPrior> priors = 
   AssimilationOptions options;
   options.free = free_coefficients(support::oscillator());
   options.priors = std::move(priors);
-  return assimilate(support::oscillator(), data, {}, options, RunContext{});
+  return assimilate(support::oscillator(), as_measured(data), options, RunContext{});
 }
 
 Dataset softer_spring() {
@@ -40,8 +40,30 @@ TEST(Assimilation, GrowthAtUnitRateIsNoIdentity) {
   data.trajectories = {record};
   AssimilationOptions options;
   options.free = free_coefficients(growth);
-  const Assimilation fit = assimilate(growth, data, {}, options, RunContext{});
+  const Assimilation fit = assimilate(growth, as_measured(data), options, RunContext{});
   EXPECT_NEAR(fit.model.coefficient(0, "x"), 1.1, 1e-3);
+}
+
+TEST(Assimilation, KeepsWhatTheModelSaysBesideItsEquations) {
+  const OdeModel model = support::oscillator()
+                             .with_initial({InitialValue{.value = 1.5}, std::nullopt})
+                             .with_outputs({{"angle", "m", parse_expression("q")}});
+  AssimilationOptions options;
+  options.free = free_coefficients(model);
+  const OdeModel fit =
+      assimilate(model, as_measured(softer_spring()), options, RunContext{}).model;
+  ASSERT_TRUE(fit.initial()[0].has_value());
+  EXPECT_EQ(fit.initial()[0]->value, 1.5);
+  ASSERT_EQ(fit.outputs().size(), 1U);
+  EXPECT_EQ(fit.outputs()[0].name, "angle");
+}
+
+TEST(Assimilation, TakesTheNoiseThatTheRecordsCarry) {
+  BoundRecords records = as_measured(softer_spring());
+  EXPECT_EQ(assimilate(support::oscillator(), records, {}, RunContext{}).seen_noise,
+            visible_noise(records));
+  records.channels[1].noise.white = 0.5;
+  EXPECT_EQ(assimilate(support::oscillator(), records, {}, RunContext{}).seen_noise[1], 0.5);
 }
 
 TEST(Assimilation, FindsCoefficientsAndNoise) {
@@ -97,7 +119,7 @@ TEST(Assimilation, NoiseWithAMemoryHasTheGivenTime) {
   AssimilationOptions options;
   options.coloured = {ColouredNoise{0.05, 0.3}, std::nullopt};
   const Assimilation fit =
-      assimilate(support::oscillator(), softer_spring(), {}, options, RunContext{});
+      assimilate(support::oscillator(), as_measured(softer_spring()), options, RunContext{});
   ASSERT_TRUE(fit.noise.coloured[0].has_value());
   EXPECT_EQ(fit.noise.coloured[0]->time, 0.3);
   EXPECT_NE(fit.noise.coloured[0]->deviation, 0.05) << "its size is fitted";

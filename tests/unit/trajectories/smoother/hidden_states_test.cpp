@@ -97,7 +97,8 @@ TEST(HiddenStates, LevelsOfWhichTheModelTakesRootsAreFound) {
   }
   AssimilationOptions options;
   options.hidden = {false, true, true};
-  const Assimilation fit = assimilate_from_starts(truth, data, {}, options, RunContext{});
+  const Assimilation fit =
+      assimilate_from_starts(truth, as_measured(data), options, RunContext{});
   ASSERT_TRUE(std::isfinite(fit.deviance));
   EXPECT_LT((fit.records.front().path - exact).cwiseAbs().maxCoeff(), 0.05);
 }
@@ -142,7 +143,8 @@ TEST(HiddenStates, TheirPathAndCoefficientsAreFound) {
       "fixed dx/dt: z\nfixed dz/dt: x\nfixed dz/dt: cos(1.3*t)\ndx/dt = -1.2*x + z\n"
       "dz/dt = 0.3*x - 0.6*z + cos(1.3*t)\n",
       "test");
-  const Assimilation fit = assimilate_from_starts(off, data, {}, options, RunContext{});
+  const Assimilation fit =
+      assimilate_from_starts(off, as_measured(data), options, RunContext{});
   EXPECT_NEAR(fit.model.coefficient(0, "x"), -1.0, 0.02);
   EXPECT_NEAR(fit.model.coefficient(1, "z"), -0.5, 0.03);
   EXPECT_LT((fit.records.front().path.col(1) - exact.col(1)).cwiseAbs().maxCoeff(), 0.03);

@@ -13,7 +13,8 @@ TEST(InnovationSystem, StacksTheRecords) {
   data.trajectories.push_back(data.trajectories.front());
   AssimilationOptions options;
   options.free = free_coefficients(support::oscillator());
-  const Assimilation fit = assimilate(support::oscillator(), data, {}, options, RunContext{});
+  const Assimilation fit =
+      assimilate(support::oscillator(), as_measured(data), options, RunContext{});
   const InnovationSystem system(fit);
   EXPECT_EQ(system.rows(), 2 * 3002);
   EXPECT_EQ(system.offsets().back(), system.rows());

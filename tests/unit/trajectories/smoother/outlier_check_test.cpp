@@ -15,7 +15,7 @@ TEST(OutlierCheck, KeepsWhatThePathDoesNotExplain) {
   Matrix marks = Matrix::Zero(data.samples(), 2);
   marks(200, 0) = 1.0;
   marks(300, 0) = 1.0;  // a sample like others
-  const Assimilation fit = assimilate(support::oscillator(), data, {marks},
+  const Assimilation fit = assimilate(support::oscillator(), as_measured(data, {marks}),
                                       support::oscillator_fit_options(), RunContext{});
   const OutlierCheck check = check_outliers(data.states, fit);
   EXPECT_TRUE(check.any_false);
@@ -28,7 +28,7 @@ TEST(OutlierCheck, HasNothingToSayOfCleanRecords) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const Matrix none = Matrix::Zero(data.samples(), 2);
   const OutlierCheck check =
-      check_outliers(data.states, assimilate(support::oscillator(), data, {none},
+      check_outliers(data.states, assimilate(support::oscillator(), as_measured(data, {none}),
                                              support::oscillator_fit_options(), RunContext{}));
   EXPECT_FALSE(check.any_false);
   EXPECT_TRUE(check.notes.empty());
