@@ -13,6 +13,7 @@
 #include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/hypotheses/shared_process.hpp"
 #include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/effects/families.hpp"
@@ -97,6 +98,7 @@ void add_integrators(Registry& registry) {
   registry.add<Dopri8>();
   registry.add<Dopri87>();
   registry.add<Cvode>();
+  registry.add<Automatic>();
 }
 
 template <const EffectFamily&... Families>

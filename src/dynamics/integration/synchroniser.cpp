@@ -11,7 +11,7 @@
 #include "lacuna/core/numerics/lagrange.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna {
@@ -387,7 +387,7 @@ SyncResult driven(const SlaveTask& task, const Dataset& view) {
 
 /// Steps for slaves that are faster than the samples: the record between its samples is known
 /// to no more than these tolerances, and what takes more steps has run away.
-Dopri5Options stiff_steps(const Dataset& view) {
+AutomaticOptions stiff_steps(const Dataset& view) {
   constexpr double kRelative = 1e-6, kAbsolute = 1e-9;
   constexpr int kMostSteps = 1000;
   const double absolute = std::max(kAbsolute * largest_norm(view), 1e-300);
@@ -428,7 +428,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   SyncResult result =
       driven({model, coupling, integrator, window, options.start, seen, context}, view);
   if (result.status == IntegrationStatus::Completed) return result;
-  const Dopri5 adaptive(stiff_steps(view));
+  const Automatic adaptive(stiff_steps(view));
   SyncResult finer =
       driven({model, coupling, adaptive, window, options.start, seen, context}, view);
   if (finer.status != IntegrationStatus::Completed) return result;
