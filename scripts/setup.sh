@@ -15,6 +15,7 @@ packages=(
   libsundials-dev          # CVODE: stiff models
   nlohmann-json3-dev       # model files and configurations
   libcli11-dev             # command line
+  libboost-dev             # Boost.Math: quantiles
   zlib1g-dev               # compressed records
   libopenmpi-dev openmpi-bin  # several machines: lacuna-mpi
   libmatio-dev libhdf5-dev # records of MATLAB, HDF5 and netCDF

@@ -2,6 +2,10 @@
 // One step of the integrators on Rossler's system, and of the synchroniser.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
+#include "dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
@@ -43,6 +47,42 @@ void simulated_model(benchmark::State& state, const std::string& name) {
 }
 BENCHMARK_CAPTURE(simulated_model, rossler_7_terms, "rossler")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(simulated_model, tl072_60_terms, "tl072")->Unit(benchmark::kMillisecond);
+
+/// Robertson's reactions until t = 40, which is stiff: CVODE against own explicit steps.
+void stiff_orbit(benchmark::State& state, const Integrator& integrator) {
+  long rates = 0;
+  const auto robertson = [&rates](double, const double* x, double* dxdt) {
+    ++rates;
+    dxdt[0] = -0.04 * x[0] + 1e4 * x[1] * x[2];
+    dxdt[2] = 3e7 * x[1] * x[1];
+    dxdt[1] = -dxdt[0] - dxdt[2];
+  };
+  const Vector start{{1.0, 0.0, 0.0}}, times{{0.0, 40.0}};
+  double last = 0.0;
+  for (auto _ : state) last = integrator.integrate(robertson, start, times).end_state[0];
+  state.counters["error"] = std::abs(last - 0.7158270688);
+  state.counters["rates"] =
+      static_cast<double>(rates) / static_cast<double>(state.iterations());
+}
+
+/// Lorenz's system over 1000 samples, which is not stiff: what the test for it costs.
+void smooth_orbit(benchmark::State& state, const Integrator& integrator) {
+  const TestSystem& system = test_system("lorenz");
+  const Vector times = sample_times(0.0, 0.05, 1000);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(simulate(system.model, integrator, system.start, times));
+}
+
+BENCHMARK_CAPTURE(stiff_orbit, dopri5, Dopri5{})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stiff_orbit, auto, Automatic{}) -> Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth_orbit, dopri5, Dopri5{})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth_orbit, auto, Automatic{}) -> Unit(benchmark::kMillisecond);
+
+void stiff_orbit_by_cvode(benchmark::State& state) {
+  if (!Cvode::unavailable().empty()) return state.SkipWithError("built without SUNDIALS");
+  stiff_orbit(state, Cvode{});
+}
+BENCHMARK(stiff_orbit_by_cvode)->Unit(benchmark::kMillisecond);
 
 void synchroniser_step(benchmark::State& state, const std::string& name,
                        const Integrator& integrator) {

@@ -2,12 +2,16 @@
 // The linear system: folding rows, the weighted pass, backward elimination.
 #include <benchmark/benchmark.h>
 
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "core/base/random.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
+#include "regression/formulations/sparse_cholesky.hpp"
 #include "regression/linear/gram.hpp"
 #include "regression/linear/row_fold.hpp"
 #include "regression/linear/tile_kernels.hpp"
@@ -116,6 +120,38 @@ BENCHMARK(eliminate_by_refitting)
     ->Arg(20)
     ->Arg(56)
     ->Unit(benchmark::kMicrosecond);
+
+/// B B' of a lower band B with 40 entries beside the diagonal, as overlapping windows have it.
+SparseRows banded_covariance(Index n) {
+  constexpr Index kBand = 40;
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  for (Index i = 0; i < n; ++i)
+    for (Index j = std::max<Index>(0, i - kBand); j <= i; ++j)
+      entries.emplace_back(i, j, std::exp(-0.05 * static_cast<double>(i - j)));
+  SparseRows lower(n, n);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower * SparseRows(lower.transpose());
+}
+
+/// What weak and integral rows are whitened by: by CHOLMOD where it is built in, ...
+void banded_factor(benchmark::State& state) {
+  const SparseRows covariance = banded_covariance(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(sparse_cholesky(covariance).nonZeros());
+  state.SetLabel(sparse_cholesky_back_end());
+}
+BENCHMARK(banded_factor)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+/// ... and by what takes its place.
+void banded_factor_by_eigen(benchmark::State& state) {
+  using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+  const Columns covariance = banded_covariance(state.range(0));
+  for (auto _ : state) {
+    const Eigen::SimplicialLLT<Columns, Eigen::Lower, Eigen::NaturalOrdering<Index>> factor(
+        covariance);
+    benchmark::DoNotOptimize(SparseRows(factor.matrixL()).nonZeros());
+  }
+}
+BENCHMARK(banded_factor_by_eigen)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace lacuna

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every filter x regressor x pruner x derivative on Rossler data: how often the structure is
 // exact, how far coefficients and synchronisation are off, how long it takes. Usage:
-// study_rossler [OUTPUT_FOLDER] [--cells FOLDER]      (default build/studies/rossler)
+// study_rossler [OUTPUT_FOLDER] [DERIVATIVE] [--cells FOLDER]   (default build/studies/rossler)
+// DERIVATIVE ("weak", "integral") leaves out all others.
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include "cases.hpp"
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
@@ -69,7 +71,12 @@ std::string name_of(const Composition& composition, const Condition& condition) 
 
 int run(const StudyArguments& arguments) {
   const std::filesystem::path folder = arguments.folder_at(0);
-  const std::vector<Composition> compositions = all_compositions(default_registry());
+  std::vector<Composition> compositions = all_compositions(default_registry());
+  if (const std::string only = arguments.at(1); !only.empty())
+    std::erase_if(compositions, [&](const Composition& one) { return one.derivative != only; });
+  if (compositions.empty())
+    throw ConfigError("study_rossler", "there is no derivative '" + arguments.at(1) + "'",
+                      "see the columns of results/rossler.md");
   const std::vector<Condition> conditions = all_conditions();
   const std::size_t count = conditions.size();
   std::vector<Records> records;
@@ -96,6 +103,6 @@ int run(const StudyArguments& arguments) {
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  return lacuna::benchmarks::study_main({"rossler", "[OUTPUT_FOLDER]", lacuna::benchmarks::run},
-                                        argc, argv);
+  return lacuna::benchmarks::study_main(
+      {"rossler", "[OUTPUT_FOLDER] [DERIVATIVE]", lacuna::benchmarks::run}, argc, argv);
 }

@@ -18,7 +18,7 @@ namespace {
 struct CompareArguments {
   std::string first;
   DataOptions data;
-  std::string integrator = "dopri5";
+  std::string integrator = "auto";
   std::string differentiator = "finite-differences";
   std::optional<std::string> json;
   RunOptions run;

@@ -26,7 +26,7 @@ struct SimulateArguments {
   std::optional<std::string> output, input_data, input_time;
   std::vector<std::string> noise;
   DataOptions data;
-  std::string integrator = "dopri5";
+  std::string integrator = "auto";
   RunOptions run;
 };
 

@@ -5,7 +5,7 @@
 #include "command.hpp"
 #include "core/base/text.hpp"
 #include "data_options.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "records/channels/shown_holds.hpp"
 #include "report/pages/data_summary.hpp"
@@ -68,7 +68,7 @@ int sync_command(const Session& session, const SyncArguments& options) {
   const OdeModel driven = with_shown_holds(model, data);
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), options.integrator};
-  if (report.result.stiff) report.integrator = Dopri5Options::kInfo.name;
+  if (report.result.stiff) report.integrator = AutomaticOptions::kInfo.name;
   report.verdict = judge(driven, data, report.result);
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(report));

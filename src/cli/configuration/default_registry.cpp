@@ -7,6 +7,7 @@
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "diagnose/hypotheses/unmeasured_input.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/fourier.hpp"
 #include "lacuna/bases/monomials.hpp"
@@ -97,6 +98,7 @@ void add_integrators(Registry& registry) {
   registry.add<Dopri8>();
   registry.add<Dopri87>();
   registry.add<Cvode>();
+  registry.add<Automatic>();
 }
 
 template <const EffectFamily&... Families>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <boost/math/distributions/students_t.hpp>
+
 #include "core/numerics/interval.hpp"
 
 #include "lacuna/core/base/error.hpp"
@@ -8,17 +10,7 @@ namespace lacuna {
 double student_quantile_975(double freedom) {
   if (!(freedom >= 1.0))
     throw ArgumentError("student_quantile_975", "fewer than one degree of freedom", "");
-  if (freedom < 2.0) return 12.706204736432095;
-  if (freedom < 3.0) return 4.302652729911275;
-  constexpr double z = kNormalQuantile975;
-  const double z2 = z * z;
-  const double g1 = z * (z2 + 1.0) / 4.0;
-  const double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
-  const double g3 = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
-  const double g4 =
-      z * ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
-  const double v = 1.0 / freedom;
-  return z + v * (g1 + v * (g2 + v * (g3 + v * g4)));
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
 }
 
 std::array<double, 2> interval95(double estimate, double standard_error, double quantile) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -35,6 +36,22 @@ class StageSet {
 
   /// h times the difference of the two solutions, one state.
   double error(double h, std::size_t state) const { return h * combine(error_, state); }
+
+  /// The largest rate by which states decay that the last two stages, both at the end of the
+  /// step, show: |k_s - k_{s-1}| / |g_s - g_{s-1}| of the states g at which they were
+  /// evaluated.
+  double decay_rate(double h) const {
+    const std::size_t last = nodes_.size() - 1;
+    double slopes = 0.0, states = 0.0;
+    for (std::size_t k = 0; k < dimension_; ++k) {
+      const double slope =
+          slopes_[last * dimension_ + k] - slopes_[(last - 1) * dimension_ + k];
+      const double state = h * (combine(rows_[last], k) - combine(rows_[last - 1], k));
+      slopes += slope * slope;
+      states += state * state;
+    }
+    return states > 0.0 ? std::sqrt(slopes / states) : 0.0;
+  }
 
   const double* slope() const noexcept { return slopes_.data(); }
   std::size_t dimension() const noexcept { return dimension_; }
@@ -123,14 +140,44 @@ class FixedStepper final : public RungeKuttaStepper {
   int substeps_;
 };
 
+/// Whether steps are as short as stability asks for and not as accuracy does: the test of
+/// Hairer and Wanner, Solving Ordinary Differential Equations II, Sect. IV.2, with their
+/// numbers, but begun every 100 steps (1000 there), as few steps may be left in a sampling
+/// interval.
+class StiffnessTest {
+ public:
+  /// Looks at an accepted step; true once the problem is stiff.
+  /// @param reach the step length times the largest rate of decay.
+  template <class Reach>
+  bool shows(Reach reach) {
+    constexpr int kSeldom = 100, kEnough = 15, kAgainst = 6;
+    constexpr double kStable = 3.25;  // where the method of Dormand and Prince ceases to be
+    if (++steps_ % kSeldom != 0 && for_it_ == 0) return false;
+    if (reach() > kStable) {
+      against_ = 0;
+      return ++for_it_ == kEnough;
+    }
+    if (++against_ == kAgainst) for_it_ = 0;
+    return false;
+  }
+
+ private:
+  long steps_ = 0;
+  int for_it_ = 0, against_ = 0;
+};
+
 class AdaptiveStepper final : public RungeKuttaStepper {
  public:
-  AdaptiveStepper(const ButcherTableau& tableau, Index dimension, const StepControl& control)
+  /// @param when_stiff makes what goes on where the problem is stiff; empty: nothing else does.
+  AdaptiveStepper(const ButcherTableau& tableau, Index dimension, const StepControl& control,
+                  MakeStepper when_stiff)
       : RungeKuttaStepper(tableau, dimension),
         control_(control),
-        exponent_(1.0 / (std::min(tableau.order, tableau.embedded_order) + 1)) {}
+        exponent_(1.0 / (std::min(tableau.order, tableau.embedded_order) + 1)),
+        when_stiff_(std::move(when_stiff)) {}
 
   IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) override {
+    if (implicit_) return implicit_->advance(rhs, t0, t1, x);
     start(x);
     if (step_ <= 0.0) step_ = first_step(rhs, t0, t1, x);
     least_ = 0.0;
@@ -143,6 +190,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
         if (held) count = 0;
       }
       take_step(rhs, t0, t1, x);
+      if (implicit_ && t0 < t1) return implicit_->advance(rhs, t0, t1, x);
     }
     return IntegrationStatus::Completed;
   }
@@ -189,6 +237,8 @@ class AdaptiveStepper final : public RungeKuttaStepper {
     grow(h, error, last);
     accept(x);
     t = last ? t1 : t + h;
+    if (when_stiff_ && stiffness_.shows([&] { return h * stages_.decay_rate(h); }))
+      implicit_ = when_stiff_();
   }
 
   void shrink(double h, double error) {
@@ -247,6 +297,9 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   double least_ = 0.0;  ///< no step is shorter but the last one of an interval
   double previous_ = 1e-4;
   bool rejected_ = false;
+  MakeStepper when_stiff_;
+  StiffnessTest stiffness_;
+  std::unique_ptr<Stepper> implicit_;
 };
 
 void describe_substeps(OptionVisitor& visitor, int& substeps) {
@@ -292,12 +345,12 @@ std::unique_ptr<Stepper> fixed_stepper(const ButcherTableau& tableau, Index dime
 }
 
 std::unique_ptr<Stepper> adaptive_stepper(const ButcherTableau& tableau, Index dimension,
-                                          const StepControl& control) {
+                                          const StepControl& control, MakeStepper when_stiff) {
   if (tableau.embedded.empty())
     throw ArgumentError("adaptive_stepper", "the tableau has no embedded solution",
                         "use fixed_stepper");
   check_dimension(dimension);
-  return std::make_unique<AdaptiveStepper>(tableau, dimension, control);
+  return std::make_unique<AdaptiveStepper>(tableau, dimension, control, std::move(when_stiff));
 }
 
 void Rk4Options::describe(OptionVisitor& visitor) { describe_substeps(visitor, substeps); }

@@ -7,7 +7,7 @@
 #include "core/numerics/lagrange.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "slave.hpp"
 #include "slave_probes.hpp"
@@ -114,7 +114,7 @@ Vector noise_in(const Dataset& view, const Dataset& record,
 
 /// Steps for slaves that are faster than the samples: the record between its samples is known
 /// to no more than these tolerances, and what takes more steps has run away.
-Dopri5Options stiff_steps(const Dataset& view) {
+AutomaticOptions stiff_steps(const Dataset& view) {
   // Facts of the interpolation: a record is known no better between its samples.
   constexpr double kRelative = 1e-6, kAbsolute = 1e-9;
   constexpr int kMostSteps = 1000;
@@ -158,7 +158,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   SyncResult result =
       driven({model, coupling, integrator, window, options.start, seen, context}, view, noise);
   if (result.status == IntegrationStatus::Completed) return result;
-  const Dopri5 adaptive(stiff_steps(view));
+  const Automatic adaptive(stiff_steps(view));
   SyncResult finer =
       driven({model, coupling, adaptive, window, options.start, seen, context}, view, noise);
   if (finer.status != IntegrationStatus::Completed) return result;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "data/records/known_noise.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/validation/validate.hpp"
@@ -49,7 +50,7 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
     found.warnings.push_back("synchronisation with the record did not settle");
   SyncVerdict verdict =
       beside(found.adequacy, judge(found.model, driving, sync, task.options.sync));
-  const StageInfo& method = sync.stiff ? Dopri5Options::kInfo : integrator.info();
+  const StageInfo& method = sync.stiff ? AutomaticOptions::kInfo : integrator.info();
   return Verification{std::move(sync), std::move(verdict), std::string(method.name)};
 }
 

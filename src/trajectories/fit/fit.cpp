@@ -278,7 +278,7 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
   result.converged = best.converged;
   result.starts = search.starts;
   result.agreeing = search.agreeing;
-  result.substeps = engine.signals.scheme.substeps;
+  result.substeps = engine.implicit ? 0 : engine.signals.scheme.substeps;
   result.prediction = options.prediction;
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit_engine.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -53,9 +54,35 @@ void correct(const Gains& gains, Index sample, const Matrix& residuals, Vector& 
       x[k] += gains(sample, c * x.size() + k) * residuals(sample, c);
 }
 
+/// Goes to the next sample by implicit steps; x is not a number where there are none.
+/// @param sensitivity as of RadauFlow::advance().
+void advance_implicitly(FitEngine& engine, Index sample, Vector& x,
+                        Matrix* sensitivity = nullptr) {
+  const std::vector<Index>& begins = engine.records.series.begins;
+  const auto record =
+      std::upper_bound(begins.begin(), begins.end(), sample) - begins.begin() - 1;
+  const auto r = static_cast<std::size_t>(record);
+  DrivingSignals& driving = engine.implicit->signals[r];
+  const Index i = sample - begins[r];
+  const double t0 = driving.time()[i], t1 = driving.time()[i + 1];
+  std::vector<double> signals(static_cast<std::size_t>(driving.size()));
+  const auto drive = [&](double t, double* slots) {
+    driving.at({i, t0, t1 - t0}, (t - t0) / (t1 - t0), signals.data());
+    engine.rates.fill_signals(signals.data(), 1, slots);
+  };
+  if (!engine.implicit->flow.advance(engine.rates, drive, t0, t1, x, sensitivity))
+    x.setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// A path begins: what implicit steps know of another one must not decide on its steps.
+void begin_path(FitEngine& engine) {
+  if (engine.implicit) engine.implicit->flow.begin();
+}
+
 /// Goes to the next sample, keeping the states of all stages.
 void advance(FitEngine& engine, Index sample, Vector& x, RunScratch& scratch,
              std::vector<Matrix>& stages) {
+  if (engine.implicit) return advance_implicitly(engine, sample, x);
   const ButcherTableau& tableau = *engine.signals.scheme.tableau;
   const Index substeps = engine.signals.scheme.substeps, steps = engine.signals.lengths.size();
   for (Index step = sample * substeps; step < (sample + 1) * substeps; ++step) {
@@ -91,10 +118,16 @@ double cost_of(const FitEngine& engine, const FitPath& path) {
   return finite ? cost : std::numeric_limits<double>::infinity();
 }
 
-/// Phi of a whole sampling interval.
-Matrix transition(FitEngine& engine, StepMaps& maps, const FitPath& path, Index sample) {
+/// Goes to the next sample; gives Phi of the sampling interval.
+Matrix advance_with_transition(FitEngine& engine, Index sample, Vector& x, RunScratch& scratch,
+                               StepMaps& maps, FitPath& path) {
   const Index m = engine.states(), substeps = engine.signals.scheme.substeps;
   Matrix whole = Matrix::Identity(m, m);
+  if (engine.implicit) {
+    advance_implicitly(engine, sample, x, &whole);
+    return whole;
+  }
+  advance(engine, sample, x, scratch, path.stages);
   for (Index done = 0; done < substeps; done += StepMaps::kBlock) {
     const Index count = std::min(StepMaps::kBlock, substeps - done);
     maps.evaluate(engine.rates, engine.signals, path.stages, sample * substeps + done, count);
@@ -158,6 +191,7 @@ FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains) {
   for (Index r = 0; r < engine.records.records(); ++r) {
     engine.rates.set(point.parameters.row(r).transpose());
     Vector x = point.starts.row(r).transpose();
+    begin_path(engine);
     for (Index n = engine.records.first(r); n < engine.records.end(r); ++n) {
       path.states.row(n) = x.transpose();
       compare(engine, n, x, scratch, path.residuals);
@@ -169,24 +203,66 @@ FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains) {
   return path;
 }
 
+namespace {
+
+/// Carries derivatives of the state from sample to sample of a record.
+class SensitivityPass {
+ public:
+  SensitivityPass(FitEngine& engine, const FitPath& path, const Gains& gains, Index record)
+      : engine_(engine),
+        path_(path),
+        gains_(gains),
+        first_(engine.records.first(record)),
+        end_(engine.records.end(record)),
+        maps_(engine.rates, engine.signals.scheme) {
+    begin_path(engine);
+  }
+
+  /// From sample n behind its correction to the next one.
+  void carry(Index n, Matrix& s) {
+    if (engine_.implicit) {
+      Vector x = path_.states.row(n).transpose();
+      correct(gains_, n, path_.residuals, x);
+      return advance_implicitly(engine_, n, x, &s);
+    }
+    const Index m = engine_.states(), substeps = engine_.signals.scheme.substeps;
+    const Index steps = (end_ - 1 - first_) * substeps;
+    for (Index i = 0; i < substeps; ++i) {
+      const Index step = (n - first_) * substeps + i, row = step % StepMaps::kBlock;
+      if (row == 0)
+        maps_.evaluate(engine_.rates, engine_.signals, path_.stages, first_ * substeps + step,
+                       std::min(StepMaps::kBlock, steps - step));
+      const Vector entries = maps_.transitions().row(row).transpose();
+      s = (Eigen::Map<const Matrix>(entries.data(), m, m) * s).eval();
+      for (Index j = 0; j < engine_.parameters(); ++j)
+        for (Index k = 0; k < m; ++k) s(k, m + j) += maps_.responses()(row, j * m + k);
+    }
+  }
+
+ private:
+  FitEngine& engine_;
+  const FitPath& path_;
+  const Gains& gains_;
+  Index first_, end_;
+  StepMaps maps_;
+};
+
+}  // namespace
+
 void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path,
                    const Gains& gains, Index record,
                    FunctionRef<void(Index, const Matrix&, const Vector&)> visit) {
   const Index m = engine.states(), p = engine.parameters(), count = engine.count();
-  const Index substeps = engine.signals.scheme.substeps;
   const Index first = engine.records.first(record), end = engine.records.end(record);
   engine.rates.set(point.parameters.row(record).transpose());
   RunScratch scratch(engine);
-  StepMaps maps(engine.rates, engine.signals.scheme);
+  SensitivityPass pass(engine, path, gains, record);
   Matrix s = Matrix::Zero(m, m + p), rows(count, m + p), by_state(count, m),
          by_parameter(count, p);
   s.leftCols(m).setIdentity();
-  Matrix transition(m, m);
-  const Index steps = (end - 1 - first) * substeps;
-  Index step = 0;
   for (Index n = first; n < end; ++n) {
     const Vector x = path.states.row(n).transpose();
-    fill_slots(engine, n * substeps, x.data(), scratch.slots);
+    fill_slots(engine, n * engine.signals.scheme.substeps, x.data(), scratch.slots);
     engine.channels.derivatives(scratch.slots.data(), by_state, by_parameter);
     rows.noalias() = by_state * s;
     rows.rightCols(p) += by_parameter;
@@ -201,17 +277,47 @@ void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path
     rows = scale.asDiagonal() * rows;
     const Vector residual = scale.cwiseProduct(path.residuals.row(n).transpose());
     visit(n, rows, residual);
-    for (Index i = 0; n + 1 < end && i < substeps; ++i, ++step) {
-      if (step % StepMaps::kBlock == 0)
-        maps.evaluate(engine.rates, engine.signals, path.stages, first * substeps + step,
-                      std::min(StepMaps::kBlock, steps - step));
-      const Index row = step % StepMaps::kBlock;
-      for (Index j = 0; j < m * m; ++j) transition.data()[j] = maps.transitions()(row, j);
-      s = (transition * s).eval();
-      for (Index j = 0; j < p; ++j)
-        for (Index k = 0; k < m; ++k) s(k, m + j) += maps.responses()(row, j * m + k);
+    if (n + 1 < end) pass.carry(n, s);
+  }
+}
+
+namespace {
+
+/// Whether the finest explicit steps are unstable somewhere along a path.
+bool is_stiff(FitEngine& engine, const FitPoint& point, const FitPath& path) {
+  const Index m = engine.states(), substeps = engine.signals.scheme.substeps;
+  const std::vector<MatrixPlace>& places = engine.rates.jacobian_places();
+  Matrix slots(1, engine.rates.slots()), entries(1, static_cast<Index>(places.size()));
+  Matrix columns(1, static_cast<Index>(engine.rates.column_places().size()));
+  std::vector<double> slot(static_cast<std::size_t>(engine.rates.slots()));
+  for (Index r = 0; r < engine.records.records(); ++r) {
+    engine.rates.set(point.parameters.row(r).transpose());
+    for (Index n = engine.records.first(r); n + 1 < engine.records.end(r); ++n) {
+      const Vector x = path.states.row(n).transpose();
+      if (!x.allFinite()) return true;
+      fill_slots(engine, n * substeps, x.data(), slot);
+      slots = Eigen::Map<const Matrix>(slot.data(), 1, slots.cols());
+      engine.rates.derivatives(slots, entries, columns);
+      Matrix jacobian = Matrix::Zero(m, m);
+      for (std::size_t i = 0; i < places.size(); ++i)
+        jacobian(places[i].row, places[i].column) += entries(0, static_cast<Index>(i));
+      const double h = static_cast<double>(substeps) * engine.signals.lengths[n * substeps];
+      if (is_beyond_explicit_steps(jacobian, h / static_cast<double>(kMostSubsteps)))
+        return true;
     }
   }
+  return false;
+}
+
+}  // namespace
+
+void choose_method(FitEngine& engine, const FitPoint& point) {
+  if (engine.implicit || !is_stiff(engine, point, follow(engine, point, {}))) return;
+  engine.implicit.emplace();
+  for (const DrivingSamples& samples : driving_samples(engine.records.series, engine.rates))
+    engine.implicit->signals.emplace_back(samples);
+  const FitPath path = follow(engine, point, {});
+  if (!std::isfinite(path.cost) || !is_stiff(engine, point, path)) engine.implicit.reset();
 }
 
 Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances& disturbances,
@@ -227,6 +333,7 @@ Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances&
   for (Index r = 0; r < engine.records.records(); ++r) {
     engine.rates.set(point.parameters.row(r).transpose());
     Vector x = point.starts.row(r).transpose();
+    begin_path(engine);
     Matrix covariance = Matrix::Zero(m, m);
     for (Index n = engine.records.first(r); n < engine.records.end(r); ++n) {
       path.states.row(n) = x.transpose();
@@ -236,8 +343,7 @@ Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances&
       gains.row(n) = Eigen::Map<const Vector>(gain.data(), gain.size()).transpose();
       correct(gains, n, path.residuals, x);
       if (n + 1 == engine.records.end(r)) break;
-      advance(engine, n, x, scratch, path.stages);
-      const Matrix phi = transition(engine, maps, path, n);
+      const Matrix phi = advance_with_transition(engine, n, x, scratch, maps, path);
       const double h = engine.records.series.time[n + 1] - engine.records.series.time[n];
       covariance = (phi * covariance * phi.transpose()).eval();
       covariance.diagonal() += h * density;
@@ -259,6 +365,7 @@ Matrix prediction_errors(FitEngine& engine, const FitPoint& point, const Gains& 
     for (Index from = engine.records.first(r); from + ahead < end; from += ahead) {
       Vector x = filtered.states.row(from).transpose();
       correct(gains, from, filtered.residuals, x);
+      begin_path(engine);
       for (Index n = from; n < from + ahead; ++n) advance(engine, n, x, scratch, free.stages);
       compare(engine, from + ahead, x, scratch, errors);
       compared += engine.records.valid.row(from + ahead).transpose();

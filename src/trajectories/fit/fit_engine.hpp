@@ -8,9 +8,16 @@
 #include "channels.hpp"
 #include "fit_records.hpp"
 #include "lacuna/core/base/function_ref.hpp"
+#include "trajectories/sensitivities/radau.hpp"
 #include "trajectories/sensitivities/step_maps.hpp"
 
 namespace lacuna {
+
+/// The records between their samples, for steps that are where the error wants them.
+struct ImplicitSteps {
+  std::vector<DrivingSignals> signals;  ///< of each record
+  RadauFlow flow{};
+};
 
 /// Model and records with what is computed once from them. One object per thread.
 struct FitEngine {
@@ -19,7 +26,8 @@ struct FitEngine {
   Rates rates;
   Channels channels;
   StageSignals signals;
-  Vector sigma;  ///< c: deviation by which residuals are divided
+  Vector sigma;                                ///< c: deviation by which residuals are divided
+  std::optional<ImplicitSteps> implicit = {};  ///< in the place of equal explicit steps
 
   Index states() const noexcept { return rates.dimension(); }    ///< m
   Index parameters() const noexcept { return rates.columns(); }  ///< P
@@ -30,6 +38,9 @@ FitEngine fit_engine(const ParametrisedModel& model, FitRecords records);
 
 /// Integrates every sampling interval by so many steps of the Runge-Kutta method of order 4.
 void set_substeps(FitEngine& engine, Index substeps);
+
+/// The most explicit steps in a sampling interval; see choose_method().
+constexpr Index kMostSubsteps = 32;
 
 /// What is estimated.
 struct FitPoint {
@@ -51,6 +62,10 @@ using Gains = Matrix;
 
 /// The model along the records: x_{n+1} = F(x_n + K_n (y_n - h(x_n))).
 FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains);
+
+/// Takes implicit steps where the model is stiff: along its path with them explicit ones are
+/// unstable, as many as there may be in a sampling interval.
+void choose_method(FitEngine& engine, const FitPoint& point);
 
 /// Calls `visit(n, rows, residual)` at every sample of a record with the derivatives of the c
 /// whitened model values by [initial states, parameters] and the whitened residuals; gains do

@@ -85,6 +85,7 @@ Matrix starts_for(const ParametrisedModel& model, const Matrix& parameters, cons
       if (usual(k, 1) > 0.0) initial = InitialValue{usual(k, 0), false, 3.0 * usual(k, 1)};
     }
   }
+  choose_method(engine, point);
   return minimise(engine, unknowns, point, {}, 60, {}).point.starts;
 }
 
@@ -100,6 +101,7 @@ HeldOut held_out_with(const ParametrisedModel& model, const Vector& values, cons
   set_substeps(engine, 4);
   const Matrix parameters = values.transpose().replicate(engine.records.records(), 1);
   const FitPoint point{parameters, starts_for(model, parameters, data, usual, options.window)};
+  choose_method(engine, point);
   const FitPath path = follow(engine, point, {});
   HeldOut found{quality_of(engine, point, path, options.prediction, options.window)};
   double squares = 0.0, noise = 0.0, count = 0.0;

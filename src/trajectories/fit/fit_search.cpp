@@ -22,13 +22,13 @@ double spread_of(const Vector& values) {
 }
 
 /// Steps so fine that halving them changes the residuals by little beside their deviations:
-/// `small` in all samples together.
+/// `small` in all samples together. Implicit steps choose themselves.
 void choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
                      double small) {
-  constexpr Index kMost = 32;
+  if (engine.implicit) return;
   Index substeps = engine.signals.scheme.substeps;
   FitPath coarse = follow(engine, point, gains);
-  while (substeps < kMost) {
+  while (substeps < kMostSubsteps) {
     set_substeps(engine, 2 * substeps);
     FitPath fine = follow(engine, point, gains);
     const Matrix change =
@@ -37,6 +37,7 @@ void choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gain
     substeps *= 2;
     coarse = std::move(fine);
   }
+  choose_method(engine, point);
 }
 
 /// Fits with filters of falling disturbance, then the free run.
@@ -67,8 +68,10 @@ FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum f
                     const FitSearchOptions& options, const RunContext& context) {
   constexpr double kSmall = 0.2;
   const Index before = engine.signals.scheme.substeps;
+  const bool was_implicit = engine.implicit.has_value();
   choose_substeps(engine, found.point, {}, kSmall);
-  if (engine.signals.scheme.substeps == before) return found;
+  if (engine.signals.scheme.substeps == before && was_implicit == engine.implicit.has_value())
+    return found;
   return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
 }
 
@@ -259,6 +262,7 @@ FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
 
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context) {
+  choose_method(engine, start);
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
   search.best = reweighted(engine, unknowns, std::move(search.best), options, context);
   search.best = polished(engine, unknowns, std::move(search.best), options, context);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "regression/linear/row_fold.hpp"
-#include "trajectories/shooting/shooting_problem.hpp"
+#include "trajectories/shooting/block_minimum.hpp"
 
 namespace lacuna {
 namespace {
@@ -48,111 +48,64 @@ void add_initial(const FitUnknowns& unknowns, const Vector& start, RowFold& fold
   }
 }
 
-/// Columns that are not estimated are 0.
-Matrix without(Matrix triangle, const std::vector<Index>& pinned) {
-  for (const Index column : pinned) triangle.col(column).setZero();
-  return triangle;
-}
+/// The records as blocks; own unknowns are [initial states, local parameters].
+class RecordBlocks final : public BlockProblem {
+ public:
+  RecordBlocks(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+               const Gains& gains, FitMinimum& best)
+      : engine_(engine), unknowns_(unknowns), gains_(gains), best_(best), point_(start) {}
 
-/// A triangle with rows damping * (norm of the column) on its first columns.
-Matrix damped(const Matrix& triangle, Index columns, double damping) {
-  RowFold fold(triangle.cols());
-  fold.add_triangle(triangle);
-  for (Index j = 0; j < columns && damping > 0.0; ++j)
-    add_row(fold, j, damping * triangle.col(j).norm(), 0.0);
-  return *fold.finish();
-}
+  BlockPoint blocks_of(const FitPoint& point) const {
+    const Index m = point.starts.cols();
+    BlockPoint blocks{
+        Matrix(point.starts.rows(), m + static_cast<Index>(unknowns_.local.size())),
+        point.parameters.row(0)(unknowns_.global).transpose()};
+    blocks.own.leftCols(m) = point.starts;
+    blocks.own.rightCols(blocks.own.cols() - m) = point.parameters(Eigen::all, unknowns_.local);
+    return blocks;
+  }
 
-/// Columns held at the ends of their ranges.
-struct Pins {
-  std::vector<std::vector<Index>> records;  ///< per record among [initial, local]
-  std::vector<Index> global;
+  double cost(const BlockPoint& blocks) override {
+    const Index m = point_.starts.cols();
+    point_.starts = blocks.own.leftCols(m);
+    point_.parameters(Eigen::all, unknowns_.local) =
+        blocks.own.rightCols(blocks.own.cols() - m);
+    for (std::size_t i = 0; i < unknowns_.global.size(); ++i)
+      point_.parameters.col(unknowns_.global[i])
+          .setConstant(blocks.common[static_cast<Index>(i)]);
+    path_ = follow(engine_, point_, gains_);
+    return total_cost(unknowns_, point_, path_);
+  }
+
+  void keep() override {
+    best_.point = point_;
+    best_.path = std::move(path_);
+  }
+
+  BlockTriangles linearise() override {
+    linear_ = lacuna::linearise(engine_, unknowns_, best_.point, best_.path, gains_);
+    return {linear_.records, none_};
+  }
+
+ private:
+  FitEngine& engine_;
+  const FitUnknowns& unknowns_;
+  const Gains& gains_;
+  FitMinimum& best_;
+  FitPoint point_;
+  FitPath path_;
+  FitLinear linear_;
+  Matrix none_;
 };
 
-struct Step {
-  Matrix locals;  ///< R x L
-  Vector global;
-  double decrease = 0.0;
-};
-
-Step solve(const FitLinear& linear, Index locals, const Pins& pins, double damping) {
-  const Index g = linear.reduced.cols() - 1;
-  RowFold fold(g + 1);
-  std::vector<Matrix> triangles;
-  for (std::size_t r = 0; r < linear.records.size(); ++r) {
-    triangles.push_back(damped(without(linear.records[r], pins.records[r]), locals, damping));
-    fold.add_triangle(triangles.back().bottomRightCorner(g + 1, g + 1));
-  }
-  const Matrix reduced = damped(without(*fold.finish(), pins.global), g, damping);
-  Step step{Matrix(static_cast<Index>(triangles.size()), locals),
-            solve_determined(reduced.topLeftCorner(g, g), reduced.col(g).head(g))};
-  for (const Index column : pins.global) step.global[column] = 0.0;
-  for (std::size_t r = 0; r < triangles.size(); ++r) {
-    const Matrix& t = triangles[r];
-    Vector local = solve_determined(
-        t.topLeftCorner(locals, locals),
-        t.col(locals + g).head(locals) - t.block(0, locals, locals, g) * step.global);
-    for (const Index column : pins.records[r]) local[column] = 0.0;
-    step.locals.row(static_cast<Index>(r)) = local.transpose();
-    Vector whole(locals + g);
-    whole << local, step.global;
-    const Matrix& exact = linear.records[r];
-    const auto rows = exact.leftCols(locals + g);
-    step.decrease += exact.col(locals + g).squaredNorm() -
-                     (exact.col(locals + g) - rows * whole).squaredNorm();
-  }
-  return step;
-}
-
-/// The point moved and put into the ranges of its parameters.
-FitPoint moved(const FitUnknowns& unknowns, FitPoint point, const Step& step) {
-  const Index m = point.starts.cols();
-  point.starts += step.locals.leftCols(m);
-  for (std::size_t i = 0; i < unknowns.local.size(); ++i)
-    point.parameters.col(unknowns.local[i]) += step.locals.col(m + static_cast<Index>(i));
-  for (std::size_t i = 0; i < unknowns.global.size(); ++i)
-    point.parameters.col(unknowns.global[i]).array() += step.global[static_cast<Index>(i)];
-  for (Index p = 0; p < point.parameters.cols(); ++p)
-    point.parameters.col(p) =
-        point.parameters.col(p).cwiseMax(unknowns.lower[p]).cwiseMin(unknowns.upper[p]);
-  return point;
-}
-
-bool leaves(const FitUnknowns& unknowns, Index parameter, double value, double step) {
-  return (step < 0.0 && value <= unknowns.lower[parameter]) ||
-         (step > 0.0 && value >= unknowns.upper[parameter]);
-}
-
-/// Holds those parameters that would leave their range from its end; false where there are
-/// none.
-bool pin(const FitUnknowns& unknowns, const FitPoint& point, const Step& step, Pins& pins) {
-  bool any = false;
-  const Index m = point.starts.cols();
-  for (std::size_t i = 0; i < unknowns.global.size(); ++i) {
-    const Index p = unknowns.global[i], column = static_cast<Index>(i);
-    if (!leaves(unknowns, p, point.parameters(0, p), step.global[column])) continue;
-    pins.global.push_back(column);
-    any = true;
-  }
-  for (std::size_t r = 0; r < pins.records.size(); ++r)
-    for (std::size_t i = 0; i < unknowns.local.size(); ++i) {
-      const Index p = unknowns.local[i], column = m + static_cast<Index>(i);
-      const auto row = static_cast<Index>(r);
-      if (!leaves(unknowns, p, point.parameters(row, p), step.locals(row, column))) continue;
-      pins.records[r].push_back(column);
-      any = true;
-    }
-  return any;
-}
-
-Step best_step(const FitUnknowns& unknowns, const FitPoint& point, const FitLinear& linear,
-               double damping) {
-  const Index locals = point.starts.cols() + static_cast<Index>(unknowns.local.size());
-  Pins pins{std::vector<std::vector<Index>>(linear.records.size()), {}};
-  Step step = solve(linear, locals, pins, damping);
-  for (Index i = 0; i < point.parameters.cols() && pin(unknowns, point, step, pins); ++i)
-    step = solve(linear, locals, pins, damping);
-  return step;
+/// Values per unknown in the order [initial states, local, global]; states have no range.
+Vector in_order(const FitUnknowns& unknowns, const Vector& range, Index states, double none) {
+  Vector all(states + range.size());
+  all.head(states).setConstant(none);
+  Index column = states;
+  for (const auto* part : {&unknowns.local, &unknowns.global})
+    for (const Index p : *part) all[column++] = range[p];
+  return all.head(column);
 }
 
 /// Gradients of blocks with the columns of the initial states and the local parameters
@@ -250,42 +203,17 @@ double degrees_of_freedom(const FitEngine& engine, const FitUnknowns& unknowns) 
 
 FitMinimum minimise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                     const Gains& gains, int most_iterations, const RunContext& context) {
-  constexpr double kSmall = 1e-5, kLeastDamping = 1e-4, kMostDamping = 1e6;
-  FitMinimum best{start, follow(engine, start, gains)};
-  double cost = total_cost(unknowns, best.point, best.path), damping = 0.0;
-  const double freedom = degrees_of_freedom(engine, unknowns);
-  while (best.iterations < most_iterations && std::isfinite(cost)) {
-    context.check_stop();
-    const FitLinear linear = linearise(engine, unknowns, best.point, best.path, gains);
-    const double small = kSmall * cost / freedom, before = cost;
-    while (true) {
-      const Step step = best_step(unknowns, best.point, linear, damping);
-      if (!(step.decrease > small)) {
-        best.converged = true;
-        return best;
-      }
-      const FitPoint candidate = moved(unknowns, best.point, step);
-      FitPath path = follow(engine, candidate, gains);
-      const double after = total_cost(unknowns, candidate, path);
-      if (after < cost) {
-        best.point = candidate;
-        best.path = std::move(path);
-        cost = after;
-        damping = damping > kLeastDamping ? damping / 4.0 : 0.0;
-        break;
-      }
-      damping = std::max(kLeastDamping, 4.0 * damping);
-      if (damping > kMostDamping) {
-        best.converged = true;
-        return best;
-      }
-    }
-    ++best.iterations;
-    if (before - cost <= small) {
-      best.converged = true;
-      break;
-    }
-  }
+  constexpr double kSmall = 1e-5;
+  FitMinimum best{start, {}};
+  RecordBlocks blocks(engine, unknowns, start, gains, best);
+  const BlockMinimum found =
+      minimise_blocks(blocks, blocks.blocks_of(start),
+                      {degrees_of_freedom(engine, unknowns), kSmall, most_iterations,
+                       in_order(unknowns, unknowns.lower, engine.states(), -kInfinity),
+                       in_order(unknowns, unknowns.upper, engine.states(), kInfinity)},
+                      context);
+  best.converged = found.converged;
+  best.iterations = found.iterations;
   return best;
 }
 

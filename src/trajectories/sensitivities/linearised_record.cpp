@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 
+#include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/base/check.hpp"
@@ -10,6 +12,7 @@
 #include "trajectories/sensitivities/rates.hpp"
 #include "trajectories/sensitivities/record_steps.hpp"
 #include "trajectories/sensitivities/secant_slopes.hpp"
+#include "trajectories/sensitivities/stiff_steps.hpp"
 
 namespace lacuna {
 namespace {
@@ -107,6 +110,28 @@ Matrix switching_density(const std::vector<Quantity>& inputs, const StepSlots& s
   return density;
 }
 
+/// The steps of a stiff model: slopes are those at the path, because what is fast decays within
+/// a step and does not take the state far from there.
+struct StiffSteps {
+  Matrix ends, slopes;
+  StepResponses responses;
+};
+
+std::optional<StiffSteps> stiff_steps(Rates& rates, const StepSlots& slots,
+                                      const Vector& length, const Vector& accuracy,
+                                      const std::vector<int>& parts) {
+  if (*std::max_element(parts.begin(), parts.end()) < kMostParts) return std::nullopt;
+  StiffSteps found;
+  const Vector none = Vector::Zero(slots.nodes.rows());
+  found.slopes = secant_slopes(rates, slots.nodes, none, accuracy);
+  if (!has_stiff_steps(found.slopes, slots.grid, length)) return std::nullopt;
+  std::optional<Matrix> ends = implicit_ends(rates, slots, accuracy);
+  if (!ends) return std::nullopt;
+  found.ends = std::move(*ends);
+  found.responses = implicit_responses(found.slopes, slots.grid, length, slots.states);
+  return found;
+}
+
 }  // namespace
 
 LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, const Matrix& path,
@@ -120,16 +145,23 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   const StepSlots slots(with_delays(result, rates.delays()), m, rates.delays(), result.grid);
   const std::vector<int> parts =
       parts_for(rates, slots, {accuracy, accuracy_of_variations(result.range, accuracy)});
-  std::vector<Index> steps(static_cast<std::size_t>(record.samples() - 1));
-  std::iota(steps.begin(), steps.end(), Index{0});
-  result.defect =
-      (ends_of_steps(rates, slots, steps, parts[0]) - path.bottomRows(path.rows() - 1))
-          .transpose();
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
-  const Matrix slopes =
+  Matrix slopes =
       secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, parts[1]), accuracy);
-  StepResponses responses = step_responses(slopes, result.grid, length, {m, parts[1]});
+  StepResponses responses;
+  if (std::optional<StiffSteps> stiff = stiff_steps(rates, slots, length, accuracy, parts)) {
+    result.defect = (stiff->ends - path.bottomRows(path.rows() - 1)).transpose();
+    slopes = std::move(stiff->slopes);
+    responses = std::move(stiff->responses);
+  } else {
+    std::vector<Index> steps(static_cast<std::size_t>(record.samples() - 1));
+    std::iota(steps.begin(), steps.end(), Index{0});
+    result.defect =
+        (ends_of_steps(rates, slots, steps, parts[0]) - path.bottomRows(path.rows() - 1))
+            .transpose();
+    responses = step_responses(slopes, result.grid, length, {m, parts[1]});
+  }
   result.transition = std::move(responses.transition);
   result.response = std::move(responses.response);
   result.bridge = switching_density(model.inputs(), slots, rates);

@@ -56,19 +56,13 @@ class StepBlock {
     state_ += (length_ / (6.0 * parts)).asDiagonal() * sum;
   }
 
-  /// Inputs, t and delayed variables at the share `s` of the steps: the parabola through begin,
-  /// middle and end, and what makes it the cubic through the nearest samples.
+  /// Inputs, t and delayed variables at the share `s` of the steps.
   void set_driven(double s) {
     const std::array<double, 3> weight = parabolas(s);
     const double cubic = s * (s - 0.5) * (s - 1.0);
-    for (Index column = slots_.states; column < slots_.nodes.cols(); ++column) {
-      const double* third = slots_.third.col(column - slots_.states).data();
-      for (Index row = 0; row < point_.rows(); ++row) {
-        const double* value = slots_.nodes.col(column).data() + slots_.grid.begin(step_at(row));
-        point_(row, column) = weight[0] * value[0] + weight[1] * value[1] +
-                              weight[2] * value[2] + cubic * third[step_at(row)];
-      }
-    }
+    for (Index column = slots_.states; column < slots_.nodes.cols(); ++column)
+      for (Index row = 0; row < point_.rows(); ++row)
+        point_(row, column) = slots_.driven(step_at(row), column, weight, cubic);
   }
 
   Rates& rates_;
@@ -116,19 +110,19 @@ Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Ind
 
 std::vector<int> parts_for(Rates& rates, const StepSlots& slots,
                            const std::vector<Vector>& accuracies) {
-  constexpr int kMost = 32;
   constexpr Index kTried = 400;
   const Index count = slots.steps();
   std::vector<Index> steps;
   for (Index i = 0; i < count; i += std::max<Index>(1, count / kTried)) steps.push_back(i);
-  std::vector<int> found(accuracies.size(), kMost);
+  std::vector<int> found(accuracies.size(), kMostParts);
   std::size_t open = found.size();
   Matrix coarse = ends_of_steps(rates, slots, steps, 1);
-  for (int parts = 1; parts < kMost && open > 0; parts *= 2) {
+  for (int parts = 1; parts < kMostParts && open > 0; parts *= 2) {
     Matrix fine = ends_of_steps(rates, slots, steps, 2 * parts);
     const Vector error = (coarse - fine).cwiseAbs().colwise().maxCoeff();
     for (std::size_t a = 0; a < found.size(); ++a) {
-      if (found[a] < kMost || !(error.array() <= 0.1 * accuracies[a].array()).all()) continue;
+      if (found[a] < kMostParts || !(error.array() <= 0.1 * accuracies[a].array()).all())
+        continue;
       found[a] = parts;
       --open;
     }

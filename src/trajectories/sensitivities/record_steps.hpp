@@ -3,6 +3,7 @@
 // Integration of a model over the sampling steps of a record, each from its own begin.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "lacuna/records/channels/node_grid.hpp"
@@ -26,7 +27,20 @@ struct StepSlots {
   double length(Index step) const {
     return nodes(grid.end(step), time) - nodes(grid.begin(step), time);
   }
+
+  /// Inputs, t or a delayed variable at a share of a step: the parabola through begin, middle
+  /// and end, and what makes it the cubic through the nearest samples.
+  /// @param weight of begin, middle and end; @param cubic s (s - 1/2) (s - 1) of the share s.
+  double driven(Index step, Index column, const std::array<double, 3>& weight,
+                double cubic) const {
+    const double* value = nodes.col(column).data() + grid.begin(step);
+    return weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2] +
+           cubic * third(step, column - states);
+  }
 };
+
+/// The most parts of a step; see parts_for().
+constexpr int kMostParts = 32;
 
 /// States at the ends of steps.
 /// @param steps numbers of the steps; @param parts steps of Runge and Kutta's method of order 4

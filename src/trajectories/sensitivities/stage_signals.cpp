@@ -12,23 +12,6 @@ Vector step_lengths(const Vector& time, Index substeps) {
   return lengths;
 }
 
-/// Times of the stages: n * substeps x stages.
-Matrix stage_times(const Vector& time, const Vector& lengths, const StepScheme& scheme) {
-  Matrix times(time.size() * scheme.substeps, scheme.tableau->stages());
-  for (Index i = 0; i < time.size(); ++i)
-    for (Index j = 0; j < scheme.substeps; ++j)
-      for (Index a = 0; a < times.cols(); ++a)
-        times(i * scheme.substeps + j, a) =
-            time[i] + static_cast<double>(j) * lengths[i] +
-            scheme.tableau->nodes[static_cast<std::size_t>(a)] * lengths[i];
-  return times;
-}
-
-/// A held signal at a share of a step, inside of which it may jump.
-double held_value(SampledSignal& signal, double from, double length, double share) {
-  return signal.held_line(from, from + length).at(share);
-}
-
 }  // namespace
 
 StageSignals empty_stage_signals(const StepScheme& scheme, Index samples, Index signals) {
@@ -38,38 +21,50 @@ StageSignals empty_stage_signals(const StepScheme& scheme, Index samples, Index 
                               Matrix::Zero(steps, signals))};
 }
 
+DrivingSignals::DrivingSignals(const DrivingSamples& samples) : time_(samples.time) {
+  std::size_t column = 0;
+  const auto next = [&] {
+    return samples.signals.empty() ? Interpolation::Cubic : samples.signals[column++];
+  };
+  for (Index j = 0; j < samples.inputs.cols(); ++j)
+    inputs_.emplace_back(time_, samples.inputs.col(j), next());
+  for (Index j = 0; j < samples.delayed.cols(); ++j) {
+    const Interpolation between = next();
+    delayed_.push_back({SampledSignal(time_, samples.delayed.col(j), between),
+                        samples.delays[static_cast<std::size_t>(j)],
+                        between == Interpolation::Held});
+  }
+}
+
+void DrivingSignals::at(const SpanOfTime& span, double share, double* signals, Index stride) {
+  const double t = span.begin + share * span.length;
+  const auto write = [&](double value) {
+    *signals = value;
+    signals += stride;
+  };
+  for (const SampledSignal& input : inputs_) write(input.in_interval(span.interval, t));
+  write(t);
+  for (Delayed& delayed : delayed_) {
+    const double from = span.begin - delayed.delay;
+    write(delayed.held ? delayed.signal.held_line(from, from + span.length).at(share)
+                       : delayed.signal(t - delayed.delay));
+  }
+}
+
 void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals) {
-  const Index substeps = signals.scheme.substeps, p = samples.inputs.cols();
+  const Index substeps = signals.scheme.substeps, rows = signals.lengths.size();
   const Vector lengths = step_lengths(samples.time, substeps);
-  const Matrix times = stage_times(samples.time, lengths, signals.scheme);
-  const auto column_of = [&](Index stage, Index column) {
-    return signals.stages[static_cast<std::size_t>(stage)].col(column).segment(first * substeps,
-                                                                               times.rows());
-  };
-  const auto goes_on = [&](Index column) {
-    return samples.signals.empty() ? Interpolation::Cubic
-                                   : samples.signals[static_cast<std::size_t>(column)];
-  };
-  for (Index step = 0; step < times.rows(); ++step)
-    signals.lengths[first * substeps + step] = lengths[step / substeps];
-  for (Index a = 0; a < times.cols(); ++a) column_of(a, p) = times.col(a);
-  for (Index column = 0; column < p; ++column) {
-    const SampledSignal input(samples.time, samples.inputs.col(column), goes_on(column));
-    for (Index a = 0; a < times.cols(); ++a)
-      for (Index step = 0; step < times.rows(); ++step)
-        column_of(a, column)[step] = input.in_interval(step / substeps, times(step, a));
-  }
-  for (Index d = 0; d < samples.delayed.cols(); ++d) {
-    const double delay = samples.delays[static_cast<std::size_t>(d)];
-    SampledSignal signal(samples.time, samples.delayed.col(d), goes_on(p + d));
-    const bool held = goes_on(p + d) == Interpolation::Held;
-    for (Index a = 0; a < times.cols(); ++a)
-      for (Index step = 0; step < times.rows(); ++step)
-        column_of(a, p + 1 + d)[step] =
-            held ? held_value(signal, times(step, 0) - delay, lengths[step / substeps],
-                              signals.scheme.tableau->nodes[static_cast<std::size_t>(a)])
-                 : signal(times(step, a) - delay);
-  }
+  DrivingSignals driving(samples);
+  for (Index i = 0; i < samples.time.size(); ++i)
+    for (Index j = 0; j < substeps; ++j) {
+      const Index row = (first + i) * substeps + j;
+      const SpanOfTime span{i, samples.time[i] + static_cast<double>(j) * lengths[i],
+                            lengths[i]};
+      signals.lengths[row] = lengths[i];
+      for (std::size_t a = 0; a < signals.stages.size(); ++a)
+        driving.at(span, signals.scheme.tableau->nodes[a], signals.stages[a].data() + row,
+                   rows);
+    }
 }
 
 }  // namespace lacuna

@@ -36,7 +36,42 @@ struct DrivingSamples {
   std::vector<Interpolation> signals = {};  ///< of inputs, then delayed; empty: cubic
 };
 
-/// Writes the signals of one trajectory. Before its first sample that sample holds.
+/// A part of a sampling interval.
+struct SpanOfTime {
+  Index interval = 0;  ///< of the samples
+  double begin = 0.0, length = 0.0;
+};
+
+/// What drives a model along one trajectory, at any time. Before its first sample that sample
+/// holds. A value; not for use from several threads at once.
+class DrivingSignals {
+ public:
+  explicit DrivingSignals(const DrivingSamples& samples);
+
+  /// Samples of the trajectory.
+  const Vector& time() const noexcept { return time_; }
+
+  Index size() const noexcept {
+    return static_cast<Index>(inputs_.size() + delayed_.size()) + 1;
+  }
+
+  /// Inputs, t and delayed variables at a share of a span: `size()` values, so far apart. Of a
+  /// delayed variable that is held, which jumps inside of spans, it is the line of least
+  /// squares.
+  void at(const SpanOfTime& span, double share, double* signals, Index stride = 1);
+
+ private:
+  struct Delayed {
+    SampledSignal signal;
+    double delay;
+    bool held;
+  };
+  Vector time_;
+  std::vector<SampledSignal> inputs_;
+  std::vector<Delayed> delayed_;
+};
+
+/// Writes the signals of one trajectory.
 /// @param first its first sample in `signals`.
 void write_stage_signals(const DrivingSamples& samples, Index first, StageSignals& signals);
 

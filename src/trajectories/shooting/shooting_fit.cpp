@@ -12,35 +12,50 @@
 namespace lacuna {
 namespace {
 
-constexpr double kFirstDamping = 0.03;   // steps of about 1 over the square root of its square
-constexpr double kLargestDamping = 1e6;  // steps at rounding level
-constexpr double kNoDamping = 1e-3;      // below it the step of Gauss and Newton is taken
+/// The windows of a plan as blocks.
+class WindowBlocks final : public BlockProblem {
+ public:
+  WindowBlocks(ShootingProblem& problem, ShootingFit& fit) : problem_(problem), fit_(fit) {}
 
-/// Decrease of cost, in units of the cost per degree of freedom, of a step that leads nowhere:
-/// where the cost is not smooth, linear problems promise more than there is.
-constexpr double kStandstill = 1e-6;
-
-double raised(double damping) { return damping == 0.0 ? kFirstDamping : 4.0 * damping; }
-
-double lowered(double damping) { return damping / 8.0 < kNoDamping ? 0.0 : damping / 8.0; }
-
-/// Tries steps of rising damping until one lowers the cost.
-/// @return whether one did; the damping is left as it was for it.
-bool descend(ShootingProblem& problem, ShootingFit& fit, double& damping,
-             const ShootingStep& first) {
-  ShootingStep step = first;
-  ShootingPoint trial;
-  while (true) {
-    trial.parameters = problem.model().admissible(fit.point.parameters + step.parameters);
-    trial.starts = fit.point.starts + step.starts;
-    problem.evaluate(fit.plan, trial);
-    if (trial.finite && trial.cost < fit.point.cost) break;
-    damping = raised(damping);
-    if (damping > kLargestDamping) return false;
-    step = problem.solve(fit.linear, fit.point, damping);
+  double cost(const BlockPoint& point) override {
+    trial_.parameters = point.common;
+    trial_.starts = point.own;
+    problem_.evaluate(fit_.plan, trial_);
+    return trial_.finite ? trial_.cost : std::numeric_limits<double>::infinity();
   }
-  std::swap(fit.point, trial);
-  return true;
+
+  void keep() override {
+    std::swap(fit_.point, trial_);
+    is_linear_ = false;
+  }
+
+  BlockTriangles linearise() override {
+    if (!is_linear_) fit_.linear = problem_.linearise(fit_.plan, fit_.point);
+    is_linear_ = true;
+    return fit_.linear.triangles();
+  }
+
+ private:
+  ShootingProblem& problem_;
+  ShootingFit& fit_;
+  ShootingPoint trial_;
+  bool is_linear_ = false;
+};
+
+BlockTask task_of(const ShootingProblem& problem, const ShootingFit& fit, double tolerance,
+                  int max_iterations) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Index m = problem.model().symbolic().dimension(), p = problem.model().size();
+  BlockTask task{static_cast<double>(degrees_of_freedom(problem, fit.plan)), tolerance,
+                 max_iterations, Vector::Constant(m + p, -kInfinity),
+                 Vector::Constant(m + p, kInfinity)};
+  auto column = m + static_cast<Index>(problem.model().coefficients().size());
+  for (const FreeShape& shape : problem.model().shapes()) {
+    task.lower[column] = shape.lower.value_or(-kInfinity);
+    task.upper[column] = shape.upper.value_or(kInfinity);
+    ++column;
+  }
+  return task;
 }
 
 /// |error / sigma| over all samples: by no more of its standard error a parameter is shifted.
@@ -79,28 +94,14 @@ double distance(const ShootingProblem& problem, const ShootingPoint& a, const Sh
 }  // namespace
 
 void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int max_iterations,
-              const RunContext& context) {
-  const auto freedom = static_cast<double>(degrees_of_freedom(problem, fit.plan));
-  double damping = 0.0;
-  fit.converged = false;
-  problem.evaluate(fit.plan, fit.point);
-  fit.linear = problem.linearise(fit.plan, fit.point);
-  for (int i = 0; i < max_iterations && fit.point.finite; ++i) {
-    context.check_stop();
-    const ShootingStep step = problem.solve(fit.linear, fit.point, damping);
-    const double before = fit.point.cost, small = tolerance * before / freedom;
-    if (step.decrease <= small || !descend(problem, fit, damping, step)) {
-      fit.converged = true;
-      return;
-    }
-    ++fit.iterations;
-    damping = lowered(damping);
-    fit.linear = problem.linearise(fit.plan, fit.point);
-    if (before - fit.point.cost <= std::max(small, kStandstill * before / freedom)) {
-      fit.converged = true;
-      return;
-    }
-  }
+              const RunContext& context, Minimiser minimiser) {
+  WindowBlocks blocks(problem, fit);
+  const BlockMinimum found =
+      minimiser(blocks, {fit.point.starts, problem.model().admissible(fit.point.parameters)},
+                task_of(problem, fit, tolerance, max_iterations), context);
+  blocks.linearise();
+  fit.iterations += found.iterations;
+  fit.converged = found.converged;
 }
 
 Index degrees_of_freedom(const ShootingProblem& problem, const WindowPlan& plan) {

@@ -15,14 +15,16 @@ struct ShootingFit {
   int iterations = 0;
 };
 
-/// Minimises the cost for fixed windows by the method of Levenberg and Marquardt, from the
-/// plan and the point of `fit` (its parameters and starts) on. A step is taken only when it
-/// lowers the cost; a window that diverges makes it infinite.
+/// minimise_blocks() or minimise_blocks_by_ceres().
+using Minimiser = BlockMinimum (*)(BlockProblem&, BlockPoint, const BlockTask&,
+                                   const RunContext&);
+
+/// Minimises the cost for fixed windows, from the plan and the point of `fit` (its parameters
+/// and starts) on; a window that diverges makes it infinite.
 /// @param tolerance decrease of cost that is not worth a step, relative to the cost per degree
-/// of
-///   freedom: a decrease of 1 moves a parameter by one standard error.
+///   of freedom: a decrease of 1 moves a parameter by one standard error.
 void minimise(ShootingProblem& problem, ShootingFit& fit, double tolerance, int max_iterations,
-              const RunContext& context);
+              const RunContext& context, Minimiser minimiser = minimise_blocks);
 
 /// Residuals less parameters and initial states; at least 1.
 Index degrees_of_freedom(const ShootingProblem& problem, const WindowPlan& plan);

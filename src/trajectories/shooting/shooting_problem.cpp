@@ -6,24 +6,11 @@
 #include <utility>
 
 #include "core/numerics/qr.hpp"
-
 namespace lacuna {
 namespace {
 
 /// Pivots below this share of the norm of their column are rounding.
 constexpr double kRounding = 1e-12;
-
-/// R of a window with rows damping * D on the initial states.
-Matrix damped_window(const Matrix& triangle, const Eigen::Ref<const Vector>& damping) {
-  RowFold fold(triangle.cols());
-  fold.add_triangle(triangle);
-  for (Index k = 0; k < damping.size(); ++k) {
-    double* row = fold.next_row();
-    for (Index j = 0; j < triangle.cols(); ++j) row[j * fold.stride()] = 0.0;
-    row[k * fold.stride()] = damping[k];
-  }
-  return *fold.finish();
-}
 
 void add_row(RowFold& fold, Index column, double value, double target) {
   double* row = fold.next_row();
@@ -33,25 +20,6 @@ void add_row(RowFold& fold, Index column, double value, double target) {
 }
 
 }  // namespace
-
-Vector solve_determined(const Eigen::Ref<const Matrix>& triangle,
-                        const Eigen::Ref<const Vector>& target) {
-  const Index n = triangle.cols();
-  if (n == 0) return Vector(0);
-  Vector norms = triangle.colwise().norm();
-  for (Index j = 0; j < n; ++j)
-    if (norms[j] == 0.0) norms[j] = 1.0;
-  const Matrix scaled = triangle * norms.cwiseInverse().asDiagonal();
-  bool determined = true;
-  for (Index j = 0; j < n; ++j) determined = determined && std::abs(scaled(j, j)) > kRounding;
-  Vector solution = target;
-  if (determined) {
-    scaled.triangularView<Eigen::Upper>().solveInPlace(solution);
-  } else {
-    solution = PivotedQr(scaled, kRounding).solve(Vector(target));
-  }
-  return solution.cwiseQuotient(norms);
-}
 
 Matrix covariance_of(const Eigen::Ref<const Matrix>& triangle) {
   const Index n = triangle.cols();
@@ -145,13 +113,15 @@ ShootingLinearisation ShootingProblem::linearise(const WindowPlan& plan,
                                                  const ShootingPoint& point) {
   const Matrix weights = row_weights(point);
   const Index m = rates_.dimension(), rest = rates_.columns() + 1;
-  ShootingLinearisation linear{{}, {}, Matrix::Zero(record_.samples(), m * m)};
+  ShootingLinearisation linear{{}, {}, {}, Matrix::Zero(record_.samples(), m * m)};
   linear.windows = windows_->triangles({record_, signals(), plan, point.orbits, weights},
                                        point.parameters, linear.transitions);
   RowFold fold(rest);
+  add_priors(point.parameters, fold);
+  linear.priors = *fold.finish();
   for (const Matrix& triangle : linear.windows)
     fold.add_triangle(triangle.bottomRightCorner(rest, rest));
-  add_priors(point.parameters, fold);
+  fold.add_triangle(linear.priors);
   linear.reduced = *fold.finish();
   return linear;
 }
@@ -170,43 +140,6 @@ void ShootingProblem::add_priors(const Vector& parameters, RowFold& fold) const 
     add_row(fold, column, 1.0 / priors_[i]->tolerance,
             (priors_[i]->value - parameters[column]) / priors_[i]->tolerance);
   }
-}
-
-ShootingStep ShootingProblem::solve(const ShootingLinearisation& linear,
-                                    const ShootingPoint& point, double damping) const {
-  const Index m = rates_.dimension(), p = rates_.columns();
-  const std::size_t count = linear.windows.size();
-  std::vector<Matrix> damped;
-  Matrix reduced = linear.reduced;
-  if (damping > 0.0) {
-    RowFold fold(p + 1);
-    for (const Matrix& window : linear.windows) {
-      damped.push_back(
-          damped_window(window, damping * window.leftCols(m).colwise().norm().transpose()));
-      fold.add_triangle(damped.back().bottomRightCorner(p + 1, p + 1));
-    }
-    add_priors(point.parameters, fold);
-    for (Index j = 0; j < p; ++j) add_row(fold, j, damping * linear.reduced.col(j).norm(), 0.0);
-    reduced = *fold.finish();
-  }
-  ShootingStep step{solve_determined(reduced.topLeftCorner(p, p), reduced.col(p).head(p)),
-                    Matrix(static_cast<Index>(count), m)};
-  step.decrease =
-      linear.reduced.col(p).head(p).squaredNorm() -
-      (linear.reduced.col(p).head(p) - linear.reduced.topLeftCorner(p, p) * step.parameters)
-          .squaredNorm();
-  for (std::size_t w = 0; w < count; ++w) {
-    const Matrix& full = damping > 0.0 ? damped[w] : linear.windows[w];
-    const Vector target = full.col(m + p).head(m) - full.block(0, m, m, p) * step.parameters;
-    const Vector start = solve_determined(full.topLeftCorner(m, m), target);
-    step.starts.row(static_cast<Index>(w)) = start;
-    const Matrix& window = linear.windows[w];
-    const Vector before = window.col(m + p).head(m);
-    const Vector after = before - window.block(0, m, m, p) * step.parameters -
-                         window.topLeftCorner(m, m) * start;
-    step.decrease += before.squaredNorm() - after.squaredNorm();
-  }
-  return step;
 }
 
 }  // namespace lacuna

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "block_minimum.hpp"
 #include "trajectories/windows/window_groups.hpp"
 
 namespace lacuna {
@@ -21,15 +22,11 @@ struct ShootingPoint {
 /// The problem linearised at a point, window by window.
 struct ShootingLinearisation {
   std::vector<Matrix> windows;  ///< R of [S_a S_p | r]
+  Matrix priors;                ///< R of the rows of priors, P + 1
   Matrix reduced;               ///< R of all windows and priors without initial states, P + 1
   Matrix transitions;           ///< Phi of every sampling interval, N x m^2
-};
 
-/// A step and the decrease of cost that the linear problem promises.
-struct ShootingStep {
-  Vector parameters;
-  Matrix starts;
-  double decrease = 0.0;
+  BlockTriangles triangles() const noexcept { return {windows, priors}; }
 };
 
 /// The residuals of a model against a record, for any windows; the engine of the refinement.
@@ -66,11 +63,6 @@ class ShootingProblem {
   void sensitivities(const WindowPlan& plan, const ShootingPoint& point,
                      FunctionRef<void(Index, Index, const Matrix&)> visit);
 
-  /// The step of Levenberg and Marquardt: minimises the linear problem plus
-  /// damping^2 |D step|^2, D the norms of the columns.
-  ShootingStep solve(const ShootingLinearisation& linear, const ShootingPoint& point,
-                     double damping) const;
-
  private:
   std::shared_ptr<const StageSignals> signals_of(const StepScheme& scheme);
   double loss(double residual) const;
@@ -86,11 +78,6 @@ class ShootingProblem {
   std::unique_ptr<WindowGroups> windows_;                           // of the present scheme
   int threads_;
 };
-
-/// Solution of an upper triangular system in which directions with a pivot below rounding get
-/// 0.
-Vector solve_determined(const Eigen::Ref<const Matrix>& triangle,
-                        const Eigen::Ref<const Vector>& target);
 
 /// Diagonal-scaled inverse of R'R; infinite variance where the rows do not determine a
 /// parameter.

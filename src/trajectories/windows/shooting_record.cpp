@@ -78,9 +78,7 @@ ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& pi
   return record;
 }
 
-StageSignals stage_signals(const ShootingRecord& record, const Rates& rates,
-                           const StepScheme& scheme) {
-  StageSignals signals = empty_stage_signals(scheme, record.samples(), rates.signals());
+std::vector<DrivingSamples> driving_samples(const ShootingRecord& record, const Rates& rates) {
   DrivingSamples all{record.time, record.inputs, {}, {}, record.holds};
   all.delayed.resize(record.samples(), static_cast<Index>(rates.delays().size()));
   for (const DelayedVariable& delay : rates.delays()) {
@@ -91,12 +89,21 @@ StageSignals stage_signals(const ShootingRecord& record, const Rates& rates,
     all.signals.push_back(input < 0 ? Interpolation::Cubic
                                     : record.holds[static_cast<std::size_t>(input)]);
   }
+  std::vector<DrivingSamples> driving;
   for (std::size_t r = 0; r + 1 < record.begins.size(); ++r) {
     const Index first = record.begins[r], n = record.begins[r + 1] - first;
-    write_stage_signals({all.time.segment(first, n), all.inputs.middleRows(first, n),
-                         all.delayed.middleRows(first, n), all.delays, all.signals},
-                        first, signals);
+    driving.push_back({all.time.segment(first, n), all.inputs.middleRows(first, n),
+                       all.delayed.middleRows(first, n), all.delays, all.signals});
   }
+  return driving;
+}
+
+StageSignals stage_signals(const ShootingRecord& record, const Rates& rates,
+                           const StepScheme& scheme) {
+  StageSignals signals = empty_stage_signals(scheme, record.samples(), rates.signals());
+  const std::vector<DrivingSamples> driving = driving_samples(record, rates);
+  for (std::size_t r = 0; r < driving.size(); ++r)
+    write_stage_signals(driving[r], record.begins[r], signals);
   return signals;
 }
 

@@ -28,6 +28,10 @@ struct ShootingRecord {
 /// @throws DataError when no state is measured or an input is missing.
 ShootingRecord shooting_record(const ParametrisedModel& model, const Dataset& record);
 
+/// What drives each trajectory; delayed variables are those of the record.
+/// @throws DataError for a delayed state that is not measured.
+std::vector<DrivingSamples> driving_samples(const ShootingRecord& record, const Rates& rates);
+
 /// Signals of all trajectories; delayed variables are those of the record.
 /// @throws DataError for a delayed state that is not measured.
 StageSignals stage_signals(const ShootingRecord& record, const Rates& rates,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -27,11 +28,18 @@ struct StepControl {
 std::unique_ptr<Stepper> fixed_stepper(const ButcherTableau& tableau, Index dimension,
                                        int substeps);
 
+/// Makes a stepper.
+using MakeStepper = std::function<std::unique_ptr<Stepper>()>;
+
 /// A stepper with a PI step-size control (Hairer, Norsett, Wanner, Sect. IV.2); it lands on the
 /// end of every advance() and goes on from there with the step it had.
+/// @param when_stiff makes what goes on once the problem has shown that it is stiff (steps at
+///   the bound of stability, Hairer and Wanner, Sect. IV.2); for tableaus whose last two stages
+///   are at the end of the step. Empty: this method goes on.
 /// @throws ArgumentError when the tableau has no second solution.
 std::unique_ptr<Stepper> adaptive_stepper(const ButcherTableau& tableau, Index dimension,
-                                          const StepControl& control);
+                                          const StepControl& control,
+                                          MakeStepper when_stiff = {});
 
 /// Options of Rk4.
 struct Rk4Options {

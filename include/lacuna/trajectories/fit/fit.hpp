@@ -95,8 +95,9 @@ struct Fit {
   std::vector<FitCombination> combinations = {};  ///< empty: all numbers are determined
   bool converged = true;
   int starts = 1, agreeing = 1;  ///< from how many starts, how many came to the best
-  Index substeps = 1;            ///< steps of integration in a sampling interval
-  Index prediction = 10;         ///< samples ahead of FitQuality::prediction
+  /// Steps of integration in a sampling interval; 0: implicit ones, for a stiff model.
+  Index substeps = 1;
+  Index prediction = 10;  ///< samples ahead of FitQuality::prediction
   double degrees_of_freedom = 0.0;
   std::vector<std::string> notes = {};
   std::vector<FitRun> runs = {};  ///< one for each record

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/sensitivities/radau.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kRoot = 2.4494897427831780982;  // of 6
+
+/// Facts of the method: errors are below this share of a state or of a thousandth of its
+/// largest value, as are those of the explicit steps in its place; Newton's method leaves a
+/// thousandth.
+constexpr double kTolerance = 1e-8, kOfLargest = 1e-3, kNewton = 1e-3;
+constexpr int kMostIterations = 10, kMostSteps = 20000;
+
+Matrix square_of(const Matrix& entries, Index row, const std::vector<MatrixPlace>& places,
+                 Index rows, Index columns) {
+  Matrix square = Matrix::Zero(rows, columns);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    square(places[i].row, places[i].column) += entries(row, static_cast<Index>(i));
+  return square;
+}
+
+/// 1 - h A x J, whose blocks are the stages.
+template <class Slopes>
+Matrix stage_system(double h, Index m, const Slopes& slope) {
+  Matrix system = Matrix::Identity(3 * m, 3 * m);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      system.block(static_cast<Index>(i) * m, static_cast<Index>(j) * m, m, m) -=
+          h * Radau::a()[i][j] * slope(j);
+  return system;
+}
+
+}  // namespace
+
+const std::array<double, 3>& Radau::nodes() {
+  static const std::array<double, 3> nodes{(4.0 - kRoot) / 10.0, (4.0 + kRoot) / 10.0, 1.0};
+  return nodes;
+}
+
+const std::array<std::array<double, 3>, 3>& Radau::a() {
+  static const std::array<std::array<double, 3>, 3> a{
+      {{(88.0 - 7.0 * kRoot) / 360.0, (296.0 - 169.0 * kRoot) / 1800.0,
+        (-2.0 + 3.0 * kRoot) / 225.0},
+       {(296.0 + 169.0 * kRoot) / 1800.0, (88.0 + 7.0 * kRoot) / 360.0,
+        (-2.0 - 3.0 * kRoot) / 225.0},
+       {(16.0 - kRoot) / 36.0, (16.0 + kRoot) / 36.0, 1.0 / 9.0}}};
+  return a;
+}
+
+Matrix radau_variation(double h, const RadauSlopes& slopes, const Matrix& deviations) {
+  const Index m = deviations.rows();
+  Matrix right = deviations.replicate(3, 1);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      right.middleRows(static_cast<Index>(i) * m, m) +=
+          h * Radau::a()[i][j] * slopes.forcing[j];
+  const Matrix system =
+      stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slopes.jacobian[j]; });
+  return Matrix(system.partialPivLu().solve(right)).bottomRows(m);
+}
+
+void RadauFlow::begin() {
+  step_ = 0.0;
+  seen_.resize(0);
+}
+
+bool RadauFlow::advance(Rates& rates, DriveSlots drive, double t0, double t1, Vector& x,
+                        Matrix* sensitivity) {
+  const double length = t1 - t0;
+  double done = 0.0;
+  if (!(step_ > 0.0)) step_ = length;
+  if (seen_.size() == 0) seen_ = x.cwiseAbs();
+  for (int count = 0; done < length; ++count) {
+    const double t = t0 + done;
+    if (count == kMostSteps || t + step_ == t || !x.allFinite()) return false;
+    const bool last = done + 1.01 * step_ >= length;
+    const double h = last ? length - done : step_;
+    const double off = solve_stages(rates, drive, t, h, x)
+                           ? error(rates, h, x)
+                           : std::numeric_limits<double>::infinity();
+    const double factor = 0.9 * std::pow(std::max(off, 1e-10), -0.25);
+    if (!(off <= 1.0)) {
+      step_ = h * (std::isfinite(off) ? std::clamp(factor, 0.1, 0.9) : 0.25);
+      continue;
+    }
+    if (sensitivity) vary(rates, h, *sensitivity);
+    x += shift_.col(2);
+    seen_ = seen_.cwiseMax(x.cwiseAbs());
+    done = last ? length : done + h;
+    const double next = h * std::clamp(factor, 0.2, 5.0);
+    step_ = last ? std::max(step_, next) : next;
+  }
+  return true;
+}
+
+/// Newton's method for the states of the stages; false where it does not converge.
+bool RadauFlow::solve_stages(Rates& rates, DriveSlots drive, double t, double h,
+                             const Vector& x) {
+  const Index m = x.size();
+  slots_.resize(4, rates.slots());
+  slot_.resize(static_cast<std::size_t>(rates.slots()));
+  for (Index row = 0; row < 4; ++row) {
+    drive(row == 0 ? t : t + Radau::nodes()[static_cast<std::size_t>(row - 1)] * h,
+          slot_.data());
+    slots_.row(row) = Eigen::Map<const Vector>(slot_.data(), rates.slots()).transpose();
+  }
+  shift_ = Matrix::Zero(m, 3);
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostIterations; ++i) {
+    evaluate(rates, x);
+    const Matrix change = correction(h);
+    shift_ += change;
+    double off = 0.0;
+    for (Index j = 0; j < 3; ++j) off = std::max(off, size(change.col(j), h, x));
+    if (!std::isfinite(off) || off > 2.0 * last) return false;
+    if (off < kNewton) return true;
+    last = off;
+  }
+  return false;
+}
+
+void RadauFlow::evaluate(Rates& rates, const Vector& x) {
+  const Index m = x.size();
+  slots_.row(0).head(m) = x.transpose();
+  for (Index j = 0; j < 3; ++j) slots_.row(j + 1).head(m) = (x + shift_.col(j)).transpose();
+  rate_.resize(4, m);
+  jacobian_.resize(4, static_cast<Index>(rates.jacobian_places().size()));
+  columns_.resize(4, static_cast<Index>(rates.column_places().size()));
+  rates.rate(slots_, rate_);
+  rates.derivatives(slots_, jacobian_, columns_);
+  for (std::size_t j = 0; j < 4; ++j)
+    slope_[j] = square_of(jacobian_, static_cast<Index>(j), rates.jacobian_places(), m, m);
+}
+
+/// The step of Newton's method, m x 3.
+Matrix RadauFlow::correction(double h) const {
+  const Index m = shift_.rows();
+  Matrix left = -shift_;
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j)
+      left.col(i) += h * Radau::a()[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] *
+                     rate_.row(j + 1).transpose();
+  const Matrix system =
+      stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slope_[j + 1]; });
+  const Vector change = system.partialPivLu().solve(Vector(left.reshaped()));
+  return change.reshaped(m, 3);
+}
+
+/// The estimated error of the step, in units of what is let pass.
+double RadauFlow::error(Rates& rates, double h, const Vector& x) {
+  constexpr double kReal = 3.6378342527444957;  // the real eigenvalue of the inverse of A
+  const Index m = x.size();
+  const Vector known = (shift_.col(0) * (-13.0 - 7.0 * kRoot) +
+                        shift_.col(1) * (-13.0 + 7.0 * kRoot) - shift_.col(2)) /
+                       (3.0 * h);
+  const auto filter = Matrix(kReal / h * Matrix::Identity(m, m) - slope_[0]).partialPivLu();
+  Vector off = filter.solve(rate_.row(0).transpose() + known);
+  if (size(off, h, x) <= 1.0) return size(off, h, x);
+  slots_.row(0).head(m) = (x + off).transpose();
+  rates.rate(slots_, rate_);
+  off = filter.solve(rate_.row(0).transpose() + known);
+  return size(off, h, x);
+}
+
+/// Root mean square of a change, in units of what is let pass: a share of the state, and the
+/// rounding of its rate.
+double RadauFlow::size(const Vector& change, double h, const Vector& x) const {
+  constexpr double kRounding = 1e-15;
+  const Vector rounding = kRounding * h * (slope_[0].cwiseAbs() * x.cwiseAbs());
+  const Vector state =
+      x.cwiseAbs().cwiseMax((x + shift_.col(2)).cwiseAbs()).cwiseMax(kOfLargest * seen_);
+  Vector scale =
+      (kTolerance * state).cwiseMax(rounding).cwiseMax(std::numeric_limits<double>::min());
+  if (accuracy_.size() > 0) scale = scale.cwiseMax(accuracy_);
+  return change.cwiseQuotient(scale).norm() / std::sqrt(static_cast<double>(x.size()));
+}
+
+void RadauFlow::vary(Rates& rates, double h, Matrix& sensitivity) const {
+  const Index m = sensitivity.rows(), parameters = sensitivity.cols() - m;
+  RadauSlopes slopes;
+  for (std::size_t j = 0; j < 3; ++j) {
+    slopes.jacobian[j] = slope_[j + 1];
+    slopes.forcing[j] = Matrix::Zero(m, m + parameters);
+    if (parameters > 0)
+      slopes.forcing[j].rightCols(parameters) =
+          square_of(columns_, static_cast<Index>(j) + 1, rates.column_places(), m, parameters);
+  }
+  sensitivity = radau_variation(h, slopes, sensitivity);
+}
+
+bool is_beyond_explicit_steps(const Eigen::Ref<const Matrix>& jacobian, double step) {
+  constexpr double kStable = 2.785;  // a fact of the method
+  const double bound = kStable / step;
+  if (!(jacobian.cwiseAbs().rowwise().sum().maxCoeff() > bound) || !jacobian.allFinite())
+    return false;  // no eigenvalue is larger than the largest sum of a row
+  const Eigen::EigenSolver<Matrix> solver(jacobian, false);
+  if (solver.info() != Eigen::Success) return false;
+  const auto& values = solver.eigenvalues();
+  return std::any_of(values.begin(), values.end(), [&](const std::complex<double>& value) {
+    return value.real() < 0.0 && std::abs(value) > bound;
+  });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The flow of a stiff model with its exact derivatives, by implicit steps.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "lacuna/core/base/function_ref.hpp"
+#include "trajectories/sensitivities/rates.hpp"
+
+namespace lacuna {
+
+/// Nodes and coefficients of the method Radau IIA of order 5: three stages, L-stable, the last
+/// one is the new state (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5).
+struct Radau {
+  static const std::array<double, 3>& nodes();
+  static const std::array<std::array<double, 3>, 3>& a();
+};
+
+/// Rates linearised at the stages of a step: d' = J d + G for columns of deviations d.
+struct RadauSlopes {
+  std::array<Matrix, 3> jacobian;  ///< m x m
+  std::array<Matrix, 3> forcing;   ///< m x columns
+};
+
+/// Deviations at the end of a step of length h from those at its begin (m x columns): the
+/// variational equations by the same method, which are the exact derivatives of its steps.
+Matrix radau_variation(double h, const RadauSlopes& slopes, const Matrix& deviations);
+
+/// Writes the slots of Rates behind the states for a time.
+using DriveSlots = FunctionRef<void(double t, double* slots)>;
+
+/// Follows a model by steps that are as long as the error allows (estimated by an embedded
+/// solution of order 3, IV.8 there), however short the fastest time of the model is. Values are
+/// not for use from several threads at once.
+class RadauFlow {
+ public:
+  /// @param accuracy of each state: errors of steps below are let pass; empty: none are.
+  explicit RadauFlow(Vector accuracy = {}) : accuracy_(std::move(accuracy)) {}
+
+  /// Another path begins: nothing of the last one is remembered.
+  void begin();
+
+  /// Goes from t0 to t1, between which the signals are smooth.
+  /// @param sensitivity nothing, or m x m, or m x (m + P): derivatives of the state by what
+  /// they
+  ///   are derivatives by, then by the parameters of the rates; carried on to t1.
+  /// @return false where it cannot: x and the derivatives are not those of t1 then.
+  bool advance(Rates& rates, DriveSlots drive, double t0, double t1, Vector& x,
+               Matrix* sensitivity = nullptr);
+
+ private:
+  bool solve_stages(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
+  void evaluate(Rates& rates, const Vector& x);
+  Matrix correction(double h) const;
+  double error(Rates& rates, double h, const Vector& x);
+  double size(const Vector& change, double h, const Vector& x) const;
+  void vary(Rates& rates, double h, Matrix& sensitivity) const;
+
+  Vector accuracy_;
+  double step_ = 0.0;                         // the next one; 0: not known yet
+  Vector seen_;                               // the largest values of the states so far
+  Matrix shift_;                              // m x 3: states of the stages less the begin
+  Matrix slots_, rate_, jacobian_, columns_;  // at the begin of the step, then at its stages
+  std::array<Matrix, 4> slope_;               // df/dx there
+  std::vector<double> slot_;
+};
+
+/// Whether Runge and Kutta's method of order 4 with steps of this length does not damp what
+/// d' = J d damps: the bound of its stability on the negative axis.
+bool is_beyond_explicit_steps(const Eigen::Ref<const Matrix>& jacobian, double step);
+
+}  // namespace lacuna

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Models with time scales far apart, and records of them.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "core/base/random.hpp"
+#include "lacuna/dynamics/integration/cvode.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+
+namespace lacuna::support {
+
+/// A model as text and what was measured of it.
+struct StiffRecord {
+  std::string text;
+  Dataset data;
+};
+
+inline const char* robertson_text() {
+  return "param k1 = 0.04 in 0..1\nparam k2 = 1e4 in 0..1e6\nparam k3 = 3e7 in 0..1e9\n"
+         "dx/dt = -k1*x + k2*y*z\ndy/dt = k1*x - k2*y*z - k3*y^2\ndz/dt = k3*y^2\n";
+}
+
+/// Robertson's reactions (1966), the standard stiff problem: rates 0.04, 1e4 and 3e7.
+inline OdeModel robertson() { return parse_ode(robertson_text(), "robertson"); }
+
+/// What CVODE makes of a model at the given times, with noise of a share of each spread.
+inline Dataset stiff_data(const OdeModel& model, const Vector& start, const Vector& times,
+                          const Matrix& inputs, double noise, std::uint64_t seed = 1) {
+  Dataset data{"s", {}, {}, {}, {}};
+  data.states = model.states();
+  data.inputs = model.inputs();
+  Trajectory record{"stiff", times, Matrix::Zero(times.size(), model.dimension()), inputs,
+                    Matrix()};
+  if (inputs.cols() > 0) {
+    RecordInput driving(record, model.inputs());
+    record.states =
+        simulate(DrivenModel{model, driving, driving.breaks()}, Cvode(), start, times).states;
+  } else {
+    record.states = simulate(model, Cvode(), start, times).states;
+  }
+  Random random(seed);
+  for (Index k = 0; k < record.states.cols() && noise > 0.0; ++k) {
+    const Vector centred = record.states.col(k).array() - record.states.col(k).mean();
+    const double sigma =
+        noise * centred.norm() / std::sqrt(static_cast<double>(centred.size()));
+    for (double& value : record.states.col(k)) value += sigma * random.normal();
+  }
+  data.trajectories = {record};
+  return data;
+}
+
+/// Robertson's reactions from 1e-5 to 1e5 seconds, ten samples in a decade and more.
+inline StiffRecord robertson_record(double noise, const std::string& text = robertson_text()) {
+  Vector times(241);
+  times[0] = 0.0;
+  for (Index i = 1; i < times.size(); ++i)
+    times[i] = std::pow(10.0, -5.0 + 10.0 * static_cast<double>(i - 1) / 239.0);
+  return {text, stiff_data(parse_ode(text, "robertson"), Vector{{1.0, 0.0, 0.0}}, times,
+                           Matrix(times.size(), 0), noise)};
+}
+
+inline const char* van_der_pol_text() {
+  return "param mu = 1000 in 1..1e6\ndx/dt = v\ndv/dt = mu*v - mu*x^2*v - x\n";
+}
+
+/// Two periods of van der Pol's oscillation with mu = 1000, which jumps in milliseconds.
+inline StiffRecord van_der_pol_record(double noise) {
+  const Vector times = sample_times(0.0, 8.0, 400);
+  return {van_der_pol_text(), stiff_data(parse_ode(van_der_pol_text(), "v"), Vector{{2.0, 0.0}},
+                                         times, Matrix(times.size(), 0), noise)};
+}
+
+inline const char* gate_text() {
+  return "input u hold zero\nparam a = 2e8 in 0..1e12\nparam b = 1000 in 0..1e6\n"
+         "dv/dt = a*(1 - u - v)\ndw/dt = b*(v - w)\n";
+}
+
+/// A gate that follows its input in 5 ns and charges a capacitor in 1 ms, every 10 us.
+inline StiffRecord gate(double noise = 0.0, const std::string& text = gate_text()) {
+  const Vector times = sample_times(0.0, 1e-5, 400);
+  Matrix input(times.size(), 1);
+  for (Index i = 0; i < times.size(); ++i) input(i, 0) = i / 40 % 2 == 0 ? 0.0 : 1.0;
+  return {text, stiff_data(parse_ode(text, "gate"), Vector{{1.0, 0.0}}, times, input, noise)};
+}
+
+}  // namespace lacuna::support

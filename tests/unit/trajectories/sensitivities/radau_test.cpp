@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/sensitivities/radau.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "support/stiff_models.hpp"
+#include "unit/trajectories/sensitivities/swing.hpp"
+
+namespace lacuna {
+namespace {
+
+using testing::swing;
+
+/// Slots of swing(): input, shape, t.
+struct Drive {
+  Rates& rates;
+  void operator()(double t, double* slots) const {
+    const double signals[] = {std::cos(t), t};
+    rates.fill_signals(signals, 1, slots);
+  }
+};
+
+Vector end_of_swing(const Vector& parameters, const Vector& start, Matrix* derivatives) {
+  Rates rates(swing());
+  rates.set(parameters);
+  Vector x = start;
+  RadauFlow flow;
+  EXPECT_TRUE(flow.advance(rates, Drive{rates}, 0.2, 1.7, x, derivatives));
+  return x;
+}
+
+TEST(Radau, FollowsASmoothModelAsAnExplicitMethodDoes) {
+  const Vector p = swing().values(), start{{0.4, -0.2}};
+  const auto rates = [&](double t, const double* x, double* dxdt) {
+    dxdt[0] = x[1];
+    dxdt[1] = testing::swing_rate(x[0], x[1], std::cos(t), p);
+  };
+  const Solution exact = Dopri87().integrate(rates, start, Vector{{0.2, 1.7}});
+  EXPECT_LT((end_of_swing(p, start, nullptr) - exact.end_state).norm(), 1e-7);
+}
+
+TEST(Radau, ItsDerivativesAreThoseOfTheFlow) {
+  const Vector p = swing().values(), start{{0.4, -0.2}};
+  Matrix s = Matrix::Zero(2, 5);
+  s.leftCols(2).setIdentity();
+  end_of_swing(p, start, &s);
+  constexpr double kMove = 1e-3;
+  for (Index j = 0; j < 5; ++j) {
+    Vector x_above = start, x_below = start, p_above = p, p_below = p;
+    (j < 2 ? x_above[j] : p_above[j - 2]) += kMove;
+    (j < 2 ? x_below[j] : p_below[j - 2]) -= kMove;
+    const Vector difference =
+        (end_of_swing(p_above, x_above, nullptr) - end_of_swing(p_below, x_below, nullptr)) /
+        (2.0 * kMove);
+    EXPECT_LT((s.col(j) - difference).norm(), 1e-5) << j;
+  }
+}
+
+// The slow manifold, where y is in balance with what makes it, and the sum that is conserved.
+TEST(Radau, FollowsRobertsonsReactionsTo1e5SecondsInFewSteps) {
+  const OdeModel model = support::robertson();
+  Rates rates(model);
+  long steps = 0;
+  const auto drive = [&](double t, double* slots) {
+    ++steps;
+    slots[0] = t;
+  };
+  Vector x{{1.0, 0.0, 0.0}};
+  Matrix s = Matrix::Identity(3, 3);
+  RadauFlow flow;
+  ASSERT_TRUE(flow.advance(rates, drive, 0.0, 40.0, x, &s));
+  EXPECT_NEAR(x[0], 0.7158270688, 1e-6) << "Hairer and Wanner's value";
+  ASSERT_TRUE(flow.advance(rates, drive, 40.0, 1e5, x, &s));
+  EXPECT_NEAR(x.sum(), 1.0, 1e-9);
+  EXPECT_NEAR(0.04 * x[0] / (1e4 * x[1] * x[2] + 3e7 * x[1] * x[1]), 1.0, 1e-4);
+  EXPECT_LT((s.colwise().sum().array() - 1.0).abs().maxCoeff(), 1e-6)
+      << "deviations keep their sum, too";
+  EXPECT_LT(steps, 4 * 1000) << "four times a step";
+}
+
+TEST(Radau, ARunawayIsNoPath) {
+  const OdeModel model = parse_ode("dx/dt = x^2\n", "runaway");
+  Rates rates(model);
+  Vector x{{1.0}};
+  RadauFlow flow;
+  EXPECT_FALSE(flow.advance(
+      rates, [](double t, double* slots) { slots[0] = t; }, 0.0, 2.0, x));
+}
+
+TEST(Radau, ExplicitStepsAreHeldAgainstTheirBoundOfStability) {
+  const Matrix decay{{-1000.0, 5.0}, {0.0, -1.0}};
+  EXPECT_TRUE(is_beyond_explicit_steps(decay, 2.8e-3));
+  EXPECT_FALSE(is_beyond_explicit_steps(decay, 2.7e-3));
+  EXPECT_FALSE(is_beyond_explicit_steps(-decay, 2.8e-3)) << "what grows is not stiff";
+}
+
+}  // namespace
+}  // namespace lacuna
