@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/extents.hpp"
+#include "dynamics/attractor/extents.hpp"
 
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/numerics/interval.hpp"
+#include "core/numerics/interval.hpp"
 
 namespace lacuna {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/base/random.hpp"
 #include "hidden/support/case_builder.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna::hidden {
 namespace {
