@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
-//   study_hidden cases|power|alarm|reality|ordinary|smoothed|practice|decisions|export [FOLDER]
-//   [PART_OF_A_NAME] [NOISE_LEVEL] [--cells FOLDER]
+//   study_hidden cases|power|alarm|reality|ordinary|smoothed|twins|practice|decisions|export
+//   [FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL] [--cells FOLDER]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing; reality: effects and complete
 // systems in records as benches make them; ordinary: 500 of these in which nothing is missing;
-// smoothed: effects and complete systems in records that somebody smoothed; practice: the cases
-// in the folder `practice` of LACUNA_DATA; decisions: the cases at 1 % noise (for thresholds of
+// smoothed: effects and complete systems in records that somebody smoothed; twins: devices as
+// benches have them, and as many that lack nothing; practice: the cases in the folder
+// `practice` of LACUNA_DATA; decisions: the cases at 1 % noise (for thresholds of
 // smoothing, the smoothed ones too) with each threshold at half and at double its value.
 #include <cstdlib>
 #include <filesystem>
@@ -34,6 +35,7 @@ std::vector<Trial> chosen_trials(const std::string& name) {
   if (name == "reality") return reality_trials();
   if (name == "ordinary") return ordinary_trials(500);
   if (name == "smoothed") return smoothed_trials();
+  if (name == "twins") return twin_trials(20);
   return {};
 }
 
@@ -79,7 +81,7 @@ int run(const StudyArguments& given) {
   const std::vector<Trial> trials = trials_of(given, cells);
   if (trials.empty())
     throw ConfigError("study_hidden", "there are no such trials",
-                      "give cases, power, alarm, reality, ordinary, smoothed or (with "
+                      "give cases, power, alarm, reality, ordinary, smoothed, twins or (with "
                       "LACUNA_DATA set) practice");
   const auto finished = run_cells(given.store(name), cells);
   if (!finished) return 0;
@@ -95,7 +97,7 @@ int run(const StudyArguments& given) {
 int main(int argc, char** argv) {
   return lacuna::benchmarks::study_main(
       {"hidden",
-       "cases|power|alarm|reality|ordinary|smoothed|practice|decisions|export [FOLDER] "
+       "cases|power|alarm|reality|ordinary|smoothed|twins|practice|decisions|export [FOLDER] "
        "[PART_OF_A_NAME] [NOISE_LEVEL]",
        lacuna::benchmarks::run, 1},
       argc, argv);

@@ -5,6 +5,7 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/ordinary.hpp"
+#include "hidden/support/twins.hpp"
 
 namespace lacuna::benchmarks {
 
@@ -107,6 +108,18 @@ std::vector<Trial> ordinary_trials(int count) {
         trials.push_back({hidden::made(system, kind), 1.0, levels[seed % levels.size()], seed});
         ++seed;
       }
+  return trials;
+}
+
+std::vector<Trial> twin_trials(int draws) {
+  const std::vector<double> levels{0.002, 0.005, 0.01};
+  std::vector<Trial> trials;
+  std::uint64_t seed = 5000;
+  for (const bool hides : {true, false})
+    for (const hidden::Twin kind : hidden::all_twins())
+      for (int draw = 0; draw < draws; ++draw, ++seed)
+        trials.push_back({hides ? hidden::twin(kind, seed) : hidden::complete_twin(kind, seed),
+                          1.0, levels[seed % levels.size()], seed});
   return trials;
 }
 

@@ -29,4 +29,8 @@ std::vector<Trial> ordinary_trials(int count);
 /// Effects of every family and all complete systems, in records that were smoothed, at 1 %.
 std::vector<Trial> smoothed_trials();
 
+/// Twins of devices at 0.2, 0.5 and 1 % noise: each kind drawn so often, and as often without
+/// what it hides.
+std::vector<Trial> twin_trials(int draws);
+
 }  // namespace lacuna::benchmarks

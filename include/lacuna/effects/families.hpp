@@ -25,7 +25,7 @@ extern const EffectFamily kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinea
 
 // Time and memory.
 extern const EffectFamily kPeriodicForcing, kParameterDrift, kTimeTrend, kDelay, kLag,
-    kUnmeasuredInput;
+    kExtraState, kUnmeasuredInput;
 
 // Recording.
 extern const EffectFamily kChannelSkew;
@@ -41,7 +41,7 @@ using StandardFamilies =
                kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
                kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
                kSaturatingRate, kExponentialConduction, kPeriodicForcing, kParameterDrift,
-               kTimeTrend, kDelay, kLag, kUnmeasuredInput, kChannelSkew>;
+               kTimeTrend, kDelay, kLag, kExtraState, kUnmeasuredInput, kChannelSkew>;
 
 /// The effects of StandardFamilies, in their order.
 std::vector<Stage<Effect>> standard_effects();

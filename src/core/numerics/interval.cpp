@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <boost/math/distributions/students_t.hpp>
 
-#include "core/numerics/interval.hpp"
-
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {

@@ -133,15 +133,15 @@ std::vector<ScreenedCandidate> all_at_starts(const std::vector<Candidate>& candi
   return all;
 }
 
-/// Those whose shapes are worth a search: the two best of each family and equation, where they
-/// are not so far behind the best of all that no search makes up for it.
+/// Those whose shapes are worth a search: the two best of each family, equation and number of
+/// shapes, where they are not so far behind the best of all that no search makes up for it.
 std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted,
                                    double worth_shaping) {
   // A fact of the search: forms of one family are shaped to be much alike.
   constexpr int kOfEachFamily = 2;
   double best = 0.0;
   for (const ScreenedCandidate& candidate : sorted) best = std::max(best, candidate.gain);
-  std::map<std::tuple<std::string, Place, Index>, int> seen;
+  std::map<std::tuple<std::string, Place, Index, std::size_t>, int> seen;
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Candidate& candidate = sorted[i].candidate;
@@ -149,7 +149,9 @@ std::vector<std::size_t> to_polish(const std::vector<ScreenedCandidate>& sorted,
     bool has_room = candidate.families.empty();
     for (const std::string& family : candidate.families)
       has_room =
-          seen[{family, candidate.place, candidate.equation}]++ < kOfEachFamily || has_room;
+          seen[{family, candidate.place, candidate.equation, candidate.shapes.size()}]++ <
+              kOfEachFamily ||
+          has_room;
     if (has_room) chosen.push_back(i);
   }
   return chosen;

@@ -64,7 +64,7 @@ std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanat
   return result;
 }
 
-/// How many forms of each family and equation have been taken, with and without shapes.
+/// How many forms of each family and equation have been taken, by their number of shapes.
 class Shares {
  public:
   /// Takes the candidate when one of its families has room for its argument. Two of each are
@@ -73,7 +73,7 @@ class Shares {
     bool has_room = false;
     for (const std::string& family : candidate.families) {
       std::vector<Candidate>& taken =
-          taken_[{family, candidate.equation, !candidate.shapes.empty()}];
+          taken_[{family, candidate.equation, candidate.shapes.size()}];
       const bool again = std::any_of(taken.begin(), taken.end(), [&](const Candidate& other) {
         return other.argument == candidate.argument && other.within == candidate.within;
       });
@@ -87,7 +87,7 @@ class Shares {
  private:
   // A fact of the search: forms of one family are shaped to be much alike.
   static constexpr std::size_t kOfEach = 2;
-  std::map<std::tuple<std::string, Index, bool>, std::vector<Candidate>> taken_;
+  std::map<std::tuple<std::string, Index, std::size_t>, std::vector<Candidate>> taken_;
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "core/numerics/interval.hpp"
 #include "data/records/number_range.hpp"
 #include "dynamics/attractor/density_distance.hpp"
 #include "dynamics/attractor/extents.hpp"

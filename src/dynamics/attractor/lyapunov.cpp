@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "core/numerics/interval.hpp"
 #include "core/numerics/qr.hpp"
 
 namespace lacuna {

@@ -8,7 +8,6 @@
 #include "constrained_equations.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/text.hpp"
-#include "core/numerics/interval.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
 #include "refined_result.hpp"

@@ -212,9 +212,8 @@ Validation validate_flow(const ValidationTask& task, const ValidationOptions& op
   const Dataset& tested = tested_data(task);
   const bool own_noise = !task.held_out || tested.samples() >= options.noise_samples;
   const bool is_known = !task.held_out || !own_noise;
-  const std::vector<StateNoise> noise =
-      known_or_analysed(is_known ? task.noise : std::nullopt,
-                        own_noise ? tested : task.data, context.threads);
+  const std::vector<StateNoise> noise = known_or_analysed(
+      is_known ? task.noise : std::nullopt, own_noise ? tested : task.data, context.threads);
   const Index period =
       period_of(tested, noise, options.held_every * options.most_samples, context.threads);
   const Index needed = std::max<Index>(options.most_samples, options.least_windows * period);

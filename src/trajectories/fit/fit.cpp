@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/base/text.hpp"
-#include "core/numerics/interval.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/number_range.hpp"
 #include "fit_errors.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/numerics/interval.hpp"
 
 #include <gtest/gtest.h>
 

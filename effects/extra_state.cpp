@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/effects/families.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
+#include "lacuna/effects/terms.hpp"
+
+namespace lacuna {
+namespace {
+
+// From a third of a step, where a store is full at once, to a quarter of the record, in which
+// it hardly fills.
+constexpr double kLeastSteps = 1.0 / 3.0, kMostOfRecord = 0.25;
+
+// Of what fills a store beside the state's own: between the two the state and the other
+// variable have each their part.
+constexpr double kLeastShare = 0.05;
+
+ShapeParameter time_constant(const Scope& scope) {
+  return {"tau", scope.model.time_unit(), kLeastSteps * scope.step,
+          kMostOfRecord * scope.duration, true};
+}
+
+// d(store)/dt = (source - store)/tau, full where the record begins.
+MemoryState store_of(const Scope& scope, const Expression& source) {
+  return {"store", formula(scope, "(source-store)/tau", {{"source", source}}), source};
+}
+
+std::vector<double> time_constants(const ShapeParameter& tau) {
+  constexpr double kRatio = 4.0;
+  std::vector<double> values;
+  for (double value = tau.low; value < tau.high; value *= kRatio) values.push_back(value);
+  return values;
+}
+
+// A store that exchanges with the state alone: c*(store-x).
+Candidate store_beside(const Scope& scope, const Expression& x) {
+  const ShapeParameter tau = time_constant(scope);
+  Candidate candidate = shaped_candidate(formula(scope, "store-x", {{"x", x}}), x, tau,
+                                         starts_at(time_constants(tau)));
+  candidate.memory = {store_of(scope, x)};
+  candidate.least = 0.0;
+  return candidate;
+}
+
+// A store between the state and another variable that acts on it: a wall.
+Candidate store_between(const Scope& scope, const Expression& x, const Expression& y) {
+  const ShapeParameter tau = time_constant(scope);
+  Candidate candidate = plain_candidate(formula(scope, "store-x", {{"x", x}}), x);
+  candidate.shapes = {tau, {"fraction", "", kLeastShare, 1.0 - kLeastShare, false}};
+  for (const double value : time_constants(tau))
+    candidate.starts.push_back(Vector{{value, 0.3}});
+  candidate.memory = {
+      store_of(scope, formula(scope, "fraction*y+(1-fraction)*x", {{"x", x}, {"y", y}}))};
+  candidate.least = 0.0;
+  return candidate;
+}
+
+// Whether a variable has levels between its ends, more than a tenth of the time: the curve
+// through two levels is a straight line.
+bool has_levels_between(const Scope& scope, const Expression& u) {
+  constexpr double kTenth = 0.1;
+  const VariableRange range = scope.range_of(u);
+  const double margin = kTenth * (range.high - range.low);
+  const auto between = (range.quantiles.array() > range.low + margin) &&
+                       (range.quantiles.array() < range.high - margin);
+  return static_cast<double>(between.count()) >
+         kTenth * static_cast<double>(range.quantiles.size());
+}
+
+// What an input does through one more pole, where it does not act by its value: the thrust of a
+// propeller, the heat of a resistor.
+Candidate curve_behind(const Scope& scope, const Expression& u) {
+  const ShapeParameter tau = time_constant(scope);
+  const bool signs = scope.range_of(u).changes_sign();
+  const Expression curve = formula(scope, signs ? "u*abs(u)" : "u^2", {{"u", u}});
+  Candidate candidate =
+      shaped_candidate(formula(scope, "store", {}), curve, tau, starts_at(time_constants(tau)));
+  candidate.memory = {store_of(scope, curve)};
+  return candidate;
+}
+
+std::vector<Candidate> extra_state_forms(const Scope& scope, Index equation) {
+  std::vector<Candidate> result;
+  if (scope.is_identity(equation)) return result;
+  const Expression x = own_state(scope, equation);
+  result.push_back(store_beside(scope, x));
+  for (const Expression& y : all_variables(scope)) {
+    if (y == x || !has_term(scope, equation, y)) continue;
+    result.push_back(store_between(scope, x, y));
+    if (is_input(scope, y) && has_levels_between(scope, y))
+      result.push_back(curve_behind(scope, y));
+  }
+  return result;
+}
+
+// What a store gives back it has taken before: with the other sign it would not be passive.
+std::optional<Reading> extra_state_reading(const FittedForm& fitted) {
+  const Candidate& candidate = fitted.candidate;
+  const Expression x = own_state(fitted.scope, candidate.equation);
+  if (has_form(candidate, "m") && candidate.shapes.size() == 1 && !candidate.is_driven())
+    return Reading{candidate.argument.to_string() +
+                   " acts through a state that is not measured"};
+  if (!has_form(candidate, "m-x") || !(candidate.argument == x) || !(fitted.coefficient > 0.0))
+    return std::nullopt;
+  const bool between = candidate.shapes.size() == 2;
+  return Reading{"second store beside " + x.to_string() +
+                 (between ? ", filled from its surroundings too" : "")};
+}
+
+}  // namespace
+
+const EffectFamily kExtraState{
+    {"extra-state", "A state that nobody measured: a second store, a lag behind a curve", ""},
+    "a second thermal mass, a wall, a second RC pair, a rotor that has to speed up",
+    extra_state_forms,
+    extra_state_reading};
+
+}  // namespace lacuna
