@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/core/numerics/interval.hpp"
+
 #include <boost/math/distributions/students_t.hpp>
 
 #include "lacuna/core/base/error.hpp"
