@@ -2,9 +2,11 @@
 #include "npy_header.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "lacuna/core/base/error.hpp"
 
@@ -136,13 +138,34 @@ class HeaderParser {
     NpyField field{name, type[1], 0, header_.item_size, type[0] == '>'};
     const char* end = type.data() + type.size();
     const auto [stop, error] = std::from_chars(type.data() + 2, end, field.size);
-    const bool number = error == std::errc() && stop == end;
+    const bool is_time = field.kind == 'M' || field.kind == 'm';
+    const bool number = error == std::errc() && (stop == end || is_time);
     if (!number || field.size > kLargestItem) fail_kind("the type '" + type + "' is not known");
+    if (is_time) {
+      field.unit = unit_of_time(type, std::string_view(stop, end));
+      field.kind = 'i';
+    }
     header_.item_size += field.size;
     if (header_.structured && field.kind == 'V' && name.empty()) return;
     if (!is_supported(field)) fail_kind("the type '" + type + "' is not a real number");
     if (field.kind == 'b') field.kind = 'u';
     header_.fields.push_back(field);
+  }
+
+  /// "[ns]" of a date or a span of time.
+  std::string unit_of_time(const std::string& type, std::string_view brackets) const {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kUnits{
+        {{"[ns]", "ns"},
+         {"[us]", "us"},
+         {"[ms]", "ms"},
+         {"[s]", "s"},
+         {"[m]", "min"},
+         {"[h]", "h"},
+         {"[D]", "d"}}};
+    for (const auto& [written, unit] : kUnits)
+      if (written == brackets) return std::string(unit);
+    throw NoMatrix(source_, "the type '" + type + "' counts times in units that are not read",
+                   "save them as t.astype('datetime64[ns]'), or timedelta64[ns]");
   }
 
   static bool is_supported(const NpyField& field) {
