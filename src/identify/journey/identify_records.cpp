@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "identify/pipeline/centred_library.hpp"
 #include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/hidden_state/identify_hidden.hpp"
 #include "lacuna/identify/validation/validate.hpp"
@@ -84,9 +85,14 @@ void warn_of_records(const IdentificationTask& task, IdentificationResult& found
 
 }  // namespace
 
-Identification identify_records(RecordStream records, const IdentificationTask& task,
+Identification identify_records(RecordStream records, const IdentificationTask& given,
                                 const RunContext& context) {
+  IdentificationTask task = given;
+  std::vector<std::string> centred;
+  if (task.measured == Measured::AllStates)
+    task.pipeline = with_centred_library(task.pipeline, records.excerpt(), centred);
   Identification found = find_equations(std::move(records), task, context);
+  found.result.warnings.insert(found.result.warnings.end(), centred.begin(), centred.end());
   if (!context.leads()) return found;
   const RunContext alone = context.alone();
   IdentificationResult& result = found.result;
