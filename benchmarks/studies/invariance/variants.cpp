@@ -62,10 +62,10 @@ Vector deviations_of(const Dataset& data) {
 using Powers = std::vector<int>;
 using Polynomial = std::map<Powers, double>;
 
-/// "x" of "x" and of "(x-1031)".
+/// "x" of "x", of "x-1031" and of "(x-1031)".
 std::string variable_of(const std::string& factor) {
-  if (factor.front() != '(') return factor;
-  return factor.substr(1, factor.find_first_of("+-") - 1);
+  const std::size_t begin = factor.front() == '(' ? 1 : 0;
+  return factor.substr(begin, std::min(factor.find_first_of("+-"), factor.size()) - begin);
 }
 
 /// "x^2*y", or "(x-1031)^2*y", in the states of a model.
@@ -188,7 +188,7 @@ Structure shifted_structure(const OdeModel& model) {
 bool has_shifted_terms(const OdeModel& model) {
   for (const Equation& equation : model.equations())
     for (const WeightedTerm& summand : equation)
-      if (summand.term.name().find('(') != std::string::npos) return true;
+      if (summand.term.name().find_first_of("+-") != std::string::npos) return true;
   return false;
 }
 
