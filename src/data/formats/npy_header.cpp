@@ -13,6 +13,25 @@
 namespace lacuna {
 namespace {
 
+/// The unit of a date or a span of time, "[ns]"; empty for those that are not read.
+std::string unit_of_time(std::string_view brackets) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kUnits{{{"[ns]", "ns"},
+                                                                                 {"[us]", "us"},
+                                                                                 {"[ms]", "ms"},
+                                                                                 {"[s]", "s"},
+                                                                                 {"[m]", "min"},
+                                                                                 {"[h]", "h"},
+                                                                                 {"[D]", "d"}}};
+  for (const auto& [written, unit] : kUnits)
+    if (written == brackets) return std::string(unit);
+  return "";
+}
+
+[[noreturn]] void refuse_unit(const std::string& type, const std::string& source) {
+  throw NoMatrix(source, "the type '" + type + "' counts times in units that are not read",
+                 "save them as t.astype('datetime64[ns]'), or timedelta64[ns]");
+}
+
 /// Reads the Python literal of the header: a dictionary of a type, a truth value, a tuple.
 class HeaderParser {
  public:
@@ -142,7 +161,8 @@ class HeaderParser {
     const bool number = error == std::errc() && (stop == end || is_time);
     if (!number || field.size > kLargestItem) fail_kind("the type '" + type + "' is not known");
     if (is_time) {
-      field.unit = unit_of_time(type, std::string_view(stop, end));
+      field.unit = unit_of_time(std::string_view(stop, end));
+      if (field.unit.empty()) refuse_unit(type, source_);
       field.kind = 'i';
     }
     header_.item_size += field.size;
@@ -150,22 +170,6 @@ class HeaderParser {
     if (!is_supported(field)) fail_kind("the type '" + type + "' is not a real number");
     if (field.kind == 'b') field.kind = 'u';
     header_.fields.push_back(field);
-  }
-
-  /// "[ns]" of a date or a span of time.
-  std::string unit_of_time(const std::string& type, std::string_view brackets) const {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kUnits{
-        {{"[ns]", "ns"},
-         {"[us]", "us"},
-         {"[ms]", "ms"},
-         {"[s]", "s"},
-         {"[m]", "min"},
-         {"[h]", "h"},
-         {"[D]", "d"}}};
-    for (const auto& [written, unit] : kUnits)
-      if (written == brackets) return std::string(unit);
-    throw NoMatrix(source_, "the type '" + type + "' counts times in units that are not read",
-                   "save them as t.astype('datetime64[ns]'), or timedelta64[ns]");
   }
 
   static bool is_supported(const NpyField& field) {

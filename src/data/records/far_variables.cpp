@@ -25,7 +25,8 @@ FarVariable position_of(const std::string& name, const std::vector<Vector>& colu
   const double square =
       sum_over(columns, [&](double value) { return std::pow(value - mean, 2) / count; });
   const double deviation = std::sqrt(square);
-  if (!(deviation > 0.0) || !std::isfinite(deviation)) return {name};
+  constexpr double kRounding = 1e-14;  // a fact: what subtracting a mean leaves of a constant
+  if (!(deviation > kRounding * std::abs(mean)) || !std::isfinite(deviation)) return {name};
   const double digit = std::pow(10.0, std::floor(std::log10(deviation)));
   const double centre = std::round(mean / digit) * digit;
   constexpr int kDigits = 15;  // a fact of doubles: so many are the same when they are read

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "identify/pipeline/centred_library.hpp"
+#include "centred_library.hpp"
 #include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/hidden_state/identify_hidden.hpp"
 #include "lacuna/identify/validation/validate.hpp"

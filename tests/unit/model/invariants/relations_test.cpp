@@ -162,9 +162,7 @@ TEST(Relations, TheSquareOfASmallMotionIsNone) {
       Trajectory& record = data.trajectories[0];
       record.states.col(1) = mean + drift * (0.1 * record.time.array()).sin();
       const Dataset noisy = add_noise(data, Vector::Constant(2, 0.02), 4);
-      const std::vector<Relation> found = find_relations(noisy);
-      for (const Relation& relation : found)
-        ADD_FAILURE() << mean << ", " << drift << ": " << relation.terms.back().term;
+      EXPECT_TRUE(find_relations(noisy).empty()) << mean << ", " << drift;
     }
 }
 

@@ -36,7 +36,7 @@ TEST(MarkOutliers, FindsThoseOfEachState) {
 
 TEST(MarkOutliers, FindsThoseAtTheEnds) {
   for (const Index end : {Index{0}, Index{399}})
-    for (const double size : {0.3, -20.0}) {
+    for (const double size : {0.6, -20.0}) {
       Dataset data = noisy();
       data.trajectories[0].states(end, 1) += size;
       const Matrix marks = marks_of(data)[0];

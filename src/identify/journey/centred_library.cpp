@@ -7,7 +7,7 @@
 #include <set>
 
 #include "data/records/far_variables.hpp"
-#include "equation_terms.hpp"
+#include "identify/pipeline/equation_terms.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/core/base/text.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "identify/pipeline/centred_library.hpp"
+#include "identify/journey/centred_library.hpp"
 
 #include <gmock/gmock.h>
 
