@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "answers.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "support/cells.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"

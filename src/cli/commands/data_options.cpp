@@ -6,11 +6,11 @@
 #include <system_error>
 
 #include "assignments.hpp"
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "data/times/time_names.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/names.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/data/formats/text_field.hpp"
+#include "core/base/text.hpp"
+#include "data/records/text_field.hpp"
 
 namespace lacuna {
 namespace {

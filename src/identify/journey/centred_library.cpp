@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
+#include "core/base/text.hpp"
 #include "data/records/far_variables.hpp"
 #include "identify/pipeline/equation_terms.hpp"
 #include "lacuna/bases/expressions.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

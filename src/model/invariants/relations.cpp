@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/symmetric_eigen.hpp"
 #include "data/records/far_variables.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/symmetric_eigen.hpp"
-#include "lacuna/model/invariants/divides.hpp"
+#include "model/invariants/divides.hpp"
 #include "moments.hpp"
 
 namespace lacuna {

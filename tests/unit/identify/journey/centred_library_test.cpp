@@ -5,10 +5,10 @@
 
 #include <cmath>
 
+#include "core/base/text.hpp"
 #include "data/records/far_variables.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/ode_text.hpp"
