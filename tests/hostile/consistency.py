@@ -171,19 +171,22 @@ def diagnosis_faults(json):
     whole = ("explained", "no-discrepancy", "coefficients-only")
     if verdict in whole and remaining.get("structure"):
         found.append(verdict + " with structure left")
-    if verdict == "explained":
+    if verdict in whole:
         after, floor = gap.get("after"), gap.get("noise_floor")
         if not is_number(after) or not is_number(floor):
-            found.append("explained without a gap")
-        elif after > max(GAP * floor, SEEN) and is_above(gap.get("above_floor")):
-            found.append("explained beside a gap of %g and a floor of %g" % (after, floor))
+            if verdict == "explained":
+                found.append("explained without a gap")
+        elif after > max(GAP * floor, SEEN) and is_above(gap):
+            found.append("%s beside a gap of %g and a floor of %g" % (verdict, after, floor))
     if gap and gap.get("before") == 0 and gap.get("after") == 0:
         found.append("a gap of nothing")
     return found
 
 
-def is_above(sigma):
-    return not (is_number(sigma) and sigma < SIGNIFICANT)
+def is_above(gap):
+    sigma = gap.get("above_floor")
+    return (not (is_number(sigma) and sigma < SIGNIFICANT)
+            or gap["after"] >= SIGNIFICANT * gap["noise_floor"])
 
 
 def fit_faults(json):

@@ -162,12 +162,13 @@ inline void add_diagnosis(const Json& json, Faults& found) {
   const Json& gap = json["gap"];
   add_if(!gap.is_null() && gap["before"] == 0.0 && gap["after"] == 0.0, "a gap of nothing",
          found);
-  if (!explained) return;
-  if (gap.is_null()) return found.push_back("explained without a gap");
+  if (gap.is_null()) return add_if(explained, "explained without a gap", found);
   const double after = gap["after"], floor = gap["noise_floor"];
   const double sigma = number_in(gap, "above_floor").value_or(INFINITY);
-  add_if(after > std::max(kGapOfExplained * floor, kSeenGap) && sigma >= kSignificantGap,
-         "explained beside a gap", found);
+  const bool open = after > std::max(kGapOfExplained * floor, kSeenGap) &&
+                    (sigma >= kSignificantGap || after >= kSignificantGap * floor);
+  add_if(open && (explained || verdict == "no-discrepancy" || verdict == "coefficients-only"),
+         verdict + " beside a gap", found);
 }
 
 inline void add_fit_quality(const Json& quality, Faults& found) {

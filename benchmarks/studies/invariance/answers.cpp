@@ -43,12 +43,18 @@ std::string to_string(Outcome outcome) {
   return "other";
 }
 
+bool has_structure(const Answer& answer, const Answer& base, const Structure& expected) {
+  if (answer.model && base.model && has_shifted_terms(*answer.model))
+    return shifted_structure(*answer.model) == shifted_structure(*base.model);
+  return answer.structure == expected;
+}
+
 Outcome compared(const Answer& answer, const Answer& base, const Structure& expected) {
   if (answer.status != 0) return Outcome::Refused;
-  if (answer.structure == expected && answer.verdict == base.verdict) return Outcome::Same;
+  const bool same = has_structure(answer, base, expected);
+  if (same && answer.verdict == base.verdict) return Outcome::Same;
   const bool claims = answer.verdict == "fits to noise";
-  if (!claims && (answer.structure != expected || base.verdict == "fits to noise"))
-    return Outcome::Doubtful;
+  if (!claims && (!same || base.verdict == "fits to noise")) return Outcome::Doubtful;
   return Outcome::Other;
 }
 

@@ -32,6 +32,10 @@ enum class Outcome {
 
 std::string to_string(Outcome outcome);
 
+/// Whether the terms are those that are expected; where they are powers of x - c, whether they
+/// are those of the base but for a shift.
+bool has_structure(const Answer& answer, const Answer& base, const Structure& expected);
+
 /// Verdicts that say less than the one in the units of the record count as doubt.
 Outcome compared(const Answer& answer, const Answer& base, const Structure& expected);
 

@@ -62,7 +62,13 @@ Vector deviations_of(const Dataset& data) {
 using Powers = std::vector<int>;
 using Polynomial = std::map<Powers, double>;
 
-/// "x^2*y" in the states of a model.
+/// "x" of "x", of "x-1031" and of "(x-1031)".
+std::string variable_of(const std::string& factor) {
+  const std::size_t begin = factor.front() == '(' ? 1 : 0;
+  return factor.substr(begin, std::min(factor.find_first_of("+-"), factor.size()) - begin);
+}
+
+/// "x^2*y", or "(x-1031)^2*y", in the states of a model.
 Powers powers_of(const std::string& monomial, const OdeModel& model) {
   Powers powers(static_cast<std::size_t>(model.dimension()), 0);
   if (monomial == "1") return powers;
@@ -71,7 +77,8 @@ Powers powers_of(const std::string& monomial, const OdeModel& model) {
     const std::string factor = monomial.substr(begin, end - begin);
     const std::size_t hat = factor.find('^');
     const int power = hat == std::string::npos ? 1 : std::stoi(factor.substr(hat + 1));
-    powers[static_cast<std::size_t>(model.state_index(factor.substr(0, hat)))] += power;
+    const std::string name = variable_of(factor.substr(0, hat));
+    powers[static_cast<std::size_t>(model.state_index(name))] += power;
     begin = end + 1;
   }
   return powers;
@@ -161,6 +168,28 @@ Structure structure_of(const OdeModel& model) {
     std::sort(terms.back().begin(), terms.back().end());
   }
   return terms;
+}
+
+Structure shifted_structure(const OdeModel& model) {
+  Structure terms;
+  const auto states = static_cast<Index>(model.states().size());
+  for (const Equation& equation : model.equations()) {
+    Polynomial sum;
+    for (const WeightedTerm& summand : equation)
+      expand(powers_of(summand.term.name(), model), 1.0, Vector::Constant(states, -1.0), 0,
+             sum);
+    terms.emplace_back();
+    for (const auto& [powers, value] : sum) terms.back().push_back(monomial_of(powers, model));
+    std::sort(terms.back().begin(), terms.back().end());
+  }
+  return terms;
+}
+
+bool has_shifted_terms(const OdeModel& model) {
+  for (const Equation& equation : model.equations())
+    for (const WeightedTerm& summand : equation)
+      if (summand.term.name().find_first_of("+-") != std::string::npos) return true;
+  return false;
 }
 
 Structure expected_structure(const OdeModel& model, const Dataset& data,

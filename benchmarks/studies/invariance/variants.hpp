@@ -44,6 +44,13 @@ using Structure = std::vector<std::vector<std::string>>;
 /// The terms of a model in the order of their names.
 Structure structure_of(const OdeModel& model);
 
+/// What a shift of all states makes of them, whatever its size: all monomials that divide one
+/// of the terms. Two models that are one but for where their states begin have the same.
+Structure shifted_structure(const OdeModel& model);
+
+/// Whether terms are powers of x - c instead of x.
+bool has_shifted_terms(const OdeModel& model);
+
 /// The terms that a polynomial model has in the units of a variant: those of its expansion
 /// about the offset.
 /// @param data in which the offset is measured.

@@ -9,6 +9,7 @@
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
+#include "data/times/time_names.hpp"
 #include "lacuna/core/base/options.hpp"
 
 namespace lacuna::cli {
@@ -61,9 +62,9 @@ void declare_map_option(CLI::App& app, DataOptions& options) {
 void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
   app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
       ->type_name("NAME");
-  app.add_option("--time-unit", options.time_unit,
-                 "Unit of the time, where the header has none or a wrong one: ns, us, ms, s, "
-                 "min, h, d")
+  app.add_option(
+         "--time-unit", options.time_unit,
+         "Unit of the time, where the header has none or a wrong one: " + known_time_units())
       ->type_name("UNIT");
   app.add_option("--dt", options.step,
                  "Sampling step, in the time unit of the record; then no column is the time")
@@ -94,14 +95,20 @@ std::vector<std::string> files_read(const DataOptions& options,
   return files;
 }
 
+/// The symbol of a unit of time, which may be written out ("seconds").
+std::string time_unit_of(const std::string& text) {
+  if (auto symbol = time_unit_symbol(text)) return *symbol;
+  throw ConfigError("--time-unit",
+                    "'" + text + "' is no unit of time that times can be converted from",
+                    "give one of " + known_time_units());
+}
+
 ColumnRoles common_roles(const DataOptions& options) {
   ColumnRoles roles;
   roles.time = options.time;
-  roles.time_unit = options.time_unit;
+  if (options.time_unit) roles.time_unit = time_unit_of(*options.time_unit);
   roles.step = options.step;
   roles.trajectory = options.trajectory;
-  if (const auto fault = options.time_unit ? unit_fault(*options.time_unit) : std::nullopt)
-    throw ConfigError("--time-unit", fault->problem, fault->remedy);
   for (const auto& [part, name, column] :
        read_assignments({"--map", "NAME=COLUMN", "--map th=Winkel,u=3"}, options.names)) {
     if (const auto fault = name == "t" ? std::nullopt : name_fault(name))

@@ -65,7 +65,7 @@ ArrayTable arrange_arrays(const std::vector<ArrayShape>& shapes, const std::stri
     const Index count = in_columns ? shape.rows : shape.columns;
     all.places.push_back({i, in_columns, static_cast<Index>(columns.size()), count});
     for (Index c = 0; c < count; ++c)
-      columns.push_back({count == 1 ? name : name + std::to_string(c + 1), ""});
+      columns.push_back({count == 1 ? name : name + std::to_string(c + 1), shape.unit});
   }
   name_columns(all.table, columns, std::nullopt);
   all.table.notes.insert(all.table.notes.end(), notes.begin(), notes.end());
@@ -99,7 +99,7 @@ Table table_of_arrays(const std::vector<NamedArray>& arrays, const std::string& 
                       const TimeFinder& find) {
   std::vector<ArrayShape> shapes;
   for (const NamedArray& array : arrays)
-    shapes.push_back({array.name, array.values.rows(), array.values.cols()});
+    shapes.push_back({array.name, array.values.rows(), array.values.cols(), array.unit});
   ArrayTable all = arrange_arrays(shapes, source);
   const auto time = find(all.table);
   Matrix& values = all.table.values;

@@ -17,13 +17,15 @@ struct NamedArray {
 
   /// A value as it is written, where these are whole numbers; else empty.
   std::function<Stamp(Index row, Index column)> stamp = {};
-  double epsilon = 0.0;  ///< of floating numbers
+  double epsilon = 0.0;   ///< of floating numbers
+  std::string unit = {};  ///< empty where the file says none
 };
 
 /// The same without its values.
 struct ArrayShape {
   std::string name;
   Index rows = 0, columns = 0;
+  std::string unit = {};
 
   bool is_vector() const { return rows == 1 || columns == 1; }
 };

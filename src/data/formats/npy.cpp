@@ -57,7 +57,12 @@ std::int64_t signed_value(std::uint64_t bits, std::size_t size) {
 double load_value(const char* bytes, const NpyField& field) {
   const std::uint64_t bits = load_bits(bytes, field.size, field.big_endian);
   if (field.kind == 'f') return float_value(bits, field.size);
-  if (field.kind == 'i') return static_cast<double>(signed_value(bits, field.size));
+  if (field.kind == 'i') {
+    const std::int64_t value = signed_value(bits, field.size);
+    const bool is_missing =  // NumPy's NaT
+        !field.unit.empty() && value == std::numeric_limits<std::int64_t>::min();
+    return is_missing ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(value);
+  }
   return static_cast<double>(bits);
 }
 
@@ -126,8 +131,8 @@ Table npy_columns(const NpyHeader& header, const std::string& source) {
   Table table;
   table.source = source;
   std::vector<Quantity> names;
-  for (const NpyField& field : header.fields) names.push_back({field.name, ""});
-  if (!header.structured) names.resize(header.columns);
+  for (const NpyField& field : header.fields) names.push_back({field.name, field.unit});
+  if (!header.structured) names.resize(header.columns, names.front());
   name_columns(table, names, std::nullopt);
   return table;
 }

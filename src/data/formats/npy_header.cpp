@@ -2,14 +2,35 @@
 #include "npy_header.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {
+
+/// The unit of a date or a span of time, "[ns]"; empty for those that are not read.
+std::string unit_of_time(std::string_view brackets) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kUnits{{{"[ns]", "ns"},
+                                                                                 {"[us]", "us"},
+                                                                                 {"[ms]", "ms"},
+                                                                                 {"[s]", "s"},
+                                                                                 {"[m]", "min"},
+                                                                                 {"[h]", "h"},
+                                                                                 {"[D]", "d"}}};
+  for (const auto& [written, unit] : kUnits)
+    if (written == brackets) return std::string(unit);
+  return "";
+}
+
+[[noreturn]] void refuse_unit(const std::string& type, const std::string& source) {
+  throw NoMatrix(source, "the type '" + type + "' counts times in units that are not read",
+                 "save them as t.astype('datetime64[ns]'), or timedelta64[ns]");
+}
 
 /// Reads the Python literal of the header: a dictionary of a type, a truth value, a tuple.
 class HeaderParser {
@@ -136,8 +157,14 @@ class HeaderParser {
     NpyField field{name, type[1], 0, header_.item_size, type[0] == '>'};
     const char* end = type.data() + type.size();
     const auto [stop, error] = std::from_chars(type.data() + 2, end, field.size);
-    const bool number = error == std::errc() && stop == end;
+    const bool is_time = field.kind == 'M' || field.kind == 'm';
+    const bool number = error == std::errc() && (stop == end || is_time);
     if (!number || field.size > kLargestItem) fail_kind("the type '" + type + "' is not known");
+    if (is_time) {
+      field.unit = unit_of_time(std::string_view(stop, end));
+      if (field.unit.empty()) refuse_unit(type, source_);
+      field.kind = 'i';
+    }
     header_.item_size += field.size;
     if (header_.structured && field.kind == 'V' && name.empty()) return;
     if (!is_supported(field)) fail_kind("the type '" + type + "' is not a real number");

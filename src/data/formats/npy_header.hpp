@@ -20,11 +20,12 @@ class NoMatrix : public DataError {
 
 /// One number inside an item of a NumPy array.
 struct NpyField {
-  std::string name;        ///< empty in arrays that are not structured
-  char kind = 'f';         ///< f float, i signed, u unsigned (also b, truth values)
+  std::string name;  ///< empty in arrays that are not structured
+  char kind = 'f';   ///< f float, i signed (also M and m, dates and spans), u unsigned (also b)
   std::size_t size = 8;    ///< bytes
   std::size_t offset = 0;  ///< of its first byte in the item
   bool big_endian = false;
+  std::string unit = {};  ///< of a date (since 1970) or a span of time, a whole number of these
 
   /// Whether its bytes are those of a double on this machine.
   bool is_native_double() const noexcept {

@@ -117,6 +117,7 @@ void add_arrays(Entry entry, const std::string& source, std::vector<NamedArray>&
     NamedArray array{name_of(entry.name), header->structured ? values.col(part) : values};
     if (header->structured)
       array.name += "." + header->fields[static_cast<std::size_t>(part)].name;
+    array.unit = header->fields[static_cast<std::size_t>(part)].unit;
     const WrittenNumbers written = npy_written(*header, data.data(), part);
     array.epsilon = written.epsilon;
     if (written.stamp)

@@ -2,6 +2,7 @@
 #include "npy_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -65,8 +66,9 @@ Matrix NpyFile::values(Index first, Index count) const {
   if (!origin_) return values;
   const Index time = columns_.counted->column;
   for (Index row = 0; row < count; ++row)
-    values(row, time) =
-        value_of(npy_stamp(bytes.header, bytes.data.get(), row, time) - *origin_);
+    if (!std::isnan(values(row, time)))
+      values(row, time) =
+          value_of(npy_stamp(bytes.header, bytes.data.get(), row, time) - *origin_);
   return values;
 }
 

@@ -125,10 +125,11 @@ void count_times(Table& table, const TimeColumn& time, const WrittenNumbers& wri
     return look_at_times(table, time, {column.data(), static_cast<std::size_t>(looked)},
                          written.epsilon);
   std::vector<Stamp> first;
-  for (Index row = 0; row < looked; ++row) first.push_back(written.stamp(row));
+  for (Index row = 0; row < looked; ++row)
+    if (!std::isnan(column[row])) first.push_back(written.stamp(row));
   const auto origin = look_at_times(table, time, first);
   for (Index row = 0; origin && row < rows; ++row)
-    column[row] = value_of(written.stamp(row) - *origin);
+    if (!std::isnan(column[row])) column[row] = value_of(written.stamp(row) - *origin);
 }
 
 }  // namespace lacuna

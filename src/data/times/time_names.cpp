@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/text.hpp"
 #include "data/records/text_field.hpp"
 
 namespace lacuna {
@@ -17,13 +18,13 @@ struct UnitWords {
   std::string_view words;  ///< with blanks around each
 };
 
-/// The symbol stands first.
+/// The symbol stands first; shorter units do.
 constexpr std::array<UnitWords, 7> kUnitWords{
-    {{"s", " s sec secs second seconds sekunde sekunden "},
-     {"ms", " ms msec msecs millis millisec millisecs millisecond milliseconds "},
+    {{"ns", " ns nsec nsecs nanos nanosec nanosecs nanosecond nanoseconds "},
      {"us",
       " us \u00b5s \u03bcs usec usecs micros microsec microsecs microsecond microseconds "},
-     {"ns", " ns nsec nsecs nanos nanosec nanosecs nanosecond nanoseconds "},
+     {"ms", " ms msec msecs millis millisec millisecs millisecond milliseconds "},
+     {"s", " s sec secs second seconds sekunde sekunden "},
      {"min", " min mins minute minutes minuten "},
      {"h", " h hr hrs hour hours stunde stunden "},
      {"d", " d day days tag tage "}}};
@@ -69,6 +70,12 @@ std::optional<std::string> time_unit_symbol(std::string_view text) {
                                              (text.front() == '[' && text.back() == ']'));
   if (bracketed) text = strip(text.substr(1, text.size() - 2));
   return symbol_of_word(lower_case(text));
+}
+
+std::string known_time_units() {
+  std::vector<std::string> symbols;
+  for (const UnitWords& unit : kUnitWords) symbols.emplace_back(unit.symbol);
+  return join(symbols, ", ");
 }
 
 bool names_time(std::string_view name) {

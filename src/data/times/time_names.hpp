@@ -12,6 +12,9 @@ namespace lacuna {
 /// "[ms]". Nothing where it is none.
 std::optional<std::string> time_unit_symbol(std::string_view text);
 
+/// The symbols that there are, from the shortest unit on: "ns, us, ..., d".
+std::string known_time_units();
+
 /// Whether a word of a name means time: "t", "Time (log)", "timestamp", "Zeit".
 bool names_time(std::string_view name);
 

@@ -55,6 +55,15 @@ Verdict verdict_of(const Problem& problem, const Account& account) {
                                                   : Verdict::NoDiscrepancy;
 }
 
+/// The verdict after other records were heard: what stays open there is structure that has no
+/// name, whatever the records that were used show.
+Verdict heard(Verdict verdict, bool is_open, bool is_doubted) {
+  const bool nothing_missing =
+      verdict == Verdict::NoDiscrepancy || verdict == Verdict::CoefficientsOnly;
+  if (nothing_missing && is_open) return Verdict::UnnamedStructure;
+  return is_doubted ? Verdict::PartlyExplained : verdict;
+}
+
 Remaining remaining_of(const Account& account, const DecisionOptions& decision) {
   Remaining remaining;
   for (const EquationStructure& structure : account.left) {
@@ -161,11 +170,12 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   Account& best = judged.best;
   const Baseline& base = *best.base;
   const Assimilation& fit = best.explanation.fit;
-  const Verdict verdict = verdict_of(problem, best);
+  const Verdict alone = verdict_of(problem, best);
   const std::vector<std::string> doubts = reservations(problem, best, gap);
-  const bool lower = hearing.lower || (verdict == Verdict::Explained && !doubts.empty());
+  const bool lower = hearing.lower || (alone == Verdict::Explained && !doubts.empty());
+  const bool open = gap && stays_open(*gap, problem.options.decision);
   Diagnosis result{
-      .verdict = lower ? Verdict::PartlyExplained : verdict,
+      .verdict = heard(alone, open, lower),
       .nominal = problem.nominal,
       .disagreement = locate(base.given, problem.context),
       .effects = std::move(best.named),
@@ -173,7 +183,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
           coefficient_changes(problem.nominal, fit, base.fit_options.free.size()),
       .gap = std::move(gap),
       .remaining = remaining_of(best, problem.options.decision),
-      .augmented = verdict == Verdict::NoDiscrepancy ? problem.nominal : with_intervals(fit),
+      .augmented = alone == Verdict::NoDiscrepancy ? problem.nominal : with_intervals(fit),
       .noise = fit.noise,
       .rounds = std::move(best.rounds),
       .rivals = std::move(judged.trail),
@@ -181,7 +191,8 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
       .unnamed = std::move(best.unnamed)};
   std::move(best.findings.begin(), best.findings.end(), std::back_inserter(result.effects));
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
-  result.remaining.structure = result.remaining.structure || hearing.lower;
+  result.remaining.structure = result.remaining.structure || hearing.lower ||
+                               result.verdict == Verdict::UnnamedStructure;
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
   if (!hearing.note.empty()) result.notes.push_back(hearing.note);
   add_notes(problem, result);

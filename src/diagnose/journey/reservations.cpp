@@ -122,9 +122,13 @@ void add_seldom_recorded(const Problem& problem, const Account& account, Sentenc
 
 bool stays_open(const Gap& gap, const DecisionOptions& decision) {
   // What is no size of an effect comes from the arithmetic that made or sampled the records.
-  return gap.after > decision.explained_gap * gap.noise_floor &&
-         std::hypot(gap.noise_floor, decision.effect_size) < gap.after &&
-         gap.above_floor >= decision.significance;
+  if (!(gap.after > decision.explained_gap * gap.noise_floor) ||
+      !(gap.after > std::hypot(gap.noise_floor, decision.effect_size)))
+    return false;
+  // Scatter over few windows, or one that stands for most of it, hides no gap that is as many
+  // deviations of the noise as a significant one.
+  return gap.above_floor >= decision.significance ||
+         gap.after >= decision.significance * gap.noise_floor;
 }
 
 Sentences reservations(const Problem& problem, const Account& account,

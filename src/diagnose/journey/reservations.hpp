@@ -21,7 +21,8 @@ namespace lacuna {
 std::vector<std::string> reservations(const Problem& problem, const Account& account,
                                       const std::optional<Gap>& gap);
 
-/// Whether the gap stays above its floor by more than the decision allows, and not by chance.
+/// Whether the gap stays above its floor by more than the decision allows, and not by chance:
+/// by significantly many of its standard errors, or of the deviations of the noise.
 bool stays_open(const Gap& gap, const DecisionOptions& decision);
 
 }  // namespace lacuna

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "core/base/check.hpp"
 #include "core/numerics/qr.hpp"
-#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "centred_library.hpp"
 #include "data/records/known_noise.hpp"
 #include "dynamics/integration/automatic.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
@@ -94,9 +95,14 @@ void warn_of_records(const IdentificationTask& task, IdentificationResult& found
 
 }  // namespace
 
-Identification identify_records(RecordStream records, const IdentificationTask& task,
+Identification identify_records(RecordStream records, const IdentificationTask& given,
                                 const RunContext& context) {
+  IdentificationTask task = given;
+  std::vector<std::string> centred;
+  if (task.measured == Measured::AllStates)
+    task.pipeline = with_centred_library(task.pipeline, records.excerpt(), centred);
   Identification found = find_equations(std::move(records), task, context);
+  found.result.warnings.insert(found.result.warnings.end(), centred.begin(), centred.end());
   if (!context.leads()) return found;
   const RunContext alone = context.alone();
   IdentificationResult& result = found.result;

@@ -90,6 +90,13 @@ void check_feasible(const std::vector<CoefficientConstraint>& constraints) {
 
 }  // namespace
 
+Variables variables_of(const Dataset& data) {
+  Variables variables;
+  for (const Quantity& state : data.states) variables.states.push_back(state.name);
+  for (const Quantity& input : data.inputs) variables.inputs.push_back(input.name);
+  return variables;
+}
+
 std::vector<EquationConstraint> energy_preserving(const std::vector<Quantity>& states) {
   const std::size_t m = states.size();
   std::vector<EquationConstraint> constraints;

@@ -8,6 +8,9 @@
 
 namespace lacuna {
 
+/// States and inputs of a dataset.
+Variables variables_of(const Dataset& data);
+
 /// One library for a run, with the terms that each equation may have of it.
 struct EquationLibraries {
   TermLibrary library;

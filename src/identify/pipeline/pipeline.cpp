@@ -10,7 +10,6 @@
 #include "core/base/text.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
-#include "lacuna/core/numerics/interval.hpp"
 #include "refined_result.hpp"
 
 namespace lacuna {
@@ -36,10 +35,6 @@ struct EquationOutcome {
   std::vector<TrailEntry> trail;
   std::vector<std::string> warnings;
 };
-
-Variables variables_of(const Dataset& data) {
-  return {names_of(data.states), names_of(data.inputs)};
-}
 
 std::string stage_name(const StageInterface& stage, std::string_view kind) {
   return std::string(kind) + " " + std::string(stage.info().name);
@@ -282,12 +277,16 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   return outcomes;
 }
 
-/// Whether the derivatives of some state are farther from a model than from 0, so that no model
-/// says more of it. Twice as far, for a model has noise in its terms too.
-bool is_worse_than_none(const IdentificationResult& result) {
-  return std::any_of(result.fit.begin(), result.fit.end(), [](const EquationFit& fit) {
-    return !fit.identity && !(fit.residual_rms <= 2.0 * fit.target_rms);
-  });
+/// How much farther the derivatives of a state are from a model than from 0, at worst.
+double farthest(const IdentificationResult& result) {
+  double worst = 0.0;
+  for (const EquationFit& fit : result.fit) {
+    if (fit.identity || fit.residual_rms <= 0.0) continue;
+    const double far = fit.residual_rms / fit.target_rms;
+    worst = std::isnan(far) ? far : std::max(worst, far);
+    if (std::isnan(worst)) break;
+  }
+  return worst;
 }
 
 /// Fits a result to the trajectories, where that leads to a model that explains more than none.
@@ -296,13 +295,16 @@ void refine_result(const Run& run, IdentificationResult& result) {
   if (apply_refiner(*run.pipeline.refiner, {run.data, run.analysed}, run.libraries, refined,
                     run.context.alone())) {
     measure_residuals(run, refined);
-    if (!is_worse_than_none(refined)) {
+    // Beyond 1 no model says more. Twice that, for a model has noise in its terms too.
+    constexpr double kWorseThanNone = 2.0;
+    const double far = farthest(refined);
+    if (far <= kWorseThanNone) {
       result = std::move(refined);
       return;
     }
     result.warnings.push_back(
-        "not refined on the trajectories: rates of what that leads to are farther from the "
-        "derivatives than 0 is");
+        "not refined on the trajectories: rates of what that leads to are " +
+        format_number(far, 2) + " times as far from the derivatives as 0 is");
   } else {
     result.warnings = std::move(refined.warnings);
   }

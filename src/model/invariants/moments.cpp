@@ -43,6 +43,34 @@ double slope(const Vector& x, std::vector<int> exponents, std::size_t k) {
   return power * monomial(x, exponents);
 }
 
+/// Second derivatives of a monomial.
+Matrix bend(const Vector& x, const std::vector<int>& exponents) {
+  const auto m = static_cast<Index>(exponents.size());
+  Matrix second = Matrix::Zero(m, m);
+  for (Index k = 0; k < m; ++k) {
+    std::vector<int> lower = exponents;
+    const int power = lower[static_cast<std::size_t>(k)]--;
+    for (Index l = 0; l < m && power > 0; ++l)
+      second(k, l) = power * slope(x, lower, static_cast<std::size_t>(l));
+  }
+  return second;
+}
+
+/// tr(H_a S H_b S) of all pairs of monomials at a point. Hessians H up to degree 2 are the same
+/// everywhere.
+Matrix second_order(const std::vector<std::vector<int>>& monomials, const Vector& x,
+                    const Vector& variances) {
+  const auto count = static_cast<Index>(monomials.size());
+  const Vector root = variances.cwiseSqrt();
+  Matrix bends(x.size() * x.size(), count);
+  for (Index c = 0; c < count; ++c) {
+    const Matrix scaled =
+        root.asDiagonal() * bend(x, monomials[static_cast<std::size_t>(c)]) * root.asDiagonal();
+    bends.col(c) = scaled.reshaped();
+  }
+  return bends.transpose() * bends;
+}
+
 /// Measured states at samples of all records, evenly thinned.
 Matrix samples_of(const Dataset& data, const std::vector<Index>& states) {
   const Index stride = 1 + (data.samples() - 1) / kMostSamples;
@@ -118,6 +146,7 @@ MonomialMoments monomial_moments(const Dataset& data, int degree, double resolut
     moments.white += slopes * errors.white.asDiagonal() * slopes.transpose();
     moments.lasting += slopes * errors.lasting.asDiagonal() * slopes.transpose();
   }
+  moments.second = second_order(moments.exponents, samples.colwise().mean(), errors.white);
   const double rows = static_cast<double>(n);
   moments.white /= rows;
   moments.lasting /= rows;

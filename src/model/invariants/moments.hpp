@@ -16,6 +16,7 @@ struct MonomialMoments {
   Vector mean;                              ///< K, without what the noise adds to squares
   Matrix covariance;                        ///< K x K over the samples
   Matrix white;        ///< K x K: mean(J S J') of noise that is independent between samples
+  Matrix second;       ///< K x K: tr(H_i S H_j S) of it, Hessians at the mean sample
   Matrix lasting;      ///< the same of errors that are not: colour, solvers, digits
   Matrix block_means;  ///< blocks x K, less the mean of all
   Index samples = 0;

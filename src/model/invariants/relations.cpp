@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/numerics/least_squares.hpp"
 #include "core/numerics/symmetric_eigen.hpp"
+#include "data/records/far_variables.hpp"
 #include "data/records/known_noise.hpp"
 #include "model/invariants/divides.hpp"
 #include "moments.hpp"
@@ -61,6 +63,14 @@ bool is_noise(const MonomialMoments& moments, const Set& set, const Vector& c,
   return left <= slack * with_chance(means.size(), options) * allowed;
 }
 
+/// Whether the noise of a combination is that of its gradient, as is assumed. Where its
+/// gradient hardly differs from 0, of (z - 3)^2 beside z = 3 say, any small motion of z is lost
+/// in the square of the noise, so that the combination is constant whatever z does.
+bool is_first_order(const MonomialMoments& moments, const Set& set, const Vector& c) {
+  const double second = form(moments.second, set, c);
+  return form(moments.white, set, c) - second >= second;
+}
+
 /// Whether every summand varies by much more than their sum does.
 bool is_strong(const MonomialMoments& moments, const Set& set, const Vector& c,
                double strength) {
@@ -107,6 +117,40 @@ double binomial(double n, double k) {
   return value;
 }
 
+int degree_of(const MonomialMoments& moments, Index term) {
+  int degree = 0;
+  for (const int power : moments.exponents[static_cast<std::size_t>(term)]) degree += power;
+  return degree;
+}
+
+/// Monomials that may stand in a relation: products with a state far from 0 are as good as
+/// lines.
+Set pool_of(const MonomialMoments& moments, const Dataset& data) {
+  const std::vector<FarVariable> far = far_variables(data);
+  Set pool;
+  for (Index c = 0; c < static_cast<Index>(moments.terms.size()); ++c) {
+    const auto used = moments.terms[static_cast<std::size_t>(c)].expression().variables();
+    const bool is_far = std::any_of(far.begin(), far.end(), [&](const FarVariable& one) {
+      return used.contains(one.name);
+    });
+    if (!is_far || degree_of(moments, c) == 1) pool.push_back(c);
+  }
+  return pool;
+}
+
+/// Whether a sum vanishes that is the product of a state and something else: w*z - 3*w = 0 is
+/// z = 3, which has been looked at, as it has fewer factors.
+bool is_multiple(const MonomialMoments& moments, const Set& set, const Relation& relation) {
+  if (std::abs(relation.value) > relation.scatter) return false;
+  const std::size_t states = moments.exponents.front().size();
+  for (std::size_t k = 0; k < states; ++k)
+    if (std::all_of(set.begin(), set.end(), [&](Index term) {
+          return moments.exponents[static_cast<std::size_t>(term)][k] > 0;
+        }))
+      return true;
+  return false;
+}
+
 /// Goes through sets of monomials, fewest first.
 class RelationSearch {
  public:
@@ -114,11 +158,11 @@ class RelationSearch {
                  const RunContext& context)
       : moments_(moments), options_(options), context_(context) {}
 
-  std::vector<Relation> run(int most_degree) {
+  std::vector<Relation> run(const Set& all, int most_degree) {
     for (int degree = 1; degree <= most_degree; ++degree) {
       Set pool;
-      for (Index c = 0; c < static_cast<Index>(moments_.terms.size()); ++c)
-        if (degree_of(c) <= degree) pool.push_back(c);
+      for (const Index c : all)
+        if (degree_of(moments_, c) <= degree) pool.push_back(c);
       for (std::size_t size = 1;
            size <= std::min(pool.size(), static_cast<std::size_t>(options_.most_terms));
            ++size) {
@@ -133,12 +177,6 @@ class RelationSearch {
   }
 
  private:
-  int degree_of(Index term) const {
-    int degree = 0;
-    for (const int power : moments_.exponents[static_cast<std::size_t>(term)]) degree += power;
-    return degree;
-  }
-
   bool follows(Index term) const {
     return std::any_of(leading_.begin(), leading_.end(), [&](Index leader) {
       return divides(moments_.exponents[static_cast<std::size_t>(leader)],
@@ -160,10 +198,13 @@ class RelationSearch {
     context_.check_stop();
     if (std::any_of(set.begin(), set.end(), [&](Index term) { return follows(term); })) return;
     const std::optional<Vector> c = flattest(moments_, set);
-    if (!c || !is_noise(moments_, set, *c, options_) ||
+    if (!c || !is_noise(moments_, set, *c, options_) || !is_first_order(moments_, set, *c) ||
         !is_strong(moments_, set, *c, options_.strength))
       return;
-    found_.push_back(relation_of(moments_, set, *c));
+    Relation relation = relation_of(moments_, set, *c);
+    // A state that is 0 itself is one, and no product.
+    if (degree_of(moments_, set.back()) > 1 && is_multiple(moments_, set, relation)) return;
+    found_.push_back(std::move(relation));
     leading_.push_back(set.back());
   }
 
@@ -187,7 +228,7 @@ std::vector<Relation> find_relations(const Dataset& data, const RelationOptions&
   const int degree = measured > options.most_states ? 1 : 2;
   const MonomialMoments moments =
       monomial_moments(data, degree, options.resolution, context.threads, noise);
-  return RelationSearch(moments, options, context).run(degree);
+  return RelationSearch(moments, options, context).run(pool_of(moments, data), degree);
 }
 
 }  // namespace lacuna

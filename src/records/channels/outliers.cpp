@@ -9,6 +9,35 @@
 namespace lacuna {
 namespace {
 
+/// Whether a sample near an end is off: by more than a parabola through the six next to it is
+/// uncertain by there, and by more than what bends these six would take it away. At the end
+/// itself no bend shows a spike.
+bool stands_out_at_end(const Trajectory& record, Index state, Index end, double off,
+                       const std::vector<bool>& marked) {
+  constexpr Index kBeside = 6;
+  constexpr double kMargin = 2.0;  // of a cubic: what is above it bends by less
+  const Index step = 2 * end < record.samples() ? 1 : -1;
+  std::vector<Index> beside;
+  for (Index j = end + step; j >= 0 && j < record.samples() && beside.size() < kBeside;
+       j += step)
+    if (!marked[static_cast<std::size_t>(j)]) beside.push_back(j);
+  if (beside.size() < kBeside) return false;
+  Matrix powers(kBeside, 3), values(kBeside, 2);
+  const double reach = record.time[beside.back()] - record.time[end];
+  for (Index row = 0; row < kBeside; ++row) {
+    const Index j = beside[static_cast<std::size_t>(row)];
+    const double s = (record.time[j] - record.time[end]) / reach;
+    powers.row(row) << 1.0, s, s * s;
+    values.row(row) << record.states(j, state), s * s * s;
+  }
+  const Matrix inverse = (powers.transpose() * powers).inverse();
+  const Matrix parabolas = inverse * (powers.transpose() * values);
+  const Eigen::RowVector2d left = (values - powers * parabolas).colwise().norm();
+  const double bend = std::abs(parabolas(0, 1)) / left[1];
+  const double jump = std::abs(record.states(end, state) - parabolas(0, 0));
+  return jump > off * std::sqrt(1.0 + inverse(0, 0)) && jump > kMargin * bend * left[0];
+}
+
 /// Whether the record is smooth but for this sample: a cubic goes through its neighbours to
 /// the noise, and not through the sample. Where a fast stretch is sampled coarsely no cubic
 /// goes through the neighbours either.
@@ -22,7 +51,7 @@ bool stands_out(const Trajectory& record, Index state, Index i, double off,
   const std::size_t before = around.size();
   for (Index j = i + 1; j < record.samples() && around.size() < before + kEachSide; ++j)
     if (!marked[static_cast<std::size_t>(j)]) around.push_back(j);
-  if (around.size() < 2 * kEachSide) return true;
+  if (around.size() < 2 * kEachSide) return stands_out_at_end(record, state, i, off, marked);
   Matrix powers(static_cast<Index>(around.size()), 4);
   Vector values(powers.rows());
   const double reach = record.time[around.back()] - record.time[i];
@@ -43,6 +72,11 @@ std::vector<Index> outliers_of(const Trajectory& record, Index state, double off
   std::vector<bool> marked(static_cast<std::size_t>(record.samples()), false);
   for (const Index i : suspects) marked[static_cast<std::size_t>(i)] = true;
   std::vector<Index> found;
+  for (const Index end : {Index{0}, record.samples() - 1}) {
+    if (!stands_out_at_end(record, state, end, off, marked)) continue;
+    marked[static_cast<std::size_t>(end)] = true;
+    found.push_back(end);
+  }
   for (const Index i : suspects)
     if (stands_out(record, state, i, off, marked)) found.push_back(i);
   return found;

@@ -22,11 +22,11 @@ Tone tone_of(const Diagnosis& diagnosis) {
     case Verdict::NoDiscrepancy:
     case Verdict::CoefficientsOnly:
     case Verdict::Explained:
-      return diagnosis.adequacy.fits == Adequate::No ? Tone::Doubtful : Tone::Good;
+      return Tone::Good;
     case Verdict::PartlyExplained:
       return Tone::Doubtful;
     case Verdict::UnnamedStructure:
-      return Tone::Bad;
+      return diagnosis.remaining.equations.empty() ? Tone::Doubtful : Tone::Bad;
   }
   return Tone::Bad;
 }
@@ -43,7 +43,7 @@ std::vector<Fact> facts_of(const Diagnosis& diagnosis) {
     facts.push_back({effect.name, format_number(effect.sigma, 3) + " sigma",
                      "probability " + percent(effect.probability) + ", explains " +
                          percent(effect.gap_closed)});
-  if (diagnosis.remaining.structure)
+  if (!diagnosis.remaining.equations.empty())
     facts.push_back({"Left over", format_number(diagnosis.remaining.sigma, 3) + " sigma",
                      "significant structure"});
   return facts;

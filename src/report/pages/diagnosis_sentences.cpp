@@ -49,13 +49,8 @@ std::string headline(const Diagnosis& diagnosis) {
     return "No effect is sought: the records and the model do not fit together.";
   switch (diagnosis.verdict) {
     case Verdict::NoDiscrepancy:
-      if (diagnosis.adequacy.fits == Adequate::No)
-        return "No discrepancy in the records that were used; on others a gap stays.";
       return "No discrepancy: the model fits the records to their noise.";
     case Verdict::CoefficientsOnly:
-      if (diagnosis.adequacy.fits == Adequate::No)
-        return "In the records that were used only coefficients are off; on others a gap "
-               "stays.";
       return "No structure is missing; coefficients are off.";
     case Verdict::Explained:
       return "Explained: what is missing has a name, nothing significant is left.";
@@ -64,6 +59,8 @@ std::string headline(const Diagnosis& diagnosis) {
     case Verdict::UnnamedStructure:
       if (withheld_by(diagnosis.hints) != Withheld::Nothing)
         return "Something is missing; no effect is named, the hint comes first.";
+      if (diagnosis.remaining.equations.empty())
+        return "No structure is missing in the records that were used; on others a gap stays.";
       return "Something is missing that no known effect explains.";
   }
   return "";

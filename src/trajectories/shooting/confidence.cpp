@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
 #include "trajectories/smoother/assimilation_steps.hpp"
@@ -104,11 +103,6 @@ void WindowSquares::add(const WindowSquares& other) {
 double WindowSquares::rms() const { return std::sqrt(sum / count); }
 
 double WindowSquares::above(double floor) const {
-  if (count == 0.0) return 0.0;
-  return std::max(above_by_scatter(floor), rms() > 0.0 ? rms() / floor : 0.0);
-}
-
-double WindowSquares::above_by_scatter(double floor) const {
   if (blocks.size() < 2) return 0.0;
   const Eigen::Map<const Vector> all(blocks.data(), static_cast<Index>(blocks.size()));
   const auto freedom = static_cast<double>(blocks.size() - 1);

@@ -22,15 +22,10 @@ struct WindowSquares {
   void add(const WindowSquares& other);
   double rms() const;  ///< not finite where no window is left
 
-  /// By how many standard deviations the mean square is above floor^2: the larger of
-  /// above_by_scatter() and rms() / floor, as which it counts if all samples are off by one and
-  /// the same normal deviation of size `floor`. What blocks scatter by, or how few they are,
-  /// does not hide that all of them are far off.
+  /// By how many of its standard errors, which are found from the scatter over blocks, the mean
+  /// square is above floor^2. With few blocks the errors count as much more as Student's t has
+  /// them; 0 where there are fewer than two.
   double above(double floor) const;
-
-  /// The same in standard errors that are found from the scatter over blocks. With few blocks
-  /// the errors count as much more as Student's t has them; 0 where there are fewer than two.
-  double above_by_scatter(double floor) const;
 };
 
 /// Windows of a record one after another: their length, and the first sample of the first.

@@ -26,7 +26,8 @@ struct Gap {
   double before = 0.0;       ///< nominal model as it was given
   double after = 0.0;        ///< augmented model
   double noise_floor = 0.0;  ///< measurement noise alone
-  /// Significance of `after` being above the floor, from its scatter over the windows.
+  /// By how many standard errors, from its scatter over the windows, `after`^2 is above
+  /// floor^2.
   double above_floor = 0.0;
   double window = 0.0;  ///< length of the windows, time units
   std::vector<std::string> records;

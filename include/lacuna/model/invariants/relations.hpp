@@ -44,7 +44,7 @@ struct RelationOptions {
 };
 
 /// Polynomials of degree 1 and 2 (of more than RelationOptions::most_states
-/// states 1) of the measured states that
+/// states 1; no products with states far from 0, far_variables()) of the measured states that
 /// vanish, up to a constant, at the noise level of the record (the approximately vanishing
 /// ideal: Heldt, Kreuzer, Pokutta & Poulisse, J. Symbolic Computation 44 (2009) 1566), shortest
 /// first. On such data the monomials of a relation and a constant cannot be told apart.
@@ -55,7 +55,8 @@ struct RelationOptions {
 /// a relation where
 ///   c'C c <= (1 + noise_slack)^2 (1 + chance) c'N c    no more is left than noise,
 ///   the same for means of twenty blocks of the record, where noise is averaged out,
-///   c_j sd(phi_j) >= strength * scatter   every summand counts.
+///   c_j sd(phi_j) >= strength * scatter   every summand counts,
+///   c'(N - M) c >= c'M c, M_ij = tr(H_i S H_j S), H the Hessians   noise acts by the gradient.
 /// What contains a multiple of the leading monomial of a relation follows from it and is not
 /// told (Buchberger and Moeller's order).
 /// @param noise of the states, where it is known already (analyse_noise()).

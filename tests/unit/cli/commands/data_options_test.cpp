@@ -7,6 +7,7 @@ namespace lacuna {
 namespace {
 
 using testing::CommandResult;
+using ::testing::HasSubstr;
 using testing::run_command;
 using testing::TemporaryFolder;
 
@@ -55,6 +56,25 @@ TEST(DataOptions, AStepReplacesTheTimeColumn) {
       identify({"--dt", "0.1", "--trajectory", "run", "--states", "x", "--degree", "1"});
   EXPECT_NEAR(result["model"]["equations"][0]["terms"][0]["coefficient"].get<double>(), -0.5,
               1e-3);
+}
+
+TEST(DataOptions, TheUnitOfTheTimeIsOneThatTimesAreConvertedFrom) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("d.csv", record());
+  for (const char* unit : {"parsec", "-1", "m/s", "tau", "m", "s s"})
+    for (const char* command : {"check", "identify"}) {
+      const std::string option = std::string("--time-unit=") + unit;
+      const auto result = run_command({command, path, option});
+      EXPECT_EQ(result.status, 2) << command << " " << option;
+      EXPECT_THAT(result.err, HasSubstr("give one of ns, us, ms, s, min, h, d")) << option;
+    }
+  for (const auto& [said, unit] :
+       {std::pair{"Minutes", "min"}, {"\u00b5s", "us"}, {"h", "h"}}) {
+    const auto result = run_command({"check", path, "--time", "when", "--trajectory", "run",
+                                     "--time-unit", said, "--json", "-"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["time_unit"], unit);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/interval.hpp"
 
 #include <gtest/gtest.h>
 

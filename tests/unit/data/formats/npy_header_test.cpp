@@ -61,6 +61,14 @@ TEST(NpyHeader, RefusesTypesThatAreNoRealNumbers) {
   expect_header_refused("{'descr': [('a', [('b', '<f8')])]" + tail, "field 'a' has fields");
 }
 
+TEST(NpyHeader, RefusesDatesInUnitsThatAreNotRead) {
+  const std::string tail = ", 'fortran_order': False, 'shape': (1,), }";
+  for (const std::string type : {"<M8", "<M8[M]", "<m8[Y]", "<M8[10ms]", "<M8[", "<m8[ns]]"})
+    testing::expect_error<DataError>(
+        [&] { parse_npy(npy("{'descr': '" + type + "'" + tail), "a.npy"); }, "a.npy", type,
+        "datetime64[ns]");
+}
+
 TEST(NpyHeader, RefusesShapesThatAreNoTable) {
   const std::string head = "{'descr': '<f8', 'fortran_order': False, 'shape': ";
   expect_header_refused(head + "(), }", "it has 0 dimensions");

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "data/times/counted_times.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/data/formats/mutate.hpp"
@@ -111,6 +112,42 @@ TEST(ParseNpy, StructuredTypesNameTheirColumns) {
   Matrix expected(2, 2);
   expected << 1, 5, 2, -1;
   EXPECT_EQ(table.values, expected);
+}
+
+TEST(ParseNpy, DatesAndSpansOfTimeAreNumbersWithTheirUnit) {
+  // datetime64 counts from 1970: 2026-11-25 00:00 in each unit, then NaT.
+  constexpr std::uint64_t kDays = 20782, kNone = 1ULL << 63U;
+  const std::vector<std::pair<std::string, std::uint64_t>> written{{"D", kDays},
+                                                                   {"h", 24 * kDays},
+                                                                   {"m", 1440 * kDays},
+                                                                   {"s", 86400 * kDays},
+                                                                   {"ms", 86400000 * kDays}};
+  for (const auto& [unit, count] : written)
+    for (const std::string kind : {"<M8", "<m8", ">M8"}) {
+      const std::string data = packed({count, kNone}, 8, kind[0] == '>');
+      const Table table =
+          parse_npy(npy(header_of("'" + kind + "[" + unit + "]'", "(2,)"), data), "a.npy");
+      EXPECT_EQ(table.values(0, 0), static_cast<double>(count)) << kind << unit;
+      EXPECT_TRUE(std::isnan(table.values(1, 0)));
+      EXPECT_EQ(table.columns[0].unit, unit == "D" ? "d" : unit == "m" ? "min" : unit);
+    }
+}
+
+TEST(ParseNpy, TimesOfAFieldOfDatesAreCountedInTheirUnit) {
+  constexpr std::uint64_t kFirst = 1'795'000'000'000'000'000, kNone = 1ULL << 63U;
+  std::vector<std::uint64_t> numbers;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    numbers.push_back(i == 5 ? kNone : kFirst + 100 * i);
+    numbers.push_back(std::bit_cast<std::uint64_t>(0.5 * static_cast<double>(i)));
+  }
+  const Table table = parse_npy(
+      npy(header_of("[('t', '<M8[ns]'), ('x', '<f8')]", "(20,)"), packed(numbers, 8, false)),
+      "a.npy", time_finder({}));
+  EXPECT_EQ(table.columns[0].unit, "ns");
+  ASSERT_TRUE(table.counted);
+  EXPECT_EQ(table.values(19, 0), 1900.0);
+  EXPECT_TRUE(std::isnan(table.values(5, 0)));
+  EXPECT_EQ(table.values(19, 1), 9.5);
 }
 
 TEST(ParseNpy, MutatedFilesParseOrAreRefused) {

@@ -6,6 +6,7 @@
 #include <zlib.h>
 
 #include "data/formats/npy.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
@@ -35,12 +36,10 @@ std::string deflated(const std::string& content) {
 }
 
 /// An archive as zip has it (APPNOTE 6.3.9, sections 4.3.7, 4.3.12, 4.3.16).
-std::string archive(const std::vector<std::pair<std::string, Matrix>>& arrays, bool pack) {
+std::string archive_of(const std::vector<std::pair<std::string, std::string>>& arrays,
+                       bool pack) {
   std::string files, directory;
-  for (const auto& [name, values] : arrays) {
-    const testing::TemporaryFolder folder;
-    write_npy(folder.file("a.npy"), values);
-    const std::string content = folder.read("a.npy");
+  for (const auto& [name, content] : arrays) {
     const std::string stored = pack ? deflated(content) : content;
     const auto crc = crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
     const std::string common = little(pack ? 8 : 0, 2) + little(0, 4) + little(crc, 4) +
@@ -54,6 +53,31 @@ std::string archive(const std::vector<std::pair<std::string, Matrix>>& arrays, b
   return files + directory + "PK\x05\x06" + little(0, 4) + little(arrays.size(), 2) +
          little(arrays.size(), 2) + little(directory.size(), 4) + little(files.size(), 4) +
          little(0, 2);
+}
+
+std::string archive(const std::vector<std::pair<std::string, Matrix>>& arrays, bool pack) {
+  std::vector<std::pair<std::string, std::string>> contents;
+  for (const auto& [name, values] : arrays) {
+    const testing::TemporaryFolder folder;
+    write_npy(folder.file("a.npy"), values);
+    contents.emplace_back(name, folder.read("a.npy"));
+  }
+  return archive_of(contents, pack);
+}
+
+TEST(Npz, DatesAreTimesInTheirUnit) {
+  std::string times = npy_begin("<M8[us]", false, 30, 1),
+              values = npy_begin("<f8", false, 30, 1);
+  for (std::size_t i = 0; i < 30; ++i) {
+    times += little(1'795'000'000'000'000 + 20 * i, 8);
+    values += little(0x3FF0000000000000 + i, 8);
+  }
+  const Table table = parse_npz(archive_of({{"t.npy", times}, {"x.npy", values}}, true),
+                                "a.npz", time_finder({}));
+  EXPECT_EQ(table.columns[0].name, "t");
+  EXPECT_EQ(table.columns[0].unit, "us");
+  EXPECT_EQ(table.columns[1].unit, "");
+  EXPECT_EQ(table.values(29, 0) - table.values(0, 0), 580.0);
 }
 
 TEST(Npz, ArraysAreColumns) {

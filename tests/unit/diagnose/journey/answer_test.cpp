@@ -186,5 +186,17 @@ TEST_F(Answer, TheAdequacyIsThatOfTheEquationsAndOfOtherRecords) {
             Adequate::No);
 }
 
+TEST_F(Answer, WhatStaysOpenOnOtherRecordsIsStructureWithoutAName) {
+  Gap open = gap(10.0, 9.0);
+  open.above_floor = 9.0;
+  const Diagnosis elsewhere = make_answer(asked_.problem(), {nameless(0.0)}, open, {});
+  EXPECT_EQ(elsewhere.verdict, Verdict::UnnamedStructure);
+  EXPECT_TRUE(elsewhere.remaining.structure);
+  EXPECT_TRUE(elsewhere.remaining.equations.empty());
+  EXPECT_EQ(elsewhere.augmented.coefficient(1, "q"), -4.0) << "the model stays as it was";
+  EXPECT_EQ(make_answer(asked_.problem(), {nameless(0.0)}, gap(1.2, 1.1), {}).verdict,
+            Verdict::NoDiscrepancy);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -53,6 +53,9 @@ TEST_F(Reservations, TheGapStaysOpenByMoreThanChance) {
   EXPECT_TRUE(
       speaks_of(said(account(stop(-0.1)), gap_of(1.6, 4.0)), "1.6 times its noise floor"));
   EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 2.0)).empty());
+  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(2.9, 0.0)).empty());
+  EXPECT_TRUE(speaks_of(said(account(stop(-0.1)), gap_of(3.1, 0.0)), "3.1 times its noise"))
+      << "a scatter that is as large hides no gap of three deviations of the noise";
   asked_.options.decision.explained_gap = 2.0;
   EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 4.0)).empty());
 }

@@ -60,5 +60,21 @@ TEST(FunctionForms, TakeOverWhatEffectsProposeThatActsAtOnce) {
       EXPECT_FALSE(are_one_form(candidates[i], candidates[j]));
 }
 
+TEST(FunctionForms, OfAmountsAloneTheSizeIsTheValueItself) {
+  const auto effects = default_registry().make_all<Effect>();
+  const auto has_drag = [&](double offset, const std::string& form) {
+    const auto candidates = function_forms(scope_of(offset), effects, 1);
+    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& one) {
+      return one.form.to_string() == form &&
+             std::count(one.families.begin(), one.families.end(), "quadratic-drag") > 0;
+    });
+  };
+  EXPECT_TRUE(has_drag(0.0, "v*abs(v)"));
+  EXPECT_FALSE(has_drag(10.0, "v*abs(v)"));
+  for (const std::string& form : forms_of(function_forms(scope_of(10.0), effects, 1)))
+    for (const char* size : {"abs(q)", "abs(v)"})
+      EXPECT_EQ(form.find(size), std::string::npos) << form;
+}
+
 }  // namespace
 }  // namespace lacuna

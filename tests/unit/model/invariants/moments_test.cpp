@@ -49,6 +49,14 @@ TEST(MonomialMoments, NoiseIsThatOfTheMonomials) {
   EXPECT_NEAR(noisy.mean[4], yy, 0.01 * yy);  // without the 0.04 that the noise adds
 }
 
+TEST(MonomialMoments, TheSecondOrderOfTheNoiseIsThatOfHessians) {
+  const MonomialMoments moments = monomial_moments(noisy_pair(4000, 0.1), 2, 0.0);
+  EXPECT_EQ(moments.second(0, 0), 0.0);
+  EXPECT_NEAR(moments.second(3, 3), 2.0 * 0.01 * 0.04, 0.2 * moments.second(3, 3));
+  EXPECT_NEAR(moments.second(4, 4), 4.0 * 0.04 * 0.04, 0.2 * moments.second(4, 4));
+  EXPECT_EQ(moments.second(3, 4), 0.0) << "x*y has no second derivative by y";
+}
+
 TEST(MonomialMoments, BlocksAreMeansOfSamples) {
   const MonomialMoments moments = monomial_moments(noisy_pair(1000, 0.1), 1, 1e-4);
   EXPECT_EQ(moments.block, 50);

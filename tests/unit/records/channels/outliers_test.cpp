@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/random.hpp"
 #include "support/oscillation.hpp"
 
@@ -30,6 +32,31 @@ TEST(MarkOutliers, FindsThoseOfEachState) {
   EXPECT_EQ(marks.sum(), 2.0);
   EXPECT_EQ(marks(100, 0), 1.0);
   EXPECT_EQ(marks(200, 0), 1.0);
+}
+
+TEST(MarkOutliers, FindsThoseAtTheEnds) {
+  for (const Index end : {Index{0}, Index{399}})
+    for (const double size : {0.6, -20.0}) {
+      Dataset data = noisy();
+      data.trajectories[0].states(end, 1) += size;
+      const Matrix marks = marks_of(data)[0];
+      EXPECT_EQ(marks.sum(), 1.0) << end << ", " << size;
+      EXPECT_EQ(marks(end, 1), 1.0);
+    }
+}
+
+TEST(MarkOutliers, AMotionThatBeginsFastIsNone) {
+  // exp(-t / tau) from coarse to fine, with little noise.
+  for (const double samples : {2.0, 3.0, 5.0, 10.0, 40.0})
+    for (const double noise : {1e-5, 1e-3}) {
+      Dataset data = noisy();
+      Random random(9);
+      Trajectory& record = data.trajectories[0];
+      for (Index i = 0; i < record.samples(); ++i)
+        record.states.row(i).setConstant(std::exp(-static_cast<double>(i) / samples) +
+                                         noise * random.normal());
+      EXPECT_EQ(marks_of(data)[0].row(0).sum(), 0.0) << samples << ", " << noise;
+    }
 }
 
 TEST(MarkOutliers, FindsNoneInCleanRecords) { EXPECT_EQ(marks_of(noisy())[0].sum(), 0.0); }

@@ -102,6 +102,8 @@ TEST(DiagnosisReport, NoHeadlineDeniesAGapThatStays) {
   diagnosis.adequacy = {Adequate::Yes, {{"v", Adequate::Yes, 100, true}}};
   EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("fits the records to their noise"));
   diagnosis.adequacy.fits = Adequate::No;
+  diagnosis.verdict = Verdict::UnnamedStructure;
+  diagnosis.remaining = {.structure = true, .sigma = 0.0, .equations = {}, .details = {}};
   EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("on others a gap stays"));
   const auto json = nlohmann::json::parse(format_json(diagnosis));
   EXPECT_EQ(json["adequacy"]["fits"], "no");

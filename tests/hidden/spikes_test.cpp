@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A few samples that are off have no name: no effect is named for them, and they take none
+// away.
+#include "hidden/support/spikes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+
+namespace lacuna::hidden {
+namespace {
+
+class Spikes : public ::testing::TestWithParam<SpikeCase> {};
+
+TEST_P(Spikes, HaveNoName) {
+  const SpikeCase one = GetParam();
+  DiagnosisOptions options;
+  options.effects = default_registry().make_all<Effect>();
+  const Diagnosis found =
+      diagnose(spike_model(one.model), spike_record(one, 11), {}, options, RunContext{});
+  // Several samples together, up to a hundredth of those that are used, may be taken for some
+  // of an effect, but never explain anything.
+  EXPECT_NE(found.verdict, Verdict::Explained);
+  if (one.at.size() > 1) return;
+  for (const NamedEffect& effect : found.effects)
+    ADD_FAILURE() << to_string(found.verdict) << ": " << effect.name << " in "
+                  << effect.equation << ", " << effect.sigma << " sigma";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Spikes, ::testing::ValuesIn(spike_cases()), [](const auto& one) {
+  std::string name = one.param.name;
+  for (char& c : name)
+    if (c == ' ' || c == ',') c = '_';
+  return name;
+});
+
+}  // namespace
+}  // namespace lacuna::hidden
