@@ -10,6 +10,7 @@
 #include "dynamics/attractor/rosenstein.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

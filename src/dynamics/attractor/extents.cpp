@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "core/base/check.hpp"
 #include "core/numerics/qr.hpp"
+#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lacuna/core/numerics/interval.hpp"
 
 namespace lacuna {
 

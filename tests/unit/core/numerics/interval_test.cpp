@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/core/numerics/interval.hpp"
 
 #include <gtest/gtest.h>
 
