@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/numerics/information.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/qr.hpp"
+#include "regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

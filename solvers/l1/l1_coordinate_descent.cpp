@@ -2,7 +2,7 @@
 #include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
 
 #include "core/numerics/coordinate_sweep.hpp"
-#include "lacuna/solvers/l1/l1_optimality.hpp"
+#include "solvers/l1/l1_optimality.hpp"
 
 namespace lacuna {
 

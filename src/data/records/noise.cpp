@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/parallel.hpp"
 #include "core/numerics/column_kernels.hpp"
 #include "core/numerics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/state_statistics.hpp"
-#include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {

@@ -2,7 +2,7 @@
 #include "lacuna/diagnose/hypotheses/account.hpp"
 
 #include "core/numerics/information.hpp"
-#include "effect_size.hpp"
+#include "diagnose/search/effect_size.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "core/numerics/lagrange.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/core/numerics/lagrange.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/dynamics/integration/integrator.hpp"
 #include "lacuna/model/equations/ode_model.hpp"

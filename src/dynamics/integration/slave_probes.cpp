@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "sync_errors.hpp"
 
 namespace lacuna {

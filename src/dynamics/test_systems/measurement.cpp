@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/random.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/state_statistics.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna {

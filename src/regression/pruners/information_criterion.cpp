@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/numerics/information.hpp"
-#include "lacuna/core/numerics/serial_correlation.hpp"
-#include "lacuna/regression/pruners/elimination.hpp"
+#include "core/numerics/serial_correlation.hpp"
+#include "regression/pruners/elimination.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/numerics/information.hpp"
-#include "lacuna/core/numerics/forward_order.hpp"
-#include "lacuna/regression/pruners/elimination.hpp"
+#include "regression/linear/forward_order.hpp"
+#include "regression/pruners/elimination.hpp"
 
 namespace lacuna {
 namespace {

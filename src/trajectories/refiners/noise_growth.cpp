@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/parallel.hpp"
 #include "core/numerics/robust_statistics.hpp"
-#include "lacuna/core/base/parallel.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/parallel.hpp"
 #include "data/records/state_statistics.hpp"
-#include "lacuna/core/base/parallel.hpp"
 #include "window_iterations.hpp"
 
 namespace lacuna {

@@ -13,8 +13,8 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "model/equations/formula_channel.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna {
 namespace {

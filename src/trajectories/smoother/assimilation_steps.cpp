@@ -6,10 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/numerics/least_squares.hpp"
 #include "data/records/state_statistics.hpp"
 #include "determined_step.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 #include "unknown_past.hpp"
 
 namespace lacuna {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/trajectories/smoother/assimilation.hpp"
-#include "lacuna/trajectories/smoother/variance_fit.hpp"
+#include "trajectories/smoother/variance_fit.hpp"
 
 namespace lacuna {
 

@@ -5,12 +5,12 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/parallel.hpp"
 #include "core/numerics/information.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/forward_order.hpp"
-#include "lacuna/regression/linear/gram.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "regression/linear/forward_order.hpp"
+#include "regression/linear/gram.hpp"
+#include "regression/linear/row_fold.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
 namespace {
