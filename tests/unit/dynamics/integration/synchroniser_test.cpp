@@ -357,13 +357,14 @@ TEST(Synchroniser, TheResponseToNoiseIsThatOfTheSlaveAlone) {
 TEST(Synchroniser, TheNoiseOfTheResponseIsDrawnBySeed) {
   const Variables variables{{"x"}, {}};
   const OdeModel model({{"x", ""}}, {}, {{{Term::parse("x", variables), -1.0}}});
-  Dataset noisy = record_of(model, Rk4{}, Vector::Constant(1, 1.0), 0.01, 500);
+  Dataset noisy = record_of(model, Rk4{}, Vector::Constant(1, 1.0), 0.01, 5000);
   Random random(3);
   for (double& x : noisy.trajectories.front().states.reshaped()) x += 0.1 * random.normal();
   const auto response = [&](std::uint64_t seed) {
     RunContext context;
     context.seed = seed;
-    return synchronise(model, noisy, Rk4{}, {}, context).response[0];
+    const SyncOptions coupling{.coupling = Matrix::Constant(1, 1, 9.0)};
+    return synchronise(model, noisy, Rk4{}, coupling, context).response[0];
   };
   EXPECT_EQ(response(1), response(1));
   EXPECT_NE(response(1), response(2));
