@@ -80,7 +80,7 @@ TEST(Pages, LinksLeadSomewhere) {
   std::size_t links = 0;
   for (const SourceFile& page : pages)
     for (const std::string& line : page.lines)
-      for (const std::string& link : all_matches(line, R"(\]\(([^)#:]+)[^)]*\))")) {
+      for (const std::string& link : all_matches(line, R"(\]\(([^)#:]+)(?:#[^)]*)?\))")) {
         const auto folder =
             (std::filesystem::path(LACUNA_SOURCE_DIR) / page.path).parent_path();
         EXPECT_TRUE(std::filesystem::exists(folder / link)) << page.path << ": " << link;
