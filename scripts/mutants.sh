@@ -6,7 +6,7 @@
 #   --day     only so many entries, whose turn it is by the day of the year; the table stays
 #   PATTERN   only entries that hold this text; the others keep the result of an earlier run
 # Works on the last commit, in a copy below build/mutants; the list is tests/mutants/mutants.txt,
-# the result the table in docs/testing.md. A change that does not build is an error, not noticed.
+# the result the table in tests/mutants/results.md. A change that does not build is an error, not noticed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 check=false preset=dev day=0
@@ -126,13 +126,13 @@ rows() {
   done < <(pattern='' day=0 entries)
 }
 
-# Puts the table between the two marks in docs/testing.md.
+# Writes the table as a page.
 write_table() {
   local machine
   machine="$(nproc) cores, $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)"
   rows > build/mutants.rows
   {
-    sed '/<!-- mutants -->/q' docs/testing.md
+    echo "# Mutants"
     echo
     echo "\`scripts/mutants.sh\` on $(date -u +%Y-%m-%d), $machine:" \
       "$(grep -c '| noticed in' build/mutants.rows) of $(wc -l < build/mutants.rows) noticed."
@@ -140,10 +140,8 @@ write_table() {
     echo "| file | line | instead | tests | result |"
     echo "|---|---|---|---|---|"
     cat build/mutants.rows
-    echo
-    sed -n '/<!-- end of mutants -->/,$p' docs/testing.md
-  } > build/testing.md
-  mv build/testing.md docs/testing.md
+  } > build/mutants.md
+  mv build/mutants.md tests/mutants/results.md
 }
 
 check_entries .

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The first page: short, with links that lead somewhere and numbers that come from results.
+// The first page: short, with numbers that come from results.
 #include <gtest/gtest.h>
 
 #include <regex>
 #include <sstream>
 
-#include "repository/source_tree.hpp"
+#include "repository/pages.hpp"
 
 namespace lacuna::repository {
 namespace {
@@ -16,14 +16,6 @@ std::string text_of(const std::filesystem::path& path) {
   std::string text;
   for (const std::string& line : read_lines(path)) text += line + "\n";
   return text;
-}
-
-std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
-  std::vector<std::string> found;
-  const std::regex regex(pattern);
-  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it)
-    found.push_back((*it)[1]);
-  return found;
 }
 
 TEST(Readme, HasAtMost800Words) {
@@ -60,16 +52,6 @@ TEST(Readme, ProgramsAreShortWithOneHeaderOfTheLibrary) {
     }
     EXPECT_EQ(headers, 1);
   }
-}
-
-TEST(Readme, LinksLeadSomewhere) {
-  for (const std::string page : {"README.md", "docs/tutorial.md", "docs/reports.md"}) {
-    const auto folder = (kReadmeRoot / page).parent_path();
-    const auto links = all_matches(text_of(kReadmeRoot / page), R"(\]\(([^)#:]+)\))");
-    for (const std::string& link : links)
-      EXPECT_TRUE(std::filesystem::exists(folder / link)) << page << ": " << link;
-  }
-  EXPECT_GE(all_matches(text_of(kReadmeRoot / "README.md"), R"(\]\(([^)#:]+)\))").size(), 10u);
 }
 
 /// Rows "| question ([table](FILE)) | answer |": every number of the answer stands in the file.
