@@ -70,10 +70,6 @@ All<DelayedVariable> Choices<DelayedVariable>::all() {
           {"nan", {0, kNan}, false}};
 }
 
-All<StepSize> Choices<StepSize>::all() {
-  return {{"2", {2, 1}}, {"0", {0, 0}}, {"-1", {-1, -1}}, {"7", {7, 1}}};
-}
-
 All<ConstrainedCoefficient> Choices<ConstrainedCoefficient>::all() {
   return {{"(0, 1)", {0, 1, 1.0}}, {"(-1, -1)", {-1, -1, 1.0}}, {"nan", {0, 1, kNan}, false}};
 }

@@ -20,7 +20,7 @@ Score diagnosed(const HiddenCase& hidden, const std::vector<std::string>& effect
                 double level) {
   const auto [find, check] = make_records(hidden, level, 1);
   const Registry registry = default_registry();
-  DiagnosisOptions options;
+  DiagnosisOptions options{.effects = {}};
   for (const std::string& effect : effects)
     options.effects.push_back(registry.make<Effect>(effect));
   return score(hidden, diagnose(hidden.nominal, find, check, options, RunContext{}),

@@ -11,7 +11,7 @@ namespace lacuna::support {
 
 struct Asked {
   BoundRecords records;
-  DiagnosisOptions options = {};
+  DiagnosisOptions options = {.effects = {}};  ///< none but those that a test gives
   OdeModel nominal = oscillator();
   RunContext context = {};
 

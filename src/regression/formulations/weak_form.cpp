@@ -124,7 +124,7 @@ int order_for(double radius_in_steps, double level) {
 
 }  // namespace
 
-TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& options,
+TestFunction choose_test_function(const Dataset& data, const GivenTestFunction& given,
                                   int threads, const std::optional<Vector>& known) {
   // A fact of quadrature: fewer steps do not resolve a test function.
   constexpr double kFewestSteps = 6.0;
@@ -136,13 +136,13 @@ TestFunction choose_test_function(const Dataset& data, const WeakFormOptions& op
   const double level = std::clamp(0.01 * relative_noise(data, noise), kFloor, 1e-3);
   const double corner = corner_frequency(data, noise, step);
   const double widest = longest_duration(data) / 4.0;
-  TestFunction function{options.radius.value_or(10.0 * step), options.order.value_or(6)};
+  TestFunction function{given.radius.value_or(10.0 * step), given.order.value_or(6)};
   for (int pass = 0; pass < 3; ++pass) {
     // Twice the deviation of the spectrum of phi reaches up to the corner.
-    if (!options.radius)
+    if (!given.radius)
       function.radius = std::clamp(2.0 * std::sqrt(2.0 * function.order + 3.0) / corner,
                                    std::min(kFewestSteps * step, widest), widest);
-    if (!options.order) function.order = order_for(function.radius / step, level);
+    if (!given.order) function.order = order_for(function.radius / step, level);
   }
   return function;
 }
@@ -153,7 +153,7 @@ double test_function_spacing(const TestFunction& function) {
 
 LeastSquaresSystem WeakForm::do_assemble(const Dataset& data, const TermLibrary& library,
                                          const RunContext& context) const {
-  const TestFunction function = choose_test_function(data, options());
+  const TestFunction function = choose_test_function(data, {options().radius, options().order});
   const double spacing = test_function_spacing(function);
   std::vector<Projection> projections;
   for (const Trajectory& record : data.trajectories)

@@ -39,7 +39,7 @@ TEST(DefaultDiagnosis, FindsColumnsByTheirNames) {
   reversed.trajectories[0].states = record.trajectories[0].states.rowwise().reverse();
   reversed.rate_of.clear();
   expect_friction(diagnose(support::oscillator(), reversed));
-  reversed.states[0].name = "other";
+  reversed.states = {{"other", ""}, {"another", ""}};
   EXPECT_THROW(diagnose(support::oscillator(), reversed, record), DataError);
 }
 

@@ -373,20 +373,29 @@ TEST(Diagnose, AFunctionOfAStateIsNoInput) {
   EXPECT_LT(diagnosis.gap->ratio(), 0.3) << "the spline stands in the model";
 }
 
-TEST(Diagnose, RecordsThatLackAColumnOfTheModelAreAnError) {
+TEST(Diagnose, RecordsThatLackAnInputOrAllStatesAreAnError) {
   const Dataset whole = support::hidden_record(support::nothing, 0.01);
-  Dataset lacking = whole;
-  lacking.states.pop_back();
-  lacking.trajectories[0].states.conservativeResize(Eigen::NoChange, 1);
-  const auto diagnosed = [](const Dataset& data, const Dataset& held_out) {
-    return diagnose(support::oscillator(), data, held_out, {}, RunContext{});
-  };
-  EXPECT_THROW(diagnosed(lacking, {}), DataError);
-  EXPECT_THROW(diagnosed(whole, lacking), DataError);
-  Dataset deaf = whole;
+  Dataset deaf = whole, foreign = whole;
   deaf.inputs.clear();
   deaf.trajectories[0].inputs.resize(whole.samples(), 0);
-  EXPECT_THROW(diagnosed(deaf, {}), DataError);
+  foreign.states = {{"one", ""}, {"two", ""}};
+  for (const Dataset& lacking : {deaf, foreign}) {
+    EXPECT_THROW(diagnose(support::oscillator(), lacking), DataError);
+    EXPECT_THROW(diagnose(support::oscillator(), whole, lacking), DataError);
+  }
+}
+
+TEST(Diagnose, AStateWithoutAColumnIsMadeAsTheModelDefinesIt) {
+  Dataset lacking = support::hidden_record(support::nothing, 0.01);
+  lacking.states.pop_back();
+  lacking.trajectories[0].states.conservativeResize(Eigen::NoChange, 1);
+  const OdeModel model = support::oscillator();
+  const Diagnosis made = diagnose(model, lacking, {}, {.effects = {}});
+  const Diagnosis viewed =
+      diagnose(model, model_view(model, lacking, FiniteDifferences{}), {}, {.effects = {}});
+  EXPECT_EQ(made.verdict, viewed.verdict);
+  ASSERT_TRUE(made.gap.has_value() && viewed.gap.has_value());
+  EXPECT_EQ(made.gap->after, viewed.gap->after);
 }
 
 TEST(Diagnose, WhereStatesAreHiddenWhiteNoiseTellsNothingEither) {

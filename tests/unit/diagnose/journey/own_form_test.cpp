@@ -43,8 +43,7 @@ TEST(OwnForm, IsFoundAndNamedAmongAllOthers) {
   Registry registry = default_registry();
   registry.add<FamilyEffect<kThreeHalves>>();
   DiagnosisOptions options;
-  for (const std::string& name : registry.names(Effect::kKind))
-    options.effects.push_back(registry.make<Effect>(name));
+  options.effects = registry.make_all<Effect>();
   const Diagnosis diagnosis =
       diagnose(support::oscillator(), support::hidden_record(hidden, 0.001, 3),
                support::hidden_record(hidden, 0.001, 4, -0.7), options, RunContext{});
