@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lacuna/core/base/function_ref.hpp"
-#include "lacuna/trajectories/sensitivities/rates.hpp"
+#include "trajectories/sensitivities/rates.hpp"
 
 namespace lacuna {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "lacuna/trajectories/sensitivities/record_steps.hpp"
+#include "trajectories/sensitivities/record_steps.hpp"
 
 namespace lacuna {
 

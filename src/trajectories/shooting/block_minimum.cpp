@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
+#include "core/numerics/qr.hpp"
+#include "regression/linear/row_fold.hpp"
 
 namespace lacuna {
 namespace {

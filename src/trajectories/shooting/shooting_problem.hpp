@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "block_minimum.hpp"
-#include "window_groups.hpp"
+#include "trajectories/windows/window_groups.hpp"
 
 namespace lacuna {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
+#include "regression/linear/row_fold.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"
 #include "unit/trajectories/shooting/dense_problem.hpp"
 
