@@ -3,10 +3,10 @@
 
 #include "command.hpp"
 #include "data_options.hpp"
-#include "lacuna/records/channels/map_hint.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/report/pages/data_summary.hpp"
+#include "lacuna/records/channels/map_hint.hpp"
+#include "report/pages/data_summary.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/parallel.hpp"
 #include "core/numerics/column_kernels.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/lattice.hpp"
-#include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 
 #include "data/records/known_noise.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 namespace {

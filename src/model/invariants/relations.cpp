@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/symmetric_eigen.hpp"
 #include "data/records/known_noise.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/symmetric_eigen.hpp"
-#include "lacuna/model/invariants/divides.hpp"
+#include "model/invariants/divides.hpp"
 #include "moments.hpp"
 
 namespace lacuna {

@@ -6,8 +6,8 @@
 
 #include "data/records/known_noise.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/records/channels/interpolated.hpp"
 #include "records/channels/channel_notes.hpp"
+#include "records/channels/interpolated.hpp"
 #include "records/channels/outliers.hpp"
 #include "records/channels/repeats.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.hpp"
 #include "data/records/piece_name.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

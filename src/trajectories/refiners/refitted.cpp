@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 
