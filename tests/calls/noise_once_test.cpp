@@ -109,7 +109,7 @@ TEST(NoiseIsFoundOnce, InDiagnose) {
 }
 
 TEST(NoiseIsFoundOnce, InDiagnoseOfWhatIsHeldOut) {
-  EXPECT_EQ(most_in({"diagnose", "--model", kData + "pendulum.ode", "--map", kScope, kPendulum,
+  EXPECT_EQ(most_in({"diagnose", kPendulum, "--model", kData + "pendulum.ode", "--map", kScope,
                      "--holdout", kData + "pendulum_scope_2.csv.gz"}),
             1);
 }
@@ -137,13 +137,13 @@ TEST(NoiseIsFoundOnce, InIdentify) {
 }
 
 TEST(NoiseIsFoundOnce, InIdentifyWithRecordsHeldOut) {
-  EXPECT_EQ(most_in({"identify", "--map", kScope, "--states", "th,w", "--inputs", "u",
-                     kPendulum, "--holdout", kData + "pendulum_scope_2.csv.gz"}),
+  EXPECT_EQ(most_in({"identify", kPendulum, "--map", kScope, "--states", "th,w", "--inputs",
+                     "u", "--holdout", kData + "pendulum_scope_2.csv.gz"}),
             1);
 }
 
 TEST(NoiseIsFoundOnce, InFit) {
-  EXPECT_EQ(most_in({"fit", kData + "pendulum.ode", "--map", kScope, kPendulum}), 1);
+  EXPECT_EQ(most_in({"fit", kData + "pendulum.ode", kPendulum, "--map", kScope}), 1);
 }
 
 TEST(NoiseIsFoundOnce, InSync) {
