@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/information.hpp"
 #include "core/numerics/least_squares.hpp"
 #include "core/numerics/qr.hpp"
+#include "core/statistics/information.hpp"
 #include "regression/linear/triangular.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 
 #include "contract/contract.hpp"
 #include "contract/effect_systems.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
 #include "diagnose/candidates/screening.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"

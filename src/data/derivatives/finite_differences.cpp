@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "data/derivatives/stencil.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {

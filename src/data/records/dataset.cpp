@@ -11,7 +11,7 @@
 #include "core/base/finite.hpp"
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {

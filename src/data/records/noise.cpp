@@ -11,7 +11,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/numerics/column_kernels.hpp"
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/lattice.hpp"
 #include "data/records/state_statistics.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
 
-#include "core/numerics/information.hpp"
+#include "core/statistics/information.hpp"
 
 namespace lacuna {
 

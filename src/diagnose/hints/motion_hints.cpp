@@ -9,8 +9,8 @@
 
 #include "core/base/text.hpp"
 #include "core/numerics/least_squares.hpp"
-#include "core/numerics/significance.hpp"
 #include "core/numerics/symmetric_eigen.hpp"
+#include "core/statistics/significance.hpp"
 
 namespace lacuna {
 namespace {

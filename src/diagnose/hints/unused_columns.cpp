@@ -7,7 +7,7 @@
 
 #include "core/base/text.hpp"
 #include "core/numerics/least_squares.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 
 namespace lacuna {
 namespace {

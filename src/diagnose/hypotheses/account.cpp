@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/diagnose/hypotheses/account.hpp"
 
-#include "core/numerics/information.hpp"
+#include "core/statistics/information.hpp"
 #include "diagnose/search/effect_size.hpp"
 
 namespace lacuna {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 
 namespace lacuna {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/text.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "corrected_inputs.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"

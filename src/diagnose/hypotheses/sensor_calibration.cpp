@@ -7,7 +7,7 @@
 
 #include "channel_forms.hpp"
 #include "core/base/parallel.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "diagnose/candidates/screening.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "diagnose/search/effect_names.hpp"

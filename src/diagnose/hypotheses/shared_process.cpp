@@ -9,7 +9,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/numerics/qr.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
 #include "diagnose/search/disturbed_alone.hpp"
 #include "diagnose/search/effect_names.hpp"

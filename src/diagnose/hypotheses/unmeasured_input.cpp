@@ -9,7 +9,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/base/text.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "diagnose/search/effect_names.hpp"
 #include "diagnose/search/function_basis.hpp"
 

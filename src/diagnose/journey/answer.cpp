@@ -7,7 +7,7 @@
 
 #include "coefficient_changes.hpp"
 #include "core/base/text.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "diagnose/criterion/holdout.hpp"
 #include "diagnose/hypotheses/coloured_noise.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"

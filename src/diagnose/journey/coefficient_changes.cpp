@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "identifiability.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 #include "trajectories/smoother/innovation_system.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/text.hpp"
-#include "core/numerics/information.hpp"
 #include "core/numerics/qr.hpp"
+#include "core/statistics/information.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
 #include "period_search.hpp"
 

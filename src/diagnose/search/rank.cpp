@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/parallel.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "diagnose/criterion/effect_parts.hpp"
 #include "disturbed_alone.hpp"
 #include "forms/candidate/nesting.hpp"

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "diagnose/candidates/search_memory.hpp"
 #include "forms/candidate/nesting.hpp"
 #include "search_starts.hpp"

@@ -10,7 +10,7 @@
 #include "dynamics/attractor/rosenstein.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
 namespace {

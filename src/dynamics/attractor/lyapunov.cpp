@@ -6,7 +6,7 @@
 
 #include "core/base/check.hpp"
 #include "core/numerics/qr.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
 namespace {

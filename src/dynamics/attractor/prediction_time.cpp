@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/check.hpp"
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 #include "data/records/state_statistics.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"

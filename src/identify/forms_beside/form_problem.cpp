@@ -8,8 +8,8 @@
 
 #include "base_columns.hpp"
 #include "core/base/parallel.hpp"
-#include "core/numerics/information.hpp"
 #include "core/numerics/qr.hpp"
+#include "core/statistics/information.hpp"
 #include "forms/candidate/nelder_mead.hpp"
 #include "forms/candidate/shape_scale.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"

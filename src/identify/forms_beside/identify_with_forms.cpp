@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/numerics/information.hpp"
+#include "core/statistics/information.hpp"
 #include "extended_pipeline.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/missing_forms.hpp"

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "core/base/parallel.hpp"
-#include "core/numerics/information.hpp"
 #include "core/numerics/least_squares.hpp"
 #include "core/numerics/qr.hpp"
+#include "core/statistics/information.hpp"
 #include "product_forms.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"
 

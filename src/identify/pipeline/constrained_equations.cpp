@@ -6,7 +6,7 @@
 
 #include "core/numerics/constrained_least_squares.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {

@@ -10,7 +10,7 @@
 #include "core/base/text.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "refined_result.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "value_spacing.hpp"

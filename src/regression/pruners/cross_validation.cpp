@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/numerics/serial_correlation.hpp"
+#include "core/statistics/serial_correlation.hpp"
 #include "regression/linear/gathered_rows.hpp"
 #include "regression/pruners/elimination.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/numerics/information.hpp"
-#include "core/numerics/serial_correlation.hpp"
+#include "core/statistics/information.hpp"
+#include "core/statistics/serial_correlation.hpp"
 #include "regression/pruners/elimination.hpp"
 
 namespace lacuna {

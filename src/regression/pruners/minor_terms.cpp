@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/numerics/information.hpp"
+#include "core/statistics/information.hpp"
 #include "regression/linear/forward_order.hpp"
 #include "regression/pruners/elimination.hpp"
 

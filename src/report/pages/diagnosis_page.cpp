@@ -5,7 +5,7 @@
 
 #include "core/base/text.hpp"
 #include "diagnosis_sentences.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "readable.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"

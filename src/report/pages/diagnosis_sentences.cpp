@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/base/text.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "readable.hpp"
 
 namespace lacuna {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/base/text.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "core/base/text.hpp"
 #include "data/records/piece_name.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/text.hpp"
 #include "dynamics/attractor/power_spectrum.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "readable.hpp"
 #include "trajectories/windows/window_gap.hpp"
 

@@ -13,7 +13,7 @@
 #include "fit_quality.hpp"
 #include "fit_search.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "records/binding/other_records.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 
 namespace lacuna {
 namespace {

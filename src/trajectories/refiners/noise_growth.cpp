@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.hpp"
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 
 namespace lacuna {
 namespace {

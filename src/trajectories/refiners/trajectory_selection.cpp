@@ -9,7 +9,7 @@
 #include "core/base/text.hpp"
 #include "core/numerics/constrained_least_squares.hpp"
 #include "data/records/known_noise.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "record_stretches.hpp"
 #include "refitted.hpp"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/numerics/constrained_least_squares.hpp"
-#include "core/numerics/information.hpp"
+#include "core/statistics/information.hpp"
 #include "move_path.hpp"
 #include "trajectories/subset_selection/candidate_screening.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"

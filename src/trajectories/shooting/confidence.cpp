@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 
 namespace lacuna {
 namespace {

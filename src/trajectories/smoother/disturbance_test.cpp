@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/parallel.hpp"
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 #include "trajectories/smoother/variance_fit.hpp"
 
 namespace lacuna {

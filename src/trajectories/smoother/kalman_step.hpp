@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "censoring.hpp"
+#include "core/numerics/small_matrix.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 #include "lacuna/trajectories/smoother/noise_model.hpp"
-#include "small_matrix.hpp"
 
 namespace lacuna {
 

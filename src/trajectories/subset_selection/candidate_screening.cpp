@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/base/parallel.hpp"
-#include "core/numerics/information.hpp"
+#include "core/statistics/information.hpp"
 #include "regression/linear/forward_order.hpp"
 #include "regression/linear/gram.hpp"
 #include "regression/linear/row_fold.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
 #include "trajectories/smoother/assimilation_steps.hpp"

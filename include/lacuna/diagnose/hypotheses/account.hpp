@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/diagnose/hypotheses/account.hpp"
 #include "lacuna/diagnose/journey/gap.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numerics/robust_statistics.hpp"
+#include "core/statistics/robust_statistics.hpp"
 
 #include <gtest/gtest.h>
 

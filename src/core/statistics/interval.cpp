@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
 

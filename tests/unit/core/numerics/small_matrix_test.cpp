@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Products of padded matrices against Eigen's.
-#include "trajectories/smoother/small_matrix.hpp"
+#include "core/numerics/small_matrix.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numerics/significance.hpp"
+#include "core/statistics/significance.hpp"
 
 #include <math.h>
 

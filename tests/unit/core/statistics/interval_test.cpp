@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/interval.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 #include <gtest/gtest.h>
 

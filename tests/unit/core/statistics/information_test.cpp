@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numerics/information.hpp"
+#include "core/statistics/information.hpp"
 
 #include <gtest/gtest.h>
 

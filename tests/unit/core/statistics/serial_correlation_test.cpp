@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numerics/serial_correlation.hpp"
+#include "core/statistics/serial_correlation.hpp"
 
 #include <gtest/gtest.h>
 
