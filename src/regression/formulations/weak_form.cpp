@@ -130,7 +130,7 @@ TestFunction choose_test_function(const Dataset& data, const GivenTestFunction& 
   constexpr double kFewestSteps = 6.0;
   check_dataset(data, threads);
   check_known(known, data, "test function");
-  if (options.radius && options.order) return {*options.radius, *options.order};
+  if (given.radius && given.order) return {*given.radius, *given.order};
   const Vector noise = known_or_estimated(known, data, threads);
   const double step = median_step(data);
   const double level = std::clamp(0.01 * relative_noise(data, noise), kFloor, 1e-3);

@@ -28,6 +28,14 @@ TEST(Automatic, GoesOnByImplicitStepsWhereTheModelIsStiff) {
       << "explicit steps alone are too many";
 }
 
+TEST(Automatic, FindsStiffnessWithoutASampleWhereItBegins) {
+  if (!Cvode::unavailable().empty()) return;
+  const Vector times{{0.0, 2e4, 1e5}}, start{{1.0, 0.0, 0.0}};
+  const Solution orbit = simulate(support::robertson(), Automatic(), start, times);
+  ASSERT_EQ(orbit.status, IntegrationStatus::Completed) << orbit.message;
+  EXPECT_NEAR(orbit.states.row(2).sum(), 1.0, 1e-8);
+}
+
 TEST(Automatic, IsDopri5ToTheBitWhereTheModelIsNotStiff) {
   long rates = 0;
   const auto lorenz = [&rates](double, const double* x, double* dxdt) {
