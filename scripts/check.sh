@@ -17,6 +17,9 @@ cmake --preset "$preset"
 cmake --build --preset "$preset"
 results=$PWD/build/$preset/tests.xml
 ctest --preset "$preset" -j "$(nproc)" --output-junit "$results"
-if scripts/skipped.py "$results" || ! $none_skipped; then exit 0; fi
-echo "check: every test has to run here; scripts/setup.sh check installs what they need" >&2
-exit 1
+if ! scripts/skipped.py "$results" && $none_skipped; then
+  echo "check: every test has to run here; scripts/setup.sh check installs what they need" >&2
+  exit 1
+fi
+# The Python package takes the library that is shared.
+[ "$preset" != variant ] || scripts/python.sh build/variant
