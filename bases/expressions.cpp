@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/bases/expressions.hpp"
 
-#include "lacuna/bases/term_list.hpp"
+#include "bases/term_list.hpp"
 
 namespace lacuna {
 

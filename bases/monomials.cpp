@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "lacuna/bases/term_list.hpp"
+#include "bases/term_list.hpp"
 
 namespace lacuna {
 namespace {

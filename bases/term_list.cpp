@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/term_list.hpp"
+#include "bases/term_list.hpp"
 
 #include "lacuna/core/base/error.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "forms/candidate/tone.hpp"
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/patterns.hpp"
-#include "lacuna/forms/candidate/tone.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "regression/linear/gathered_rows.hpp"
 #include "subset_fit.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lacuna/solvers/reweighting.hpp"
+#include "solvers/reweighting.hpp"
 
 namespace lacuna {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "lacuna/solvers/l1/l1_optimality.hpp"
-#include "lacuna/solvers/reweighting.hpp"
+#include "solvers/l1/l1_optimality.hpp"
+#include "solvers/reweighting.hpp"
 
 namespace lacuna {
 namespace {

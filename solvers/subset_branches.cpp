@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
+#include "core/numerics/qr.hpp"
+#include "regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/qr.hpp"
+#include "regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/regression/linear/gram.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
-#include "lacuna/regression/linear/tile_kernels.hpp"
+#include "regression/linear/gram.hpp"
+#include "regression/linear/row_fold.hpp"
+#include "regression/linear/tile_kernels.hpp"
 
 namespace lacuna {
 namespace {

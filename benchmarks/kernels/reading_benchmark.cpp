@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/formats/write.hpp"
 

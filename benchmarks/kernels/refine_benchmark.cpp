@@ -4,7 +4,7 @@
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 namespace {

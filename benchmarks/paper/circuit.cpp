@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/dynamics/attractor/extents.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "dynamics/attractor/extents.hpp"
+#include "dynamics/test_systems/rossler_circuit.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/dynamics/test_systems/rossler_circuit.hpp"
 #include "parts.hpp"
 #include "spice.hpp"
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/dynamics/attractor/density_distance.hpp"
-#include "lacuna/dynamics/attractor/lyapunov.hpp"
-#include "lacuna/dynamics/attractor/power_spectrum.hpp"
-#include "lacuna/dynamics/attractor/prediction_time.hpp"
-#include "lacuna/dynamics/attractor/rosenstein.hpp"
+#include "dynamics/attractor/density_distance.hpp"
+#include "dynamics/attractor/lyapunov.hpp"
+#include "dynamics/attractor/power_spectrum.hpp"
+#include "dynamics/attractor/prediction_time.hpp"
+#include "dynamics/attractor/rosenstein.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

@@ -5,7 +5,7 @@
 #include <exception>
 #include <iostream>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "parts.hpp"
 
 namespace lacuna::benchmarks {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output.hpp"
 
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 
 namespace lacuna::benchmarks {
 

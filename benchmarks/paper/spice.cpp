@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include "dynamics/test_systems/spice_record.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/test_systems/spice_record.hpp"
 #include "sources.hpp"
 
 namespace lacuna::benchmarks {

@@ -2,9 +2,9 @@
 // Makes the record data/tl072_record.csv.gz anew: make_tl072_record [FILE]
 #include <iostream>
 
+#include "dynamics/test_systems/shipped_record.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/write.hpp"
-#include "lacuna/dynamics/test_systems/shipped_record.hpp"
 
 int main(int argc, char** argv) {
   try {

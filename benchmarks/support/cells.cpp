@@ -16,9 +16,9 @@
 #include <sstream>
 #include <string_view>
 
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/files/file_bytes.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
 #include "support/parallel.hpp"
 #include "support/table.hpp"
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <memory>
 
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/trajectories/shooting/cramer_rao.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/cramer_rao.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

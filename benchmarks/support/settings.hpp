@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/cli/configuration/identification_configuration.hpp"
+#include "cli/configuration/identification_configuration.hpp"
 #include "support/cells.hpp"
 
 namespace lacuna::benchmarks {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <thread>
 
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

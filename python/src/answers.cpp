@@ -18,8 +18,8 @@
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
 #include "lacuna/report/pages/fit_report.hpp"
-#include "lacuna/report/pages/pages.hpp"
 #include "own_stages.hpp"
+#include "report/pages/pages.hpp"
 
 namespace lacuna::python {
 namespace {

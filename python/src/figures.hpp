@@ -3,7 +3,7 @@
 
 #include <nanobind/nanobind.h>
 
-#include "lacuna/report/pages/page.hpp"
+#include "report/pages/page.hpp"
 
 namespace lacuna::python {
 

@@ -7,13 +7,13 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "cli/commands/answers.hpp"
+#include "cli/configuration/description.hpp"
 #include "cli/configuration/option_reader.hpp"
 #include "core/base/utf8.hpp"
-#include "lacuna/cli/configuration/description.hpp"
 #include "lacuna/data/derivatives/differentiator.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/report/pages/stage_json.hpp"
 #include "own_stages.hpp"
+#include "report/json/stage_json.hpp"
 
 namespace lacuna::python {
 namespace {

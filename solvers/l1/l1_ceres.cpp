@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/solvers/l1/l1_optimality.hpp"
+#include "solvers/l1/l1_optimality.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/solvers/l1/l1_optimality.hpp"
+#include "solvers/l1/l1_optimality.hpp"
 
 namespace lacuna {
 namespace {

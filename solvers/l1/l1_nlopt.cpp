@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lacuna/solvers/l1/l1_optimality.hpp"
+#include "solvers/l1/l1_optimality.hpp"
 
 namespace lacuna {
 namespace {

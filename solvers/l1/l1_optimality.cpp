@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1/l1_optimality.hpp"
+#include "solvers/l1/l1_optimality.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "arguments/values.hpp"
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna::arguments {
 

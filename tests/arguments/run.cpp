@@ -17,8 +17,8 @@
 #include <set>
 
 #include "arguments/calls.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "support/sanitizers.hpp"
 
 namespace lacuna::arguments {

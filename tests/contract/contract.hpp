@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/cli/configuration/variants.hpp"
-#include "lacuna/core/base/random.hpp"
+#include "cli/configuration/variants.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna {

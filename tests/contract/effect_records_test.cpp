@@ -6,10 +6,10 @@
 
 #include "contract/contract.hpp"
 #include "contract/effect_systems.hpp"
-#include "lacuna/core/numerics/significance.hpp"
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "core/numerics/significance.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/screening.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
-#include "lacuna/diagnose/candidates/screening.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"

@@ -3,7 +3,7 @@
 
 #include "contract/contract.hpp"
 #include "contract/effect_systems.hpp"
-#include "lacuna/diagnose/candidates/screening.hpp"
+#include "diagnose/candidates/screening.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna::contract {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "cli/configuration/description.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
+#include "cli/configuration/identification_configuration.hpp"
 #include "contract/contract.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
-#include "lacuna/cli/configuration/description.hpp"
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
-#include "lacuna/cli/configuration/identification_configuration.hpp"
-#include "lacuna/report/pages/stage_json.hpp"
+#include "report/json/stage_json.hpp"
 
 namespace lacuna::contract {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/base/text.hpp"
 #include "fuzz/target.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "support/consistency.hpp"
 #include "support/run_command.hpp"
 #include "support/schemas.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
 
+#include "core/files/file_bytes.hpp"
 #include "fuzz/target.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
 
 namespace lacuna::fuzz {
 

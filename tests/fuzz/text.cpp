@@ -2,10 +2,10 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "data/formats/read_text.hpp"
 #include "data/formats/text_rows.hpp"
 #include "fuzz/target.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/formats/read_text.hpp"
 #include "lacuna/data/records/roles.hpp"
 
 namespace lacuna::fuzz {

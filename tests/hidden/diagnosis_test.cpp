@@ -5,12 +5,12 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "hidden/support/case_builder.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 
 namespace lacuna::hidden {

@@ -8,8 +8,8 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
+#include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 
 namespace lacuna::hidden {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
+#include "cli/configuration/diagnosis_configuration.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/text.hpp"
 #include "integration/program.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "support/consistency.hpp"
 #include "support/schemas.hpp"
 

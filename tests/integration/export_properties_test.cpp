@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/model/export/export_model.hpp"
 #include "support/hostile_models.hpp"
 #include "support/other_programs.hpp"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "core/base/random.hpp"
 #include "integration/program.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "integration/program.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::testing {

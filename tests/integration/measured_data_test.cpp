@@ -17,8 +17,8 @@
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/embedding.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
 #include "support/temporary_folder.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna::testing {
 namespace {

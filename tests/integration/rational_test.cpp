@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/studies/rational/systems.hpp"
+#include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 

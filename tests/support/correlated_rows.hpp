@@ -4,7 +4,7 @@
 
 #include <Eigen/QR>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/core/base/types.hpp"
 
 namespace lacuna {

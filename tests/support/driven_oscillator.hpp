@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "support/diagnosis_scope.hpp"
 
 namespace lacuna::support {

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <string>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/butcher_tableau.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/equations/output_values.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
+#include "model/equations/output_values.hpp"
 
 namespace lacuna::support {
 

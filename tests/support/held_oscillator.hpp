@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/records/hold.hpp"
 #include "support/diagnosis_scope.hpp"
 

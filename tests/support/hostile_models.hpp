@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/names.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna::testing {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
 
 namespace lacuna::support {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/stages/l1_solver.hpp"
 
 namespace lacuna::testing {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/random.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
 #include "support/monomials.hpp"
 #include "support/rossler_data.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna::testing {

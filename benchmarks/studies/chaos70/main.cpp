@@ -6,8 +6,8 @@
 #include <numeric>
 #include <span>
 
+#include "core/base/text.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"

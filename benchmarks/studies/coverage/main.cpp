@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "support/refinement_draws.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <iostream>
 
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "problems.hpp"

@@ -8,9 +8,9 @@
 #include <iostream>
 #include <span>
 
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "support/table.hpp"
 #include "trials.hpp"
 

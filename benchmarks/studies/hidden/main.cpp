@@ -12,10 +12,10 @@
 #include <filesystem>
 #include <iostream>
 
+#include "cli/configuration/diagnosis_configuration.hpp"
+#include "core/files/atomic_file.hpp"
 #include "decisions.hpp"
 #include "hidden/support/cases.hpp"
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/model/files/model_file.hpp"

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "hidden/support/reality.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "support/parallel.hpp"
 

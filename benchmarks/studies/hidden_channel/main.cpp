@@ -8,14 +8,14 @@
 #include <set>
 #include <span>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "identify/hidden_state/identify_hidden.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/identify/hidden_state/identify_hidden.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"

@@ -12,10 +12,10 @@
 #include <sstream>
 #include <string>
 
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"

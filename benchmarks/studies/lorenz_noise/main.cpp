@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/text.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
@@ -17,9 +17,9 @@
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
 #include "support/table.hpp"
+#include "trajectories/shooting/refine.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

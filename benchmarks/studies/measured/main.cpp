@@ -8,17 +8,17 @@
 #include <filesystem>
 #include <iostream>
 
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "diagnosed.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/records/binding/embedding.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -11,14 +11,14 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
+#include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"

@@ -9,9 +9,9 @@
 #include <iostream>
 #include <vector>
 
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"

@@ -11,10 +11,10 @@
 #include <span>
 #include <utility>
 
+#include "core/base/text.hpp"
+#include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"

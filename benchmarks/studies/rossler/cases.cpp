@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "cli/configuration/variants.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/cli/configuration/variants.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"

@@ -7,8 +7,8 @@
 #include <iostream>
 
 #include "cases.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/table.hpp"
 

@@ -13,13 +13,13 @@
 #include <iostream>
 #include <vector>
 
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/long_records/read_stream.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/report/plot/figure.hpp"
+#include "report/plot/figure.hpp"
 #include "studies/scaling/meter.hpp"
 #include "studies/scaling/pieces.hpp"
 #include "studies/scaling/records.hpp"

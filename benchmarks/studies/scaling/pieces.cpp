@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/data/long_records/read_stream.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/regression/pruners/minor_terms.hpp"
 #include "lacuna/trajectories/refiners/trajectory_selection.hpp"

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <initializer_list>
 
+#include "core/base/text.hpp"
 #include "dense_solution.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 
 namespace lacuna::benchmarks {

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/text.hpp"
+#include "identify/validation/validate.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/identify/validation/validate.hpp"
 #include "records.hpp"
 #include "support/accuracy.hpp"
 #include "support/table.hpp"

@@ -16,10 +16,10 @@
 #include "lacuna/regression/stages/basis.hpp"
 #include "lacuna/regression/stages/regressor.hpp"
 #include "lacuna/report/pages/comparison_report.hpp"
-#include "lacuna/report/pages/data_summary.hpp"
 #include "lacuna/report/pages/identification_report.hpp"
 #include "lacuna/report/pages/sync_report.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
+#include "report/pages/data_summary.hpp"
 
 namespace lacuna::cli {
 

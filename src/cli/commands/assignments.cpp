@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::cli {
 namespace {

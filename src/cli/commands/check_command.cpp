@@ -7,7 +7,7 @@
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/records/channels/map_hint.hpp"
-#include "lacuna/report/pages/data_summary.hpp"
+#include "report/pages/data_summary.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "command.hpp"
+#include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "interrupt.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "memory_limit.hpp"
 
 namespace lacuna {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "core/base/utf8.hpp"
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/model_file.hpp"

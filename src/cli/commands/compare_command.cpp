@@ -10,8 +10,8 @@
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/records/channels/shown_holds.hpp"
 #include "lacuna/report/pages/comparison_report.hpp"
+#include "records/channels/shown_holds.hpp"
 
 namespace lacuna::cli {
 namespace {

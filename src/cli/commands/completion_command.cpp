@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include <system_error>
 
 #include "assignments.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/names.hpp"
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::cli {
 namespace {

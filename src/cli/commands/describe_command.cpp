@@ -2,12 +2,12 @@
 #include <memory>
 
 #include "answers.hpp"
+#include "cli/configuration/description.hpp"
 #include "command.hpp"
-#include "lacuna/cli/configuration/description.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/report/pages/stage_json.hpp"
+#include "report/json/stage_json.hpp"
 
 namespace lacuna::cli {
 namespace {

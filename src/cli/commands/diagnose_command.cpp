@@ -4,19 +4,19 @@
 #include <thread>
 
 #include "answers.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
 #include "command.hpp"
 #include "core/base/parts.hpp"
+#include "core/base/text.hpp"
 #include "data_options.hpp"
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/report/pages/data_summary.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
-#include "lacuna/report/pages/fleet_report.hpp"
-#include "lacuna/report/pages/pages.hpp"
 #include "limit_options.hpp"
+#include "report/pages/data_summary.hpp"
+#include "report/pages/fleet_report.hpp"
+#include "report/pages/pages.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "command.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/model/export/export_model.hpp"
 
 namespace lacuna::cli {

@@ -8,9 +8,9 @@
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/records/channels/shown_holds.hpp"
 #include "lacuna/report/pages/fit_report.hpp"
-#include "lacuna/report/pages/pages.hpp"
+#include "records/channels/shown_holds.hpp"
+#include "report/pages/pages.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {

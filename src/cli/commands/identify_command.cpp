@@ -2,18 +2,18 @@
 #include <memory>
 
 #include "answers.hpp"
+#include "cli/configuration/identification_configuration.hpp"
 #include "command.hpp"
+#include "core/base/text.hpp"
 #include "data_options.hpp"
-#include "lacuna/cli/configuration/identification_configuration.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/long_records/read_stream.hpp"
 #include "lacuna/data/long_records/record_stream.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/report/pages/data_summary.hpp"
-#include "lacuna/report/pages/pages.hpp"
+#include "report/pages/data_summary.hpp"
+#include "report/pages/pages.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "assignments.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::cli {
 namespace {

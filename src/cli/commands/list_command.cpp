@@ -4,7 +4,7 @@
 
 #include "answers.hpp"
 #include "command.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 

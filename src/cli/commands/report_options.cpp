@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 
 namespace lacuna::cli {
 namespace {

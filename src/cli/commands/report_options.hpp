@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 #include "lacuna/core/base/function_ref.hpp"
-#include "lacuna/report/pages/page.hpp"
+#include "report/pages/page.hpp"
 
 namespace lacuna::cli {
 

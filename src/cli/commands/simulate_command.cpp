@@ -6,15 +6,15 @@
 #include "answers.hpp"
 #include "assignments.hpp"
 #include "command.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "data_options.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/equations/output_values.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/records/channels/shown_holds.hpp"
+#include "model/equations/output_values.hpp"
+#include "records/channels/shown_holds.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -4,13 +4,13 @@
 #include "answers.hpp"
 #include "assignments.hpp"
 #include "command.hpp"
+#include "core/base/text.hpp"
 #include "data_options.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/records/channels/shown_holds.hpp"
-#include "lacuna/report/pages/data_summary.hpp"
-#include "lacuna/report/pages/pages.hpp"
+#include "records/channels/shown_holds.hpp"
+#include "report/pages/data_summary.hpp"
+#include "report/pages/pages.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {

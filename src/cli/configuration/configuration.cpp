@@ -5,9 +5,9 @@
 #include <map>
 
 #include "core/base/json_text.hpp"
+#include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "model/files/strict_json.hpp"
 #include "option_reader.hpp"

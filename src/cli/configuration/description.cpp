@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/description.hpp"
+#include "cli/configuration/description.hpp"
 
 #include <sstream>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "option_reader.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/identification_configuration.hpp"
+#include "cli/configuration/identification_configuration.hpp"
 
 #include "option_reader.hpp"
 

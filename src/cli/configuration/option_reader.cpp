@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/report/pages/stage_json.hpp"
+#include "core/base/text.hpp"
+#include "report/json/stage_json.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

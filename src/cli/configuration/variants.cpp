@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/variants.hpp"
+#include "cli/configuration/variants.hpp"
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/base/parallel.hpp"
 #include "core/numerics/column_kernels.hpp"
-#include "lacuna/core/base/parallel.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

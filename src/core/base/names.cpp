@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/names.hpp"
+#include "core/base/names.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "utf8.hpp"
 
 namespace lacuna {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/parallel.hpp"
+#include "core/base/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "lacuna/core/base/parallel.hpp"
+#include "core/base/parallel.hpp"
 
 namespace lacuna {
 

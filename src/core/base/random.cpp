@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 #include <algorithm>
 #include <array>

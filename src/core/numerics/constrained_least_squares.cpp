@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/constrained_least_squares.hpp"
+#include "core/numerics/constrained_least_squares.hpp"
 
 #include <limits>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/lagrange.hpp"
+#include "core/numerics/lagrange.hpp"
 
 #include <algorithm>
 

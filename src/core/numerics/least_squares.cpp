@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/least_squares.hpp"
+#include "core/numerics/least_squares.hpp"
 
 #include <Eigen/Cholesky>
 #include <limits>
 #include <optional>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 
 namespace lacuna {
 

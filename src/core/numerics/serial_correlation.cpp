@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/serial_correlation.hpp"
+#include "core/numerics/serial_correlation.hpp"
 
 #include <algorithm>
 #include <cmath>

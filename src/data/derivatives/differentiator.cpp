@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/data/derivatives/stencil.hpp"
+#include "data/derivatives/stencil.hpp"
 #include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {

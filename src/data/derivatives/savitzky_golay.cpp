@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
 
-#include "lacuna/data/derivatives/stencil.hpp"
+#include "data/derivatives/stencil.hpp"
 
 namespace lacuna {
 

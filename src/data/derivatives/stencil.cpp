@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/stencil.hpp"
+#include "data/derivatives/stencil.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialects.hpp"
 
+#include "data/records/text_field.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 
 namespace lacuna {
 

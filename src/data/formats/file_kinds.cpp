@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "data/records/text_field.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 
 namespace lacuna {
 namespace {

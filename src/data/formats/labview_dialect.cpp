@@ -2,9 +2,9 @@
 // LabVIEW measurement files (.lvm): a head, then packets, each with a head and its samples.
 #include <map>
 
+#include "core/base/text.hpp"
+#include "data/records/text_field.hpp"
 #include "dialects.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 
 namespace lacuna::dialects {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "mat.hpp"
 #include "named_arrays.hpp"
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "npy_header.hpp"
 

@@ -10,13 +10,13 @@
 #include <system_error>
 #include <utility>
 
+#include "core/files/file_bytes.hpp"
 #include "data/records/same_columns.hpp"
+#include "data/records/text_field.hpp"
 #include "file_kinds.hpp"
 #include "hdf5.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
 #include "lacuna/core/base/function_ref.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 #include "mat.hpp"
 #include "npy.hpp"
 #include "npz.hpp"

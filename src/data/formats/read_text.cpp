@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/formats/read_text.hpp"
+#include "data/formats/read_text.hpp"
 
 #include "text_rows.hpp"
 

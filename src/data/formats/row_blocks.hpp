@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/byte_stream.hpp"
+#include "core/files/byte_stream.hpp"
 #include "data/times/counted_times.hpp"
 #include "file_kinds.hpp"
 #include "lacuna/data/records/table.hpp"

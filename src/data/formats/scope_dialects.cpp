@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/text.hpp"
+#include "data/records/text_field.hpp"
 #include "dialects.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 #include "text_layout.hpp"
 
 namespace lacuna::dialects {

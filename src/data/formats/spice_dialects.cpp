@@ -2,9 +2,9 @@
 // What circuit simulators write as text.
 #include <algorithm>
 
+#include "core/base/text.hpp"
+#include "data/records/text_field.hpp"
 #include "dialects.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 
 namespace lacuna::dialects {
 namespace {

@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
+#include "data/records/text_field.hpp"
 #include "data/times/time_names.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {

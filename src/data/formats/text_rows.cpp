@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "data/records/text_field.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/formats/text_field.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lacuna/core/base/atomic_file.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/files/file_bytes.hpp"
 
 namespace lacuna {
 namespace {

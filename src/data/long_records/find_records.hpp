@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "data/records/split.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/data/records/split.hpp"
 #include "npy_file.hpp"
 
 namespace lacuna {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/positioned_file.hpp"
+#include "core/files/positioned_file.hpp"
 #include "data/formats/npy_header.hpp"
 #include "data/times/counted_times.hpp"
 #include "lacuna/data/records/table.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/temporary_file.hpp"
+#include "core/files/temporary_file.hpp"
 #include "data/formats/npy.hpp"
 #include "lacuna/core/base/error.hpp"
 

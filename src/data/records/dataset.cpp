@@ -8,8 +8,8 @@
 
 #include "core/base/check.hpp"
 #include "core/base/finite.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna {

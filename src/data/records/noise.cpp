@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/parallel.hpp"
 #include "core/numerics/column_kernels.hpp"
 #include "data/records/check_record.hpp"
-#include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {

@@ -9,11 +9,11 @@
 
 #include "blanks.hpp"
 #include "core/base/check.hpp"
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
+#include "data/records/split.hpp"
+#include "data/records/text_field.hpp"
 #include "data/times/time_names.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/data/formats/text_field.hpp"
-#include "lacuna/data/records/split.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

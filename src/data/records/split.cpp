@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/records/split.hpp"
+#include "data/records/split.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -9,10 +9,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

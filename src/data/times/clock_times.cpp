@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "data/formats/dialects.hpp"
-#include "lacuna/data/formats/text_field.hpp"
+#include "data/records/text_field.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

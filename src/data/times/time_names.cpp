@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/data/formats/text_field.hpp"
+#include "data/records/text_field.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Effects become terms of the model; their memory becomes states.
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
 
 namespace lacuna {

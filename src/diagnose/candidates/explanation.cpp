@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
-#include "lacuna/trajectories/smoother/unseen_changes.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
 #include "shape_step.hpp"
+#include "trajectories/smoother/unseen_changes.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/candidates/fit_memory.hpp"
+#include "diagnose/candidates/fit_memory.hpp"
 
 #include <utility>
 

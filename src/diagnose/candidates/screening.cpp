@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/candidates/screening.hpp"
+#include "diagnose/candidates/screening.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/parallel.hpp"
+#include "core/numerics/qr.hpp"
 #include "forms/candidate/nelder_mead.hpp"
 #include "forms/candidate/shape_scale.hpp"
 #include "key_text.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

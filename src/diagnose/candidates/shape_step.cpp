@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
 #include "trajectories/smoother/determined_step.hpp"
 
 namespace lacuna {

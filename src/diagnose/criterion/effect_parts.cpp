@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/criterion/effect_parts.hpp"
+#include "diagnose/criterion/effect_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 
 namespace lacuna {

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "lacuna/core/numerics/least_squares.hpp"
+#include "core/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {

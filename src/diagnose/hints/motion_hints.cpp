@@ -7,10 +7,10 @@
 #include <numbers>
 #include <optional>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/significance.hpp"
-#include "lacuna/core/numerics/symmetric_eigen.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/significance.hpp"
+#include "core/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/records/binding/time_unit.hpp"
+#include "core/base/text.hpp"
+#include "records/binding/time_unit.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/significance.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/significance.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effect_size.hpp"
+#include "diagnose/search/effect_size.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,15 +5,15 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/parallel.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
-#include "lacuna/trajectories/smoother/outlier_check.hpp"
-#include "lacuna/trajectories/smoother/spectral_lines.hpp"
-#include "lacuna/trajectories/smoother/unseen_changes.hpp"
+#include "model/equations/formula_channel.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
+#include "trajectories/smoother/outlier_check.hpp"
+#include "trajectories/smoother/spectral_lines.hpp"
+#include "trajectories/smoother/unseen_changes.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/broken_identity.hpp"
+#include "diagnose/hypotheses/broken_identity.hpp"
 
 #include <algorithm>
 #include <cmath>

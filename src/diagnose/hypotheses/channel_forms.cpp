@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/forms/candidate/tone.hpp"
+#include "core/base/text.hpp"
+#include "forms/candidate/tone.hpp"
 
 namespace lacuna {
 namespace {

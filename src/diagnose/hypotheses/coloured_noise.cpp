@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
+#include "diagnose/hypotheses/coloured_noise.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/trajectories/smoother/spectral_lines.hpp"
-#include "lacuna/trajectories/smoother/variance_fit.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/text.hpp"
+#include "trajectories/smoother/spectral_lines.hpp"
+#include "trajectories/smoother/variance_fit.hpp"
 
 namespace lacuna {
 namespace {

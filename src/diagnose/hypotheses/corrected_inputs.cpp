@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "lacuna/core/numerics/significance.hpp"
+#include "core/numerics/significance.hpp"
 
 namespace lacuna {
 

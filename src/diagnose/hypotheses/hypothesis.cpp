@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <tuple>
 
-#include "lacuna/diagnose/hypotheses/broken_identity.hpp"
-#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
-#include "lacuna/diagnose/hypotheses/named_effects.hpp"
-#include "lacuna/diagnose/hypotheses/residual_function.hpp"
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
-#include "lacuna/diagnose/hypotheses/shared_process.hpp"
-#include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+#include "diagnose/hypotheses/broken_identity.hpp"
+#include "diagnose/hypotheses/coloured_noise.hpp"
+#include "diagnose/hypotheses/named_effects.hpp"
+#include "diagnose/hypotheses/residual_function.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
+#include "diagnose/hypotheses/shared_process.hpp"
+#include "diagnose/hypotheses/unmeasured_input.hpp"
 
 namespace lacuna {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/input_holds.hpp"
+#include "diagnose/hypotheses/input_holds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "core/base/parallel.hpp"
 #include "corrected_inputs.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/records/channels/interpolated.hpp"
-#include "lacuna/records/channels/shown_holds.hpp"
+#include "records/channels/interpolated.hpp"
+#include "records/channels/shown_holds.hpp"
 
 namespace lacuna {
 namespace {

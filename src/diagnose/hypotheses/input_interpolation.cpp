@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "corrected_inputs.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
-#include "lacuna/records/channels/interpolated.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
+#include "records/channels/interpolated.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/text.hpp"
+#include "core/numerics/significance.hpp"
 #include "corrected_inputs.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/significance.hpp"
-#include "lacuna/diagnose/hypotheses/named_effects.hpp"
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "diagnose/hypotheses/named_effects.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
 
 namespace lacuna {
 namespace {

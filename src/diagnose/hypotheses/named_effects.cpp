@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/named_effects.hpp"
+#include "diagnose/hypotheses/named_effects.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
 
-#include "lacuna/trajectories/smoother/window_gap.hpp"
-#include "search.hpp"
-#include "window_refit.hpp"
+#include "diagnose/search/search.hpp"
+#include "diagnose/search/window_refit.hpp"
+#include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 

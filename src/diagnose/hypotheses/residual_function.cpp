@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/residual_function.hpp"
+#include "diagnose/hypotheses/residual_function.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "function_basis.hpp"
+#include "diagnose/search/function_basis.hpp"
 #include "lacuna/bases/monomials.hpp"
 
 namespace lacuna {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "channel_forms.hpp"
-#include "effect_names.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/significance.hpp"
-#include "lacuna/diagnose/candidates/screening.hpp"
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/significance.hpp"
+#include "diagnose/candidates/screening.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
+#include "diagnose/search/effect_names.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
 
 #include <algorithm>
 
-#include "lacuna/diagnose/hypotheses/named_effects.hpp"
+#include "diagnose/hypotheses/named_effects.hpp"
 
 namespace lacuna {
 namespace {

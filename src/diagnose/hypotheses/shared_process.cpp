@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/shared_process.hpp"
+#include "diagnose/hypotheses/shared_process.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include "disturbed_alone.hpp"
-#include "effect_names.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/core/numerics/significance.hpp"
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/qr.hpp"
+#include "core/numerics/significance.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/search/disturbed_alone.hpp"
+#include "diagnose/search/effect_names.hpp"
 
 namespace lacuna {
 namespace {

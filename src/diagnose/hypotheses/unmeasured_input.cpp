@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+#include "diagnose/hypotheses/unmeasured_input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <optional>
 #include <utility>
 
-#include "effect_names.hpp"
-#include "function_basis.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/significance.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/significance.hpp"
+#include "diagnose/search/effect_names.hpp"
+#include "diagnose/search/function_basis.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "coefficient_changes.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/significance.hpp"
+#include "diagnose/criterion/holdout.hpp"
+#include "diagnose/hypotheses/coloured_noise.hpp"
+#include "diagnose/hypotheses/shared_process.hpp"
 #include "identifiability.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/significance.hpp"
-#include "lacuna/diagnose/criterion/holdout.hpp"
-#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
-#include "lacuna/diagnose/hypotheses/shared_process.hpp"
-#include "lacuna/trajectories/smoother/timing_jitter.hpp"
 #include "reservations.hpp"
+#include "trajectories/smoother/timing_jitter.hpp"
 
 namespace lacuna {
 namespace {

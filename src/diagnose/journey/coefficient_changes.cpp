@@ -6,7 +6,7 @@
 
 #include "identifiability.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna {
 namespace {

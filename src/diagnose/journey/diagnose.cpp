@@ -7,18 +7,18 @@
 #include <utility>
 
 #include "answer.hpp"
+#include "core/base/text.hpp"
 #include "data/records/number_range.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
 #include "output_channels.hpp"
 #include "records/binding/other_records.hpp"
 #include "smoothed_records.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
 #include "trajectories/smoother/unknown_past.hpp"
 
 namespace lacuna {

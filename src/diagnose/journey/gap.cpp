@@ -6,13 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "diagnose/candidates/candidate_column.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
-#include "lacuna/trajectories/smoother/outlier_check.hpp"
-#include "lacuna/trajectories/smoother/window_gap.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
+#include "trajectories/smoother/outlier_check.hpp"
 #include "trajectories/smoother/unknown_past.hpp"
-#include "trajectories/smoother/window_paths.hpp"
+#include "trajectories/windows/window_gap.hpp"
+#include "trajectories/windows/window_paths.hpp"
 
 namespace lacuna {
 namespace {

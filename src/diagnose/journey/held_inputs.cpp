@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "lacuna/diagnose/hypotheses/input_holds.hpp"
+#include "diagnose/hypotheses/input_holds.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
-#include "lacuna/trajectories/smoother/unseen_changes.hpp"
+#include "core/base/text.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
+#include "trajectories/smoother/unseen_changes.hpp"
 
 namespace lacuna {
 namespace {

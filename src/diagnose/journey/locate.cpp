@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna {
 namespace {

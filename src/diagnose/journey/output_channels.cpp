@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/records/binding/model_view.hpp"
+#include "model/equations/formula_channel.hpp"
 
 namespace lacuna {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/diagnose/criterion/effect_parts.hpp"
-#include "lacuna/records/channels/interpolated.hpp"
+#include "core/base/text.hpp"
+#include "diagnose/criterion/effect_parts.hpp"
+#include "records/channels/interpolated.hpp"
 
 namespace lacuna {
 namespace {

@@ -9,7 +9,7 @@
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/trajectories/smoother/assimilation.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/numerics/least_squares.hpp"
 #include "core/numerics/periodogram.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "data/records/number_range.hpp"
+#include "dynamics/attractor/density_distance.hpp"
+#include "dynamics/attractor/extents.hpp"
+#include "dynamics/attractor/power_spectrum.hpp"
+#include "dynamics/attractor/rosenstein.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/numerics/interval.hpp"
-#include "lacuna/dynamics/attractor/density_distance.hpp"
-#include "lacuna/dynamics/attractor/extents.hpp"
-#include "lacuna/dynamics/attractor/power_spectrum.hpp"
-#include "lacuna/dynamics/attractor/rosenstein.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/density_distance.hpp"
+#include "dynamics/attractor/density_distance.hpp"
 
 #include <cmath>
 #include <map>

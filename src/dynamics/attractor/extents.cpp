@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/extents.hpp"
+#include "dynamics/attractor/extents.hpp"
 
 #include <cmath>
 

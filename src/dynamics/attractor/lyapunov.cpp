@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/lyapunov.hpp"
+#include "dynamics/attractor/lyapunov.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/numerics/qr.hpp"
 #include "lacuna/core/numerics/interval.hpp"
-#include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/prediction_time.hpp"
+#include "dynamics/attractor/prediction_time.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/rosenstein.hpp"
+#include "dynamics/attractor/rosenstein.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/random.hpp"
+#include "core/numerics/lagrange.hpp"
 #include "data/records/number_range.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/numerics/lagrange.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/random.hpp"
 #include "data/records/check_record.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/test_systems/spice_record.hpp"
+#include "dynamics/test_systems/spice_record.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/numerics/lagrange.hpp"
+#include "core/numerics/lagrange.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "core/base/text.hpp"
+#include "dynamics/test_systems/rossler_circuit.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/dynamics/test_systems/rossler_circuit.hpp"
 #include "measured_circuits.hpp"
 #include "model_builder.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/forms/candidate/nesting.hpp"
+#include "forms/candidate/nesting.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 #include "nelder_mead.hpp"
 #include "shape_scale.hpp"
 

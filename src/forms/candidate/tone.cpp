@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/forms/candidate/tone.hpp"
+#include "forms/candidate/tone.hpp"
 
 #include <numbers>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

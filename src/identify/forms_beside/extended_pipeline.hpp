@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/identify/forms_beside/missing_forms.hpp"
+#include "identify/forms_beside/missing_forms.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 #include "model_comparison.hpp"
 

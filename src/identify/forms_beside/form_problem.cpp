@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "base_columns.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/qr.hpp"
 #include "forms/candidate/nelder_mead.hpp"
 #include "forms/candidate/shape_scale.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/trajectories/subset_selection/subset_search.hpp"
+#include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {

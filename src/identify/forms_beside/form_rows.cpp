@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/qr.hpp"
+#include "data/derivatives/moving_polynomial.hpp"
 #include "lacuna/regression/formulations/weak_form.hpp"
-#include "lacuna/trajectories/refiners/moving_polynomial.hpp"
 
 namespace lacuna {
 namespace {

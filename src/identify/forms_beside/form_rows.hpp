@@ -7,7 +7,7 @@
 
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/term.hpp"
-#include "lacuna/regression/formulations/projection.hpp"
+#include "regression/formulations/projection.hpp"
 
 namespace lacuna {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
+#include "identify/forms_beside/identify_with_forms.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "extended_pipeline.hpp"
-#include "lacuna/identify/forms_beside/function_forms.hpp"
-#include "lacuna/identify/forms_beside/missing_forms.hpp"
+#include "identify/forms_beside/function_forms.hpp"
+#include "identify/forms_beside/missing_forms.hpp"
 
 namespace lacuna {
 namespace {

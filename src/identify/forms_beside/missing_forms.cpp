@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/forms_beside/missing_forms.hpp"
+#include "identify/forms_beside/missing_forms.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "core/base/parallel.hpp"
 #include "form_problem.hpp"
-#include "lacuna/core/base/parallel.hpp"
 #include "rational_forms.hpp"
 
 namespace lacuna {

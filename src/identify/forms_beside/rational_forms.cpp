@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/trajectories/subset_selection/subset_search.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/qr.hpp"
 #include "product_forms.hpp"
+#include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {

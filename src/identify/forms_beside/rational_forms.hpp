@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "form_rows.hpp"
+#include "identify/forms_beside/missing_forms.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/forms/candidate/candidate.hpp"
 #include "lacuna/forms/candidate/scope.hpp"
-#include "lacuna/identify/forms_beside/missing_forms.hpp"
 
 namespace lacuna {
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "identify/forms_beside/missing_forms.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/identify/forms_beside/missing_forms.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/hidden_state/identify_hidden.hpp"
+#include "identify/hidden_state/identify_hidden.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/text.hpp"
+#include "data/derivatives/moving_polynomial.hpp"
+#include "identify/hidden_state/sparse_coordinates.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/identify/hidden_state/sparse_coordinates.hpp"
 #include "lacuna/records/binding/embedding.hpp"
-#include "lacuna/trajectories/refiners/moving_polynomial.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 namespace {

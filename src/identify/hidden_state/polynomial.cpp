@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/hidden_state/polynomial.hpp"
+#include "identify/hidden_state/polynomial.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
-#include "lacuna/identify/hidden_state/identify_hidden.hpp"
-#include "lacuna/identify/validation/validate.hpp"
+#include "identify/forms_beside/identify_with_forms.hpp"
+#include "identify/hidden_state/identify_hidden.hpp"
+#include "identify/validation/validate.hpp"
 #include "records/binding/other_records.hpp"
 
 namespace lacuna {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/constrained_least_squares.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/numerics/constrained_least_squares.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/base/text.hpp"
+#include "core/numerics/constrained_least_squares.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/constrained_least_squares.hpp"
 
 namespace lacuna {
 namespace {

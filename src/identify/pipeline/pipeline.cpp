@@ -6,9 +6,9 @@
 #include <mutex>
 
 #include "constrained_equations.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/text.hpp"
 #include "data/records/number_range.hpp"
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "refined_result.hpp"

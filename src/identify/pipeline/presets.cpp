@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/identify/pipeline/presets.hpp"
 
+#include "core/base/text.hpp"
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/regression/filters/abm.hpp"
 #include "lacuna/regression/filters/none.hpp"

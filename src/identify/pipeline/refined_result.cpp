@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

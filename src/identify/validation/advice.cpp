@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/text.hpp"
 #include "identify/forms_beside/form_problem.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/identify/forms_beside/function_forms.hpp"
+#include "identify/forms_beside/function_forms.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -2,7 +2,7 @@
 // What errors of predictions say of a model.
 #pragma once
 
-#include "lacuna/identify/validation/validate.hpp"
+#include "identify/validation/validate.hpp"
 
 namespace lacuna {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "held_blocks.hpp"
-#include "lacuna/identify/validation/validate.hpp"
+#include "identify/validation/validate.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

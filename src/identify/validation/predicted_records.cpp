@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/parallel.hpp"
 #include "identify/forms_beside/unseen_noise.hpp"
-#include "lacuna/core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "trajectories/refiners/noise_growth.hpp"
 #include "trajectories/refiners/reference_path.hpp"

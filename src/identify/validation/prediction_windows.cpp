@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 
 namespace lacuna {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/trajectories/smoother/window_gap.hpp"
+#include "core/base/text.hpp"
+#include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "identify/pipeline/refined_result.hpp"
-#include "lacuna/identify/validation/validate.hpp"
+#include "identify/validation/validate.hpp"
 
 namespace lacuna {
 namespace {

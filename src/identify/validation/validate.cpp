@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/validation/validate.hpp"
+#include "identify/validation/validate.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "judgement.hpp"
-#include "lacuna/records/channels/shown_holds.hpp"
-#include "lacuna/trajectories/smoother/window_gap.hpp"
 #include "map_predictions.hpp"
 #include "predicted_records.hpp"
 #include "records/binding/other_records.hpp"
+#include "records/channels/shown_holds.hpp"
 #include "refit.hpp"
+#include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,10 +6,10 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
+#include "model/equations/formula_channel.hpp"
 #include "model/expressions/operations.hpp"
 #include "output_fault.hpp"
 

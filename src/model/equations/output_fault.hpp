@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lacuna/core/base/names.hpp"
+#include "core/base/names.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

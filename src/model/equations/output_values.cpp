@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/output_values.hpp"
+#include "model/equations/output_values.hpp"
 
 #include <vector>
 

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "model/expressions/operations.hpp"
 #include "summand_list.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "model/expressions/operations.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "model/export/foreign_names.hpp"
 

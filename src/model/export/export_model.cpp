@@ -3,9 +3,9 @@
 
 #include <map>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
+#include "model/equations/formula_channel.hpp"
 #include "model/export/latex.hpp"
 #include "model/export/sources.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/export/heading.hpp"
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "model/export/quoted_text.hpp"
 
 namespace lacuna {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "model/export/dialect.hpp"
 #include "model/export/heading.hpp"
 #include "model/export/languages.hpp"

@@ -8,9 +8,9 @@
 #include <functional>
 #include <utility>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "operations.hpp"
 
 namespace lacuna {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "formula_error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/model/expressions/expression.hpp"
 #include "operations.hpp"
 

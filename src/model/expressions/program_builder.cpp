@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {

@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/files/file_bytes.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "model/equations/known_formula.hpp"
 #include "model/equations/output_fault.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

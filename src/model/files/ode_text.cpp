@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "model/equations/known_formula.hpp"
 #include "model/equations/linear_terms.hpp"
 #include "model/equations/output_fault.hpp"

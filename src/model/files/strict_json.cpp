@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/json_text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 namespace {

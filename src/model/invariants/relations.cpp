@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/symmetric_eigen.hpp"
-#include "lacuna/model/invariants/divides.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/symmetric_eigen.hpp"
+#include "model/invariants/divides.hpp"
 #include "moments.hpp"
 
 namespace lacuna {

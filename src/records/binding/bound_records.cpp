@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/records/channels/interpolated.hpp"
 #include "records/channels/channel_notes.hpp"
+#include "records/channels/interpolated.hpp"
 #include "records/channels/outliers.hpp"
 #include "records/channels/repeats.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/binding/derived_record.hpp"
+#include "records/binding/derived_record.hpp"
 
 #include "lacuna/core/base/error.hpp"
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <set>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
-#include "lacuna/records/binding/derived_record.hpp"
+#include "records/binding/derived_record.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,8 +7,8 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/records/binding/embedding.hpp"
-#include "lacuna/records/binding/time_unit.hpp"
 #include "model_columns.hpp"
+#include "records/binding/time_unit.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "data/records/check_record.hpp"
+#include "data/records/text_field.hpp"
 #include "lacuna/data/formats/read.hpp"
-#include "lacuna/data/formats/text_field.hpp"
-#include "lacuna/records/binding/time_unit.hpp"
 #include "model_columns.hpp"
+#include "records/binding/time_unit.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/binding/time_unit.hpp"
+#include "records/binding/time_unit.hpp"
 
 #include <cmath>
 #include <utility>

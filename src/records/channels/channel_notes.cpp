@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/channels/interpolated.hpp"
+#include "records/channels/interpolated.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {

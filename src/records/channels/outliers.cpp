@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/numerics/least_squares.hpp"
+#include "core/numerics/least_squares.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/channels/shown_holds.hpp"
+#include "records/channels/shown_holds.hpp"
 
 #include <vector>
 

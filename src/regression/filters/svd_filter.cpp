@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lacuna/core/numerics/singular_values.hpp"
+#include "core/numerics/singular_values.hpp"
 
 namespace lacuna {
 namespace {

@@ -2,8 +2,8 @@
 #include "assemble_projections.hpp"
 
 #include "lacuna/model/equations/ode_model.hpp"
-#include "lacuna/regression/formulations/projected_rows.hpp"
 #include "non_finite_error.hpp"
+#include "regression/formulations/projected_rows.hpp"
 
 namespace lacuna {
 

@@ -5,8 +5,8 @@
 
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/term.hpp"
-#include "lacuna/regression/formulations/projection.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
+#include "regression/formulations/projection.hpp"
 
 namespace lacuna {
 

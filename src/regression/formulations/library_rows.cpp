@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/library_rows.hpp"
+#include "regression/formulations/library_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/finite.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "variable_slots.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "lacuna/model/equations/ode_model.hpp"
-#include "lacuna/regression/formulations/library_rows.hpp"
 #include "non_finite_error.hpp"
+#include "regression/formulations/library_rows.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "non_finite_error.hpp"
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna {
 

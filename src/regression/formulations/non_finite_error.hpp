@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/regression/formulations/library_rows.hpp"
+#include "regression/formulations/library_rows.hpp"
 
 namespace lacuna {
 

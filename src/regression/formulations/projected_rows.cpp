@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/projected_rows.hpp"
+#include "regression/formulations/projected_rows.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/projection.hpp"
+#include "regression/formulations/projection.hpp"
 
 #include <algorithm>
 #include <cmath>

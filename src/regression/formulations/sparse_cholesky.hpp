@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lacuna/regression/formulations/projection.hpp"
+#include "regression/formulations/projection.hpp"
 
 namespace lacuna {
 

@@ -6,7 +6,7 @@
 
 #include "core/numerics/column_kernels.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/records/binding/derived_record.hpp"
+#include "records/binding/derived_record.hpp"
 #include "variable_slots.hpp"
 
 namespace lacuna {

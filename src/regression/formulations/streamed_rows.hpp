@@ -7,7 +7,7 @@
 
 #include "lacuna/data/derivatives/differentiator.hpp"
 #include "lacuna/data/long_records/record_stream.hpp"
-#include "lacuna/regression/formulations/library_rows.hpp"
+#include "regression/formulations/library_rows.hpp"
 
 namespace lacuna {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "lacuna/model/equations/ode_model.hpp"
-#include "lacuna/records/binding/derived_record.hpp"
-#include "lacuna/regression/formulations/library_rows.hpp"
 #include "non_finite_error.hpp"
+#include "records/binding/derived_record.hpp"
+#include "regression/formulations/library_rows.hpp"
 #include "streamed_rows.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/column_range.hpp"
+#include "regression/linear/column_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "core/base/parts.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/regression/linear/row_pass.hpp"
+#include "regression/linear/row_pass.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/factorise.hpp"
+#include "regression/linear/factorise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/regression/linear/column_range.hpp"
-#include "lacuna/regression/linear/gram.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
+#include "regression/linear/column_range.hpp"
+#include "regression/linear/gram.hpp"
+#include "regression/linear/row_fold.hpp"
+#include "regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gathered_rows.hpp"
 
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/gram.hpp"
+#include "regression/linear/gram.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,8 +7,8 @@
 
 #include "core/base/check.hpp"
 #include "core/base/parts.hpp"
-#include "lacuna/regression/linear/row_pass.hpp"
-#include "lacuna/regression/linear/tile_kernels.hpp"
+#include "regression/linear/row_pass.hpp"
+#include "regression/linear/tile_kernels.hpp"
 
 namespace lacuna {
 namespace {

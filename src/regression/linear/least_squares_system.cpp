@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/base/parts.hpp"
-#include "lacuna/regression/linear/factorise.hpp"
-#include "lacuna/regression/linear/row_pass.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
+#include "regression/linear/factorise.hpp"
+#include "regression/linear/row_pass.hpp"
 
 namespace lacuna {
 namespace {

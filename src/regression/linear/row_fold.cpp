@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/row_fold.hpp"
+#include "regression/linear/row_fold.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "core/base/parts.hpp"
-#include "lacuna/regression/linear/gram.hpp"
-#include "lacuna/regression/linear/tile_kernels.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
+#include "regression/linear/gram.hpp"
+#include "regression/linear/tile_kernels.hpp"
+#include "regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/row_pass.hpp"
+#include "regression/linear/row_pass.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/check.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
+#include "regression/linear/triangular.hpp"
 
 namespace lacuna {
 namespace {

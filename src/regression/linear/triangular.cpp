@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/triangular.hpp"
+#include "regression/linear/triangular.hpp"
 
 #include <algorithm>
 #include <cmath>

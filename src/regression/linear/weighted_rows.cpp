@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/weighted_rows.hpp"
+#include "regression/linear/weighted_rows.hpp"
 
 #include <cmath>
 #include <string>

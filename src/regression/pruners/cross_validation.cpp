@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/numerics/serial_correlation.hpp"
-#include "lacuna/regression/pruners/elimination.hpp"
+#include "core/numerics/serial_correlation.hpp"
 #include "regression/linear/gathered_rows.hpp"
+#include "regression/pruners/elimination.hpp"
 
 namespace lacuna {
 namespace {

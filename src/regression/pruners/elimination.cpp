@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/pruners/elimination.hpp"
+#include "regression/pruners/elimination.hpp"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/core/numerics/serial_correlation.hpp"
-#include "lacuna/regression/pruners/elimination.hpp"
+#include "core/numerics/serial_correlation.hpp"
+#include "regression/pruners/elimination.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "lacuna/core/numerics/forward_order.hpp"
-#include "lacuna/regression/pruners/elimination.hpp"
+#include "regression/linear/forward_order.hpp"
+#include "regression/pruners/elimination.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/regression/pruners/sequential_thresholding.hpp"
 
-#include "lacuna/regression/pruners/elimination.hpp"
+#include "regression/pruners/elimination.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/data_summary.hpp"
+#include "report/pages/data_summary.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "lacuna/dynamics/attractor/power_spectrum.hpp"
-#include "lacuna/records/channels/shown_holds.hpp"
+#include "dynamics/attractor/power_spectrum.hpp"
+#include "records/channels/shown_holds.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/report/pages/data_summary.hpp"
+#include "core/base/text.hpp"
 #include "readable.hpp"
+#include "report/pages/data_summary.hpp"
 #include "text_table.hpp"
 
 namespace lacuna {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/text.hpp"
 #include "diagnosis_sentences.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/report/pages/mathml.hpp"
-#include "lacuna/report/pages/pages.hpp"
 #include "readable.hpp"
+#include "report/pages/pages.hpp"
+#include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
 
 namespace lacuna {

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "adequacy_json.hpp"
 #include "diagnosis_sentences.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "report/json/adequacy_json.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "readable.hpp"
 
 namespace lacuna {

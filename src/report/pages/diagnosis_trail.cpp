@@ -2,7 +2,7 @@
 // Every account that was judged, as a table for people.
 #include <algorithm>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
 
 namespace lacuna {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/report/pages/mathml.hpp"
-#include "lacuna/report/pages/pages.hpp"
+#include "core/base/text.hpp"
 #include "readable.hpp"
+#include "report/pages/pages.hpp"
+#include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
 
 namespace lacuna {

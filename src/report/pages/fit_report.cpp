@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "adequacy_json.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "report/json/adequacy_json.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/fleet_report.hpp"
+#include "report/pages/fleet_report.hpp"
 
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/text.hpp"
 #include "diagnosis_sentences.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
 #include "text_table.hpp"
 

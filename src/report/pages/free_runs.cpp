@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lacuna/data/records/marks.hpp"
-#include "trajectories/smoother/window_paths.hpp"
+#include "trajectories/windows/window_paths.hpp"
 
 namespace lacuna {
 namespace {

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.hpp"
 #include "free_runs.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/report/pages/mathml.hpp"
-#include "lacuna/report/pages/pages.hpp"
-#include "lacuna/report/pages/stage_json.hpp"
 #include "readable.hpp"
 #include "relation_text.hpp"
+#include "report/json/stage_json.hpp"
+#include "report/pages/pages.hpp"
+#include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
 
 namespace lacuna {

@@ -3,11 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "adequacy_json.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/report/pages/stage_json.hpp"
 #include "relation_text.hpp"
-#include "sync_json.hpp"
+#include "report/json/adequacy_json.hpp"
+#include "report/json/stage_json.hpp"
+#include "report/json/sync_json.hpp"
 
 namespace lacuna {
 namespace {

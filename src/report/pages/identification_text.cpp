@@ -4,7 +4,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/report/pages/identification_report.hpp"
 #include "readable.hpp"
 #include "relation_text.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/page.hpp"
+#include "report/pages/page.hpp"
 
 #include <set>
 
 #include "core/base/check.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "page_parts.hpp"
 
 namespace lacuna {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "readable.hpp"
 
 namespace lacuna {

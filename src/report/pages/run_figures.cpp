@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/dynamics/attractor/power_spectrum.hpp"
-#include "lacuna/trajectories/smoother/window_gap.hpp"
+#include "core/base/text.hpp"
+#include "dynamics/attractor/power_spectrum.hpp"
 #include "readable.hpp"
+#include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 namespace {

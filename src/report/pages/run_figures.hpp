@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/diagnose/journey/gap.hpp"
-#include "lacuna/report/plot/figure.hpp"
+#include "report/plot/figure.hpp"
 
 namespace lacuna {
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
-#include "lacuna/report/pages/pages.hpp"
 #include "readable.hpp"
+#include "report/pages/pages.hpp"
 #include "run_figures.hpp"
 
 namespace lacuna {

@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "adequacy_json.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "sync_json.hpp"
+#include "core/base/text.hpp"
+#include "report/json/adequacy_json.hpp"
+#include "report/json/sync_json.hpp"
 
 namespace lacuna {
 namespace {

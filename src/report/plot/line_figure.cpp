@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/report/plot/figure.hpp"
-#include "lacuna/report/plot/scale.hpp"
+#include "core/base/text.hpp"
+#include "report/plot/figure.hpp"
+#include "report/plot/scale.hpp"
 #include "svg.hpp"
 
 namespace lacuna {

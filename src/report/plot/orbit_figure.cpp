@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/report/plot/figure.hpp"
+#include "report/plot/figure.hpp"
 #include "svg.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/plot/figure.hpp"
+#include "report/plot/figure.hpp"
 
 namespace lacuna {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/report/plot/figure.hpp"
-#include "lacuna/report/plot/scale.hpp"
+#include "report/plot/figure.hpp"
+#include "report/plot/scale.hpp"
 
 namespace lacuna::svg {
 

@@ -6,13 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/number_range.hpp"
 #include "fit_errors.hpp"
 #include "fit_quality.hpp"
 #include "fit_search.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/core/numerics/interval.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "records/binding/other_records.hpp"

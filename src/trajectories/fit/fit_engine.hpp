@@ -8,7 +8,7 @@
 #include "channels.hpp"
 #include "fit_records.hpp"
 #include "lacuna/core/base/function_ref.hpp"
-#include "lacuna/trajectories/sensitivities/step_maps.hpp"
+#include "trajectories/sensitivities/step_maps.hpp"
 
 namespace lacuna {
 

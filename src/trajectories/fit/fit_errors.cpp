@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/singular_values.hpp"
 #include "identifiability.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/singular_values.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
+#include "regression/linear/row_fold.hpp"
 #include "trajectories/shooting/shooting_problem.hpp"
 
 namespace lacuna {

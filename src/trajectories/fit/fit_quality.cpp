@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "lacuna/core/numerics/significance.hpp"
+#include "core/numerics/significance.hpp"
 
 namespace lacuna {
 namespace {

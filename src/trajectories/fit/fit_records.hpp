@@ -6,7 +6,7 @@
 
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/parametrised_model.hpp"
-#include "trajectories/shooting/shooting_record.hpp"
+#include "trajectories/windows/shooting_record.hpp"
 
 namespace lacuna {
 

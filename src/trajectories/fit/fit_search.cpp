@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/random.hpp"
 #include "fit_quality.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "lacuna/regression/linear/row_fold.hpp"
+#include "regression/linear/row_fold.hpp"
 #include "trajectories/shooting/shooting_problem.hpp"
 
 namespace lacuna {

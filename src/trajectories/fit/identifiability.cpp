@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/singular_values.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/singular_values.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/qr.hpp"
+#include "regression/linear/row_fold.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "lacuna/core/base/parallel.hpp"
+#include "core/base/parallel.hpp"
 
 namespace lacuna {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lacuna/regression/linear/row_fold.hpp"
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "regression/linear/row_fold.hpp"
 #include "trajectories/subset_selection/negligible_columns.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/parallel.hpp"
+#include "core/base/parallel.hpp"
+#include "data/derivatives/moving_polynomial.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/records/channels/node_grid.hpp"
-#include "lacuna/trajectories/refiners/moving_polynomial.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 

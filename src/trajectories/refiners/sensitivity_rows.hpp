@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/trajectories/sensitivities/linear_step.hpp"
+#include "trajectories/sensitivities/linear_step.hpp"
 #include "window_rates.hpp"
 
 namespace lacuna {

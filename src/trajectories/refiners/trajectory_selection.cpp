@@ -6,14 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/core/numerics/constrained_least_squares.hpp"
+#include "core/base/text.hpp"
+#include "core/numerics/constrained_least_squares.hpp"
 #include "lacuna/records/binding/gaps.hpp"
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
 #include "record_stretches.hpp"
 #include "refitted.hpp"
 #include "trajectories/subset_selection/negligible_columns.hpp"
 #include "trajectories/subset_selection/plain_candidates.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 #include "window_search.hpp"
 
 namespace lacuna {

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <numeric>
 
-#include "lacuna/core/numerics/constrained_least_squares.hpp"
-#include "lacuna/trajectories/subset_selection/subset_search.hpp"
+#include "core/numerics/constrained_least_squares.hpp"
 #include "move_path.hpp"
 #include "trajectories/subset_selection/candidate_screening.hpp"
+#include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {

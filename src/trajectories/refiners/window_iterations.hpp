@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 #include "window_search.hpp"
 
 namespace lacuna {

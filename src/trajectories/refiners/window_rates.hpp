@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/trajectories/sensitivities/library_rates.hpp"
+#include "trajectories/sensitivities/library_rates.hpp"
 #include "windowed_path.hpp"
 
 namespace lacuna {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "lacuna/core/base/parallel.hpp"
+#include "core/base/parallel.hpp"
 #include "window_iterations.hpp"
 
 namespace lacuna {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "lacuna/regression/formulations/weak_form.hpp"
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
 #include "move_path.hpp"
 #include "refitted.hpp"
 #include "trajectories/subset_selection/candidate_screening.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 #include "window_iterations.hpp"
 #include "window_resolution.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/library_rates.hpp"
+#include "trajectories/sensitivities/library_rates.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/linear_step.hpp"
+#include "trajectories/sensitivities/linear_step.hpp"
 
-#include "lacuna/trajectories/sensitivities/fixed_size.hpp"
+#include "trajectories/sensitivities/fixed_size.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "core/base/check.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/records/channels/node_grid.hpp"
-#include "lacuna/trajectories/sensitivities/rates.hpp"
-#include "lacuna/trajectories/sensitivities/record_steps.hpp"
-#include "lacuna/trajectories/sensitivities/secant_slopes.hpp"
+#include "model/equations/formula_channel.hpp"
+#include "trajectories/sensitivities/rates.hpp"
+#include "trajectories/sensitivities/record_steps.hpp"
+#include "trajectories/sensitivities/secant_slopes.hpp"
 
 namespace lacuna {
 namespace {

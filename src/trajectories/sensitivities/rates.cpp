@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/rates.hpp"
+#include "trajectories/sensitivities/rates.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/numerics/lanes.hpp"
-#include "lacuna/trajectories/sensitivities/fixed_size.hpp"
-#include "lacuna/trajectories/sensitivities/record_steps.hpp"
 #include "parabolas.hpp"
+#include "trajectories/sensitivities/fixed_size.hpp"
+#include "trajectories/sensitivities/record_steps.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/weighted_sums.hpp"
+#include "trajectories/sensitivities/weighted_sums.hpp"
 
 namespace lacuna {
 Index ExpressionList::number_of(const Expression& e) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/shooting/cramer_rao.hpp"
+#include "trajectories/shooting/cramer_rao.hpp"
 
 #include "lacuna/core/base/error.hpp"
 #include "shooting_fit.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/trajectories/shooting/refine.hpp"
 #include "residual_analysis.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 namespace lacuna {
 

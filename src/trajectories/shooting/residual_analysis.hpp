@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/trajectories/shooting/residual_statistics.hpp"
 #include "shooting_fit.hpp"
+#include "trajectories/shooting/residual_statistics.hpp"
 
 namespace lacuna {
 

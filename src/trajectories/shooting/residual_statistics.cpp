@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/shooting/residual_statistics.hpp"
+#include "trajectories/shooting/residual_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "lacuna/core/numerics/qr.hpp"
+#include "core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

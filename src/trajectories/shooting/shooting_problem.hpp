@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "window_groups.hpp"
+#include "trajectories/windows/window_groups.hpp"
 
 namespace lacuna {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/least_squares.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "shooting_record.hpp"
+#include "trajectories/windows/shooting_record.hpp"
 
 namespace lacuna {
 

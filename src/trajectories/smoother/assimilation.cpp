@@ -6,15 +6,15 @@
 #include <limits>
 #include <optional>
 
+#include "core/numerics/least_squares.hpp"
 #include "data/records/check_record.hpp"
 #include "determined_step.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/numerics/least_squares.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
-#include "lacuna/trajectories/smoother/variance_fit.hpp"
+#include "model/equations/formula_channel.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
+#include "trajectories/smoother/variance_fit.hpp"
 #include "unknown_past.hpp"
 
 namespace lacuna {

@@ -8,8 +8,8 @@
 
 #include "core/numerics/lanes.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/trajectories/sensitivities/fixed_size.hpp"
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
+#include "trajectories/sensitivities/fixed_size.hpp"
 
 namespace lacuna {
 namespace {

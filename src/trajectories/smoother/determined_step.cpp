@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "lacuna/core/numerics/least_squares.hpp"
-#include "lacuna/core/numerics/symmetric_eigen.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/significance.hpp"
-#include "lacuna/trajectories/smoother/variance_fit.hpp"
+#include "core/base/parallel.hpp"
+#include "core/numerics/significance.hpp"
+#include "trajectories/smoother/variance_fit.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "lacuna/core/base/parallel.hpp"
+#include "core/base/parallel.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
-#include "lacuna/trajectories/sensitivities/record_steps.hpp"
+#include "trajectories/sensitivities/record_steps.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/spectral_lines.hpp"
+#include "trajectories/smoother/spectral_lines.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/timing_jitter.hpp"
+#include "trajectories/smoother/timing_jitter.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "lacuna/trajectories/sensitivities/rates.hpp"
+#include "trajectories/sensitivities/rates.hpp"
 
 namespace lacuna {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/unseen_changes.hpp"
+#include "trajectories/smoother/unseen_changes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/numerics/qr.hpp"
-#include "lacuna/core/numerics/singular_values.hpp"
+#include "core/numerics/qr.hpp"
+#include "core/numerics/singular_values.hpp"
 #include "lacuna/model/expressions/program.hpp"
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
 
 namespace lacuna {
 namespace {

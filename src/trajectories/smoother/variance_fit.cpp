@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/variance_fit.hpp"
+#include "trajectories/smoother/variance_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 #include <limits>
 #include <numeric>
 
-#include "lacuna/core/base/parallel.hpp"
-#include "lacuna/core/numerics/forward_order.hpp"
-#include "lacuna/regression/linear/gram.hpp"
-#include "lacuna/regression/linear/row_fold.hpp"
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "core/base/parallel.hpp"
+#include "regression/linear/forward_order.hpp"
+#include "regression/linear/gram.hpp"
+#include "regression/linear/row_fold.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna {
 

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <optional>
 
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
 #include "trajectories/refiners/move_path.hpp"
 #include "trajectories/refiners/window_iterations.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna {
 namespace {

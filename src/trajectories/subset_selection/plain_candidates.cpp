@@ -5,8 +5,8 @@
 #include <numeric>
 #include <vector>
 
-#include "lacuna/model/invariants/divides.hpp"
 #include "lacuna/model/invariants/relations.hpp"
+#include "model/invariants/divides.hpp"
 
 namespace lacuna {
 namespace {

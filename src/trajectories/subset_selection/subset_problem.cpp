@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 #include "core/base/check.hpp"
+#include "core/numerics/qr.hpp"
 #include "deflated_columns.hpp"
-#include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/subset_selection/subset_search.hpp"
+#include "trajectories/subset_selection/subset_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna::hidden {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/text.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/core/base/text.hpp"
 
 namespace lacuna::hidden {
 namespace {

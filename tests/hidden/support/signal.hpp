@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/core/base/types.hpp"
 
 namespace lacuna::hidden {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lacuna/solvers/l1/l1_optimality.hpp"
+#include "solvers/l1/l1_optimality.hpp"
 #include "support/l1_problems.hpp"
 
 namespace lacuna {

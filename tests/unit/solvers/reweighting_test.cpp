@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/reweighting.hpp"
+#include "solvers/reweighting.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/candidates/fit_memory.hpp"
+#include "diagnose/candidates/screening.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
-#include "lacuna/diagnose/candidates/fit_memory.hpp"
-#include "lacuna/diagnose/candidates/screening.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
 #include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/forms/candidate/effect.hpp"

@@ -7,7 +7,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
-#include "lacuna/trajectories/smoother/spectral_lines.hpp"
+#include "trajectories/smoother/spectral_lines.hpp"
 
 namespace lacuna {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "forms/candidate/spectral_line.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/forms/candidate/spectral_line.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

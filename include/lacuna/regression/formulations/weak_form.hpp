@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/regression/formulations/projection.hpp"
 #include "lacuna/regression/stages/formulation.hpp"
+#include "regression/formulations/projection.hpp"
 
 namespace lacuna {
 

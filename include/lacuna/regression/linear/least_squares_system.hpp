@@ -11,7 +11,7 @@
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/regression/linear/factor.hpp"
 #include "lacuna/regression/linear/row_source.hpp"
-#include "lacuna/regression/linear/weighted_rows.hpp"
+#include "regression/linear/weighted_rows.hpp"
 
 namespace lacuna {
 

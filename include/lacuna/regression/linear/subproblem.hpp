@@ -6,7 +6,7 @@
 
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/regression/linear/factor.hpp"
-#include "lacuna/regression/linear/triangular.hpp"
+#include "regression/linear/triangular.hpp"
 
 namespace lacuna {
 

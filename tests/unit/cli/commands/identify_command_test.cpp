@@ -2,9 +2,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "data/formats/npy.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "support/disk_limits.hpp"
 #include "support/noisy_records.hpp"

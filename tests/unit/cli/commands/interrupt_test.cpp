@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna::cli {

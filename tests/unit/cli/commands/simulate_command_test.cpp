@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/formats/read_text.hpp"
+#include "data/formats/read_text.hpp"
 #include "unit/cli/commands/records.hpp"
 
 namespace lacuna {

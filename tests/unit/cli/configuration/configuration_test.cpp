@@ -6,10 +6,10 @@
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/regression/formulations/strong_form.hpp"
 #include "lacuna/regression/pruners/minor_terms.hpp"
-#include "lacuna/report/pages/stage_json.hpp"
 #include "lacuna/solvers/irls_l1.hpp"
 #include "lacuna/solvers/l1/l1_nlopt.hpp"
 #include "lacuna/solvers/stlsq.hpp"
+#include "report/json/stage_json.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/description.hpp"
+#include "cli/configuration/description.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

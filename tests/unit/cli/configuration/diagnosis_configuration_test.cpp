@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
 
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/identification_configuration.hpp"
+#include "cli/configuration/identification_configuration.hpp"
 
 #include <gtest/gtest.h>
 
-#include "lacuna/cli/configuration/description.hpp"
+#include "cli/configuration/description.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

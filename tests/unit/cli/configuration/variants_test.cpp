@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/cli/configuration/variants.hpp"
+#include "cli/configuration/variants.hpp"
 
 #include <algorithm>
 

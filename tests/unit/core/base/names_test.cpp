@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/names.hpp"
+#include "core/base/names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna {
 namespace {

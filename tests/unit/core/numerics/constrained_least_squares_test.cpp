@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/constrained_least_squares.hpp"
+#include "core/numerics/constrained_least_squares.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/least_squares.hpp"
+#include "core/numerics/least_squares.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "core/numerics/qr.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/numerics/qr.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/serial_correlation.hpp"
+#include "core/numerics/serial_correlation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/significance.hpp"
+#include "core/numerics/significance.hpp"
 
 #include <gtest/gtest.h>
 

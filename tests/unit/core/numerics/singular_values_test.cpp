@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/singular_values.hpp"
+#include "core/numerics/singular_values.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/numerics/symmetric_eigen.hpp"
+#include "core/numerics/symmetric_eigen.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/core/base/types.hpp"
 
 namespace lacuna {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "data/derivatives/stencil.hpp"
 #include "grids.hpp"
-#include "lacuna/data/derivatives/stencil.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/stencil.hpp"
+#include "data/derivatives/stencil.hpp"
 
 #include <gtest/gtest.h>
 

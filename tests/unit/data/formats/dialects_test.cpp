@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lacuna/data/formats/read_text.hpp"
+#include "data/formats/read_text.hpp"
 #include "lacuna/data/records/roles.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna::testing {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "core/files/file_bytes.hpp"
 #include "data/formats/npy.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/files/file_bytes.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "data/formats/row_blocks.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"

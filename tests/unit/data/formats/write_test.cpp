@@ -5,10 +5,10 @@
 
 #include <string>
 
+#include "core/files/file_bytes.hpp"
+#include "data/formats/read_text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
 #include "lacuna/data/formats/read.hpp"
-#include "lacuna/data/formats/read_text.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/long_records/read_stream.hpp"
 #include "support/temporary_folder.hpp"

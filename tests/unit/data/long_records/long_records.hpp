@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna::testing {

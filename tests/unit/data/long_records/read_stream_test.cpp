@@ -8,12 +8,12 @@
 #include <fstream>
 #include <limits>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "data/formats/npy.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"

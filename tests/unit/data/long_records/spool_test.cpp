@@ -8,10 +8,10 @@
 #include <fstream>
 #include <thread>
 
+#include "core/base/text.hpp"
+#include "core/files/file_bytes.hpp"
 #include "data/formats/npy.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/file_bytes.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "support/disk_limits.hpp"
 #include "support/expect_error.hpp"

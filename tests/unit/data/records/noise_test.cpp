@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "data/formats/read_text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/formats/read_text.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

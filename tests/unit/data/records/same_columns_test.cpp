@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "data/formats/read_text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/formats/read_text.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

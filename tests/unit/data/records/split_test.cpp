@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/records/split.hpp"
+#include "data/records/split.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "data/formats/read_text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/data/formats/read_text.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

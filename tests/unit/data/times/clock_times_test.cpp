@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <ctime>
 
+#include "core/base/random.hpp"
+#include "data/formats/read_text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/data/formats/read_text.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

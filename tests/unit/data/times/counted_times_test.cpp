@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/text.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

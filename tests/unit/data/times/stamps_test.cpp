@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 
 namespace lacuna {
 namespace {

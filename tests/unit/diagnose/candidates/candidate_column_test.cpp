@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/candidates/fit_memory.hpp"
+#include "diagnose/candidates/fit_memory.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <set>
 
-#include "lacuna/core/base/parallel.hpp"
+#include "core/base/parallel.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {

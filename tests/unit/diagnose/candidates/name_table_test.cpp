@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/candidates/name_table.hpp"
+#include "diagnose/candidates/name_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/candidates/screening.hpp"
+#include "diagnose/candidates/screening.hpp"
 
 #include <gtest/gtest.h>
 

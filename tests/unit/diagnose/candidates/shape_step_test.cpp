@@ -6,7 +6,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-#include "lacuna/diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/criterion/effect_parts.hpp"
+#include "diagnose/criterion/effect_parts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/criterion/holdout.hpp"
+#include "diagnose/criterion/holdout.hpp"
 
 #include <gtest/gtest.h>
 

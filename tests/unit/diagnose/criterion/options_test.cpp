@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "lacuna/cli/configuration/description.hpp"
+#include "cli/configuration/description.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 
 namespace lacuna {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/coloured_noise.hpp"
+#include "diagnose/hypotheses/coloured_noise.hpp"
 
 #include <gtest/gtest.h>
 

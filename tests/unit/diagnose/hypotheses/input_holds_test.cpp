@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/input_holds.hpp"
+#include "diagnose/hypotheses/input_holds.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
-#include "lacuna/diagnose/hypotheses/input_holds.hpp"
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
+#include "diagnose/hypotheses/input_holds.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
-#include "lacuna/records/channels/interpolated.hpp"
+#include "records/channels/interpolated.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
+#include "core/base/random.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/named_effects.hpp"
+#include "diagnose/hypotheses/named_effects.hpp"
 
 #include <gtest/gtest.h>
 

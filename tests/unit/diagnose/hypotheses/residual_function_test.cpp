@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/residual_function.hpp"
+#include "diagnose/hypotheses/residual_function.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/effects/effect_family.hpp"
 #include "lacuna/effects/families.hpp"
 #include "support/asked.hpp"

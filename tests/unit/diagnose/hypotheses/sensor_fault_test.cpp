@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/sensor_fault.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
 
 #include <gtest/gtest.h>
 

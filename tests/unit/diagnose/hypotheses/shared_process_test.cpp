@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/shared_process.hpp"
+#include "diagnose/hypotheses/shared_process.hpp"
 
 #include <gtest/gtest.h>
 

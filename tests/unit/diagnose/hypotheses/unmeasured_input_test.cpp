@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/unmeasured_input.hpp"
+#include "diagnose/hypotheses/unmeasured_input.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.hpp"
+#include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
@@ -17,7 +18,6 @@
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/effects/families.hpp"
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/export/export_model.hpp"
 #include "lacuna/model/files/ode_text.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/effects/families.hpp"

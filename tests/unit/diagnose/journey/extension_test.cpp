@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
 #include "support/assimilated_oscillator.hpp"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "lacuna/cli/configuration/diagnosis_configuration.hpp"
+#include "cli/configuration/diagnosis_configuration.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "support/asked.hpp"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna {
 namespace {

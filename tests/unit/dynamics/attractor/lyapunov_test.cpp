@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/lyapunov.hpp"
+#include "dynamics/attractor/lyapunov.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/attractor/power_spectrum.hpp"
+#include "dynamics/attractor/power_spectrum.hpp"
 
 #include <gtest/gtest.h>
 

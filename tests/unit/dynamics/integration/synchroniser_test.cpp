@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/test_systems/rossler_circuit.hpp"
+#include "dynamics/test_systems/rossler_circuit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/test_systems/shipped_record.hpp"
+#include "dynamics/test_systems/shipped_record.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/test_systems/spice_record.hpp"
+#include "dynamics/test_systems/spice_record.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lacuna/core/base/atomic_file.hpp"
+#include "core/files/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/forms/candidate/nesting.hpp"
+#include "forms/candidate/nesting.hpp"
 
 #include <gtest/gtest.h>
 

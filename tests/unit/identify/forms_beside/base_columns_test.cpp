@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/random.hpp"
 #include "identify/forms_beside/form_rows.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "identify/forms_beside/function_forms.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/identify/forms_beside/function_forms.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 
 namespace lacuna {

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 

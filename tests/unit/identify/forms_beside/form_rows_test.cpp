@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/forms_beside/function_forms.hpp"
+#include "identify/forms_beside/function_forms.hpp"
 
 #include <gtest/gtest.h>
 

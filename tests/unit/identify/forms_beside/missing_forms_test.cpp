@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/forms_beside/missing_forms.hpp"
+#include "identify/forms_beside/missing_forms.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "identify/forms_beside/function_forms.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/identify/forms_beside/function_forms.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/hidden_state/identify_hidden.hpp"
+#include "identify/hidden_state/identify_hidden.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
+#include "core/base/random.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/hidden_state/sparse_coordinates.hpp"
+#include "identify/hidden_state/sparse_coordinates.hpp"
 
 #include <gtest/gtest.h>
 

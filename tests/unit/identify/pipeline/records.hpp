@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"

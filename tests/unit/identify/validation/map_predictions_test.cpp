@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "identify/validation/validate.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
-#include "lacuna/identify/validation/validate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/maps.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {

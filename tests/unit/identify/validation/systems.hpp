@@ -4,12 +4,12 @@
 
 #include <string>
 
+#include "identify/validation/validate.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/identify/validation/validate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::testing {

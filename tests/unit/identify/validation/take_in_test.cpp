@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lacuna/identify/validation/validate.hpp"
+#include "identify/validation/validate.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/validation/validate.hpp"
+#include "identify/validation/validate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

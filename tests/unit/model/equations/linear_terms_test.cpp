@@ -5,8 +5,8 @@
 
 #include <map>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/names.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/core/base/text.hpp"
 #include "lacuna/data/records/roles.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "lacuna/model/files/model_file.hpp"

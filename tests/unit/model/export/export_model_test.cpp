@@ -8,11 +8,11 @@
 #include <array>
 #include <sstream>
 
+#include "core/base/names.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/names.hpp"
-#include "lacuna/core/base/text.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "model/equations/formula_channel.hpp"
 #include "model/export/languages.hpp"
 #include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"

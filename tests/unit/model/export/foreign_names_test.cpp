@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "model/export/languages.hpp"
 
 namespace lacuna {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/model/expressions/expression.hpp"
 
 namespace lacuna {

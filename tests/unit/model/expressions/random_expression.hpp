@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/model/expressions/expression.hpp"
 
 namespace lacuna::testing {

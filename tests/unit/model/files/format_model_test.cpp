@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {

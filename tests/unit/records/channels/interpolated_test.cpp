@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/records/channels/interpolated.hpp"
+#include "records/channels/interpolated.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {

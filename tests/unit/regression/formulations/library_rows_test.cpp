@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/library_rows.hpp"
+#include "regression/formulations/library_rows.hpp"
 
 #include <gtest/gtest.h>
 

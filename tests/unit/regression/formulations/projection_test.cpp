@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/projection.hpp"
+#include "regression/formulations/projection.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "support/oscillation.hpp"
 
 namespace lacuna {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
-#include "lacuna/records/binding/derived_record.hpp"
+#include "records/binding/derived_record.hpp"
 #include "unit/data/long_records/long_records.hpp"
 
 namespace lacuna {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 #include "support/oscillation.hpp"
 

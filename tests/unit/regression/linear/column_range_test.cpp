@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/column_range.hpp"
+#include "regression/linear/column_range.hpp"
 
 #include <gtest/gtest.h>
 

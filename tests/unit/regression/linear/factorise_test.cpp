@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/factorise.hpp"
+#include "regression/linear/factorise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {

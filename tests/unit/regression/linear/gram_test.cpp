@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/gram.hpp"
+#include "regression/linear/gram.hpp"
 
 #include <gtest/gtest.h>
 

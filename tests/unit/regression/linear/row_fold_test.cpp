@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/row_fold.hpp"
+#include "regression/linear/row_fold.hpp"
 
 #include <gtest/gtest.h>
 

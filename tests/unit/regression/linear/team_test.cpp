@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/regression/linear/column_range.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
+#include "regression/linear/column_range.hpp"
 #include "support/thread_team.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/tile_kernels.hpp"
+#include "regression/linear/tile_kernels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "support/pruner_checks.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/data_summary.hpp"
+#include "report/pages/data_summary.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

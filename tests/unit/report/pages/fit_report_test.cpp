@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lacuna/model/files/ode_text.hpp"
-#include "lacuna/report/pages/pages.hpp"
+#include "report/pages/pages.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/fleet_report.hpp"
+#include "report/pages/fleet_report.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

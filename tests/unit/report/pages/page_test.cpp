@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/page.hpp"
+#include "report/pages/page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

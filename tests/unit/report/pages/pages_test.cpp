@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/pages.hpp"
+#include "report/pages/pages.hpp"
 
 #include <cmath>
 #include <map>

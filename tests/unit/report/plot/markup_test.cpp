@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/plot/markup.hpp"
+#include "report/plot/markup.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/plot/scale.hpp"
+#include "report/plot/scale.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/trajectories/subset_selection/subset_search.hpp"
 #include "support/noisy_records.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"
+#include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/fixed_size.hpp"
+#include "trajectories/sensitivities/fixed_size.hpp"
 
 #include <gtest/gtest.h>
 

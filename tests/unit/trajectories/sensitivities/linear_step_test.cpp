@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/linear_step.hpp"
+#include "trajectories/sensitivities/linear_step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/equations/formula_channel.hpp"
 #include "lacuna/model/expressions/expression.hpp"
+#include "model/equations/formula_channel.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/held_oscillator.hpp"
 

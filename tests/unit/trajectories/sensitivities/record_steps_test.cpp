@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/record_steps.hpp"
+#include "trajectories/sensitivities/record_steps.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/secant_slopes.hpp"
+#include "trajectories/sensitivities/secant_slopes.hpp"
 
 #include <gtest/gtest.h>
 

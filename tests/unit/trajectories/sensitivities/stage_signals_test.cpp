@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/stage_signals.hpp"
+#include "trajectories/sensitivities/stage_signals.hpp"
 
 #include <gtest/gtest.h>
 

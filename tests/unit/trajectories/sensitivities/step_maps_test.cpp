@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/step_maps.hpp"
+#include "trajectories/sensitivities/step_maps.hpp"
 
 #include <gtest/gtest.h>
 

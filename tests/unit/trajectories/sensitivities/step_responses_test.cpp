@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "lacuna/trajectories/sensitivities/record_steps.hpp"
+#include "trajectories/sensitivities/record_steps.hpp"
 
 namespace lacuna {
 namespace {

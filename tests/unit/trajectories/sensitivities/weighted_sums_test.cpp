@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/sensitivities/weighted_sums.hpp"
+#include "trajectories/sensitivities/weighted_sums.hpp"
 
 #include <gtest/gtest.h>
 

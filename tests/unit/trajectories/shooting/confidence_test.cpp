@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 
 namespace lacuna {
 namespace {

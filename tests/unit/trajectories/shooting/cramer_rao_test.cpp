@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/shooting/cramer_rao.hpp"
+#include "trajectories/shooting/cramer_rao.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 #include "unit/trajectories/shooting/records.hpp"
 
 namespace lacuna {

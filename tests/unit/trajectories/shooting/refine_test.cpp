@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "trajectories/shooting/refine.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "unit/trajectories/shooting/records.hpp"

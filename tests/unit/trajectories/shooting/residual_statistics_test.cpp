@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/shooting/residual_statistics.hpp"
+#include "trajectories/shooting/residual_statistics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
-#include "lacuna/trajectories/shooting/refine.hpp"
+#include "core/base/random.hpp"
+#include "trajectories/shooting/refine.hpp"
 #include "trajectories/shooting/residual_analysis.hpp"
 #include "unit/trajectories/shooting/dense_problem.hpp"
 

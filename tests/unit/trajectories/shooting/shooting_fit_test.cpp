@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "unit/trajectories/shooting/dense_problem.hpp"
 
 namespace lacuna {

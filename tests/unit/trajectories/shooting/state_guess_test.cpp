@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/random.hpp"
 
 namespace lacuna {
 namespace {

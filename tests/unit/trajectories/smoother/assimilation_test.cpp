@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
 #include "support/driven_oscillator.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna {
 namespace {

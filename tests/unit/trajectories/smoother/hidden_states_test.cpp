@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/hidden_states.hpp"
+#include "trajectories/smoother/hidden_states.hpp"
 
 #include <gtest/gtest.h>
 

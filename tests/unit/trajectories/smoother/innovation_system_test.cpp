@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/innovation_system.hpp"
+#include "trajectories/smoother/innovation_system.hpp"
 
 #include <gtest/gtest.h>
 

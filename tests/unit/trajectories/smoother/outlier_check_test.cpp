@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/outlier_check.hpp"
+#include "trajectories/smoother/outlier_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

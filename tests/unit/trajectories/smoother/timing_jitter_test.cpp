@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/timing_jitter.hpp"
+#include "trajectories/smoother/timing_jitter.hpp"
 
 #include <gtest/gtest.h>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {

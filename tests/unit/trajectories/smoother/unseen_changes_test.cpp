@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/unseen_changes.hpp"
+#include "trajectories/smoother/unseen_changes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "support/correlated_rows.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/subset_selection/subset_problem.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 #include <gtest/gtest.h>
 

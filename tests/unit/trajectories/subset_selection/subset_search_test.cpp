@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/subset_selection/subset_search.hpp"
+#include "trajectories/subset_selection/subset_search.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "lacuna/core/base/random.hpp"
+#include "core/base/random.hpp"
 #include "support/correlated_rows.hpp"
 
 namespace lacuna {

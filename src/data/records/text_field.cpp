@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "data/records/text_field.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <optional>
+
+#include "core/base/text.hpp"
+
+namespace lacuna {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+std::string_view unquote(std::string_view text) {
+  text = strip(text);
+  const bool quoted = text.size() >= 2 && text.front() == text.back() &&
+                      (text.front() == '"' || text.front() == '\'');
+  return quoted ? strip(text.substr(1, text.size() - 2)) : text;
+}
+
+bool is_missing(std::string_view field) {
+  if (field.empty()) return true;
+  if (field.size() > 4) return false;
+  const std::string word = lower_case(field);
+  return word == "nan" || word == "-nan" || word == "na" || word == "n/a" || word == "null" ||
+         word == "none";
+}
+
+std::optional<double> decimal_comma_number(std::string_view field) {
+  if (std::count(field.begin(), field.end(), ',') != 1) return std::nullopt;
+  if (field.find('.') != std::string_view::npos) return std::nullopt;
+  std::string copy(field);
+  std::replace(copy.begin(), copy.end(), ',', '.');
+  return parse_number(copy);
+}
+
+void split_blanks(std::string_view line, std::vector<std::string_view>& fields) {
+  std::size_t begin = 0;
+  while (begin < line.size()) {
+    int depth = 0;
+    std::size_t end = begin;
+    for (; end < line.size(); ++end) {
+      if (line[end] == '[') ++depth;
+      if (line[end] == ']' && depth > 0) --depth;
+      if (depth > 0 || !is_blank(line[end])) continue;
+      const std::size_t next = std::min(line.find_first_not_of(" \t\r", end), line.size());
+      if (next == line.size() || line[next] != '[') break;
+    }
+    fields.push_back(unquote(line.substr(begin, end - begin)));
+    begin = std::min(line.find_first_not_of(" \t\r", end), line.size());
+  }
+}
+
+}  // namespace
+
+std::string_view strip(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+TextField read_field(std::string_view field) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  field = unquote(field);
+  if (is_missing(field)) return {TextField::Kind::Missing, kNothing};
+  if (const auto value = parse_number(field)) return {TextField::Kind::Number, *value};
+  if (const auto value = decimal_comma_number(field)) return {TextField::Kind::Number, *value};
+  return {TextField::Kind::Text, kNothing};
+}
+
+void split_fields(std::string_view line, char delimiter,
+                  std::vector<std::string_view>& fields) {
+  fields.clear();
+  if (delimiter == ' ') return split_blanks(strip(line), fields);
+  bool quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (line[i] != delimiter || quoted) continue;
+    fields.push_back(unquote(line.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+  fields.push_back(unquote(line.substr(begin)));
+}
+
+}  // namespace lacuna

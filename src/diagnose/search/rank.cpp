@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/search/rank.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "core/base/parallel.hpp"
+#include "core/numerics/significance.hpp"
+#include "diagnose/criterion/effect_parts.hpp"
+#include "disturbed_alone.hpp"
+#include "forms/candidate/nesting.hpp"
+#include "lacuna/trajectories/smoother/disturbance_test.hpp"
+#include "short_list.hpp"
+
+namespace lacuna {
+namespace {
+
+/// rms of coefficient x form over that of the rate of the state it acts on.
+double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
+  const Candidate& candidate = effect.candidate;
+  double sum = 0.0;
+  Index count = 0;
+  for (const LinearisedRecord& record : fit.records) {
+    const Vector values = effect_along(effect, fit, record);
+    const double mean = candidate.form.variables().empty() ? 0.0 : values.mean();
+    sum += (values.array() - mean).square().sum();
+    count += values.size();
+  }
+  const double rms = std::sqrt(sum / static_cast<double>(count));
+  if (candidate.place == Place::Channel) {
+    const auto& path = fit.records.front().path.col(candidate.equation);
+    return rms / std::sqrt((path.array() - path.mean()).square().mean());
+  }
+  return rms / rate_rms(fit)[candidate.equation];
+}
+
+/// What a fit with one more effect is worth. @param tried number of candidates.
+RankedEffect judged(const EffectSearch& search, const Explanation& current,
+                    Explanation explanation, double tried) {
+  RankedEffect ranked{std::move(explanation)};
+  const FittedEffect& effect = ranked.effect();
+  ranked.criterion = criterion_of(search.problem, search.base, ranked.explanation);
+  ranked.gain = current.fit.deviance - ranked.explanation.fit.deviance;
+  ranked.sigma =
+      sigma_of_gain(ranked.gain, 1.0 + static_cast<double>(effect.shapes.size()), tried);
+  ranked.contribution = contribution_of(effect, ranked.explanation.fit);
+  ranked.names = search.names().names_of(effect, ranked.explanation.fit.model);
+  return ranked;
+}
+
+/// fit(0) ... fit(count - 1), in this order.
+template <class Fit>
+std::vector<RankedEffect> fitted_in_parallel(std::size_t count, int threads, Fit fit) {
+  std::vector<std::optional<RankedEffect>> places(count);
+  parallel_for(count, threads, [&](std::size_t i) { places[i] = fit(i); });
+  std::vector<RankedEffect> result;
+  for (std::optional<RankedEffect>& place : places) result.push_back(std::move(*place));
+  return result;
+}
+
+/// Whether the disturbance of the effect's equation is less with it. A form that follows the
+/// path's own rate (a delay or a lag of the state itself, shorter than a step) can take the
+/// place of the rate; then the likelihood rises and the disturbance does not fall. So it is
+/// with a channel that is corrected by the rate of a noisy path: an effect there has to take
+/// away most of what disturbs the equations together, so that it is judged on a smooth path.
+/// Where states are hidden the disturbance of one equation stands for what another one lacks:
+/// they have to fall together.
+bool lessens_disturbance(const RankedEffect& ranked, const Explanation& current,
+                         const Vector& rates, double most) {
+  const Candidate& candidate = ranked.effect().candidate;
+  const bool on_channel = candidate.place == Place::Channel;
+  const bool hidden = current.fit.held.rows() > 0;
+  if (on_channel || hidden)
+    return total_disturbance(ranked.explanation.fit, rates) <
+           (on_channel ? 1.0 - most : 1.0) * total_disturbance(current.fit, rates);
+  const double before = current.fit.noise.disturbance[candidate.equation];
+  return ranked.explanation.fit.noise.disturbance[candidate.equation] < before;
+}
+
+std::string leading_name(const std::vector<Name>& names) {
+  return names.empty() ? std::string() : names.front().name;
+}
+
+/// Leading names of the effects that are there, with the numbers that they have.
+std::vector<std::string> present_names(const Explanation& current, const NameTable& table) {
+  std::vector<std::string> names;
+  for (const FittedEffect& effect : current.effects)
+    names.push_back(leading_name(table.names_of(effect, current.fit.model)));
+  return names;
+}
+
+/// Whether the effects that were there before still have numbers such as they can have, by
+/// whatever name. One that is not told from 0 any more, or that the new one stands for, will
+/// go.
+bool leaves_others_plausible(const RankedEffect& ranked, const EffectSearch& search,
+                             const std::vector<std::string>& names) {
+  const NameTable table = search.names();
+  const double told = search.problem.options.decision.significance;
+  const std::vector<FittedEffect>& all = ranked.explanation.effects;
+  for (std::size_t e = 0; e + 1 < all.size(); ++e) {
+    const bool goes = std::abs(all[e].coefficient) < told * all[e].deviation;
+    if (!goes && table.names_of(all[e], ranked.explanation.fit.model).empty() &&
+        !are_forms_of_one(all[e], names[e], ranked.effect(), leading_name(ranked.names),
+                          table.scope))
+      return false;
+  }
+  return true;
+}
+
+void sort_by_criterion(std::vector<RankedEffect>& effects) {
+  std::stable_sort(effects.begin(), effects.end(),
+                   [](const auto& a, const auto& b) { return a.criterion < b.criterion; });
+}
+
+/// Keeps of the implausible ones only those that lead before any other: their numbers may
+/// become plausible in an exact fit. @return how many these are.
+template <class Plausible>
+std::size_t keep_leaders(std::vector<RankedEffect>& sorted, Plausible plausible) {
+  const auto first = std::find_if(sorted.begin(), sorted.end(), plausible);
+  const auto leaders = static_cast<std::size_t>(first - sorted.begin());
+  sorted.erase(std::remove_if(first, sorted.end(), std::not_fn(plausible)), sorted.end());
+  return leaders;
+}
+
+/// Whether two ranked effects are forms that have one leading name.
+bool mean_the_same(const RankedEffect& a, const RankedEffect& b) {
+  return in_one_place(a.effect().candidate, b.effect().candidate) &&
+         leading_name(a.names) == leading_name(b.names);
+}
+
+void set_probabilities(Ranking& ranking, double none_criterion) {
+  double least = none_criterion;
+  for (const RankedEffect& effect : ranking.effects) least = std::min(least, effect.criterion);
+  const auto weight = [&](double criterion) { return std::exp(-0.5 * (criterion - least)); };
+  double sum = weight(none_criterion);
+  for (const RankedEffect& effect : ranking.effects) sum += weight(effect.criterion);
+  ranking.none = weight(none_criterion) / sum;
+  for (RankedEffect& effect : ranking.effects) {
+    effect.probability = 0.0;
+    for (const RankedEffect& other : ranking.effects)
+      if (mean_the_same(effect, other)) effect.probability += weight(other.criterion) / sum;
+  }
+}
+
+/// What makes an effect less plain: terms that nearly cancel, then shapes and memory.
+std::pair<bool, Index> intricacy_of(const RankedEffect& ranked, const EffectSearch& search) {
+  const Candidate& candidate = ranked.effect().candidate;
+  const AddedParts parts =
+      added_parts(ranked.explanation, search.problem.nominal, candidate.equation);
+  return {largest_cancellation(parts).left < search.problem.options.decision.cancelling,
+          candidate.intricacy()};
+}
+
+/// Whether the records do not tell an explanation from the best one: by
+/// DecisionOptions::undecided, or because what the two add to the equation along the record is
+/// apart by less than the size of an effect.
+bool does_as_well(const RankedEffect& ranked, const RankedEffect& best,
+                  const EffectSearch& search) {
+  const DecisionOptions& decision = search.problem.options.decision;
+  if (ranked.criterion <= best.criterion + decision.undecided) return true;
+  return apart(ranked.explanation, best.explanation, search.problem.nominal,
+               best.effect().candidate.equation) < decision.effect_size;
+}
+
+/// Of those in the same equation that do as well as the best, the least intricate goes first.
+void put_least_intricate_first(std::vector<RankedEffect>& effects, const EffectSearch& search) {
+  if (effects.empty()) return;
+  const Index equation = effects.front().effect().candidate.equation;
+  auto place = effects.begin();
+  auto least = intricacy_of(effects.front(), search);
+  for (auto other = effects.begin() + 1; other != effects.end(); ++other) {
+    if (other->effect().candidate.equation != equation) continue;
+    const auto intricacy = intricacy_of(*other, search);
+    if (!(intricacy < least) || !does_as_well(*other, effects.front(), search)) continue;
+    place = other;
+    least = intricacy;
+  }
+  std::rotate(effects.begin(), place, place + 1);
+}
+
+/// The short list fitted in few passes, and how many of it are fitted exactly.
+struct RoughRanking {
+  std::vector<RankedEffect> effects;  ///< best first
+  std::size_t exact = 0;
+};
+
+/// What an effect has to be to be ranked.
+class Requirements {
+ public:
+  Requirements(const EffectSearch& search, const Explanation& current)
+      : search_(search),
+        current_(current),
+        names_(present_names(current, search.names())),
+        rates_(rate_rms(current.fit).head(search.base.scope.model.dimension())) {}
+
+  /// Whether the fit is one and the disturbance falls.
+  bool sound(const RankedEffect& ranked) const {
+    return std::isfinite(ranked.criterion) &&
+           lessens_disturbance(ranked, current_, rates_,
+                               search_.problem.options.decision.major);
+  }
+
+  /// Whether it has a name, and those that were there before keep theirs.
+  bool plausible(const RankedEffect& ranked) const {
+    return !ranked.names.empty() && leaves_others_plausible(ranked, search_, names_);
+  }
+
+ private:
+  const EffectSearch& search_;
+  const Explanation& current_;
+  std::vector<std::string> names_;
+  Vector rates_;
+};
+
+RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current,
+                          const Requirements& required, const ShortList& shortened) {
+  const RunContext& context = search.problem.context;
+  const DecisionOptions& decision = search.problem.options.decision;
+  const auto tried = static_cast<double>(shortened.screened);
+  const std::vector<Listed>& list = shortened.candidates;
+  context.report("fitting candidates", 0.0);
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem problem = alone(search.problem, quiet);
+  RoughRanking rough{fitted_in_parallel(list.size(), context.threads, [&](std::size_t i) {
+    const ScreenedCandidate& one = list[i].screened;
+    std::vector<FittedEffect> effects = current.effects;
+    effects.push_back({one.candidate, one.shapes, one.coefficient, 0.0});
+    const Assimilation start =
+        list[i].start ? loosened(*list[i].start, search.base) : current.fit;
+    return judged(search, current, explain_roughly_on(problem, search.base, start, effects),
+                  tried);
+  })};
+  // Numbers at shapes that are not settled say nothing against a name.
+  std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
+    return !required.sound(ranked) ||
+           (ranked.effect().shapes.size() == 0 && !required.plausible(ranked));
+  });
+  sort_by_criterion(rough.effects);
+  const std::size_t leaders = keep_leaders(
+      rough.effects, [&](const RankedEffect& ranked) { return required.plausible(ranked); });
+  rough.exact =
+      std::min(rough.effects.size(), leaders + static_cast<std::size_t>(decision.exact_fits));
+  return rough;
+}
+
+/// Fits the best of a rough ranking exactly.
+std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explanation& current,
+                                       const Requirements& required, RoughRanking rough,
+                                       double tried) {
+  const RunContext& context = search.problem.context;
+  context.report("fitting candidates exactly", 0.0);
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem problem = alone(search.problem, quiet);
+  std::vector<RankedEffect> fitted =
+      fitted_in_parallel(rough.exact, context.threads, [&](std::size_t i) {
+        return judged(search, current,
+                      explain_further_on(problem, search.base, rough.effects[i].explanation),
+                      tried);
+      });
+  std::move(fitted.begin(), fitted.end(), rough.effects.begin());
+  std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
+    return !required.sound(ranked) || !required.plausible(ranked);
+  });
+  sort_by_criterion(rough.effects);
+  return std::move(rough.effects);
+}
+
+}  // namespace
+
+bool are_forms_of_one(const FittedEffect& a, const std::string& name_of_a,
+                      const FittedEffect& b, const std::string& name_of_b, const Scope& scope) {
+  if (!in_one_place(a.candidate, b.candidate)) return false;
+  return name_of_a == name_of_b || nests(a.candidate, b.candidate, b.shapes, scope) ||
+         nests(b.candidate, a.candidate, a.shapes, scope);
+}
+
+Ranking rank(const EffectSearch& search, const Explanation& current) {
+  const ShortList list = short_list(search, current);
+  const Requirements required(search, current);
+  Ranking ranking;
+  ranking.tried = list.tried;
+  ranking.effects =
+      rank_exactly(search, current, required, rank_roughly(search, current, required, list),
+                   static_cast<double>(list.screened));
+  set_probabilities(ranking, criterion_of(search.problem, search.base, current));
+  put_least_intricate_first(ranking.effects, search);
+  return ranking;
+}
+
+}  // namespace lacuna

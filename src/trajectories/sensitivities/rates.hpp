@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/model/equations/parametrised_model.hpp"
+#include "trajectories/sensitivities/weighted_sums.hpp"
+
+namespace lacuna {
+
+/// f(t, x, u; p) of a model with df/dx and the columns df/dp, for blocks of points.
+///
+/// A point is a row of slots: m states, the inputs of the symbolic model (record inputs, then
+/// shape parameters), t, delayed variables. Columns of df/dp are the P parameters. Derivatives
+/// are compiled by their first use. One object per thread.
+class Rates {
+ public:
+  explicit Rates(const ParametrisedModel& model);
+
+  /// A model without free parameters.
+  explicit Rates(const OdeModel& model);
+
+  Index dimension() const noexcept { return static_cast<Index>(form_.size()); }
+  Index slots() const noexcept { return rate_.slots(); }
+  Index columns() const noexcept { return column_count_; }  ///< P
+  const std::vector<DelayedVariable>& delays() const noexcept { return rate_.delays(); }
+
+  /// Uses these parameter values from now on.
+  void set(const Vector& parameters);
+
+  /// Slots that are filled by the caller: m states, then `signals()` of the record.
+  Index signals() const noexcept { return slots() - dimension() - shape_values_.size(); }
+
+  /// Writes the slots of one block behind the states: signals are (record inputs, t, delayed).
+  void fill_signals(const Eigen::Ref<const Matrix>& signals, Eigen::Ref<Matrix> slots) const;
+  void fill_signals(const double* signals, Index stride, double* slots) const;
+
+  /// f at each row of slots: rows x m.
+  void rate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> f);
+  void rate(const double* slots, double* f);
+
+  /// Places of df/dx (m x m) that are not always zero, and of df/dp (m x columns()).
+  const std::vector<MatrixPlace>& jacobian_places() { return compiled().jacobian.places; }
+  const std::vector<MatrixPlace>& column_places() { return compiled().columns.places; }
+
+  /// Entries of df/dx and df/dp at each row of slots, one column per place.
+  void derivatives(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> jacobian,
+                   Eigen::Ref<Matrix> columns);
+
+ private:
+  struct Derivatives {
+    Program program;  ///< of the terms and their derivatives
+    PlacedSums jacobian, columns;
+    Matrix values;
+  };
+  /// A coefficient as a column of df/dp: its term in its equation.
+  struct TermColumn {
+    Index equation, summand;
+  };
+  Derivatives& compiled();
+  Derivatives compile() const;
+  void set_weights(Derivatives& derivatives) const;
+
+  Variables variables_;
+  std::vector<TermColumn> coefficients_;
+  std::vector<std::string> shapes_;
+  Index record_inputs_ = 0, column_count_ = 0;
+  RateForm form_;
+  ExpressionList terms_;
+  WeightedSums rate_sums_;
+  Program rate_;
+  std::optional<Derivatives> derivatives_;
+  Vector parameters_, shape_values_;
+  Matrix rate_values_;
+  std::vector<double> point_values_;
+  Program::Workspace workspace_;
+};
+
+}  // namespace lacuna

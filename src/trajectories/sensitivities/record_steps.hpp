@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Numbers that are not finite make numbers that are not finite.
+// Integration of a model over the sampling steps of a record, each from its own begin.
+#pragma once
+
+#include <vector>
+
+#include "lacuna/records/channels/node_grid.hpp"
+#include "trajectories/sensitivities/rates.hpp"
+
+namespace lacuna {
+
+/// Slots at begins, middles and ends of the steps of a record; what drives the model goes on
+/// between them as it is held, or as the line or the cubic through the nearest samples.
+struct StepSlots {
+  Index states = 0, time = 0;  ///< number of states, column of t
+  StepGrid grid;
+  Matrix nodes;  ///< grid.rows(n) x (m+p+1+d)
+  Matrix third;  ///< (n-1) x (p+1+d): third differences times the cube of the step, or 0
+
+  /// @param slots as step_slots(), then columns of the delayed variables.
+  StepSlots(Matrix slots, Index states, const std::vector<DelayedVariable>& delays,
+            StepGrid grid = {});
+
+  Index steps() const noexcept { return (nodes.rows() - 1) / grid.stride; }
+  double length(Index step) const {
+    return nodes(grid.end(step), time) - nodes(grid.begin(step), time);
+  }
+};
+
+/// States at the ends of steps.
+/// @param steps numbers of the steps; @param parts steps of Runge and Kutta's method of order 4
+///   in each. @return one row for each of `steps`.
+Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps,
+                     int parts);
+
+/// Parts of a step that leave an error of less than a tenth of each of several accuracies (an
+/// entry for each state), powers of two up to 32; a sample of the steps tells.
+std::vector<int> parts_for(Rates& rates, const StepSlots& slots,
+                           const std::vector<Vector>& accuracies);
+
+/// Number of states, and of parts in which a step is done.
+struct StepSize {
+  Index states = 0;
+  int parts = 1;
+};
+
+/// Transition matrices (m^2 x steps) and responses (3 m^2 x steps) of linear systems.
+struct StepResponses {
+  Matrix transition, response;
+};
+
+/// Of d' = A(t) d + rate, with A a parabola in each step: transition by Runge and Kutta's
+/// method of order 4, responses to rates that are 1, at begin, middle or end, and a parabola
+/// between them by Simpson's rule.
+/// @param slopes m^2 x grid.rows(n): A at begins, middles and ends. @param length n-1 entries.
+/// @param size number of states, and of parts in which a step is done.
+/// @return responses w0, w1, w2 (m each) to a rate of state 0, then of 1, ...
+StepResponses step_responses(const Matrix& slopes, const StepGrid& grid, const Vector& length,
+                             const StepSize& size);
+
+}  // namespace lacuna

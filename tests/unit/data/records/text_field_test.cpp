@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "data/records/text_field.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+using Kind = TextField::Kind;
+
+std::vector<std::string_view> fields_of(std::string_view line, char delimiter) {
+  std::vector<std::string_view> fields{"left over"};
+  split_fields(line, delimiter, fields);
+  return fields;
+}
+
+TEST(ReadField, Numbers) {
+  EXPECT_EQ(read_field("1.5").value, 1.5);
+  EXPECT_EQ(read_field(" +2e-3 ").value, 0.002);
+  EXPECT_EQ(read_field("\"7\"").value, 7.0);
+  EXPECT_EQ(read_field("1,25").value, 1.25);
+  EXPECT_TRUE(std::isinf(read_field("-inf").value));
+}
+
+TEST(ReadField, MissingValues) {
+  for (const char* text :
+       {"", "  ", "NaN", "nan", "-nan", "NA", "n/a", "null", "None", "\"\""}) {
+    EXPECT_EQ(read_field(text).kind, Kind::Missing) << text;
+    EXPECT_TRUE(std::isnan(read_field(text).value)) << text;
+  }
+}
+
+TEST(ReadField, Text) {
+  for (const char* text : {"abc", "1.5x", "1,2,3", "1.234,5", "12:30", "--", "0x10"})
+    EXPECT_EQ(read_field(text).kind, Kind::Text) << text;
+}
+
+TEST(SplitFields, TrimsAndKeepsEmptyFields) {
+  EXPECT_THAT(fields_of(" 1 ,, 2\r", ','), ElementsAre("1", "", "2"));
+  EXPECT_THAT(fields_of("1\t\t2", '\t'), ElementsAre("1", "", "2"));
+}
+
+TEST(SplitFields, HonoursQuotes) {
+  EXPECT_THAT(fields_of("\"Voltage, Ch 1\",'t'", ','), ElementsAre("Voltage, Ch 1", "t"));
+}
+
+TEST(SplitFields, RunsOfBlanksAreOne) {
+  EXPECT_THAT(fields_of("  1   2\t 3  ", ' '), ElementsAre("1", "2", "3"));
+}
+
+TEST(SplitFields, UnitsInBracketsBelongToTheName) {
+  EXPECT_THAT(fields_of("t [s]  F [N m] x", ' '), ElementsAre("t [s]", "F [N m]", "x"));
+}
+
+}  // namespace
+}  // namespace lacuna

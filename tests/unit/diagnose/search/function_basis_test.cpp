@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/search/function_basis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/candidates/candidate_column.hpp"
+#include "lacuna/diagnose/criterion/extended_bic.hpp"
+#include "lacuna/trajectories/sensitivities/linearised_record.hpp"
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+using Kind = FunctionBasis::Kind;
+
+/// The first basis of a kind in the given variables with at least so many members.
+FunctionBasis basis_of(const std::vector<FunctionBasis>& bases, Kind kind,
+                       const std::vector<std::string>& variables, std::size_t least = 1) {
+  const auto found = std::find_if(bases.begin(), bases.end(), [&](const FunctionBasis& basis) {
+    return basis.kind == kind && basis.variables == variables && basis.members.size() >= least;
+  });
+  return found != bases.end() ? *found : FunctionBasis{};
+}
+
+/// The members on samples and midpoints of the oscillator's record, one column each.
+Matrix values_of(const FunctionBasis& basis) {
+  const Dataset data = support::oscillator_record();
+  const LinearisedRecord grid =
+      grid_of(data.inputs, data.trajectories.front(), data.trajectories.front().states);
+  std::vector<Expression> forms;
+  for (const Candidate& member : basis.members) forms.push_back(member.form);
+  return evaluate_on(grid, support::oscillator().variables(), forms);
+}
+
+/// The nominal model on a record in which nothing is hidden.
+const Assimilation& oscillator_fit() {
+  static const Assimilation fit =
+      support::assimilated(support::hidden_record(support::nothing, 0.01));
+  return fit;
+}
+
+TEST(FunctionBasis, SplinesSumToOneAndHoldTheStraightLine) {
+  const Scope scope = support::oscillator_scope();
+  const auto bases = present_functions(oscillator_fit(), scope, 1);
+  for (const std::size_t pieces : {8u, 24u}) {
+    const FunctionBasis curve = basis_of(bases, Kind::Curve, {"q"}, pieces);
+    ASSERT_EQ(curve.members.size(), pieces);
+    const Matrix values = values_of(curve);
+    EXPECT_LT((values.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-9);
+    EXPECT_GE(values.minCoeff(), -1e-12);
+    EXPECT_LE((values.array() > 1e-12).rowwise().count().maxCoeff(), 4)
+        << "cubic: four at once";
+    // The middles of uniform splines are their Greville abscissae: sum middle_j B_j(q) = q.
+    const VariableRange& q = scope.variables[0];
+    ASSERT_EQ(q.name, "q");
+    const double width = (q.high - q.low) / (static_cast<double>(pieces) - 3.0);
+    const auto count = static_cast<Index>(pieces);
+    const Vector middles = Vector::LinSpaced(
+        count, q.low - width, q.low + width * (static_cast<double>(pieces) - 2.0));
+    const Vector line = values_of({Kind::Curve, {"q"}, {support::plain_candidate("q")}});
+    EXPECT_LT((values * middles - line).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(FunctionBasis, SurfacesSumToOneAndStretchesToTheVariable) {
+  const auto bases = present_functions(oscillator_fit(), support::oscillator_scope(), 1);
+  const Matrix surface = values_of(basis_of(bases, Kind::Surface, {"q", "v"}, 100));
+  EXPECT_EQ(surface.cols(), 100);
+  EXPECT_LT((surface.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-9);
+  const FunctionBasis varying = basis_of(bases, Kind::Varying, {"v", "t"});
+  ASSERT_EQ(varying.members.size(), 16u);
+  const Vector sum = values_of(varying).rowwise().sum();
+  const Vector v = values_of({Kind::Curve, {"v"}, {support::plain_candidate("v")}});
+  const Index inside = sum.size() - 1;  // the last stretch ends before its end
+  EXPECT_LT((sum - v).head(inside).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(FunctionBasis, MemoryIsEarlierValuesAndLinesAreOfTheEquation) {
+  Scope scope = support::oscillator_scope();
+  scope.lines = {{0, 1.0, 1.0}, {1, 0.5, 1.0}};
+  const auto bases = other_functions(scope, 1);
+  const FunctionBasis lines = basis_of(bases, Kind::Lines, {"t"});
+  ASSERT_EQ(lines.members.size(), 2u) << "sine and cosine of the line in dv/dt";
+  const Matrix waves = values_of(lines);
+  const Vector time = values_of({Kind::Lines, {"t"}, {support::plain_candidate("t")}});
+  EXPECT_LT((waves.col(0).array() - (M_PI * time.array()).sin()).abs().maxCoeff(), 1e-12);
+  EXPECT_LT((waves.col(1).array() - (M_PI * time.array()).cos()).abs().maxCoeff(), 1e-12);
+  const FunctionBasis memory = basis_of(bases, Kind::Memory, {"q"});
+  ASSERT_FALSE(memory.members.empty());
+  for (const Candidate& member : memory.members) EXPECT_EQ(member.form.name(), "q");
+  EXPECT_LT(memory.members.back().form.value(), 0.25 * scope.duration);
+}
+
+/// Drop of the sum of squares of the innovations by dense least squares.
+double dense_drop(const Assimilation& fit, const FunctionBasis& basis) {
+  const InnovationSystem system(fit);
+  const Matrix fitted = system.fitted_columns();
+  Matrix all(fitted.rows(), fitted.cols() + static_cast<Index>(basis.members.size()));
+  all.leftCols(fitted.cols()) = fitted;
+  for (std::size_t j = 0; j < basis.members.size(); ++j)
+    all.col(fitted.cols() + static_cast<Index>(j)) =
+        *candidate_column(basis.members[j], {}, fit, system);
+  const auto left = [&](const Matrix& columns) {
+    const Vector& target = system.innovations();
+    return (target - columns * columns.completeOrthogonalDecomposition().solve(target))
+        .squaredNorm();
+  };
+  return left(fitted) - left(all);
+}
+
+class Scoring : public testing::Test {
+ protected:
+  support::Asked asked_ = support::asked(support::ripple);
+  std::shared_ptr<const Baseline> base_ = asked_.baseline();
+};
+
+TEST_F(Scoring, TheGainIsTheDropOfLeastSquares) {
+  const FunctionScreening screening(base_->fitted);
+  FunctionBasis cubes{Kind::Curve, {"q"}, {}};
+  for (const char* form : {"q^2", "q^3", "q^4"})
+    cubes.members.push_back(support::plain_candidate(form));
+  const double drop = dense_drop(base_->fitted, cubes);
+  EXPECT_NEAR(screening.score(cubes).gain, drop, 1e-6 * drop);
+  EXPECT_EQ(screening.score(cubes).members, (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST_F(Scoring, WhatIsFittedOrThereTwiceIsNoMember) {
+  const FunctionScreening screening(base_->fitted);
+  FunctionBasis twice{Kind::Curve, {"q"}, {}};
+  for (const char* form : {"q", "q^3", "2*q^3", "1/(q-q)"})
+    twice.members.push_back(support::plain_candidate(form));
+  const FunctionScore score = screening.score(twice);
+  ASSERT_EQ(score.members.size(), 1u) << "q is nominal, two are one, one is not finite";
+  EXPECT_TRUE(score.members[0] == 1 || score.members[0] == 2);
+  EXPECT_EQ(screening.score({Kind::Curve, {"q"}, {support::plain_candidate("v")}}).gain, 0.0);
+}
+
+TEST_F(Scoring, TheBestIsAFunctionOfTheRightVariable) {
+  const FunctionScreening screening(base_->fitted);
+  const auto best = screening.best_of(present_functions(base_->fitted, base_->scope, 1),
+                                      *asked_.options.criterion);
+  ASSERT_TRUE(best);
+  EXPECT_EQ(best->basis.kind, Kind::Curve);
+  EXPECT_EQ(best->basis.variables, std::vector<std::string>{"q"});
+  const double members = static_cast<double>(best->score.members.size());
+  EXPECT_NEAR(best->net, best->score.gain - members * std::log(2.0 * 1501.0), 1e-6);
+  EXPECT_EQ(best->members().size(), best->score.members.size());
+  EXPECT_FALSE(screening.best_of({}, *asked_.options.criterion));
+}
+
+}  // namespace
+}  // namespace lacuna

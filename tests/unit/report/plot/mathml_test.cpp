@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "report/plot/mathml.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/well_formed.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string math(const std::string& formula) {
+  const std::string text = to_mathml(parse_expression(formula)).string();
+  EXPECT_EQ(support::first_fault(text), "") << formula;
+  return text;
+}
+
+TEST(MathMl, HasFractionsRootsAndPowers) {
+  EXPECT_THAT(math("x/y"),
+              HasSubstr("<mfrac><mrow><mi>x</mi></mrow><mrow><mi>y</mi></mrow></mfrac>"));
+  EXPECT_THAT(math("sqrt(x)"), HasSubstr("<msqrt><mi>x</mi></msqrt>"));
+  EXPECT_THAT(
+      math("x1^2"),
+      HasSubstr("<msup><msub><mi>x</mi><mn>1</mn></msub><mrow><mn>2</mn></mrow></msup>"));
+}
+
+TEST(MathMl, BracketsStandWhereTheyAreNeeded) {
+  EXPECT_THAT(math("(x+y)*z"), HasSubstr("<mo>(</mo>"));
+  EXPECT_THAT(math("x+y*z"), Not(HasSubstr("<mo>(</mo>")));
+  EXPECT_THAT(math("x-(y-z)"), HasSubstr("<mo>(</mo>"));
+  EXPECT_THAT(math("(x+y)^2"), HasSubstr("<mo>(</mo>"));
+}
+
+TEST(MathMl, KnowsTheNamesOfTextbooks) {
+  EXPECT_THAT(math("sign(w)"), HasSubstr("<mi>sgn</mi>"));
+  EXPECT_THAT(math("log(w)"), HasSubstr("<mi>ln</mi>"));
+  EXPECT_THAT(math("abs(w)"), HasSubstr("<mo>|</mo><mi>w</mi><mo>|</mo>"));
+  EXPECT_THAT(math("delay(x,0.5)"), HasSubstr("<mi>t</mi><mo>\u2212</mo><mn>0.5</mn>"));
+  EXPECT_THAT(math("2.5e-7*x"), HasSubstr("<msup><mn>10</mn><mn>-7</mn></msup>"));
+}
+
+TEST(MathMl, EquationsMarkWhatIsNewAndRoundByTheInterval) {
+  const Variables variables{{"x", "v"}, {}};
+  const OdeModel model(
+      {{"x", "m"}, {"v", "m/s"}}, {},
+      {{{Term::parse("v", variables), 1.0}},
+       {{Term::parse("x", variables), -2.000123456, 0.01, std::array{-2.02, -1.98}},
+        {Term::parse("sign(v)", variables), -0.4}}});
+  const std::string text = equations_mathml(model, {{1, "sign(v)"}}).string();
+  EXPECT_EQ(support::first_fault(text), "");
+  EXPECT_THAT(text, HasSubstr("<mn>2</mn>"));
+  EXPECT_THAT(text, Not(HasSubstr("2.000123")));
+  const std::size_t fresh = text.find("<mrow class=\"new\">");
+  ASSERT_NE(fresh, std::string::npos);
+  EXPECT_LT(fresh, text.find("sgn"));
+  EXPECT_THAT(text, Not(HasSubstr("<mn>1</mn>"))) << "a coefficient of 1 is not written";
+}
+
+TEST(MathMl, AnEmptyEquationIsZero) {
+  const OdeModel model({{"x", ""}}, {}, {{}});
+  EXPECT_THAT(equations_mathml(model).string(), HasSubstr("<mn>0</mn>"));
+}
+
+TEST(MathMl, NextValuesOfMapsHaveAnIndex) {
+  const OdeModel map = OdeModel({{"x", ""}}, {}, {{}}).with_evolution(Evolution::Map);
+  EXPECT_THAT(equations_mathml(map).string(),
+              HasSubstr("<msub><mrow><mi>x</mi></mrow><mrow><mi>n</mi>"));
+  EXPECT_THAT(equations_mathml(map).string(), Not(HasSubstr("mfrac")));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/windows/window_gap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "lacuna/data/records/marks.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+TEST(WindowGap, WindowsAreAMeanPeriodLong) {
+  // The free oscillation has the period 2 pi / 2; what drives it is as slow.
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 1e-3));
+  const Vector& time = fit.records.front().time;
+  const double length = static_cast<double>(window_samples(fit)) * (time[1] - time[0]);
+  EXPECT_NEAR(length, 3.14, 0.5);
+}
+
+TEST(WindowGap, OfTheRightModelIsItsNoise) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Assimilation fit = support::assimilated(data);
+  const Matrix& states = data.trajectories.front().states;
+  double expected = 0.0;
+  for (Index k = 0; k < 2; ++k) {
+    const auto x = states.col(k).array();
+    const double noise = k == 0 ? 0.01 : 0.02;
+    expected += 0.5 * noise * noise / (x - x.mean()).square().mean();
+  }
+  EXPECT_NEAR(window_gap(fit), std::sqrt(expected), 0.1 * std::sqrt(expected));
+}
+
+TEST(WindowGap, WindowsWithoutASolutionCountForNothingElse) {
+  WindowSquares all{4.0, 2.0, 0};
+  all.add({std::numeric_limits<double>::quiet_NaN(), 7.0, 0});
+  EXPECT_EQ(all.diverged, 1);
+  EXPECT_DOUBLE_EQ(all.rms(), std::sqrt(2.0));
+}
+
+TEST(WindowGap, IsAboveAFloorByItsScatterOverBlocks) {
+  WindowSquares all{30.0, 3.0, 0, {8.0, 10.0, 12.0}};
+  // Mean 10, standard error 2 / sqrt(3); two degrees of freedom count 4.303 as 1.96.
+  EXPECT_NEAR(all.above(2.0), 6.0 * std::sqrt(3.0) / 2.0 * 1.959964 / 4.302653, 1e-6);
+  EXPECT_LT(all.above_by_scatter(4.0), 0.0);
+  all.blocks = {10.0};
+  EXPECT_EQ(all.above_by_scatter(1.0), 0.0) << "one block has no scatter";
+}
+
+TEST(WindowGap, IsAboveAFloorThatItIsFarFromWhateverTheScatter) {
+  // Root mean square sqrt(100 / 3), nearly all of it in one block.
+  const WindowSquares uneven{100.0, 3.0, 0, {0.5, 0.5, 99.0}};
+  EXPECT_LT(uneven.above_by_scatter(0.1), 1.0);
+  EXPECT_NEAR(uneven.above(0.1), std::sqrt(100.0 / 3.0) / 0.1, 1e-9);
+  EXPECT_NEAR((WindowSquares{4.0, 1.0, 0, {4.0}}.above(0.5)), 4.0, 1e-12) << "one block";
+  EXPECT_EQ(WindowSquares{}.above(1.0), 0.0) << "nothing was compared";
+}
+
+TEST(WindowGap, LeavesOutOmittedSamples) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Assimilation fit = support::assimilated(data);
+  const Vector scale = Vector::Ones(2);
+  Matrix measured = fit.measured[0], omitted = Matrix::Zero(measured.rows(), 2);
+  const auto gap = [&] {
+    return window_squares(fit.records[0], {measured, omitted}, fit.noise, scale, {0, 100});
+  };
+  const WindowSquares clean = gap();
+  measured(30, 0) += 100.0;
+  EXPECT_GT(gap().rms(), 10.0 * clean.rms());
+  omitted(30, 0) = 1.0;
+  EXPECT_NEAR(gap().rms(), clean.rms(), 0.05 * clean.rms());
+  EXPECT_EQ(gap().count, clean.count - 1.0);
+  EXPECT_EQ(clean.blocks.size(), static_cast<std::size_t>(measured.rows() / 100 * 5));
+}
+
+TEST(WindowGap, CountsWhatLastsAndNotWhatGoesToAndFro) {
+  const auto gap_of = [](const support::Hidden& hidden) {
+    return window_gap(support::assimilated(support::hidden_record(hidden, 1e-4, 3)));
+  };
+  const double steady =
+      gap_of([](double, double, double v) { return -0.1 * (v > 0.0 ? 1.0 : -1.0); });
+  const double quick =
+      gap_of([](double t, double, double) { return 0.1 * std::sin(40.0 * t); });
+  EXPECT_LT(gap_of(support::nothing), 1e-3);
+  EXPECT_GT(steady, 5.0 * quick);
+}
+
+TEST(WindowGap, SamplesThatSayNothingAreLeftOutAndEndsCountAsFarAsTheModelStaysShort) {
+  Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const LinearisedRecord& record = fit.records[0];
+  const WindowGrid grid{0, 100};
+  const Vector scale = Vector::Ones(2);
+  Matrix measured = record.path;
+  Matrix marks = Matrix::Zero(measured.rows(), 2);
+  const auto squares = [&] {
+    return window_squares(record, {measured, marks}, fit.noise, scale, grid);
+  };
+  const WindowSquares whole = squares();
+  measured(250, 0) += 5.0;
+  marks(250, 0) = number_of(Mark::Outlier);
+  EXPECT_NEAR(squares().sum, whole.sum, 1e-3);
+  EXPECT_EQ(squares().count, whole.count - 1.0);
+  measured(250, 0) -= 7.0;  // the model is far above the upper end
+  marks(250, 0) = number_of(Mark::AtTop);
+  EXPECT_NEAR(squares().sum, whole.sum, 1e-3);
+  EXPECT_EQ(squares().count, whole.count);
+}
+
+TEST(WindowGap, AColumnThatNeverMovesMeasuresNothing) {
+  Matrix block = Matrix::Constant(7, 3, 0.1);
+  block.col(1) = Vector::LinSpaced(7, -1e-100, 1e-100);
+  block.col(2).setZero();
+  const Vector deviations = moving_deviations({block, block});
+  EXPECT_EQ(deviations[0], 0.0) << "up to the rounding of its mean";
+  EXPECT_GT(deviations[1], 0.0);
+  EXPECT_EQ(deviations[2], 0.0);
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  const Assimilation fit = support::assimilated(data);
+  Vector scale = Vector::Ones(2);
+  const auto count = [&] {
+    return window_squares(fit.records[0], {fit.measured[0], {}}, fit.noise, scale, {0, 100})
+        .count;
+  };
+  const double both = count();
+  scale[0] = 0.0;
+  EXPECT_EQ(count(), 0.5 * both);
+}
+
+}  // namespace
+}  // namespace lacuna
