@@ -55,6 +55,7 @@ test_packages=(
   ngspice                  # models as circuits
   texlive-latex-base       # equations in LaTeX
   python3-pygments         # words of the languages of exports
+  python3-dev python3-venv # the Python package
 )
 # Reports; Ubuntu's Chromium is no package but a snap.
 grep -q '^ID=ubuntu' /etc/os-release || test_packages+=(chromium)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "answers.hpp"
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/records/binding/gaps.hpp"
@@ -27,12 +28,11 @@ bool is_all_measured(const OdeModel& model, const Dataset& data) {
 }
 
 /// The records in the variables of a model, with what is odd about the two together.
-DataSummary summary_for(const Differentiator& differentiator, const CheckArguments& options) {
+DataSummary summary_for(const Differentiator& differentiator, const CheckRequest& options) {
   const OdeModel model = with_holds(load_flow(*options.model, "check --model"), options.data);
   ColumnRoles roles = common_roles(options.data);
   roles.blanks = Blanks::Mark;
-  const Dataset data =
-      read_records(model, options.data.paths, roles, differentiator, Columns::All);
+  const Dataset data = records_for(model, options.data, roles, differentiator, Columns::All);
   DataSummary summary = summarise(data, static_cast<Index>(model.inputs().size()));
   if (!is_all_measured(model, data)) return summary;  // slips are looked for where all is seen
   const UsableRecords usable = usable_records(data);
@@ -45,17 +45,10 @@ int check_command(const Session& session, const CheckArguments& options) {
   check_outputs(files_read(options.data, options.model ? std::vector{*options.model}
                                                        : std::vector<std::string>{}),
                 {{"--json", options.json}});
-  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
-  const RunContext context = make_context(session, options.run);
-  context.report("reading data", 0.0);
-  DataSummary summary;
-  if (options.model) {
-    summary = summary_for(*differentiator, options);
-  } else {
-    const Dataset data = read_data(options.data);
-    summary = summarise(data, data.input_count());
-    if (const std::optional<Hint> hint = map_hint(data)) summary.hints.push_back(*hint);
-  }
+  make_context(session, options.run).report("reading data", 0.0);
+  CheckRequest request{options.data, {}, options.differentiator};
+  if (options.model) request.model = {*options.model};
+  const DataSummary summary = answer(session.registry, request);
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(summary));
   if (options.json != "-") show(session, format_text(summary));
@@ -63,6 +56,15 @@ int check_command(const Session& session, const CheckArguments& options) {
 }
 
 }  // namespace
+
+DataSummary answer(const Registry& registry, const CheckRequest& request) {
+  const auto differentiator = registry.make<Differentiator>(request.differentiator);
+  if (request.model) return summary_for(*differentiator, request);
+  const Dataset data = read_data(request.data);
+  DataSummary summary = summarise(data, data.input_count());
+  if (const std::optional<Hint> hint = map_hint(data)) summary.hints.push_back(*hint);
+  return summary;
+}
 
 Command declare_check(CLI::App& root) {
   auto options = std::make_shared<CheckArguments>();

@@ -144,20 +144,21 @@ void check_outputs(const std::vector<std::string>& inputs,
   }
 }
 
-OdeModel load_model(const std::string& path) { return load_system(path).model(); }
+OdeModel load_model(const ModelSource& source) { return load_system(source).model(); }
 
-OdeModel load_flow(const std::string& path, const std::string& command) {
-  OdeModel model = load_model(path);
+OdeModel load_flow(const ModelSource& source, const std::string& command) {
+  OdeModel model = load_model(source);
   check_flow(model, command);
   return model;
 }
 
-SystemModel load_system(const std::string& path) {
+SystemModel load_system(const ModelSource& source) {
+  if (source.given) return *source.given;
   std::error_code unreadable;
-  if (!fs::exists(path, unreadable))
+  if (!fs::exists(source.path, unreadable))
     for (const TestSystem& system : test_systems())
-      if (system.name == path) return system.model;
-  return read_system(path);
+      if (system.name == source.path) return system.model;
+  return read_system(source.path);
 }
 
 }  // namespace lacuna::cli

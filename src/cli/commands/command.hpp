@@ -80,13 +80,19 @@ struct OutputFile {
 void check_outputs(const std::vector<std::string>& inputs,
                    const std::vector<OutputFile>& outputs);
 
-/// A model file, or a test system by its name when there is no such file.
-OdeModel load_model(const std::string& path);
+/// A model by its file, or as a program has it in memory.
+struct ModelSource {
+  std::string path = {};  ///< or the name of a test system, when there is no such file
+  std::optional<SystemModel> given = {};  ///< in place of a file
+};
+
+/// The model with its parameters.
+SystemModel load_system(const ModelSource& source);
+
+/// The same with numbers for them.
+OdeModel load_model(const ModelSource& source);
 
 /// The same for a command that needs a flow. @throws ModelError for a map.
-OdeModel load_flow(const std::string& path, const std::string& command);
-
-/// The same with its parameters.
-SystemModel load_system(const std::string& path);
+OdeModel load_flow(const ModelSource& source, const std::string& command);
 
 }  // namespace lacuna::cli

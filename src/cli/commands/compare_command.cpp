@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "answers.hpp"
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
@@ -15,11 +16,7 @@
 namespace lacuna::cli {
 namespace {
 
-struct CompareArguments {
-  std::string first;
-  DataOptions data;
-  std::string integrator = "auto";
-  std::string differentiator = "finite-differences";
+struct CompareArguments : CompareRequest {
   std::optional<std::string> json;
   RunOptions run;
 };
@@ -45,62 +42,64 @@ Solution orbit_of(const OdeModel& model, const Dataset& data, const Integrator& 
                   context);
 }
 
-int show_comparison(const Session& session, const CompareArguments& options,
-                    const ComparisonReport& report) {
-  finish_progress(session, options.run);
-  if (options.json) write_output(session, *options.json, format_json(report));
-  if (options.json != "-") show(session, format_text(report));
-  return 0;
-}
-
-int compare_model(const Session& session, const CompareArguments& options,
-                  const Integrator& integrator) {
-  const OdeModel model = with_holds(load_flow(options.first, "compare"), options.data);
-  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
-  const RunContext context = make_context(session, options.run);
+CompareAnswer compare_model(const Registry& registry, const CompareRequest& options,
+                            const RunContext& context) {
+  const auto integrator = registry.make<Integrator>(options.integrator);
+  const OdeModel model = with_holds(load_flow(options.model, "compare"), options.data);
+  const auto differentiator = registry.make<Differentiator>(options.differentiator);
   const Dataset data =
-      read_records(model, options.data.paths, common_roles(options.data), *differentiator);
-  Solution orbit = orbit_of(with_shown_holds(model, data), data, integrator, context);
-  if (orbit.status != IntegrationStatus::Completed) {
-    session.streams.err << "lacuna: error: " << options.first << ": " << orbit.message
-                        << "; the model has no orbit as long as the record\n";
-    return 1;
-  }
+      records_for(model, options.data, common_roles(options.data), *differentiator);
+  Solution orbit = orbit_of(with_shown_holds(model, data), data, *integrator, context);
+  if (orbit.status != IntegrationStatus::Completed) return {{}, orbit.message};
   Dataset simulated = data;
   simulated.trajectories = {longest_record(data)};
   simulated.trajectories[0].states = std::move(orbit.states);
-  return show_comparison(
-      session, options,
-      {options.first, options.data.paths.front(), compare_attractors(simulated, data)});
+  return {{options.model.path, options.data.name(), compare_attractors(simulated, data)}};
 }
 
-int compare_records(const Session& session, const CompareArguments& options) {
-  if (options.data.paths.size() != 1)
-    throw ConfigError(
-        "compare",
-        "two records are compared, not " + std::to_string(options.data.paths.size() + 1),
-        "name a model or a record, then one record");
+CompareAnswer compare_records(const CompareRequest& options, const RecordSources& one) {
+  const std::size_t others = std::max(options.data.paths.size(), options.data.tables.size());
+  if (others != 1)
+    throw ConfigError("compare", "two records are compared, not " + std::to_string(others + 1),
+                      "name a model or a record, then one record");
   DataOptions first = options.data;
-  first.paths = {options.first};
+  static_cast<RecordSources&>(first) = one;
   const Dataset a = read_data(first), b = read_data(options.data);
-  return show_comparison(session, options,
-                         {options.first, options.data.paths.front(), compare_attractors(a, b)});
+  return {{first.name(), options.data.name(), compare_attractors(a, b)}};
 }
 
 int compare_command(const Session& session, const CompareArguments& options) {
-  check_outputs(files_read(options.data, {options.first}), {{"--json", options.json}});
-  const auto integrator = session.registry.make<Integrator>(options.integrator);
-  return is_model(options.first) ? compare_model(session, options, *integrator)
-                                 : compare_records(session, options);
+  check_outputs(files_read(options.data, {options.model.path}), {{"--json", options.json}});
+  const CompareAnswer found =
+      answer(session.registry, options, make_context(session, options.run));
+  if (!found.problem.empty()) {
+    session.streams.err << "lacuna: error: " << options.model.path << ": " << found.problem
+                        << "; the model has no orbit as long as the record\n";
+    return 1;
+  }
+  finish_progress(session, options.run);
+  if (options.json) write_output(session, *options.json, format_json(found.report));
+  if (options.json != "-") show(session, format_text(found.report));
+  return 0;
 }
 
 }  // namespace
+
+CompareAnswer answer(const Registry& registry, const CompareRequest& request,
+                     const RunContext& context) {
+  if (!request.first.empty()) return compare_records(request, request.first);
+  if (request.model.given || is_model(request.model.path))
+    return compare_model(registry, request, context);
+  registry.make<Integrator>(request.integrator);  // a name that is none is said
+  return compare_records(request, {.paths = {request.model.path}});
+}
 
 Command declare_compare(CLI::App& root) {
   auto options = std::make_shared<CompareArguments>();
   CLI::App* app = root.add_subcommand(
       "compare", "Compare a model with a record, or two records, as orbits of an attractor");
-  app->add_option("FIRST", options->first, "Model file, name of a test system, or a record")
+  app->add_option("FIRST", options->model.path,
+                  "Model file, name of a test system, or a record")
       ->required();
   app->add_option("DATA", options->data.paths, "The other record")->required();
   declare_column_options(*app, options->data, true);

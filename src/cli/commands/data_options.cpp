@@ -132,9 +132,18 @@ OdeModel with_holds(const OdeModel& model, const DataOptions& options) {
 }
 
 Dataset read_data(const DataOptions& options) {
-  Dataset data = read_dataset(options.paths, roles_of(options));
+  Dataset data = options.tables.empty() ? read_dataset(options.paths, roles_of(options))
+                                        : dataset_of_tables(options.tables, roles_of(options));
   set_holds(options.holds, data.inputs);
   return data;
+}
+
+Dataset records_for(const OdeModel& model, const RecordSources& sources,
+                    const ColumnRoles& roles, const Differentiator& differentiator,
+                    Columns columns) {
+  if (sources.tables.empty())
+    return read_records(model, sources.paths, roles, differentiator, columns);
+  return records_of_tables(model, sources.tables, roles, differentiator, columns);
 }
 
 ColumnRoles roles_in_pieces(const DataOptions& options) {
@@ -147,7 +156,7 @@ ColumnRoles roles_in_pieces(const DataOptions& options) {
 bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
   constexpr std::uint64_t kCopies =
       4;  // the file, its table, the records, what is made of them
-  if (memory == 0) return false;
+  if (memory == 0 || !options.tables.empty()) return false;
   std::uint64_t bytes = 0;
   for (const std::string& path : expand_patterns(options.paths)) {
     std::error_code none;

@@ -10,12 +10,23 @@
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/records/binding/embedding.hpp"
+#include "lacuna/records/binding/read_records.hpp"
 
 namespace lacuna::cli {
 
+/// Records by their files, or as tables that a program has in memory.
+struct RecordSources {
+  std::vector<std::string> paths = {};  ///< files, or patterns of their names
+  std::vector<Table> tables = {};       ///< in place of files
+
+  bool empty() const { return paths.empty() && tables.empty(); }
+
+  /// What the first one is called in an answer.
+  std::string name() const { return tables.empty() ? paths.front() : tables.front().source; }
+};
+
 /// Where the data are and what their columns mean; the same options in every command.
-struct DataOptions {
-  std::vector<std::string> paths;
+struct DataOptions : RecordSources {
   std::optional<std::string> time, time_unit, trajectory;
   std::optional<double> step;
   std::string states, inputs, derivatives;
@@ -48,6 +59,11 @@ OdeModel with_holds(const OdeModel& model, const DataOptions& options);
 
 /// The record that the options describe, as measured.
 Dataset read_data(const DataOptions& options);
+
+/// Records in the variables of a model, as read_records() has them.
+Dataset records_for(const OdeModel& model, const RecordSources& sources,
+                    const ColumnRoles& roles, const Differentiator& differentiator,
+                    Columns columns = Columns::OfModel);
 
 /// All roles that the options give to columns, for records that are read in pieces.
 /// @throws ConfigError when the options ask for what is not done there.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "answers.hpp"
 #include "cli/configuration/description.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
@@ -32,9 +33,11 @@ std::vector<std::string> all_names(const Registry& registry) {
   return names;
 }
 
-int describe_command(const Session& session, const std::string& name) {
+}  // namespace
+
+std::string description_of(const Registry& registry, const std::string& name) {
   std::vector<std::string> found;
-  for (const RegistryEntry& entry : session.registry.entries())
+  for (const RegistryEntry& entry : registry.entries())
     if (entry.info.name == name) found.push_back(format_description(entry));
   for (const Preset& preset : presets())
     if (preset.name == name) found.push_back(format_preset(preset));
@@ -42,19 +45,19 @@ int describe_command(const Session& session, const std::string& name) {
     if (system.name == name) found.push_back(format_system(system));
   if (found.empty())
     throw ConfigError("describe " + name, "there is no part called '" + name + "'",
-                      suggestion(name, all_names(session.registry)));
-  show(session, join(found, "\n"));
-  return 0;
+                      suggestion(name, all_names(registry)));
+  return join(found, "\n");
 }
-
-}  // namespace
 
 Command declare_describe(CLI::App& root) {
   auto name = std::make_shared<std::string>();
   CLI::App* app = root.add_subcommand(
       "describe", "Show the options of a part with units, ranges, defaults and source");
   app->add_option("NAME", *name, "Name of a part, a preset or a test system")->required();
-  return {app, [name](const Session& session) { return describe_command(session, *name); }};
+  return {app, [name](const Session& session) {
+            show(session, description_of(session.registry, *name));
+            return 0;
+          }};
 }
 
 }  // namespace lacuna::cli

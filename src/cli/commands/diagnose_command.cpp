@@ -3,6 +3,7 @@
 #include <memory>
 #include <thread>
 
+#include "answers.hpp"
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "command.hpp"
 #include "core/base/parts.hpp"
@@ -21,19 +22,9 @@
 namespace lacuna::cli {
 namespace {
 
-struct DiagnoseArguments {
-  std::string model;
-  DataOptions data;
-  std::vector<std::string> held_out;
-  std::vector<std::string> limits;
+struct DiagnoseArguments : DiagnoseRequest {
   RunOptions run;
-  std::string differentiator = "finite-differences";
-  std::vector<std::string> effects;
-  std::vector<std::string> tolerances;
-  std::optional<std::string> config;
-  std::vector<std::string> assignments;
-  std::optional<int> max_effects;
-  bool fill_gap = false, explain = false, full = false, each = false;
+  bool explain = false, full = false, each = false;
   std::optional<std::string> json, model_out;
   ReportOptions report;
 };
@@ -65,16 +56,18 @@ CoefficientPrior parse_tolerance(const OdeModel& model, const std::string& text)
                     "name a term of the nominal model");
 }
 
-DiagnosisOptions make_options(const Session& session, const OdeModel& model,
-                              const DiagnoseArguments& options) {
+DiagnosisOptions make_options(const Registry& registry, const OdeModel& model,
+                              const DiagnoseRequest& options) {
   Configuration configuration;
   if (options.config) configuration.merge_file(*options.config);
   for (const std::string& assignment : options.assignments) configuration.set(assignment);
-  DiagnosisOptions result = diagnosis_options(configuration, session.registry);
+  DiagnosisOptions result = diagnosis_options(configuration, registry);
   if (!options.effects.empty()) result.effects.clear();
   for (const std::string& name : options.effects)
-    result.effects.push_back(session.registry.make<Effect>(name));
-  if (options.effects.empty()) result.effects = session.registry.make_all<Effect>();
+    result.effects.push_back(registry.make<Effect>(name));
+  if (options.effects.empty()) result.effects = registry.make_all<Effect>();
+  result.effects.insert(result.effects.end(), options.own_effects.begin(),
+                        options.own_effects.end());
   for (const std::string& text : options.tolerances) {
     const CoefficientPrior next = parse_tolerance(model, text);
     for (std::size_t i = 0; i < result.tolerances.size(); ++i)
@@ -90,23 +83,23 @@ DiagnosisOptions make_options(const Session& session, const OdeModel& model,
 }
 
 /// A sample that one channel lacks says something of the others.
-ColumnRoles roles_of(const DiagnoseArguments& options) {
+ColumnRoles roles_of(const DiagnoseRequest& options) {
   ColumnRoles roles = common_roles(options.data);
   roles.blanks = Blanks::Mark;
   return roles;
 }
 
-Dataset read_held_out(const OdeModel& model, const DiagnoseArguments& options,
+Dataset read_held_out(const OdeModel& model, const DiagnoseRequest& options,
                       const Differentiator& differentiator) {
   if (options.held_out.empty()) return {};
   return with_given_limits(
-      read_records(model, options.held_out, roles_of(options), differentiator), options.limits);
+      records_for(model, options.held_out, roles_of(options), differentiator), options.limits);
 }
 
 /// The model, the records, held-out ones and the configuration.
 std::vector<std::string> inputs_of(const DiagnoseArguments& options) {
-  std::vector<std::string> files = files_read(options.data, options.held_out);
-  files.push_back(options.model);
+  std::vector<std::string> files = files_read(options.data, options.held_out.paths);
+  files.push_back(options.model.path);
   if (options.config) files.push_back(*options.config);
   return files;
 }
@@ -121,7 +114,8 @@ FleetAnswer answer_of(const std::string& file, const OdeModel& model,
         read_records(model, {file}, roles_of(options), *differentiator, Columns::All),
         options.limits);
     return fleet_answer(
-        file, diagnose(model, data, {}, make_options(session, model, options), context));
+        file,
+        diagnose(model, data, {}, make_options(session.registry, model, options), context));
   } catch (const Error& error) {
     return fleet_failure(file, error.what());
   }
@@ -134,7 +128,7 @@ int diagnose_each(const Session& session, const DiagnoseArguments& options) {
     throw ConfigError("--each", "the answers are many",
                       "leave out --holdout, --model-out, --report and --plot");
   const OdeModel model = with_holds(load_model(options.model), options.data);
-  make_options(session, model, options);  // what is wrong with them is said once
+  make_options(session.registry, model, options);  // what is wrong with them is said once
   const RunContext context = make_context(session, options.run);
   const std::vector<std::string> files = expand_patterns(options.data.paths);
   std::vector<std::string> texts(files.size());
@@ -157,16 +151,9 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
                             options.report));
   if (options.each) return diagnose_each(session, options);
   if (session.team != nullptr && session.team->rank() != 0) return 0;  // nothing is divided
-  const OdeModel model = with_holds(load_model(options.model), options.data);
-  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
-  const RunContext context = make_context(session, options.run).alone();
-  context.report("reading data", 0.0);
-  const Dataset data = with_given_limits(
-      read_records(model, options.data.paths, roles_of(options), *differentiator, Columns::All),
-      options.limits);
-  const Dataset held_out = read_held_out(model, options, *differentiator);
-  const Diagnosis diagnosis =
-      diagnose(model, data, held_out, make_options(session, model, options), context);
+  const DiagnoseAnswer found =
+      answer(session.registry, options, make_context(session, options.run).alone());
+  const Diagnosis& diagnosis = found.diagnosis;
   finish_progress(session, options.run);
   if (options.model_out)
     write_output(session, *options.model_out,
@@ -174,8 +161,7 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
   if (options.json) write_output(session, *options.json, format_json(diagnosis));
   write_report(session, options.report, [&] { return diagnosis_page(diagnosis); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-") {
-    show(session, data_line(data, static_cast<Index>(model.inputs().size())) + "\n\n" +
-                      format_text(diagnosis));
+    show(session, text_of(found));
     if (options.full) show(session, "\nAugmented model\n" + to_text(diagnosis.augmented));
     if (options.explain) show(session, "\n" + format_trail(diagnosis));
   }
@@ -206,13 +192,30 @@ void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
 
 }  // namespace
 
+DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
+                      const RunContext& context) {
+  const OdeModel model = with_holds(load_model(request.model), request.data);
+  const auto differentiator = registry.make<Differentiator>(request.differentiator);
+  context.report("reading data", 0.0);
+  const Dataset data = with_given_limits(
+      records_for(model, request.data, roles_of(request), *differentiator, Columns::All),
+      request.limits);
+  const Dataset held_out = read_held_out(model, request, *differentiator);
+  return {diagnose(model, data, held_out, make_options(registry, model, request), context),
+          data_line(data, static_cast<Index>(model.inputs().size()))};
+}
+
+std::string text_of(const DiagnoseAnswer& answer) {
+  return answer.read + "\n\n" + format_text(answer.diagnosis);
+}
+
 Command declare_diagnose(CLI::App& root) {
   auto options = std::make_shared<DiagnoseArguments>();
   CLI::App* app = root.add_subcommand("diagnose", "Find what a nominal model lacks");
-  app->add_option("--model", options->model, "Nominal model file")->required();
+  app->add_option("--model", options->model.path, "Nominal model file")->required();
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
       ->required();
-  app->add_option("--holdout", options->held_out,
+  app->add_option("--holdout", options->held_out.paths,
                   "Records to gauge the gap on [default: the last quarter of the data]")
       ->type_name("DATA");
   declare_column_options(*app, options->data, false);

@@ -17,7 +17,7 @@ struct ExportArguments {
 int export_command(const Session& session, const ExportArguments& options) {
   check_outputs({options.model}, {{"--output", options.output}});
   write_output(session, options.output,
-               export_model(load_model(options.model), options.format));
+               export_model(load_model({options.model}), options.format));
   return 0;
 }
 

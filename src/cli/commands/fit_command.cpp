@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "answers.hpp"
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
@@ -18,22 +19,17 @@ namespace {
 /// What fits into no number is read as the largest one, which no record is as long as.
 constexpr Index kMostSamples = Index{1} << 50U;
 
-struct FitArguments {
-  std::string model;
-  DataOptions data;
+struct FitArguments : FitRequest {
   RunOptions run;
-  FitOptions fit;
-  std::vector<std::string> held_out;
   std::optional<std::string> model_out, json;
   ReportOptions report;
 };
 
 /// A sample that one channel lacks says something of the others.
-Dataset read(const OdeModel& model, const std::vector<std::string>& paths,
-             const FitArguments& options) {
-  ColumnRoles roles = common_roles(options.data);
+Dataset read(const OdeModel& model, const RecordSources& sources, const FitRequest& request) {
+  ColumnRoles roles = common_roles(request.data);
   roles.blanks = Blanks::Mark;
-  return usable_records(read_records(model, paths, roles, FiniteDifferences{}),
+  return usable_records(records_for(model, sources, roles, FiniteDifferences{}),
                         {.shortest_record = 4})
       .data;
 }
@@ -47,20 +43,12 @@ SystemModel with_all_holds(const SystemModel& system, const OdeModel& plain) {
 }
 
 int fit_command(const Session& session, const FitArguments& options) {
-  std::vector<std::string> files = files_read(options.data, options.held_out);
-  files.push_back(options.model);
+  std::vector<std::string> files = files_read(options.data, options.held_out.paths);
+  files.push_back(options.model.path);
   check_outputs(files,
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
-  const SystemModel system = load_system(options.model);
-  const OdeModel given = with_holds(system.model(), options.data);
-  const RunContext context = make_context(session, options.run);
-  context.report("reading data", 0.0);
-  const Dataset data = read(given, options.data.paths, options);
-  const Dataset held_out =
-      options.held_out.empty() ? Dataset{} : read(given, options.held_out, options);
-  const SystemModel held = with_all_holds(system, with_shown_holds(given, data));
-  const Fit found = fit(held, data, held_out, options.fit, context);
+  const Fit found = answer(options, make_context(session, options.run));
   finish_progress(session, options.run);
   if (options.model_out)
     write_output(session, *options.model_out,
@@ -74,15 +62,26 @@ int fit_command(const Session& session, const FitArguments& options) {
 
 }  // namespace
 
+Fit answer(const FitRequest& request, const RunContext& context) {
+  const SystemModel system = load_system(request.model);
+  const OdeModel given = with_holds(system.model(), request.data);
+  context.report("reading data", 0.0);
+  const Dataset data = read(given, request.data, request);
+  const Dataset held_out =
+      request.held_out.empty() ? Dataset{} : read(given, request.held_out, request);
+  const SystemModel held = with_all_holds(system, with_shown_holds(given, data));
+  return fit(held, data, held_out, request.fit, context);
+}
+
 Command declare_fit(CLI::App& root) {
   auto options = std::make_shared<FitArguments>();
   CLI::App* app = root.add_subcommand(
       "fit", "Estimate the numbers of a model of known structure, hidden states too");
-  app->add_option("MODEL", options->model, "Model file, or the name of a test system")
+  app->add_option("MODEL", options->model.path, "Model file, or the name of a test system")
       ->required();
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
       ->required();
-  app->add_option("--holdout", options->held_out, "Records to check the fit on")
+  app->add_option("--holdout", options->held_out.paths, "Records to check the fit on")
       ->type_name("DATA");
   declare_column_options(*app, options->data, false);
   app->add_option("--start-samples", options->fit.window,

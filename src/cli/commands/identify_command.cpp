@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "answers.hpp"
 #include "cli/configuration/identification_configuration.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
@@ -18,17 +19,11 @@
 namespace lacuna::cli {
 namespace {
 
-struct IdentifyArguments {
-  DataOptions data;
+struct IdentifyArguments : IdentifyRequest {
   RunOptions run;
-  std::optional<std::string> preset, config, terms;
-  std::optional<int> degree, hidden;
-  std::vector<std::string> assignments, equations, added, constraints, held_out;
   std::optional<std::string> model_out, json;
   ReportOptions report;
-  bool full = false, discrete = false;
-  std::string integrator = "rk4";
-  std::uint64_t memory = 0;  ///< bytes; 0: as much as there is
+  bool full = false;
 };
 
 void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
@@ -78,41 +73,46 @@ void declare_output_options(CLI::App& app, IdentifyArguments& options) {
       ->capture_default_str();
 }
 
-Configuration make_configuration(const IdentifyArguments& options) {
+Configuration make_configuration(const IdentifyRequest& request) {
   Configuration configuration;
-  if (options.config) configuration.merge_file(*options.config);
-  if (options.preset) configuration.set_preset(*options.preset);
-  if (options.discrete) configuration.set_discrete();
-  if (options.degree) configuration.set_degree(*options.degree);
-  if (options.terms) configuration.set_terms(*options.terms);
-  for (const std::string& text : options.constraints) configuration.add_constraint(text);
-  for (const std::string& terms : options.added) configuration.add_terms(terms);
-  for (const std::string& equation : options.equations) configuration.set_equation(equation);
-  for (const std::string& assignment : options.assignments) configuration.set(assignment);
+  if (request.config) configuration.merge_file(*request.config);
+  if (request.config_text) configuration.merge_text(*request.config_text, "configuration");
+  if (request.preset) configuration.set_preset(*request.preset);
+  if (request.discrete) configuration.set_discrete();
+  if (request.degree) configuration.set_degree(*request.degree);
+  if (request.terms) configuration.set_terms(*request.terms);
+  for (const std::string& text : request.constraints) configuration.add_constraint(text);
+  for (const std::string& terms : request.added) configuration.add_terms(terms);
+  for (const std::string& equation : request.equations) configuration.set_equation(equation);
+  for (const std::string& assignment : request.assignments) configuration.set(assignment);
   return configuration;
 }
 
-IdentificationTask task_of(const Session& session, const IdentifyArguments& options,
-                           const Configuration& configuration) {
-  IdentificationTask task{
-      .pipeline = configuration.build(session.registry),
-      .library = configuration.says_pipeline() ? LibraryScope::AsGiven : LibraryScope::Extended,
-      .measured = options.hidden ? Measured::AllButOne : Measured::AllStates,
-      .effects = session.registry.make_all<Effect>(),
-      .integrator = session.registry.make<Integrator>(options.integrator),
-      .options = identification_options(configuration, session.registry)};
-  if (!options.held_out.empty())
-    task.held_out = [&options](const OdeModel& model) {
-      return read_records(model, options.held_out, common_roles(options.data),
-                          FiniteDifferences{});
-    };
-  return task;
+Pipeline make_pipeline(const Registry& registry, const IdentifyRequest& request,
+                       const Configuration& configuration) {
+  Pipeline pipeline = configuration.build(registry);
+  if (request.basis) pipeline.basis = *request.basis;
+  if (request.regressor) pipeline.regressor = *request.regressor;
+  return pipeline;
 }
 
-bool found_a_model(const IdentificationResult& result) {
-  for (std::size_t k = 0; k < result.fit.size(); ++k)
-    if (!result.fit[k].identity && !result.model.equations()[k].empty()) return true;
-  return false;
+IdentificationTask task_of(const Registry& registry, const IdentifyRequest& request,
+                           const Configuration& configuration) {
+  const bool as_given =
+      configuration.says_pipeline() || request.basis.has_value() || request.regressor;
+  IdentificationTask task{
+      .pipeline = make_pipeline(registry, request, configuration),
+      .library = as_given ? LibraryScope::AsGiven : LibraryScope::Extended,
+      .measured = request.hidden ? Measured::AllButOne : Measured::AllStates,
+      .effects = registry.make_all<Effect>(),
+      .integrator = registry.make<Integrator>(request.integrator),
+      .options = identification_options(configuration, registry)};
+  if (!request.held_out.empty())
+    task.held_out = [&request](const OdeModel& model) {
+      return records_for(model, request.held_out, common_roles(request.data),
+                         FiniteDifferences{});
+    };
+  return task;
 }
 
 /// What was read, in a line.
@@ -126,20 +126,21 @@ std::string read_line(const RecordStream& records) {
 }
 
 void write_results(const Session& session, const IdentifyArguments& options,
-                   const IdentificationReport& report, const RecordStream& records) {
+                   const IdentifyAnswer& answer) {
+  const IdentificationReport& report = answer.report;
   if (options.model_out)
     write_output(session, *options.model_out,
                  format_model_for(*options.model_out, report.result.model));
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report,
-               [&] { return identification_page(report, records.excerpt()); });
+               [&] { return identification_page(report, answer.records.excerpt()); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
-    show(session, read_line(records) + "\n\n" + format_text(report, options.full));
+    show(session, text_of(answer, options.full));
 }
 
 /// Reads the data in the way that the options ask for.
-Identification read_and_identify(const IdentifyArguments& options,
-                                 const IdentificationTask& task, const RunContext& context) {
+Identification read_and_identify(const IdentifyRequest& options, const IdentificationTask& task,
+                                 const RunContext& context) {
   const std::vector<EmbeddingOrder> orders = embedding_orders(options.data);
   const auto use = [&](RecordStream records) {
     return identify_records(std::move(records), task, context);
@@ -171,30 +172,30 @@ IdentificationReport report_of(Identification& found, const IdentificationTask& 
   return report;
 }
 
+void check_request(const IdentifyRequest& request) {
+  if (request.hidden && *request.hidden != 1)
+    throw ConfigError("--hidden", "only one hidden state can be identified",
+                      "give 1, or measure more");
+  if (request.discrete && (request.hidden || !embedding_orders(request.data).empty()))
+    throw ConfigError("--discrete", "a map has no derivatives",
+                      "leave out --hidden and --embed; earlier samples can be columns");
+  if (request.hidden && !request.held_out.empty())
+    throw ConfigError("--holdout", "the hidden state of other records is not known",
+                      "leave it out, or use `lacuna fit MODEL DATA --holdout`");
+}
+
 int identify_command(const Session& session, const IdentifyArguments& options) {
-  std::vector<std::string> files = files_read(options.data, options.held_out);
+  std::vector<std::string> files = files_read(options.data, options.held_out.paths);
   if (options.config) files.push_back(*options.config);
   check_outputs(files,
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
-  if (options.hidden && *options.hidden != 1)
-    throw ConfigError("--hidden", "only one hidden state can be identified",
-                      "give 1, or measure more");
-  if (options.discrete && (options.hidden || !embedding_orders(options.data).empty()))
-    throw ConfigError("--discrete", "a map has no derivatives",
-                      "leave out --hidden and --embed; earlier samples can be columns");
-  if (options.hidden && !options.held_out.empty())
-    throw ConfigError("--holdout", "the hidden state of other records is not known",
-                      "leave it out, or use `lacuna fit MODEL DATA --holdout`");
-  const Configuration configuration = make_configuration(options);
-  const IdentificationTask task = task_of(session, options, configuration);
   const RunContext context = make_context(session, options.run);
-  Identification found = read_and_identify(options, task, context);
+  const IdentifyAnswer found = answer(session.registry, options, context);
   if (!context.leads()) return 0;
-  const IdentificationReport report = report_of(found, task, configuration);
   finish_progress(session, options.run);
-  write_results(session, options, report, found.records);
-  if (found_a_model(report.result)) return 0;
+  write_results(session, options, found);
+  if (found.found()) return 0;
   session.streams.err << "lacuna: error: no equation was found: no candidate term explains a "
                          "derivative; try other terms (--degree, --terms) or --preset robust\n";
   return 1;
@@ -202,13 +203,34 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
 
 }  // namespace
 
+bool IdentifyAnswer::found() const {
+  const IdentificationResult& result = report.result;
+  for (std::size_t k = 0; k < result.fit.size(); ++k)
+    if (!result.fit[k].identity && !result.model.equations()[k].empty()) return true;
+  return false;
+}
+
+IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
+                      const RunContext& context) {
+  check_request(request);
+  const Configuration configuration = make_configuration(request);
+  const IdentificationTask task = task_of(registry, request, configuration);
+  Identification found = read_and_identify(request, task, context);
+  IdentificationReport report = report_of(found, task, configuration);
+  return {std::move(report), std::move(found.records)};
+}
+
+std::string text_of(const IdentifyAnswer& answer, bool full) {
+  return read_line(answer.records) + "\n\n" + format_text(answer.report, full);
+}
+
 Command declare_identify(CLI::App& root) {
   auto options = std::make_shared<IdentifyArguments>();
   CLI::App* app = root.add_subcommand(
       "identify", "Find the equations of motion in measured data and verify them");
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
       ->required();
-  app->add_option("--holdout", options->held_out,
+  app->add_option("--holdout", options->held_out.paths,
                   "Records to judge the model by [default: a quarter of DATA, in blocks]")
       ->type_name("DATA");
   declare_column_options(*app, options->data, true);

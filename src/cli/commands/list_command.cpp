@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "answers.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
@@ -38,8 +39,10 @@ void check_kind(const std::vector<Line>& lines, const std::string& kind) {
                       suggestion(kind, kinds));
 }
 
-int list_command(const Session& session, const std::string& kind) {
-  const std::vector<Line> lines = all_lines(session.registry);
+}  // namespace
+
+std::string list_of_parts(const Registry& registry, const std::string& kind) {
+  const std::vector<Line> lines = all_lines(registry);
   if (!kind.empty()) check_kind(lines, kind);
   std::size_t width = 0;
   for (const Line& line : lines) width = std::max(width, line.name.size() + 2);
@@ -50,18 +53,18 @@ int list_command(const Session& session, const std::string& kind) {
     heading = line.kind;
     text += "  " + line.name + std::string(width - line.name.size(), ' ') + line.text + "\n";
   }
-  show(session, text);
-  return 0;
+  return text;
 }
-
-}  // namespace
 
 Command declare_list(CLI::App& root) {
   auto kind = std::make_shared<std::string>();
   CLI::App* app =
       root.add_subcommand("list", "Show every part: bases, filters, regressors, ...");
   app->add_option("KIND", *kind, "Only this kind of part");
-  return {app, [kind](const Session& session) { return list_command(session, *kind); }};
+  return {app, [kind](const Session& session) {
+            show(session, list_of_parts(session.registry, *kind));
+            return 0;
+          }};
 }
 
 }  // namespace lacuna::cli

@@ -16,7 +16,7 @@ struct ModelArguments {
 /// To standard output goes the format that the model does not have yet.
 int model_command(const Session& session, const ModelArguments& options) {
   check_outputs({options.model}, {{"--output", options.output}});
-  const SystemModel model = load_system(options.model);
+  const SystemModel model = load_system({options.model});
   const bool was_text = std::filesystem::path(options.model).extension() == ".ode";
   const std::string other = was_text ? "out.json" : "out.ode";
   write_output(session, options.output,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "answers.hpp"
 #include "assignments.hpp"
 #include "command.hpp"
 #include "core/base/random.hpp"
@@ -18,15 +19,8 @@
 namespace lacuna::cli {
 namespace {
 
-struct SimulateArguments {
-  std::string model;
-  std::string x0;
-  double t_start = 0.0, t_end = 0.0;
-  std::optional<double> step;
-  std::optional<std::string> output, input_data, input_time;
-  std::vector<std::string> noise;
-  DataOptions data;
-  std::string integrator = "auto";
+struct SimulateArguments : SimulateRequest {
+  std::optional<std::string> output;
   RunOptions run;
 };
 
@@ -48,7 +42,8 @@ Vector parse_start(const OdeModel& model, const std::string& text) {
 }
 
 /// @param usual step where none is given.
-Vector parse_times(const SimulateArguments& options, double usual) {
+Vector parse_times(const SimulateRequest& options, double usual) {
+  if (options.times) return *options.times;
   const double step = options.step.value_or(usual);
   const double span = options.t_end - options.t_start;
   if (!(step > 0.0) || !(span > 0.0) || !std::isfinite(span / step))
@@ -62,32 +57,36 @@ Vector parse_times(const SimulateArguments& options, double usual) {
 }
 
 /// The input file in the inputs of the model; its first record is the one.
-Dataset input_records(const OdeModel& model, const SimulateArguments& options) {
-  if (!options.input_data)
+Dataset input_records(const OdeModel& model, const SimulateRequest& options) {
+  if (options.inputs.empty())
     throw ConfigError("--input-data", "the model has inputs but no record of them is given",
                       "give a file with a column for each input");
   ColumnRoles roles = common_roles(options.data);
   roles.time = options.input_time;
-  return read_inputs(model, *options.input_data, roles);
+  if (!options.inputs.tables.empty())
+    return inputs_of_table(model, options.inputs.tables.front(), roles);
+  return read_inputs(model, options.inputs.paths.front(), roles);
 }
 
-/// Says where the simulation goes beyond what is known of its inputs.
-void warn_beyond(const Session& session, const SimulateArguments& options,
-                 const Dataset& record) {
+/// Where the simulation goes beyond what is known of its inputs.
+std::vector<std::string> notes_beyond(const Vector& times, const Dataset& record) {
   const Vector& time = record.trajectories.front().time;
   const double begin = time[0], end = time[time.size() - 1];
-  if (options.t_start < begin)
-    session.streams.err << "lacuna: note: the input record begins at "
-                        << format_number(begin, 6) << "; before that its first value holds\n";
-  if (options.t_end > end)
-    session.streams.err << "lacuna: note: the input record ends at " << format_number(end, 6)
-                        << "; from there on its last value holds\n";
+  std::vector<std::string> notes;
+  if (times[0] < begin)
+    notes.push_back("the input record begins at " + format_number(begin, 6) +
+                    "; before that its first value holds");
+  if (times[times.size() - 1] > end)
+    notes.push_back("the input record ends at " + format_number(end, 6) +
+                    "; from there on its last value holds");
+  return notes;
 }
 
 /// What was simulated and the inputs at its times.
 struct Run {
   Solution orbit;
   Matrix inputs;  ///< n x p
+  std::vector<std::string> notes = {};
 };
 
 Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
@@ -100,21 +99,20 @@ Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
   return values;
 }
 
-Run run(const Session& session, const OdeModel& model, const Integrator& integrator,
-        const SimulateArguments& options, const RunContext& context) {
+Run run(const OdeModel& model, const Integrator& integrator, const SimulateRequest& options,
+        const RunContext& context) {
   const Vector start = parse_start(model, options.x0);
   constexpr double kStepOfMaps = 1.0, kNone = 0.0;  // by definition; to be given
   const Vector times = parse_times(options, model.is_map() ? kStepOfMaps : kNone);
   if (model.inputs().empty())
     return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};
   const Dataset record = input_records(model, options);
-  warn_beyond(session, options, record);
   const OdeModel driven = with_shown_holds(model, record);
   RecordInput inputs(record.trajectories.front(), driven.inputs());
   Solution orbit =
       simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times, context);
-  return {std::move(orbit),
-          inputs_at(times, inputs, static_cast<Index>(model.inputs().size()))};
+  return {std::move(orbit), inputs_at(times, inputs, static_cast<Index>(model.inputs().size())),
+          notes_beyond(times, record)};
 }
 
 /// States and, behind them, the outputs that are called otherwise.
@@ -184,38 +182,29 @@ std::optional<std::string> not_finite(const Dataset& data) {
   return std::nullopt;
 }
 
-/// Status 1: the numbers do not allow an answer.
-int nothing_written(const Session& session, const std::string& where,
-                    const std::string& problem) {
-  session.streams.err << "lacuna: error: " << where << ": " << problem
-                      << "; nothing was written, end earlier or start elsewhere\n";
-  return 1;
-}
-
 int simulate_command(const Session& session, const SimulateArguments& options) {
-  std::vector<std::string> inputs{options.model};
-  if (options.input_data) inputs.push_back(*options.input_data);
+  std::vector<std::string> inputs = files_read(options.data, options.inputs.paths);
+  inputs.push_back(options.model.path);
   check_outputs(inputs, {{"--output", options.output}});
-  const OdeModel model = with_holds(load_model(options.model), options.data);
-  const auto integrator = session.registry.make<Integrator>(options.integrator);
-  const RunContext context = make_context(session, options.run);
-  Run done = run(session, model, *integrator, options, context);
+  const SimulateAnswer done =
+      answer(session.registry, options, make_context(session, options.run));
   finish_progress(session, options.run);
-  if (done.orbit.status != IntegrationStatus::Completed)
-    return nothing_written(session, options.model, done.orbit.message);
-  Dataset data = as_dataset(model, std::move(done));
-  add_noise(parse_noise(options.noise, data), context.seed, data.trajectories.front());
-  if (const auto problem = not_finite(data))
-    return nothing_written(session, options.model, *problem);
+  for (const std::string& note : done.notes)
+    session.streams.err << "lacuna: note: " << note << "\n";
+  if (!done.problem.empty()) {
+    session.streams.err << "lacuna: error: " << options.model.path << ": " << done.problem
+                        << "; nothing was written, end earlier or start elsewhere\n";
+    return 1;
+  }
   if (options.output)
-    write_csv(*options.output, data);
+    write_csv(*options.output, done.data);
   else
-    session.streams.out << format_csv(data);
+    session.streams.out << format_csv(done.data);
   return 0;
 }
 
 void declare_options(CLI::App& app, SimulateArguments& options) {
-  app.add_option("MODEL", options.model, "Model file, or the name of a test system")
+  app.add_option("MODEL", options.model.path, "Model file, or the name of a test system")
       ->required();
   app.add_option("--x0", options.x0, "Start: one number per state, in the order of the model")
       ->type_name("v1,v2,...")
@@ -231,9 +220,10 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
   app.add_option("--integrator", options.integrator, "Method; see `lacuna list integrator`")
       ->type_name("NAME")
       ->capture_default_str();
-  app.add_option("--input-data", options.input_data,
+  app.add_option("--input-data", options.inputs.paths,
                  "Record with a column for each input of the model")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->expected(1);
   app.add_option("--noise", options.noise,
                  "Standard deviation of white noise that is added to a state or an output")
       ->type_name("NAME=SD");
@@ -245,6 +235,23 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
 }
 
 }  // namespace
+
+SimulateAnswer answer(const Registry& registry, const SimulateRequest& request,
+                      const RunContext& context) {
+  const OdeModel model = with_holds(load_model(request.model), request.data);
+  const auto integrator = registry.make<Integrator>(request.integrator);
+  Run done = run(model, *integrator, request, context);
+  SimulateAnswer result{{}, std::move(done.notes)};
+  if (done.orbit.status != IntegrationStatus::Completed) {
+    result.problem = done.orbit.message;
+    return result;
+  }
+  result.data = as_dataset(model, std::move(done));
+  add_noise(parse_noise(request.noise, result.data), context.seed,
+            result.data.trajectories.front());
+  if (const auto problem = not_finite(result.data)) result.problem = *problem;
+  return result;
+}
 
 Command declare_simulate(CLI::App& root) {
   auto options = std::make_shared<SimulateArguments>();

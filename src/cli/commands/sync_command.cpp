@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "answers.hpp"
 #include "assignments.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
@@ -15,13 +16,8 @@
 namespace lacuna::cli {
 namespace {
 
-struct SyncArguments {
-  std::string model;
-  DataOptions data;
+struct SyncArguments : SyncRequest {
   RunOptions run;
-  std::string coupling;
-  std::string integrator = "rk4";
-  std::string differentiator = "finite-differences";
   std::optional<std::string> json;
   ReportOptions report;
 };
@@ -53,42 +49,58 @@ std::string notes_of(const Dataset& data, const SyncReport& report) {
 }
 
 int sync_command(const Session& session, const SyncArguments& options) {
-  check_outputs(files_read(options.data, {options.model}),
+  check_outputs(files_read(options.data, {options.model.path}),
                 with_report({{"--json", options.json}}, options.report));
-  const OdeModel model = with_holds(load_model(options.model), options.data);
-  const auto integrator = session.registry.make<Integrator>(options.integrator);
-  const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
-  const std::optional<Matrix> coupling = parse_coupling(model, options.coupling);
-  const RunContext context = make_context(session, options.run);
-  context.report("reading data", 0.0);
-  const Dataset data = long_enough(
-      read_records(model, options.data.paths, common_roles(options.data), *differentiator),
-      *integrator);
-  check_outputs_are_states(model, data);
-  const OdeModel driven = with_shown_holds(model, data);
-  SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
-                    model.states(), data.time_unit, coupling.has_value(), options.integrator};
-  if (report.result.stiff) report.integrator = AutomaticOptions::kInfo.name;
-  report.verdict = judge(driven, data, report.result);
+  const SyncAnswer found =
+      answer(session.registry, options, make_context(session, options.run));
   finish_progress(session, options.run);
-  if (options.json) write_output(session, *options.json, format_json(report));
-  write_report(session, options.report, [&] { return sync_page(report, data); });
-  if (options.json != "-" && options.report.page != "-")
-    show(session, data_line(data, data.input_count()) + "\n" + notes_of(data, report) + "\n" +
-                      format_text(report));
-  if (report.result.status == IntegrationStatus::Completed) return 0;
-  session.streams.err << "lacuna: error: " << report.result.message << "; try "
-                      << stronger_coupling(model.states(), report.result.coupling) << "\n";
+  if (options.json) write_output(session, *options.json, format_json(found.report));
+  write_report(session, options.report, [&] { return sync_page(found.report, found.data); });
+  if (options.json != "-" && options.report.page != "-") show(session, text_of(found));
+  const std::string failure = failure_of(found);
+  if (failure.empty()) return 0;
+  session.streams.err << "lacuna: error: " << failure << "\n";
   return 1;
 }
 
 }  // namespace
 
+SyncAnswer answer(const Registry& registry, const SyncRequest& request,
+                  const RunContext& context) {
+  const OdeModel model = with_holds(load_model(request.model), request.data);
+  const auto integrator = registry.make<Integrator>(request.integrator);
+  const auto differentiator = registry.make<Differentiator>(request.differentiator);
+  const std::optional<Matrix> coupling = parse_coupling(model, request.coupling);
+  context.report("reading data", 0.0);
+  Dataset data =
+      long_enough(records_for(model, request.data, common_roles(request.data), *differentiator),
+                  *integrator);
+  check_outputs_are_states(model, data);
+  const OdeModel driven = with_shown_holds(model, data);
+  SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
+                    model.states(), data.time_unit, coupling.has_value(), request.integrator};
+  if (report.result.stiff) report.integrator = AutomaticOptions::kInfo.name;
+  report.verdict = judge(driven, data, report.result);
+  return {std::move(report), std::move(data)};
+}
+
+std::string text_of(const SyncAnswer& answer) {
+  const auto& [report, data] = answer;
+  return data_line(data, data.input_count()) + "\n" + notes_of(data, report) + "\n" +
+         format_text(report);
+}
+
+std::string failure_of(const SyncAnswer& answer) {
+  const SyncResult& result = answer.report.result;
+  if (result.status == IntegrationStatus::Completed) return "";
+  return result.message + "; try " + stronger_coupling(answer.report.states, result.coupling);
+}
+
 Command declare_sync(CLI::App& root) {
   auto options = std::make_shared<SyncArguments>();
   CLI::App* app = root.add_subcommand(
       "sync", "Drive a model with a record and measure how far from it the model stays");
-  app->add_option("MODEL", options->model, "Model file, or the name of a test system")
+  app->add_option("MODEL", options->model.path, "Model file, or the name of a test system")
       ->required();
   app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
       ->required();

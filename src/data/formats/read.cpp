@@ -16,6 +16,7 @@
 #include "file_kinds.hpp"
 #include "hdf5.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/function_ref.hpp"
 #include "mat.hpp"
 #include "npy.hpp"
 #include "npz.hpp"
@@ -98,27 +99,53 @@ Table read_any(const fs::path& path, const TimeFinder& find) {
 
 Table read_table(const fs::path& path) { return read_any(path, no_time); }
 
-Table read_table(const fs::path& path, const ColumnRoles& roles) {
-  Table table = read_any(path, time_finder(roles));
-  for (const auto& [name, column] : roles.names) rename_column(table, name, column);
-  return table;
-}
+namespace {
 
-Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles) {
-  const std::vector<std::string> files = expand_patterns(paths);
-  Table first = read_table(files.front(), roles);
+/// Tables one behind another; of the first only the columns are kept.
+Dataset joined(std::size_t count,
+               FunctionRef<Table(std::size_t number, const ColumnRoles& roles)> table_at,
+               const ColumnRoles& roles) {
+  Table first = table_at(0, roles);
   Dataset data = assign_roles(first, roles);
-  if (files.size() == 1) return data;
+  if (count == 1) return data;
   const ColumnRoles fixed = fixed_roles(first, roles);
   first.values.resize(0, 0);  // only its columns are looked at from here on
-  for (std::size_t i = 1; i < files.size(); ++i) {
-    const Table table = read_table(files[i], fixed);
+  for (std::size_t i = 1; i < count; ++i) {
+    const Table table = table_at(i, fixed);
     check_same_columns(first, table);
     Dataset more = assign_roles(table, fixed);
     check_same_units(data, more, table.source, first.source);
     append(data, std::move(more));
   }
   return data;
+}
+
+}  // namespace
+
+Table renamed(Table table, const ColumnRoles& roles) {
+  for (const auto& [name, column] : roles.names) rename_column(table, name, column);
+  return table;
+}
+
+Table read_table(const fs::path& path, const ColumnRoles& roles) {
+  return renamed(read_any(path, time_finder(roles)), roles);
+}
+
+Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles) {
+  const std::vector<std::string> files = expand_patterns(paths);
+  const auto table_at = [&](std::size_t number, const ColumnRoles& its_roles) {
+    return read_table(files[number], its_roles);
+  };
+  return joined(files.size(), table_at, roles);
+}
+
+Dataset dataset_of_tables(std::vector<Table> tables, const ColumnRoles& roles) {
+  if (tables.empty())
+    throw DataError("data", "there is no record", "give at least one table of samples");
+  const auto table_at = [&](std::size_t number, const ColumnRoles& its_roles) {
+    return renamed(std::move(tables[number]), its_roles);
+  };
+  return joined(tables.size(), table_at, roles);
 }
 
 }  // namespace lacuna

@@ -121,14 +121,10 @@ Index used_inputs(const OdeModel& model, const Dataset& data) {
   return std::min(static_cast<Index>(model.inputs().size()), data.input_count());
 }
 
-}  // namespace
-
-Dataset read_records(const OdeModel& model, const std::vector<std::string>& paths,
+/// Tables whose columns are called as the model calls them, in its variables.
+Dataset bound_tables(const OdeModel& model, const std::vector<Table>& tables,
                      const ColumnRoles& roles, const Differentiator& differentiator,
                      Columns columns) {
-  std::vector<Table> tables;
-  for (const std::string& path : expand_patterns(paths))
-    tables.push_back(called_as_states(model, read_table(path, roles)));
   std::vector<std::string> unused;
   if (columns == Columns::All) unused = common_unused(model, tables, roles);
   std::vector<Dataset> files;
@@ -138,6 +134,39 @@ Dataset read_records(const OdeModel& model, const std::vector<std::string>& path
   for (std::size_t i = 1; i < files.size(); ++i) append(all, files[i]);
   mark_made(files, all);
   return all;
+}
+
+/// What drives a model, from a table with its columns in their roles.
+Dataset inputs_of(const OdeModel& model, const Table& table, const ColumnRoles& roles) {
+  ColumnRoles as_states = roles;
+  for (const Quantity& input : model.inputs()) as_states.states.push_back(input.name);
+  Dataset data = in_time_unit_of(model, assign_roles_for(model, table, as_states));
+  std::swap(data.inputs, data.states);
+  for (Trajectory& record : data.trajectories) {
+    std::swap(record.inputs, record.states);
+    record.states.resize(record.samples(), 0);
+  }
+  return data;
+}
+
+}  // namespace
+
+Dataset read_records(const OdeModel& model, const std::vector<std::string>& paths,
+                     const ColumnRoles& roles, const Differentiator& differentiator,
+                     Columns columns) {
+  std::vector<Table> tables;
+  for (const std::string& path : expand_patterns(paths))
+    tables.push_back(called_as_states(model, read_table(path, roles)));
+  return bound_tables(model, tables, roles, differentiator, columns);
+}
+
+Dataset records_of_tables(const OdeModel& model, std::vector<Table> tables,
+                          const ColumnRoles& roles, const Differentiator& differentiator,
+                          Columns columns) {
+  if (tables.empty())
+    throw DataError("data", "there is no record", "give at least one table of samples");
+  for (Table& table : tables) table = called_as_states(model, renamed(std::move(table), roles));
+  return bound_tables(model, tables, roles, differentiator, columns);
 }
 
 Dataset used_part(const OdeModel& model, Dataset data) {
@@ -162,16 +191,11 @@ Dataset unused_part(const OdeModel& model, const Dataset& data) {
 }
 
 Dataset read_inputs(const OdeModel& model, const std::string& path, const ColumnRoles& roles) {
-  ColumnRoles as_states = roles;
-  for (const Quantity& input : model.inputs()) as_states.states.push_back(input.name);
-  Dataset data =
-      in_time_unit_of(model, assign_roles_for(model, read_table(path, roles), as_states));
-  std::swap(data.inputs, data.states);
-  for (Trajectory& record : data.trajectories) {
-    std::swap(record.inputs, record.states);
-    record.states.resize(record.samples(), 0);
-  }
-  return data;
+  return inputs_of(model, read_table(path, roles), roles);
+}
+
+Dataset inputs_of_table(const OdeModel& model, Table table, const ColumnRoles& roles) {
+  return inputs_of(model, renamed(std::move(table), roles), roles);
 }
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lacuna/core/base/types.hpp"
@@ -67,10 +68,13 @@ struct OrbitFigure {
   std::vector<Orbit> orbits;
 };
 
+using Figure = std::variant<LineFigure, RowFigure, OrbitFigure>;
+
 /// A figure that was drawn.
 struct Picture {
   std::string name, title;
-  Markup svg;  ///< with classes whose style the page, or stand_alone(), brings
+  Markup svg;     ///< with classes whose style the page, or stand_alone(), brings
+  Figure figure;  ///< its numbers, for whoever draws them otherwise
 };
 
 Picture draw(const LineFigure& figure);

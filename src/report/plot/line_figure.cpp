@@ -134,9 +134,9 @@ Picture draw(const LineFigure& figure) {
   Markup content = svg::label(kLeft, 16.0, svg::shortened(figure.title, 90), "start", "title");
   content += legend.markup + axes(figure, frame);
   content += with_scales(figure, frame, curves(figure, frame));
-  return {
-      figure.name, figure.title,
-      svg::drawing(figure.title, "lines", svg::kWidth, frame.top + kPlot + kBelow, content)};
+  return {figure.name, figure.title,
+          svg::drawing(figure.title, "lines", svg::kWidth, frame.top + kPlot + kBelow, content),
+          figure};
 }
 
 }  // namespace lacuna

@@ -110,7 +110,7 @@ Picture draw(const OrbitFigure& figure) {
       svg::label(76.0, 16.0, svg::shortened(figure.title, 90), "start", "title") +
       legend.markup + axes(figure) + curves;
   return {figure.name, figure.title,
-          svg::drawing(figure.title, "orbit", svg::kWidth, kHeight, content)};
+          svg::drawing(figure.title, "orbit", svg::kWidth, kHeight, content), figure};
 }
 
 }  // namespace lacuna

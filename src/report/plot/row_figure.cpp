@@ -93,7 +93,7 @@ Picture draw(const RowFigure& figure) {
     content += row_of(figure, figure.rows[r], frame,
                       kFirstRow + kRow * (static_cast<double>(r) + 0.5));
   return {figure.name, figure.title,
-          svg::drawing(figure.title, "rows", svg::kWidth, bottom + kAxis, content)};
+          svg::drawing(figure.title, "rows", svg::kWidth, bottom + kAxis, content), figure};
 }
 
 }  // namespace lacuna

@@ -21,6 +21,10 @@ Table read_table(const std::filesystem::path& path);
 /// 1970), which Table::counted and a note say.
 Table read_table(const std::filesystem::path& path, const ColumnRoles& roles);
 
+/// The table with columns called as ColumnRoles::names says.
+/// @throws DataError as rename_column().
+Table renamed(Table table, const ColumnRoles& roles);
+
 /// Paths with each pattern ("run*.csv") replaced by the files that match it, in the order of
 /// their names. What exists as it is written is no pattern.
 /// @throws DataError when a pattern matches no file or no path is given.
@@ -31,5 +35,10 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& paths);
 /// A pattern stands for the files that match it, in the order of their names.
 /// @throws FileError, DataError as above; DataError when a pattern matches no file.
 Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles = {});
+
+/// The same of tables that are in memory: from another program, say.
+/// @throws DataError as assign_roles(), for tables of other columns than the first one, for
+/// none.
+Dataset dataset_of_tables(std::vector<Table> tables, const ColumnRoles& roles = {});
 
 }  // namespace lacuna

@@ -26,6 +26,12 @@ Dataset read_records(const OdeModel& model, const std::vector<std::string>& path
                      const ColumnRoles& roles, const Differentiator& differentiator,
                      Columns columns = Columns::OfModel);
 
+/// The same of tables that are in memory: from another program, say.
+/// @throws DataError as dataset_of_tables() and model_view().
+Dataset records_of_tables(const OdeModel& model, std::vector<Table> tables,
+                          const ColumnRoles& roles, const Differentiator& differentiator,
+                          Columns columns = Columns::OfModel);
+
 /// Records without the inputs that follow those of the model: columns that it does not know
 /// (see Columns::All).
 Dataset used_part(const OdeModel& model, Dataset data);
@@ -37,5 +43,8 @@ Dataset unused_part(const OdeModel& model, const Dataset& data);
 /// 0 states.
 /// @throws FileError, DataError as above.
 Dataset read_inputs(const OdeModel& model, const std::string& path, const ColumnRoles& roles);
+
+/// The same of a table that is in memory. @throws DataError as above.
+Dataset inputs_of_table(const OdeModel& model, Table table, const ColumnRoles& roles);
 
 }  // namespace lacuna

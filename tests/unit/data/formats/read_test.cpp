@@ -149,5 +149,30 @@ TEST(ReadDataset, ReadsMeasuredRecords) {
   EXPECT_EQ(chaos.trajectories.size(), 5u);
 }
 
+TEST(DatasetOfTables, IsThatOfFilesWithTheSameColumns) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> paths{
+      folder.write("a.csv", kRun), folder.write("b.csv", "y [V],t [s],x [V]\n1,0,2\n3,1,4\n")};
+  const ColumnRoles roles{.inputs = {"y"}, .names = {{"q", "x"}}};
+  const Dataset files = read_dataset(paths, roles);
+  const Dataset tables = dataset_of_tables({read_table(paths[0]), read_table(paths[1])}, roles);
+  EXPECT_EQ(tables.states, files.states);
+  EXPECT_EQ(tables.states.at(0).name, "q");
+  EXPECT_EQ(tables.inputs, files.inputs);
+  ASSERT_EQ(tables.trajectories.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(tables.trajectories[i].states, files.trajectories[i].states);
+    EXPECT_EQ(tables.trajectories[i].source, files.trajectories[i].source);
+  }
+}
+
+TEST(DatasetOfTables, NeedsOneAndTheSameColumns) {
+  expect_error<DataError>([] { dataset_of_tables({}); }, "data", "no record", "at least one");
+  const TemporaryFolder folder;
+  const Table a = read_table(folder.write("a.csv", kRun));
+  const Table b = read_table(folder.write("b.csv", "t,x\n0,1\n1,2\n"));
+  EXPECT_THROW(dataset_of_tables({a, b}), DataError);
+}
+
 }  // namespace
 }  // namespace lacuna

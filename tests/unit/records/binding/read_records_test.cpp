@@ -6,6 +6,7 @@
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/expect_error.hpp"
@@ -179,6 +180,23 @@ TEST(ReadRecords, TakesTheUnitOfTheTimeThatIsGiven) {
                                     {folder.write("a.csv", table_of("t [s],x,u,spare"))},
                                     {.time_unit = "ms"}, kDefaultDifferences);
   EXPECT_NEAR(data.trajectories[0].duration(), 0.98e-3, 1e-9) << "the header is wrong";
+}
+
+TEST(RecordsOfTables, AreThoseOfFilesWithTheSameColumns) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", table_of("t [s],Weg,u [N],spare"));
+  const ColumnRoles roles{.names = {{"x", "Weg"}}};
+  const OdeModel model = support::harmonic_model();
+  const Dataset file = read_records(model, {path}, roles, kDefaultDifferences, Columns::All);
+  const Dataset table =
+      records_of_tables(model, {read_table(path)}, roles, kDefaultDifferences, Columns::All);
+  EXPECT_EQ(table.states, file.states);
+  EXPECT_EQ(table.inputs, file.inputs);
+  EXPECT_EQ(table.trajectories.at(0).states, file.trajectories.at(0).states);
+  EXPECT_EQ(inputs_of_table(model, read_table(path), {}).trajectories.at(0).inputs,
+            read_inputs(model, path, {}).trajectories.at(0).inputs);
+  expect_error<DataError>([&] { records_of_tables(model, {}, {}, kDefaultDifferences); },
+                          "data", "no record", "at least one");
 }
 
 }  // namespace

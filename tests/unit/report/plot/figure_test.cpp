@@ -93,6 +93,15 @@ TEST(OrbitFigure, BringsWholeNumbersForTurning) {
   EXPECT_EQ(count(svg, "class=\"spatial\""), 3);
 }
 
+TEST(Picture, HasItsNumbers) {
+  const Picture picture = draw(lines());
+  const auto* const figure = std::get_if<LineFigure>(&picture.figure);
+  ASSERT_NE(figure, nullptr);
+  ASSERT_EQ(figure->series.size(), 2u);
+  EXPECT_EQ(figure->series[0].y, Vector(Eigen::Vector3d(0, 1, 0)));
+  EXPECT_TRUE(std::holds_alternative<RowFigure>(draw(RowFigure{"r", "", "", {}}).figure));
+}
+
 TEST(StandAlone, HasItsStyleInside) {
   const std::string text = stand_alone(draw(lines()));
   EXPECT_EQ(text.rfind("<?xml", 0), 0u);

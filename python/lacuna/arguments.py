@@ -1,0 +1,118 @@
+"""What functions are given, as the extension takes it."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from .model import Model
+from .own import Basis, Regressor
+from .progress import progress_function
+from .records import Records, held_out, records_of
+from .stages import Pipeline, Stage
+
+Texts = str | Sequence[str] | None
+Progress = bool | Callable[[str, float], None]
+ModelLike = Model | str | os.PathLike[str]
+
+
+def called(
+    function: Callable[[dict[str, Any]], Any],
+    arguments: Mapping[str, Any],
+    seed: int,
+    threads: int | None,
+    progress: Progress,
+) -> Any:
+    """Call the library with what is given; what is not has its default there."""
+    given = {name: value for name, value in arguments.items() if value is not None}
+    given["seed"] = seed
+    given["threads"] = threads or os.cpu_count() or 1
+    with progress_function(progress) as tell:
+        if tell is not None:
+            given["progress"] = tell
+        return function(given)
+
+
+def as_model(model: ModelLike) -> Model:
+    """Give the model itself, or load it."""
+    return model if isinstance(model, Model) else Model.load(model)
+
+
+def model_arguments(model: ModelLike) -> dict[str, Any]:
+    """A model, by its value or its path."""
+    if isinstance(model, Model):
+        return {"model": model._system, "model_path": "model"}
+    return {"model_path": os.fspath(model)}
+
+
+def bound(model: Any, data: Any, t: Any, u: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
+    """Records whose columns are those of a model: arrays have its names unless others are given."""
+    return records_of(data, t, u, None, _with_names_of(model, data, columns)).arguments()
+
+
+def held_out_of(model: Any, data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
+    """Records that are held out, with the same columns."""
+    return held_out(data, _with_names_of(model, data, columns))
+
+
+def _with_names_of(model: Any, data: Any, columns: Mapping[str, Any]) -> Mapping[str, Any]:
+    one = data[0] if isinstance(data, list | tuple) and len(data) > 0 else data
+    is_array = hasattr(one, "__array__") and not hasattr(one, "columns")
+    if not is_array:
+        return columns
+    known = as_model(model)
+    return {"states": known.states, "inputs": known.inputs, **columns}
+
+
+def input_arguments(inputs: Any) -> dict[str, Any]:
+    """A record that drives a model."""
+    records = inputs if isinstance(inputs, Records) else Records(inputs)
+    roles = records.arguments("input_paths", "input_tables")
+    named = {"time": "input_time", "names": "names", "input_paths": "", "input_tables": ""}
+    return {named[key] or key: value for key, value in roles.items() if key in named}
+
+
+def configuration(
+    config: str | os.PathLike[str] | Mapping[str, Any] | None, pipeline: Pipeline | None
+) -> dict[str, Any]:
+    """Where stages are said: a file or a dictionary, and a pipeline on top of it."""
+    arguments: dict[str, Any] = {}
+    said: dict[str, Any] = {}
+    if isinstance(config, Mapping):
+        said.update({key: _plain(value) for key, value in config.items()})
+    elif config is not None:
+        arguments["config"] = os.fspath(config)
+    for place, stage in (pipeline.stages() if pipeline is not None else {}).items():
+        if isinstance(stage, Basis | Regressor):
+            arguments[f"own_{place}"] = stage.written
+        else:
+            said[place] = _plain(stage)
+    if said:
+        arguments["config_text"] = json.dumps(said)
+    return arguments
+
+
+def _plain(value: Any) -> Any:
+    return value.to_dict() if isinstance(value, Stage) else value
+
+
+def several(texts: Texts) -> list[str]:
+    """Texts as a list: one alone is a list too."""
+    return [texts] if isinstance(texts, str) else list(texts or [])
+
+
+def listed(texts: Texts) -> str | None:
+    """Texts as one, with commas between them."""
+    return texts if texts is None or isinstance(texts, str) else ",".join(texts)
+
+
+def assignments(options: Mapping[str, Any] | None) -> list[str]:
+    """Single values by their paths, as the command takes them: ``PATH=VALUE``."""
+    return [f"{path}={json.dumps(_plain(value))}" for path, value in (options or {}).items()]
+
+
+def end_of(value: float | None) -> str:
+    """An end of a range; empty where it is open."""
+    return "" if value is None else repr(float(value))

@@ -1,0 +1,274 @@
+"""What a model does, held against records; records, models and parts by themselves."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+from . import _lacuna
+from .arguments import (
+    ModelLike,
+    Progress,
+    as_model,
+    bound,
+    called,
+    input_arguments,
+    model_arguments,
+)
+from .errors import LacunaWarning, NoAnswerError
+from .model import Model
+from .records import records_of
+from .results import Check, Comparison, Simulation, Sync
+
+
+def sync(
+    model: ModelLike,
+    data: Any,
+    t: Any = None,
+    u: Any = None,
+    *,
+    coupling: Mapping[str, float] | None = None,
+    integrator: str = "rk4",
+    differentiator: str = "finite-differences",
+    threads: int | None = None,
+    progress: Progress = False,
+    **columns: Any,
+) -> Sync:
+    """Drive a model with a record and measure how far from it the model stays.
+
+    Parameters
+    ----------
+    model, data, t, u, **columns
+        As of `diagnose`.
+    coupling : dict, optional
+        Strength by state, in 1/time unit; all states by the record's own time scale unless given.
+    integrator, differentiator : str, optional
+        Methods by name.
+    threads, progress
+        As of `identify`.
+
+    Returns
+    -------
+    Sync
+        ``.median``, ``.relative``, ``.holds``, ``.sentence``, ...
+
+    Raises
+    ------
+    DataError, ConfigError, ModelError, ArgumentError, FileError
+        With ``.where``, ``.problem`` and ``.remedy``.
+    """
+    arguments = {
+        **model_arguments(model),
+        **bound(model, data, t, u, columns),
+        "coupling": ",".join(f"{name}={float(k)!r}" for name, k in (coupling or {}).items()),
+        "integrator": integrator,
+        "differentiator": differentiator,
+    }
+    return Sync(called(_lacuna.sync, arguments, 1, threads, progress), "lacuna.sync")
+
+
+def simulate(
+    model: ModelLike,
+    x0: Any,
+    t: Any = None,
+    *,
+    t_start: float = 0.0,
+    t_end: float = 0.0,
+    dt: float | None = None,
+    inputs: Any = None,
+    noise: Mapping[str, float] | None = None,
+    hold: Mapping[str, str] | None = None,
+    integrator: str = "dopri5",
+    seed: int = 1,
+    progress: Progress = False,
+) -> Simulation:
+    """Solve a model from a given start.
+
+    Parameters
+    ----------
+    model : Model or path
+        The model.
+    x0 : array of shape (m,)
+        Start, in the order of the model.
+    t : array of shape (n,), optional
+        Times of the output, in the model's unit; in place of ``t_start``, ``t_end``, ``dt``.
+    t_start, t_end, dt : float, optional
+        First and last time and step of the output.
+    inputs : Records, path or frame, optional
+        A record with a column for each input of the model.
+    noise : dict, optional
+        Standard deviation of white noise that is added, by state or output.
+    hold : dict, optional
+        How inputs go on after a sample: ``{"u": "zero"}``.
+    integrator : str, optional
+        Method, see ``list_parts("integrator")``.
+    seed, progress
+        As of `identify`.
+
+    Returns
+    -------
+    Simulation
+        ``.t``, ``.x``, ``.names``.
+
+    Raises
+    ------
+    NoAnswerError
+        The model has no finite solution as long as that.
+    DataError, ConfigError, ModelError, ArgumentError, FileError
+        With ``.where``, ``.problem`` and ``.remedy``.
+    """
+    arguments = {
+        **model_arguments(model),
+        **({} if inputs is None else input_arguments(inputs)),
+        "x0": ",".join(repr(float(value)) for value in x0),
+        "t_start": float(t_start),
+        "t_end": float(t_end),
+        "dt": dt,
+        "times": None if t is None else [float(time) for time in t],
+        "noise": [f"{name}={float(sd)!r}" for name, sd in (noise or {}).items()],
+        "integrator": integrator,
+    }
+    arguments["holds"] = [f"{name}={value}" for name, value in (hold or {}).items()]
+    orbit = called(_lacuna.simulate, arguments, seed, None, progress)
+    if orbit.problem:
+        raise NoAnswerError("simulate", orbit.problem, "end earlier or start elsewhere")
+    for text in orbit.notes:
+        warnings.warn(text, LacunaWarning, stacklevel=2)
+    return Simulation(orbit)
+
+
+def compare(
+    first: Any,
+    data: Any,
+    t: Any = None,
+    u: Any = None,
+    *,
+    integrator: str = "dopri5",
+    differentiator: str = "finite-differences",
+    progress: Progress = False,
+    **columns: Any,
+) -> Comparison:
+    """Compare a model with a record, or two records, as orbits of an attractor.
+
+    Parameters
+    ----------
+    first : Model, path or like data
+        The model (a path that ends in ``.ode`` or ``.json``), or a record of the same columns.
+    data, t, u, **columns
+        The other record, as of `identify`.
+    integrator, differentiator : str, optional
+        Methods by name.
+    progress
+        As of `identify`.
+
+    Returns
+    -------
+    Comparison
+        ``.measures``, each of both with its interval, ``.agree``.
+
+    Raises
+    ------
+    NoAnswerError
+        The model has no orbit as long as the record.
+    DataError, ConfigError, ModelError, ArgumentError, FileError
+        With ``.where``, ``.problem`` and ``.remedy``.
+    """
+    is_model = isinstance(first, Model | str | os.PathLike)
+    arguments = {
+        **(
+            bound(first, data, t, u, columns)
+            if is_model
+            else records_of(data, t, u, None, columns).arguments()
+        ),
+        **(
+            model_arguments(first)
+            if is_model
+            else records_of(first, t, u, None, columns).sources("first_paths", "first_tables")
+        ),
+        "integrator": integrator,
+        "differentiator": differentiator,
+    }
+    answer = called(_lacuna.compare, arguments, 1, None, progress)
+    if answer.failure:
+        raise NoAnswerError("compare", answer.failure, "shorten the record or mend the model")
+    return Comparison(answer, "lacuna.compare")
+
+
+def check(
+    data: Any,
+    t: Any = None,
+    u: Any = None,
+    *,
+    model: ModelLike | None = None,
+    differentiator: str = "finite-differences",
+    **columns: Any,
+) -> Check:
+    """Show what would be read: columns, roles, step, noise, what is odd.
+
+    Parameters
+    ----------
+    data, t, u, **columns
+        The records, as of `identify`.
+    model : Model or path, optional
+        Says the roles; slips of units, signs and columns are looked for.
+    differentiator : str, optional
+        How states without a column are made.
+
+    Returns
+    -------
+    Check
+        ``.records``, ``.columns``, ``.hints``, ``.notes``.
+
+    Raises
+    ------
+    DataError, ConfigError, ModelError, ArgumentError, FileError
+        With ``.where``, ``.problem`` and ``.remedy``.
+    """
+    if model is None:
+        arguments = records_of(data, t, u, None, columns).arguments()
+    else:
+        arguments = {**model_arguments(model), **bound(model, data, t, u, columns)}
+    arguments["differentiator"] = differentiator
+    return Check(called(_lacuna.check, arguments, 1, None, False), "lacuna.check")
+
+
+def export(model: ModelLike, format: str) -> str:
+    """Write a model as source text of another program.
+
+    Parameters
+    ----------
+    model : Model or path
+        The model.
+    format : str
+        c, cpp, latex, matlab, modelica, python, spice.
+
+    Raises
+    ------
+    ConfigError, ModelError
+        No such format; a model that the format has no way to write.
+    """
+    return as_model(model).export(format)
+
+
+def list_parts(kind: str = "") -> str:
+    """Every part by kind, with a sentence; of one kind where it is given.
+
+    Raises
+    ------
+    ConfigError
+        There is no such kind.
+    """
+    return _lacuna.list_parts(kind)
+
+
+def describe(name: str) -> str:
+    """The options of a part, a preset or a test system with units, ranges, defaults and source.
+
+    Raises
+    ------
+    ConfigError
+        Nothing has that name.
+    """
+    return _lacuna.describe(name)

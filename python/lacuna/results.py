@@ -1,0 +1,315 @@
+"""Answers as values: the numbers, the text, the pictures and the page of one call."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from . import _lacuna
+from .model import Model
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+class Fields(dict[str, Any]):
+    """A JSON object whose values are attributes too: ``result.validation.verdict``."""
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError:
+            raise AttributeError(f"there is no '{name}'; there are {', '.join(self)}") from None
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self})
+
+
+class Rows(list[Fields]):
+    """A list of JSON objects, for a table of which pandas is asked: ``trail.to_frame()``."""
+
+    def to_frame(self) -> Any:
+        """The rows as a pandas data frame; pandas has to be installed."""
+        import pandas
+
+        return pandas.DataFrame([dict(row) for row in self])
+
+
+def _as_values(value: Any) -> Any:
+    if isinstance(value, dict):
+        return Fields({name: _as_values(one) for name, one in value.items()})
+    if isinstance(value, list):
+        values = [_as_values(one) for one in value]
+        return Rows(values) if all(isinstance(one, Fields) for one in values) else values
+    return value
+
+
+class Result:
+    """What a call answers; its attributes have the names of the JSON.
+
+    Attributes
+    ----------
+    model : Model or None
+        What was identified, fitted, or the nominal model with what it lacks.
+    ok : bool
+        Whether the numbers allow an answer; the command's exit status is 0 then.
+    failure : str
+        Why they do not; empty where they do.
+    """
+
+    def __init__(self, answer: _lacuna.Answer | Shown, call: str) -> None:
+        self._answer = answer
+        self._call = call
+        self._values: Fields | None = None
+
+    @property
+    def model(self) -> Model | None:
+        """The model of the answer, where it has one."""
+        system = self._answer.model
+        return None if system is None else Model(system)
+
+    @property
+    def failure(self) -> str:
+        """Why the numbers do not allow an answer; empty where they do."""
+        return str(self._answer.failure)
+
+    @property
+    def ok(self) -> bool:
+        """Whether the numbers allow an answer."""
+        return not self.failure
+
+    def to_json(self) -> str:
+        """The answer as the command writes it with ``--json``, to the byte."""
+        return str(self._answer.json())
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as dictionaries and lists."""
+        values: dict[str, Any] = json.loads(self.to_json())
+        return values
+
+    def summary(self, full: bool = False) -> str:
+        """The text that the command prints; with ``full`` numbers have all their digits."""
+        return str(self._answer.text(full))
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> str:
+        """The answer with its pictures as one HTML page, written where a path is given."""
+        page = str(self._answer.html(self._call))
+        if path is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(page)
+        return page
+
+    def pictures(self) -> dict[str, str]:
+        """Every picture of the report as SVG, by name."""
+        return dict(self._answer.pictures())
+
+    def figures(self) -> dict[str, dict[str, Any]]:
+        """The numbers of every picture of the report, by name."""
+        return {figure["name"]: figure for figure in self._answer.figures()}
+
+    def plot(self, name: str | None = None, ax: Any = None) -> Any:
+        """Draw a picture of the report on matplotlib axes; the first one without a name.
+
+        Parameters
+        ----------
+        name : str, optional
+            One of ``figures()``.
+        ax : matplotlib axes, optional
+            Where; new ones where none are given.
+
+        Returns
+        -------
+        matplotlib axes
+        """
+        from .plot import draw
+
+        figures = self.figures()
+        if name is not None and name not in figures:
+            raise KeyError(f"there is no picture '{name}'; there are {', '.join(figures)}")
+        return draw(figures[name or next(iter(figures))], ax)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self._fields(), name)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._fields()})
+
+    def _fields(self) -> Fields:
+        if self._values is None:
+            self._values = _as_values(self.to_dict())
+        return self._values
+
+    def __str__(self) -> str:
+        return self.summary()
+
+    def __repr__(self) -> str:
+        return f"<lacuna.{type(self).__name__}\n{self.summary()}>"
+
+    def _repr_html_(self) -> str:
+        # A frame of its own: ids and styles of two answers on one page do not meet.
+        page = html.escape(self.report(), quote=True)
+        return (
+            f'<iframe srcdoc="{page}" title="lacuna {type(self).__name__}" '
+            'style="width:100%;height:30em;border:0" sandbox="allow-scripts"></iframe>'
+        )
+
+    def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+        answer = self._answer
+        return type(self), (answer if isinstance(answer, Shown) else Shown(answer), self._call)
+
+
+class _Modelled(Result):
+    """An answer that has a model."""
+
+    @property
+    def model(self) -> Model:
+        """The model of the answer."""
+        system = self._answer.model
+        assert system is not None
+        return Model(system)
+
+
+class Identification(_Modelled):
+    """What `identify` found; ``.trail`` has what became of every candidate term."""
+
+
+class Diagnosis(_Modelled):
+    """What `diagnose` found; ``.rivals`` has every account that was judged."""
+
+    def explain(self) -> str:
+        """Every account that was judged and the number that decided, for people."""
+        return str(self._answer.trail())
+
+
+class Fit(_Modelled):
+    """What `fit` found: ``.parameters`` with their intervals, ``.fit`` by channel."""
+
+
+class Sync(Result):
+    """How far a model that is driven by a record stays from it."""
+
+
+class _Unpictured(Result):
+    """An answer that has no page."""
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> str:
+        """Refuse: the command writes no page of this answer either."""
+        raise TypeError(f"{type(self).__name__} has no report; it has summary()")
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(self.summary())}</pre>"
+
+
+class Comparison(_Unpictured):
+    """Measures of two attractors beside one another."""
+
+
+class Check(_Unpictured):
+    """What would be read of records, and what is odd about them."""
+
+
+class Simulation:
+    """A solution of a model: states and outputs at times.
+
+    Attributes
+    ----------
+    t : array of shape (n,)
+        Times, in the model's unit.
+    x : array of shape (n, m)
+        States, and behind them outputs that are called otherwise.
+    names : list of str
+        Names of the columns of ``x``.
+    """
+
+    def __init__(self, orbit: Any) -> None:
+        self._orbit = orbit
+        self.names: list[str] = [name for name, _ in orbit.columns]
+        self.units: dict[str, str] = {name: unit for name, unit in orbit.columns if unit}
+        self.time_unit: str = orbit.time_unit
+
+    @property
+    def t(self) -> NDArray[np.float64]:
+        """Times."""
+        times: NDArray[np.float64] = self._orbit.time
+        return times
+
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """States, one column each."""
+        states: NDArray[np.float64] = self._orbit.states
+        return states
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        return self.x[:, self.names.index(name)]
+
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        return iter((self.t, self.x))
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def to_csv(self) -> str:
+        """The text that the command writes, to the byte."""
+        return str(self._orbit.csv())
+
+    def to_frame(self) -> Any:
+        """The columns as a pandas data frame with the time as index."""
+        import pandas
+
+        frame = pandas.DataFrame(self.x.copy(), columns=self.names)
+        frame.index = pandas.Index(self.t.copy(), name="t")
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def __repr__(self) -> str:
+        return f"<lacuna.Simulation of {', '.join(self.names)}: {len(self)} samples>"
+
+
+class Shown:
+    """An answer apart from the library: all that it is shown as, for another process."""
+
+    def __init__(self, answer: _lacuna.Answer) -> None:
+        self._json = answer.json()
+        self._texts = (answer.text(False), answer.text(True))
+        self._trail = answer.trail() if answer.has_trail else ""
+        self._page = answer.html("") if answer.has_page else ""
+        self._pictures = dict(answer.pictures())
+        self._figures = list(answer.figures())
+        self._model = None if answer.model is None else answer.model.to_json()
+        self.failure = answer.failure
+
+    @property
+    def model(self) -> _lacuna.SystemModel | None:
+        """The model, made again from its JSON."""
+        text = self._model
+        return None if text is None else _lacuna.SystemModel.from_json(text, "model")
+
+    def json(self) -> str:
+        """As `Answer.json`."""
+        return self._json
+
+    def text(self, full: bool) -> str:
+        """As `Answer.text`."""
+        return self._texts[full]
+
+    def trail(self) -> str:
+        """As `Answer.trail`."""
+        return self._trail
+
+    def html(self, call: str) -> str:
+        """As `Answer.html`."""
+        return self._page
+
+    def pictures(self) -> dict[str, str]:
+        """As `Answer.pictures`."""
+        return self._pictures
+
+    def figures(self) -> list[dict[str, Any]]:
+        """As `Answer.figures`."""
+        return self._figures

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/answers.hpp"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <functional>
+#include <memory>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "call.hpp"
+#include "core/base/utf8.hpp"
+#include "figures.hpp"
+#include "lacuna/data/formats/write.hpp"
+#include "lacuna/report/pages/diagnosis_report.hpp"
+#include "lacuna/report/pages/fit_report.hpp"
+#include "own_stages.hpp"
+#include "report/pages/pages.hpp"
+
+namespace lacuna::python {
+namespace {
+
+/// An answer in all the ways in which it is shown. What an answer cannot be shown as is empty.
+struct Answer {
+  std::function<std::string()> json;
+  std::function<std::string(bool full)> text;
+  std::function<Page()> page = {};
+  std::function<std::string()> trail = {};
+  std::optional<SystemModel> model = {};
+  std::vector<std::string> warnings = {};
+  std::string failure = {};  ///< why the numbers do not allow an answer; empty: they do
+};
+
+/// Keyword arguments by their names; each is there or has its default.
+class Given {
+ public:
+  explicit Given(nb::dict values) : values_(std::move(values)) {}
+
+  template <class Value>
+  void take(const char* name, Value& value) const {
+    if (values_.contains(name)) value = nb::cast<Value>(values_[name]);
+  }
+
+  /// One by one, as a caster of a vector must not run out of memory.
+  void take(const char* name, std::vector<Table>& tables) const {
+    if (!values_.contains(name)) return;
+    for (const nb::handle table : nb::cast<nb::list>(values_[name]))
+      tables.push_back(nb::cast<const Table&>(table));
+  }
+
+  bool has(const char* name) const { return values_.contains(name); }
+
+ private:
+  nb::dict values_;
+};
+
+CallOptions call_options(const Given& given) {
+  CallOptions options;
+  given.take("seed", options.seed);
+  given.take("threads", options.threads);
+  given.take("progress", options.progress);
+  return options;
+}
+
+void take_data(const Given& given, cli::DataOptions& data) {
+  given.take("paths", data.paths);
+  given.take("tables", data.tables);
+  given.take("time", data.time);
+  given.take("time_unit", data.time_unit);
+  given.take("trajectory", data.trajectory);
+  given.take("step", data.step);
+  given.take("states", data.states);
+  given.take("inputs", data.inputs);
+  given.take("derivatives", data.derivatives);
+  given.take("embed", data.embed);
+  given.take("holds", data.holds);
+  given.take("names", data.names);
+}
+
+void take_held_out(const Given& given, cli::RecordSources& sources) {
+  given.take("held_out_paths", sources.paths);
+  given.take("held_out_tables", sources.tables);
+}
+
+void take_model(const Given& given, cli::ModelSource& model) {
+  given.take("model", model.given);
+  given.take("model_path", model.path);
+}
+
+Answer identify(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::IdentifyRequest request;
+  take_data(given, request.data);
+  take_held_out(given, request.held_out);
+  given.take("preset", request.preset);
+  given.take("config", request.config);
+  given.take("config_text", request.config_text);
+  given.take("terms", request.terms);
+  given.take("degree", request.degree);
+  given.take("hidden", request.hidden);
+  given.take("set", request.assignments);
+  given.take("equations", request.equations);
+  given.take("add", request.added);
+  given.take("constraints", request.constraints);
+  given.take("discrete", request.discrete);
+  given.take("integrator", request.integrator);
+  given.take("memory", request.memory);
+  if (given.has("own_basis")) {
+    std::optional<WrittenBasis> basis;
+    given.take("own_basis", basis);
+    request.basis.emplace(*basis);
+  }
+  if (given.has("own_regressor")) {
+    std::optional<WrittenRegressor> regressor;
+    given.take("own_regressor", regressor);
+    request.regressor.emplace(*regressor);
+  }
+  auto found = std::make_shared<const cli::IdentifyAnswer>(
+      call(call_options(given), [request = std::move(request)](const RunContext& context) {
+        return cli::answer(registry(), request, context);
+      }));
+  Answer answer{
+      [found] { return format_json(found->report); },
+      [found](bool full) { return text_of(*found, full); },
+      [found] { return identification_page(found->report, found->records.excerpt()); }};
+  answer.model.emplace(found->report.result.model);
+  answer.warnings = found->report.result.warnings;
+  if (!found->found()) answer.failure = "no equation was found";
+  return answer;
+}
+
+Answer diagnose(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::DiagnoseRequest request;
+  take_model(given, request.model);
+  take_data(given, request.data);
+  take_held_out(given, request.held_out);
+  given.take("limits", request.limits);
+  given.take("effects", request.effects);
+  given.take("tolerances", request.tolerances);
+  given.take("set", request.assignments);
+  given.take("differentiator", request.differentiator);
+  given.take("config", request.config);
+  given.take("max_effects", request.max_effects);
+  given.take("fill_gap", request.fill_gap);
+  std::vector<WrittenEffect> own;
+  given.take("own_effects", own);
+  for (WrittenEffect& effect : own) request.own_effects.emplace_back(std::move(effect));
+  auto found = std::make_shared<const cli::DiagnoseAnswer>(
+      call(call_options(given), [request = std::move(request)](const RunContext& context) {
+        return cli::answer(registry(), request, context);
+      }));
+  Answer answer{[found] { return format_json(found->diagnosis); },
+                [found](bool) { return text_of(*found); },
+                [found] { return diagnosis_page(found->diagnosis); },
+                [found] { return format_trail(found->diagnosis); }};
+  answer.model.emplace(found->diagnosis.augmented);
+  return answer;
+}
+
+Answer fit(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::FitRequest request;
+  take_model(given, request.model);
+  take_data(given, request.data);
+  take_held_out(given, request.held_out);
+  given.take("start_samples", request.fit.window);
+  given.take("ahead", request.fit.prediction);
+  given.take("restarts", request.fit.restarts);
+  auto found = std::make_shared<const Fit>(
+      call(call_options(given), [request = std::move(request)](const RunContext& context) {
+        return cli::answer(request, context);
+      }));
+  Answer answer{[found] { return format_json(*found); },
+                [found](bool) { return format_text(*found); },
+                [found] { return fit_page(*found); }};
+  answer.model.emplace(found->model);
+  if (!found->converged) answer.failure = "the fit did not converge";
+  return answer;
+}
+
+Answer sync(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::SyncRequest request;
+  take_model(given, request.model);
+  take_data(given, request.data);
+  given.take("coupling", request.coupling);
+  given.take("integrator", request.integrator);
+  given.take("differentiator", request.differentiator);
+  auto found = std::make_shared<const cli::SyncAnswer>(
+      call(call_options(given), [request = std::move(request)](const RunContext& context) {
+        return cli::answer(registry(), request, context);
+      }));
+  Answer answer{[found] { return format_json(found->report); },
+                [found](bool) { return text_of(*found); },
+                [found] { return sync_page(found->report, found->data); }};
+  answer.failure = failure_of(*found);
+  return answer;
+}
+
+Answer compare(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::CompareRequest request;
+  take_model(given, request.model);
+  take_data(given, request.data);
+  given.take("first_tables", request.first.tables);
+  given.take("integrator", request.integrator);
+  given.take("differentiator", request.differentiator);
+  auto found = std::make_shared<const cli::CompareAnswer>(
+      call(call_options(given), [request = std::move(request)](const RunContext& context) {
+        return cli::answer(registry(), request, context);
+      }));
+  Answer answer{[found] { return format_json(found->report); },
+                [found](bool) { return format_text(found->report); }};
+  answer.failure = found->problem;
+  return answer;
+}
+
+Answer check(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::CheckRequest request;
+  take_data(given, request.data);
+  given.take("differentiator", request.differentiator);
+  if (given.has("model") || given.has("model_path")) take_model(given, request.model.emplace());
+  auto found = std::make_shared<const DataSummary>(
+      call(call_options(given), [request = std::move(request)](const RunContext&) {
+        return cli::answer(registry(), request);
+      }));
+  return {[found] { return format_json(*found); },
+          [found](bool) { return format_text(*found); }};
+}
+
+/// What was simulated, as a record.
+struct SimulatedOrbit {
+  std::shared_ptr<const cli::SimulateAnswer> answer;
+
+  const Trajectory& record() const { return answer->data.trajectories.front(); }
+};
+
+SimulatedOrbit simulate(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::SimulateRequest request;
+  take_model(given, request.model);
+  take_data(given, request.data);
+  given.take("x0", request.x0);
+  given.take("t_start", request.t_start);
+  given.take("t_end", request.t_end);
+  given.take("dt", request.step);
+  given.take("input_paths", request.inputs.paths);
+  given.take("input_tables", request.inputs.tables);
+  given.take("input_time", request.input_time);
+  given.take("noise", request.noise);
+  given.take("integrator", request.integrator);
+  if (given.has("times")) {
+    std::vector<double> times;
+    given.take("times", times);
+    request.times = Eigen::Map<const Vector>(times.data(), static_cast<Index>(times.size()));
+  }
+  return {std::make_shared<const cli::SimulateAnswer>(
+      call(call_options(given), [request = std::move(request)](const RunContext& context) {
+        return cli::answer(registry(), request, context);
+      }))};
+}
+
+std::vector<std::pair<std::string, std::string>> columns_of(const SimulatedOrbit& orbit) {
+  std::vector<std::pair<std::string, std::string>> columns;
+  for (const Quantity& state : orbit.answer->data.states)
+    columns.emplace_back(state.name, state.unit);
+  return columns;
+}
+
+std::string html_of(const Answer& answer, const std::string& command) {
+  Page page = answer.page();
+  page.command = command;
+  return format_html(page);
+}
+
+/// Name and SVG of every picture of the report.
+std::vector<std::pair<std::string, std::string>> pictures(const Answer& answer) {
+  std::vector<std::pair<std::string, std::string>> result;
+  if (!answer.page) return result;
+  for (const Picture& picture : pictures_of(answer.page()))
+    result.emplace_back(picture.name, stand_alone(picture));
+  return result;
+}
+
+}  // namespace
+
+void bind_answers(nb::module_& module) {
+  nb::class_<Answer>(module, "Answer", "What a command answers, in the ways it shows it.")
+      .def("json", [](const Answer& self) { return self.json(); })
+      .def(
+          "text", [](const Answer& self, bool full) { return printable(self.text(full)); },
+          nb::arg("full"))
+      .def("html", &html_of, nb::arg("command"))
+      .def("pictures", &pictures)
+      .def(
+          "figures",
+          [](const Answer& self) { return self.page ? figures_of(self.page()) : nb::list(); },
+          nb::sig("def figures(self) -> list[dict[str, typing.Any]]"))
+      .def_prop_ro("has_page", [](const Answer& self) { return self.page != nullptr; })
+      .def_prop_ro("has_trail", [](const Answer& self) { return self.trail != nullptr; })
+      .def("trail", [](const Answer& self) { return printable(self.trail()); })
+      .def_ro("model", &Answer::model)
+      .def_ro("warnings", &Answer::warnings)
+      .def_ro("failure", &Answer::failure);
+  nb::class_<SimulatedOrbit>(module, "Orbit", "What was simulated.")
+      .def_prop_ro("time",
+                   [](const SimulatedOrbit& self) {
+                     const Vector& time = self.record().time;
+                     return view_of(self, time.data(), time.size());
+                   })
+      .def_prop_ro("states",
+                   [](const SimulatedOrbit& self) {
+                     const Matrix& states = self.record().states;
+                     return view_of(self, states.data(), states.rows(), states.cols());
+                   })
+      .def_prop_ro("columns", &columns_of)
+      .def_prop_ro("time_unit",
+                   [](const SimulatedOrbit& self) { return self.answer->data.time_unit; })
+      .def_prop_ro("notes", [](const SimulatedOrbit& self) { return self.answer->notes; })
+      .def_prop_ro("problem", [](const SimulatedOrbit& self) { return self.answer->problem; })
+      .def("csv", [](const SimulatedOrbit& self) { return format_csv(self.answer->data); });
+  module.def("identify", &identify, nb::arg("arguments"),
+             nb::sig("def identify(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("diagnose", &diagnose, nb::arg("arguments"),
+             nb::sig("def diagnose(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("fit", &fit, nb::arg("arguments"),
+             nb::sig("def fit(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("sync", &sync, nb::arg("arguments"),
+             nb::sig("def sync(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("compare", &compare, nb::arg("arguments"),
+             nb::sig("def compare(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("check", &check, nb::arg("arguments"),
+             nb::sig("def check(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("simulate", &simulate, nb::arg("arguments"),
+             nb::sig("def simulate(arguments: dict[str, typing.Any]) -> Orbit"));
+}
+
+}  // namespace lacuna::python

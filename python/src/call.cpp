@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "call.hpp"
+
+#include <nanobind/stl/string.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace lacuna::python {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kLook = 20ms;       ///< from one look at Python's signals to the next
+constexpr auto kPatience = 500ms;  ///< after an interrupt; a call has to end within a second
+
+/// What the two threads of a call share.
+struct Exchange {
+  std::mutex mutex;
+  std::condition_variable ended;
+  bool has_ended = false;
+  std::exception_ptr error;
+  std::string activity;
+  double fraction = 0.0;
+  bool is_new = false;  ///< progress since it was passed on
+
+  template <class Duration>
+  bool wait(Duration duration) {
+    const nb::gil_scoped_release release;
+    std::unique_lock lock(mutex);
+    return ended.wait_for(lock, duration, [this] { return has_ended; });
+  }
+};
+
+/// Work that nobody waits for any more.
+struct Abandoned {
+  std::mutex mutex;
+  std::condition_variable changed;
+  int count = 0;
+
+  void add(int change) {
+    const std::lock_guard lock(mutex);
+    count += change;
+    changed.notify_all();
+  }
+};
+
+Abandoned& abandoned() {
+  static auto* const instance = new Abandoned;  // threads may outlive static objects
+  return *instance;
+}
+
+void pass_on_progress(Exchange& exchange, const nb::object& progress) {
+  std::string activity;
+  double fraction = 0.0;
+  {
+    const std::lock_guard lock(exchange.mutex);
+    if (!exchange.is_new) return;
+    activity = exchange.activity;
+    fraction = exchange.fraction;
+    exchange.is_new = false;
+  }
+  progress(activity, fraction);
+}
+
+RunContext make_context(const CallOptions& options, const std::shared_ptr<Exchange>& exchange,
+                        std::stop_token stop) {
+  RunContext context;
+  context.stop = std::move(stop);
+  context.seed = options.seed;
+  context.threads = options.threads;
+  if (options.progress.is_none()) return context;
+  context.progress = [exchange](const Progress& progress) {
+    const std::lock_guard lock(exchange->mutex);
+    exchange->activity = progress.activity;
+    exchange->fraction = progress.fraction;
+    exchange->is_new = true;
+  };
+  return context;
+}
+
+void work_and_tell(const std::function<void(const RunContext&)>& work,
+                   const RunContext& context, Exchange& exchange) {
+  std::exception_ptr error;
+  try {
+    work(context);
+  } catch (...) {
+    error = std::current_exception();
+  }
+  const std::lock_guard lock(exchange.mutex);
+  exchange.error = error;
+  exchange.has_ended = true;
+  exchange.ended.notify_all();
+}
+
+/// Looks at signals and progress until the work has ended.
+/// @throws nb::python_error of a signal handler or of the progress function.
+void watch(Exchange& exchange, const nb::object& progress) {
+  while (!exchange.wait(kLook)) {
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    if (!progress.is_none()) pass_on_progress(exchange, progress);
+  }
+}
+
+}  // namespace
+
+void run_interruptible(const CallOptions& options,
+                       std::function<void(const RunContext& context)> work) {
+  auto exchange = std::make_shared<Exchange>();
+  std::stop_source stop;
+  RunContext context = make_context(options, exchange, stop.get_token());
+  abandoned().add(1);  // until it is seen to end
+  std::thread worker(
+      [exchange, context = std::move(context), work = std::move(work)]() mutable {
+        work_and_tell(work, context, *exchange);
+        work = nullptr;  // what it keeps alive goes first
+        exchange.reset();
+        abandoned().add(-1);
+      });
+  try {
+    watch(*exchange, options.progress);
+  } catch (...) {
+    stop.request_stop();
+    if (exchange->wait(kPatience)) {
+      const nb::gil_scoped_release release;
+      worker.join();
+    } else {
+      worker.detach();
+    }
+    throw;
+  }
+  {
+    const nb::gil_scoped_release release;
+    worker.join();
+  }
+  if (exchange->error) std::rethrow_exception(exchange->error);
+}
+
+void wait_for_abandoned_work() {
+  const nb::gil_scoped_release release;
+  std::unique_lock lock(abandoned().mutex);
+  abandoned().changed.wait(lock, [] { return abandoned().count == 0; });
+}
+
+}  // namespace lacuna::python

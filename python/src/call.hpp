@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Long calls: the interpreter goes on, Ctrl-C ends them, progress is passed on.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "lacuna/core/base/run_context.hpp"
+
+namespace lacuna::python {
+
+namespace nb = nanobind;
+
+/// How a call runs: seed, threads, and who is told how far it is (None, or a function of an
+/// activity and a fraction).
+struct CallOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  nb::object progress = nb::none();
+};
+
+/// Runs work in a thread of its own without the interpreter's lock while this one looks at
+/// Python's signals. After an interrupt work is asked to stop; where it has not ended half a
+/// second later it is left to end by itself, and nothing of its result is seen.
+/// @param work keeps all that it uses alive itself.
+/// @throws nb::python_error of a signal handler; what work throws.
+void run_interruptible(const CallOptions& options,
+                       std::function<void(const RunContext& context)> work);
+
+/// Waits for work that was left to end by itself: before the interpreter goes away.
+void wait_for_abandoned_work();
+
+/// The value of work that runs so.
+template <class Work>
+auto call(const CallOptions& options, Work work) {
+  using Result = decltype(work(std::declval<const RunContext&>()));
+  auto result = std::make_shared<std::optional<Result>>();
+  run_interruptible(options, [result, work = std::move(work)](const RunContext& context) {
+    result->emplace(work(context));
+  });
+  return std::move(**result);
+}
+
+}  // namespace lacuna::python

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The extension module lacuna._lacuna. Python adds no mathematics: what is here hands arguments
+// to the library and values back.
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "bindings.hpp"
+#include "call.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/records/table.hpp"
+
+namespace lacuna::python {
+namespace {
+
+using Column = nb::ndarray<const double, nb::ndim<1>, nb::device::cpu>;
+
+/// Raises lacuna.errors.NAME(where, problem, remedy).
+void raise(const char* name, const Error& error) {
+  const nb::object type = nb::module_::import_("lacuna.errors").attr(name);
+  const nb::object value = type(error.where(), error.problem(), error.remedy());
+  PyErr_SetObject(type.ptr(), value.ptr());
+}
+
+void translate(const std::exception_ptr& thrown, void*) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const DataError& error) {
+    raise("DataError", error);
+  } catch (const ConfigError& error) {
+    raise("ConfigError", error);
+  } catch (const ModelError& error) {
+    raise("ModelError", error);
+  } catch (const ArgumentError& error) {
+    raise("ArgumentError", error);
+  } catch (const FileError& error) {
+    raise("FileError", error);
+  } catch (const Error& error) {
+    raise("Error", error);
+  }
+}
+
+/// A table with names from headers such as "x [V]"; a unit that is given goes before.
+Table make_table(std::string source, const std::vector<std::string>& headers,
+                 const std::vector<std::string>& units, Index rows) {
+  Table table;
+  table.source = std::move(source);
+  std::vector<Quantity> columns;
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    columns.push_back(split_header(headers[i]));
+    if (!units.at(i).empty()) columns.back().unit = units[i];
+  }
+  table.values.resize(rows, static_cast<Index>(columns.size()));
+  name_columns(table, columns, std::nullopt);
+  return table;
+}
+
+void fill(Table& table, Index column, const Column& values) {
+  if (column < 0 || column >= table.values.cols() ||
+      static_cast<Index>(values.shape(0)) != table.values.rows())
+    throw ArgumentError(table.source, "the columns have different numbers of values",
+                        "give arrays of one length");
+  const auto view = values.view();
+  for (Index i = 0; i < table.values.rows(); ++i)
+    table.values(i, column) = view(static_cast<std::size_t>(i));
+}
+
+std::vector<std::string> names_of_columns(const Table& table) {
+  return names_of(table.columns);
+}
+
+}  // namespace
+
+const Registry& registry() {
+  static const Registry instance = default_registry();
+  return instance;
+}
+
+void bind_errors(nb::module_&) { nb::register_exception_translator(translate); }
+
+void bind_tables(nb::module_& module) {
+  nb::class_<Table>(module, "Table", "Columns of numbers with names and units, rows x columns.")
+      .def(nb::new_(&make_table), nb::arg("source"), nb::arg("headers"), nb::arg("units"),
+           nb::arg("rows"))
+      .def("fill", &fill, nb::arg("column"), nb::arg("values"),
+           "Copy an array of any strides into one column.")
+      .def_prop_ro("names", &names_of_columns, "Names of the columns as the library has them.");
+}
+
+}  // namespace lacuna::python
+
+NB_MODULE(_lacuna, module) {
+  using namespace lacuna::python;
+  module.doc() = "The library in process: arguments in, values out.";
+  bind_errors(module);
+  bind_tables(module);
+  bind_model(module);
+  bind_stages(module);
+  bind_answers(module);
+  module.def("wait_for_abandoned_work", &wait_for_abandoned_work,
+             "Wait for calls that were interrupted and have not ended yet.");
+  module.attr("version") = LACUNA_VERSION;
+  module.attr("back_ends") = LACUNA_BACK_ENDS;
+  module.attr("compiler") = LACUNA_COMPILER;
+}

@@ -1,0 +1,194 @@
+"""Calls let the interpreter go on, end by Ctrl-C within a second, and leave it whole."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from multiprocessing import get_context
+from typing import Any
+
+import numpy as np
+import pytest
+
+import lacuna
+
+pytestmark = pytest.mark.filterwarnings("ignore::lacuna.LacunaWarning")
+
+
+@pytest.fixture(scope="module")
+def long_record() -> lacuna.Records:
+    """A record that identify works on for longer than a test waits."""
+    t = np.arange(60_000) * 0.01
+    run = lacuna.simulate("lorenz", [1, 1, 20], t)
+    noisy = run.x + 0.05 * np.random.default_rng(1).normal(size=run.x.shape)
+    return lacuna.Records(noisy, t, states=["x", "y", "z"])
+
+
+def interrupted(call: Any, after: float) -> float:
+    """Seconds from Ctrl-C to the end of a call."""
+    sent = [0.0]
+
+    def interrupt() -> None:
+        sent[0] = time.monotonic()
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(after, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        call()
+    timer.join()
+    return time.monotonic() - sent[0]
+
+
+@pytest.mark.parametrize("after", [0.05, 0.4])
+def test_an_interrupt_ends_a_call_within_a_second(
+    long_record: lacuna.Records, after: float, samples: tuple[np.ndarray, np.ndarray]
+) -> None:
+    assert interrupted(lambda: lacuna.identify(long_record, preset="robust"), after) < 1.0
+    t, x = samples
+    assert lacuna.check(x, t).records[0].rows == 400  # what comes after works
+
+
+def test_an_interrupt_ends_an_evaluation() -> None:
+    model = lacuna.Model.load("lorenz")
+    many = np.zeros((5_000_000, 3))
+
+    def evaluate() -> None:
+        while True:
+            model(0.0, many)
+
+    assert interrupted(evaluate, 0.2) < 1.0
+
+
+def test_other_threads_go_on_during_a_call(long_record: lacuna.Records) -> None:
+    counted = [0]
+    stop = threading.Event()
+
+    def count() -> None:
+        while not stop.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    other = threading.Thread(target=count)
+    other.start()
+    interrupted(lambda: lacuna.identify(long_record, preset="robust"), 0.5)
+    stop.set()
+    other.join()
+    assert counted[0] > 50
+
+
+def test_calls_in_threads_give_the_same(samples: tuple[np.ndarray, np.ndarray]) -> None:
+    t, x = samples
+    alone = lacuna.identify(x, t, preset="sindy").to_json()
+    found: list[str] = []
+    workers = [
+        threading.Thread(
+            target=lambda: found.append(lacuna.identify(x, t, preset="sindy").to_json())
+        )
+        for _ in range(4)
+    ]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert found == [alone] * 4
+
+
+def test_progress_is_told(samples: tuple[np.ndarray, np.ndarray]) -> None:
+    told: list[tuple[str, float]] = []
+    t, x = samples
+    wide = lacuna.Records(np.tile(x, (60, 1)), np.arange(60 * len(t)) * 0.05)
+    lacuna.identify(wide, preset="robust", progress=lambda what, share: told.append((what, share)))
+    assert told
+    assert all(0.0 <= share <= 1.0 for _, share in told)
+    assert any(what for what, _ in told)
+    lacuna.identify(x, t, preset="sindy", progress=True)
+
+
+def test_an_error_of_the_progress_function_ends_the_call(long_record: lacuna.Records) -> None:
+    def refuse(activity: str, fraction: float) -> None:
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        lacuna.identify(long_record, preset="robust", progress=refuse)
+
+
+def test_threads_do_not_change_an_answer(samples: tuple[np.ndarray, np.ndarray]) -> None:
+    t, x = samples
+    answers = {lacuna.identify(x, t, degree=2, threads=n).to_json() for n in (1, 2, 5)}
+    assert len(answers) == 1
+
+
+def test_a_forked_process_answers(samples: tuple[np.ndarray, np.ndarray]) -> None:
+    t, x = samples
+    here = lacuna.check(x, t).to_json()
+    child = os.fork()
+    if child == 0:
+        os._exit(0 if lacuna.check(x, t).to_json() == here else 1)
+    assert os.waitpid(child, 0)[1] == 0
+
+
+def _identified(x: np.ndarray, t: np.ndarray) -> lacuna.Model | None:
+    return lacuna.identify(x, t, preset="sindy").model
+
+
+def test_spawned_processes_answer(samples: tuple[np.ndarray, np.ndarray]) -> None:
+    t, x = samples
+    with get_context("spawn").Pool(2) as pool:
+        models = pool.starmap(_identified, [(x, t), (x, t)])
+    assert models == [_identified(x, t)] * 2
+
+
+def test_the_interpreter_ends_while_a_call_is_left_to_itself() -> None:
+    script = """
+import os, signal, threading, lacuna, numpy as np
+t = np.arange(40000) * 0.01
+x = np.random.default_rng(1).normal(size=(len(t), 3))
+threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    lacuna.identify(x, t, preset="robust", degree=4)
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=60
+    )
+    assert (done.returncode, done.stdout) == (0, "interrupted\n"), done.stderr
+
+
+def test_want_of_memory_is_a_memory_error() -> None:
+    script = """
+import resource, lacuna, numpy as np
+x = np.zeros((2_000_000, 3))
+resource.setrlimit(resource.RLIMIT_DATA, (220 << 20, 220 << 20))
+try:
+    lacuna.check(x, 0.1)
+except MemoryError:
+    print("no memory")
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=60
+    )
+    assert (done.returncode, done.stdout) == (0, "no memory\n"), done.stderr
+
+
+def test_nothing_is_kept_over_a_thousand_calls(samples: tuple[np.ndarray, np.ndarray]) -> None:
+    t, x = samples
+    model = lacuna.Model.load("lorenz")
+
+    def calls(count: int) -> int:
+        for _ in range(count):
+            lacuna.check(x[:40], t[:40]).to_json()
+            model(0.0, [1.0, 2.0, 3.0])
+            lacuna.Stlsq(threshold=0.2)
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[1])
+
+    calls(100)
+    before = calls(100)
+    assert calls(1000) - before < 500  # pages: 2 MB
+    assert sys.getrefcount(None) > 0

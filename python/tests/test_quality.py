@@ -1,0 +1,139 @@
+"""Types, style and stubs; what an import and a call cost."""
+
+from __future__ import annotations
+
+import ast
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import PROGRAM, ROOT
+
+import lacuna
+from lacuna import _lacuna
+
+SAMPLES = 10_000
+
+
+def run(*arguments: str, folder: Path = ROOT) -> str:
+    done = subprocess.run(
+        [sys.executable, "-m", *arguments], capture_output=True, text=True, cwd=folder, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_types_are_strict() -> None:
+    settings = ["mypy", "--config-file", str(ROOT / "pyproject.toml")]
+    run(*settings, "-p", "lacuna", folder=ROOT / "build")
+    run(*settings, ".", folder=ROOT / "python/tests")
+
+
+def test_style_is_kept() -> None:
+    run("ruff", "check", "python", "examples/notebooks")
+    run("ruff", "format", "--check", "python")
+
+
+def names_in(body: list[ast.stmt]) -> set[str]:
+    """What a stub names, without what Python itself calls."""
+    functions = {node.name for node in body if isinstance(node, ast.FunctionDef | ast.ClassDef)}
+    values = {
+        node.target.id
+        for node in body
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name)
+    }
+    return {name for name in functions | values if not name.startswith("__")}
+
+
+def test_stubs_name_what_the_extension_has() -> None:
+    """(mypy's stubtest takes no function of nanobind for one.)"""
+    stub = ast.parse(Path(_lacuna.__file__).with_name("_lacuna.pyi").read_text())
+    assert names_in(stub.body) == {name for name in dir(_lacuna) if not name.startswith("__")}
+    for node in stub.body:
+        if isinstance(node, ast.ClassDef):
+            kind = getattr(_lacuna, node.name)
+            assert names_in(node.body) == {name for name in vars(kind) if not name.startswith("__")}
+
+
+def test_files_are_small() -> None:
+    sources = sorted((ROOT / "python").rglob("*.py"))
+    assert len(sources) > 20
+    for path in sources:
+        assert len(path.read_text().splitlines()) <= 450, path
+
+
+def test_every_public_name_has_a_docstring() -> None:
+    for name in lacuna.__all__:
+        assert (getattr(lacuna, name).__doc__ or "").strip(), name
+    for name in ("identify", "diagnose", "fit", "sync", "simulate", "compare", "check"):
+        text = str(getattr(lacuna, name).__doc__)
+        for heading in ("Parameters", "Returns", "Raises"):
+            assert heading in text, (name, heading)
+
+
+def test_an_import_takes_less_than_a_sixth_of_a_second() -> None:
+    """By the interpreter's own account of what it did after it had started."""
+    script = "import time; t = time.process_time(); import lacuna; print(time.process_time() - t)"
+    times = [
+        float(subprocess.run([sys.executable, "-c", script], capture_output=True, text=True,
+                             check=True).stdout)
+        for _ in range(5)
+    ]  # fmt: skip
+    assert min(times) < 0.15
+
+
+@pytest.mark.filterwarnings("ignore::lacuna.LacunaWarning")
+def test_arrays_and_answers_cost_little_of_a_call() -> None:
+    """What Python adds to identify on 10 000 x 3: at most 5 % of its time."""
+    t = np.arange(SAMPLES) * 0.01
+    x = lacuna.simulate("lorenz", [1, 1, 20], t).x
+    begin = time.process_time()
+    found = lacuna.identify(x, t, threads=1)
+    whole = time.process_time() - begin
+    begin = time.process_time()
+    lacuna.Records(x, t)
+    assert found.to_json()
+    assert time.process_time() - begin < 0.05 * whole
+
+
+def peak(*arguments: str) -> float:
+    """Largest memory of a process that does this, in MB."""
+    process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = status
+    assert status == 0
+    return usage.ru_maxrss / 1024
+
+
+def test_an_array_takes_little_memory_beside_the_call(tmp_path: Path) -> None:
+    """Beyond what each program takes by itself, at most 10 MB more than the command takes."""
+    t = np.arange(SAMPLES) * 0.01
+    file = tmp_path / "record.npy"
+    np.save(file, np.column_stack([t, lacuna.simulate("lorenz", [1, 1, 20], t).x]))
+    script = f"import lacuna, numpy as np; a = np.load({str(file)!r}); t, x = a[:, 0], a[:, 1:]"
+    call = "; lacuna.identify(x, t, preset='sindy', threads=1)"
+    added = peak(sys.executable, "-W", "ignore", "-c", script + call) - peak(
+        sys.executable, "-c", script
+    )
+    command = [PROGRAM, "identify", str(file), "--preset", "sindy", "--threads", "1"]
+    assert added < peak(*command) - peak(PROGRAM, "--version") + 10
+
+
+def test_evaluations_cost_what_they_cost_the_library() -> None:
+    """A call of a million rows has no work but the library's: a thousandth of it in a row."""
+    model = lacuna.Model.load("lorenz")
+    rows = np.random.default_rng(1).normal(size=(1_000_000, 3))
+
+    def seconds(array: np.ndarray) -> float:
+        begin = time.process_time()
+        model(0.0, array)
+        return time.process_time() - begin
+
+    model(0.0, rows[:10])
+    million = min(seconds(rows) for _ in range(3))
+    thousand = min(seconds(rows[:1000]) for _ in range(50))
+    assert million < 1.5 * 1000 * thousand

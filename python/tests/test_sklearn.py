@@ -1,0 +1,124 @@
+"""The estimator keeps to the conventions of scikit-learn."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from sklearn.base import clone
+from sklearn.model_selection import GridSearchCV, TimeSeriesSplit
+from sklearn.pipeline import make_pipeline
+from sklearn.preprocessing import StandardScaler
+from sklearn.utils.estimator_checks import estimator_checks_generator
+
+import lacuna
+from lacuna.sklearn import ODERegressor
+
+Samples = tuple[np.ndarray, np.ndarray]
+pytestmark = pytest.mark.filterwarnings("ignore::lacuna.LacunaWarning")
+
+# Checks that make no sense for equations of motion, with the reason.
+SENSELESS = {
+    "check_regressors_train": "wants a target that does not fit refused; the target is not used",
+    "check_supervised_y_2d": "wants a warning about the target, which is not used",
+    "check_supervised_y_no_nan": "wants a target that is not finite refused; it is not used",
+    "check_array_api_input": "arrays are those of NumPy, whatever SciPy is set to",
+}
+
+
+@pytest.fixture
+def fast() -> ODERegressor:
+    return ODERegressor(preset="sindy", degree=1, t_default=20 / 399, threads=1)
+
+
+CHECKS = list(estimator_checks_generator(ODERegressor(preset="sindy", degree=1, threads=1)))
+
+
+@pytest.mark.parametrize(
+    ("estimator", "check"),
+    [
+        pytest.param(estimator, check, id=check.func.__name__)
+        for estimator, check in CHECKS
+        if check.func.__name__ not in SENSELESS
+    ],
+)
+def test_checks_of_scikit_learn(
+    estimator: ODERegressor, check: Callable[[ODERegressor], None]
+) -> None:
+    check(estimator)
+
+
+def test_checks_that_make_no_sense_are_checks() -> None:
+    assert SENSELESS.keys() <= {check.func.__name__ for _, check in CHECKS}
+
+
+def test_the_equations_are_found(fast: ODERegressor, samples: Samples) -> None:
+    t, x = samples
+    fast.set_params(feature_names=["x", "v"]).fit(x, t=t)
+    assert fast.n_features_in_ == 2
+    assert fast.model_.terms["v"] == pytest.approx({"x": -4.01, "v": -0.2}, rel=0.02)
+    assert fast.score(x, t=t) > 0.999
+    np.testing.assert_allclose(fast.predict(x), fast.model_(0.0, x))
+    run = fast.simulate(x[0], t)
+    np.testing.assert_allclose(run, x, atol=0.05)
+    assert fast.get_feature_names() == ["v", "x"]
+    assert fast.coefficients().shape == (2, 2)
+    assert len(fast.equations()) == 2
+
+
+def test_printed_equations_are_short(
+    fast: ODERegressor, samples: Samples, capsys: pytest.CaptureFixture[str]
+) -> None:
+    t, x = samples
+    fast.fit(x, t=t).print(precision=2)
+    assert capsys.readouterr().out.startswith("dx0/dt = ")
+
+
+def test_inputs_and_records_are_taken(fast: ODERegressor) -> None:
+    t = np.arange(0, 10, 0.02)
+    u = np.sin(t)
+    truth = lacuna.Model.from_text("input u\ndx/dt = -2*x + 3*u")
+    record = lacuna.Records({"t": t, "u": u}, "t")
+    x = lacuna.simulate(truth, [1.0], t, inputs=record).x
+    fast.fit([x[:250], x[250:]], t=[t[:250], t[250:]], u=[u[:250], u[250:]])
+    assert fast.model_.terms["x0"] == pytest.approx({"x0": -2, "u0": 3}, rel=1e-3)
+    np.testing.assert_allclose(fast.simulate(x[0], t, u[:, None]), x, atol=1e-3)
+    assert fast.score(x, t=t, u=u[:, None]) > 0.999
+
+
+def test_a_map_is_found() -> None:
+    x = lacuna.simulate(lacuna.Model.from_text("x[n+1] = 3.7*x - 3.7*x^2"), [0.3], t_end=200).x
+    fit = ODERegressor(degree=2, discrete_time=True).fit(x)
+    assert fit.model_.terms["x0"] == pytest.approx({"x0": 3.7, "x0^2": -3.7}, rel=1e-6)
+    assert fit.score(x) > 0.999999
+
+
+def test_parameters_are_cloned_and_searched(fast: ODERegressor, samples: Samples) -> None:
+    _, x = samples
+    other = clone(fast.set_params(optimizer=lacuna.Stlsq(threshold=0.1)))
+    assert other.get_params() == fast.get_params()
+    search = GridSearchCV(
+        fast, {"degree": [1, 2], "optimizer": [lacuna.Stlsq(), lacuna.Ols()]},
+        cv=TimeSeriesSplit(3),
+    )  # fmt: skip
+    search.fit(x)
+    assert search.best_score_ > 0.99
+    assert search.best_estimator_.model_.states == ("x0", "x1")
+
+
+def test_it_stands_in_a_pipeline(fast: ODERegressor, samples: Samples) -> None:
+    _, x = samples
+    chain = make_pipeline(StandardScaler(), fast).fit(x)
+    assert chain.score(x) > 0.99
+    again = pickle.loads(pickle.dumps(chain))
+    np.testing.assert_array_equal(again.predict(x), chain.predict(x))
+
+
+def test_derivatives_are_those_of_the_method(fast: ODERegressor, samples: Samples) -> None:
+    t, x = samples
+    plain = fast.differentiate(x, t)
+    assert np.abs(plain[5:-5, 0] - x[5:-5, 1]).max() < 0.01
+    smooth = clone(fast).set_params(differentiation_method=lacuna.SavitzkyGolay())
+    assert smooth.differentiate(x, t).shape == x.shape

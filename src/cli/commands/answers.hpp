@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// What commands compute, apart from how they are asked and where they write: the command line
+// and the Python package give the same answers to the same requests.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "data_options.hpp"
+#include "lacuna/data/long_records/record_stream.hpp"
+#include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
+#include "lacuna/regression/stages/basis.hpp"
+#include "lacuna/regression/stages/regressor.hpp"
+#include "lacuna/report/pages/comparison_report.hpp"
+#include "lacuna/report/pages/identification_report.hpp"
+#include "lacuna/report/pages/sync_report.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
+#include "report/pages/data_summary.hpp"
+
+namespace lacuna::cli {
+
+struct IdentifyRequest {
+  DataOptions data;
+  RecordSources held_out;
+  std::optional<std::string> preset, config, terms;
+  std::optional<std::string> config_text;  ///< JSON, said after the file `config`
+  std::optional<int> degree, hidden;
+  std::vector<std::string> assignments, equations, added, constraints;
+  bool discrete = false;
+  std::string integrator = "rk4";
+  std::uint64_t memory = 0;                        ///< bytes; 0: as much as there is
+  std::optional<Stage<Basis>> basis = {};          ///< in no registry, for that of the pipeline
+  std::optional<Stage<Regressor>> regressor = {};  ///< likewise
+};
+
+struct IdentifyAnswer {
+  IdentificationReport report;
+  RecordStream records;
+
+  /// Whether an equation was found that is no identity.
+  bool found() const;
+};
+
+/// @throws ConfigError for what does not go together, and as identify_records().
+IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
+                      const RunContext& context);
+
+/// What was read in a line, and the identification.
+std::string text_of(const IdentifyAnswer& answer, bool full);
+
+struct DiagnoseRequest {
+  ModelSource model;
+  DataOptions data;
+  RecordSources held_out;
+  std::vector<std::string> limits, effects, tolerances, assignments;
+  std::string differentiator = "finite-differences";
+  std::optional<std::string> config;
+  std::optional<int> max_effects;
+  bool fill_gap = false;
+  std::vector<Stage<Effect>> own_effects = {};  ///< in no registry, beside those of `effects`
+};
+
+struct DiagnoseAnswer {
+  Diagnosis diagnosis;
+  std::string read;  ///< what was read, in a line
+};
+
+/// @throws ConfigError as diagnosis_options(), and as read_records() and diagnose().
+DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
+                      const RunContext& context);
+
+std::string text_of(const DiagnoseAnswer& answer);
+
+struct FitRequest {
+  ModelSource model;
+  DataOptions data;
+  RecordSources held_out;
+  FitOptions fit;
+};
+
+/// @throws what read_records() and fit() throw.
+Fit answer(const FitRequest& request, const RunContext& context);
+
+struct SyncRequest {
+  ModelSource model;
+  DataOptions data;
+  std::string coupling;
+  std::string integrator = "rk4";
+  std::string differentiator = "finite-differences";
+};
+
+struct SyncAnswer {
+  SyncReport report;
+  Dataset data;
+};
+
+/// @throws ConfigError for a coupling that is none, and as read_records() and synchronise().
+SyncAnswer answer(const Registry& registry, const SyncRequest& request,
+                  const RunContext& context);
+
+/// What was read, notes, and the synchronisation.
+std::string text_of(const SyncAnswer& answer);
+
+/// Why the slave did not stay with the record; empty where it did.
+std::string failure_of(const SyncAnswer& answer);
+
+struct SimulateRequest {
+  ModelSource model;
+  DataOptions data;  ///< holds and names
+  std::string x0;
+  double t_start = 0.0, t_end = 0.0;
+  std::optional<double> step;
+  std::optional<Vector> times = {};  ///< in place of start, end and step
+  RecordSources inputs;              ///< one
+  std::optional<std::string> input_time;
+  std::vector<std::string> noise;
+  std::string integrator = "auto";
+};
+
+struct SimulateAnswer {
+  Dataset data;  ///< states and, behind them, the outputs that are called otherwise
+  std::vector<std::string> notes = {};  ///< where it goes beyond what is known of inputs
+  std::string problem = {};             ///< why there is no orbit; empty: there is
+};
+
+/// @throws ConfigError for a start, times or noise that are none, and as simulate().
+SimulateAnswer answer(const Registry& registry, const SimulateRequest& request,
+                      const RunContext& context);
+
+struct CompareRequest {
+  ModelSource model;    ///< the first of the two by a path, where it is no record
+  RecordSources first;  ///< the first of the two in memory, where it is a record
+  DataOptions data;
+  std::string integrator = "auto";
+  std::string differentiator = "finite-differences";
+};
+
+struct CompareAnswer {
+  ComparisonReport report;
+  std::string problem = {};  ///< why the model has no orbit; empty: there is a report
+};
+
+/// @throws ConfigError for more than two records, and as read_records() and
+///   compare_attractors().
+CompareAnswer answer(const Registry& registry, const CompareRequest& request,
+                     const RunContext& context);
+
+struct CheckRequest {
+  DataOptions data;
+  std::optional<ModelSource> model = {};
+  std::string differentiator = "finite-differences";
+};
+
+/// @throws what read_records() and look_at() throw.
+DataSummary answer(const Registry& registry, const CheckRequest& request);
+
+/// Every part, preset and test system by kind, for people. @param kind only this one; empty:
+/// all.
+/// @throws ConfigError when there is no such kind.
+std::string list_of_parts(const Registry& registry, const std::string& kind);
+
+/// All that has this name, for people. @throws ConfigError when nothing has.
+std::string description_of(const Registry& registry, const std::string& name);
+
+}  // namespace lacuna::cli
