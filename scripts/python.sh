@@ -13,7 +13,7 @@ tools=build/python/tools fresh=build/python/fresh wheels=build/python/wheels
 
 # What builds the wheel stays, so that what was built before is known to it.
 [ -x $tools/bin/pip ] || "$python" -m venv $tools
-$tools/bin/pip install -q 'scikit-build-core>=0.10' 'nanobind>=2.4'
+$tools/bin/pip install -q 'scikit-build-core>=0.10' 'nanobind>=3.1'
 rm -rf $fresh $wheels
 $tools/bin/pip wheel . -q --no-deps --no-build-isolation -w $wheels --config-settings=build-dir="$build"
 cmake --build "$build" --target lacuna-cli

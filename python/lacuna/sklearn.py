@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ from sklearn.metrics import r2_score
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from . import _lacuna
+from .errors import LacunaWarning
 from .finding import identify
 from .model import Model
 from .proving import simulate
@@ -111,6 +113,12 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         DataError, ConfigError, ArgumentError
             As of `lacuna.identify`; each is a `ValueError`.
         """
+        if t is None and _increases(y):
+            warnings.warn(
+                "y increases as times do and is not used; times are given as t=",
+                LacunaWarning,
+                stacklevel=2,
+            )
         several = isinstance(X, list) and all(hasattr(one, "__array__") for one in X)
         parts = [
             self._checked(one, number == 0) for number, one in enumerate(X if several else [X])
@@ -237,3 +245,10 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         tags.target_tags.required = False
         tags.regressor_tags.poor_score = True
         return tags
+
+
+def _increases(y: Any) -> bool:
+    """Whether a target is one increasing column, as times are."""
+    values = np.asarray(y)
+    is_column = values.ndim == 1 and values.dtype.kind in "fiu" and len(values) > 1
+    return is_column and bool((np.diff(values) > 0).all())

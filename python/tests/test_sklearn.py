@@ -68,6 +68,12 @@ def test_the_equations_are_found(fast: ODERegressor, samples: Samples) -> None:
     assert len(fast.equations()) == 2
 
 
+def test_times_in_the_place_of_the_target_are_noticed(fast: ODERegressor, samples: Samples) -> None:
+    t, x = samples
+    with pytest.warns(lacuna.LacunaWarning, match="given as t="):
+        fast.fit(x, t)
+
+
 def test_printed_equations_are_short(
     fast: ODERegressor, samples: Samples, capsys: pytest.CaptureFixture[str]
 ) -> None:
