@@ -79,7 +79,7 @@ TEST(Pages, LinksLeadSomewhere) {
     pages.push_back({name, read_lines(std::filesystem::path(LACUNA_SOURCE_DIR) / name)});
   std::size_t links = 0;
   for (const SourceFile& page : pages)
-    for (const std::string& line : page.lines)
+    for (const std::string& line : prose_of(page.lines))
       for (const std::string& link : all_matches(line, R"(\]\(([^)#:]+)(?:#[^)]*)?\))")) {
         const auto folder =
             (std::filesystem::path(LACUNA_SOURCE_DIR) / page.path).parent_path();

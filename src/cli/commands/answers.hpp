@@ -24,12 +24,12 @@
 namespace lacuna::cli {
 
 struct IdentifyRequest {
-  DataOptions data;
-  RecordSources held_out;
-  std::optional<std::string> preset, config, terms;
-  std::optional<std::string> config_text;  ///< JSON, said after the file `config`
-  std::optional<int> degree, hidden;
-  std::vector<std::string> assignments, equations, added, constraints;
+  DataOptions data = {};
+  RecordSources held_out = {};
+  std::optional<std::string> preset = {}, config = {}, terms = {};
+  std::optional<std::string> config_text = {};  ///< JSON, said after the file `config`
+  std::optional<int> degree = {}, hidden = {};
+  std::vector<std::string> assignments = {}, equations = {}, added = {}, constraints = {};
   bool discrete = false;
   std::string integrator = "rk4";
   std::uint64_t memory = 0;                        ///< bytes; 0: as much as there is
@@ -53,20 +53,20 @@ IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
 std::string text_of(const IdentifyAnswer& answer, bool full);
 
 struct DiagnoseRequest {
-  ModelSource model;
-  DataOptions data;
-  RecordSources held_out;
-  std::vector<std::string> limits, effects, tolerances, assignments;
+  ModelSource model = {};
+  DataOptions data = {};
+  RecordSources held_out = {};
+  std::vector<std::string> limits = {}, effects = {}, tolerances = {}, assignments = {};
   std::string differentiator = "finite-differences";
-  std::optional<std::string> config;
-  std::optional<int> max_effects;
+  std::optional<std::string> config = {};
+  std::optional<int> max_effects = {};
   bool fill_gap = false;
   std::vector<Stage<Effect>> own_effects = {};  ///< in no registry, beside those of `effects`
 };
 
 struct DiagnoseAnswer {
   Diagnosis diagnosis;
-  std::string read;  ///< what was read, in a line
+  std::string read = {};  ///< what was read, in a line
 };
 
 /// @throws ConfigError as diagnosis_options(), and as read_records() and diagnose().
@@ -76,19 +76,19 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
 std::string text_of(const DiagnoseAnswer& answer);
 
 struct FitRequest {
-  ModelSource model;
-  DataOptions data;
-  RecordSources held_out;
-  FitOptions fit;
+  ModelSource model = {};
+  DataOptions data = {};
+  RecordSources held_out = {};
+  FitOptions fit = {};
 };
 
 /// @throws what read_records() and fit() throw.
 Fit answer(const FitRequest& request, const RunContext& context);
 
 struct SyncRequest {
-  ModelSource model;
-  DataOptions data;
-  std::string coupling;
+  ModelSource model = {};
+  DataOptions data = {};
+  std::string coupling = {};
   std::string integrator = "rk4";
   std::string differentiator = "finite-differences";
 };
@@ -109,15 +109,15 @@ std::string text_of(const SyncAnswer& answer);
 std::string failure_of(const SyncAnswer& answer);
 
 struct SimulateRequest {
-  ModelSource model;
-  DataOptions data;  ///< holds and names
-  std::string x0;
+  ModelSource model = {};
+  DataOptions data = {};  ///< holds and names
+  std::string x0 = {};
   double t_start = 0.0, t_end = 0.0;
-  std::optional<double> step;
+  std::optional<double> step = {};
   std::optional<Vector> times = {};  ///< in place of start, end and step
-  RecordSources inputs;              ///< one
-  std::optional<std::string> input_time;
-  std::vector<std::string> noise;
+  RecordSources inputs = {};         ///< one
+  std::optional<std::string> input_time = {};
+  std::vector<std::string> noise = {};
   std::string integrator = "auto";
 };
 
@@ -132,9 +132,9 @@ SimulateAnswer answer(const Registry& registry, const SimulateRequest& request,
                       const RunContext& context);
 
 struct CompareRequest {
-  ModelSource model;    ///< the first of the two by a path, where it is no record
-  RecordSources first;  ///< the first of the two in memory, where it is a record
-  DataOptions data;
+  ModelSource model = {};    ///< the first of the two by a path, where it is no record
+  RecordSources first = {};  ///< the first of the two in memory, where it is a record
+  DataOptions data = {};
   std::string integrator = "auto";
   std::string differentiator = "finite-differences";
 };
@@ -150,7 +150,7 @@ CompareAnswer answer(const Registry& registry, const CompareRequest& request,
                      const RunContext& context);
 
 struct CheckRequest {
-  DataOptions data;
+  DataOptions data = {};
   std::optional<ModelSource> model = {};
   std::string differentiator = "finite-differences";
 };

@@ -78,8 +78,8 @@ void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out
   const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
                      validation.verdict == ValidationVerdict::WrongLibrary;
   if (lacks && !is_map)
-    validation.advice = advice_for(found, data, task.effects, task.options.advice, context,
-                                   white_noise(*noise));
+    validation.advice = advice_for({found, data, task.effects, white_noise(*noise)},
+                                   task.options.advice, context);
   take_in(std::move(validation), data, found);
   if (!is_map) found.relations = find_relations(data, task.options.relations, context, noise);
 }

@@ -74,12 +74,11 @@ std::string sentence_of(const Asked& asked, const OdeModel& model) {
 
 }  // namespace
 
-std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
-                                    const std::vector<Stage<Effect>>& effects,
-                                    const AdviceOptions& options, const RunContext& context,
-                                    const std::optional<Vector>& seen) {
+std::vector<std::string> advice_for(const AdviceTask& asked_for, const AdviceOptions& options,
+                                    const RunContext& context) {
+  const auto& [result, data, effects, white_noise] = asked_for;
   const Scope scope = make_scope(result.model, data, result.noise);
-  const FormSearch search(data, result.noise, options.search, context, {}, seen);
+  const FormSearch search(data, result.noise, options.search, context, {}, white_noise);
   const FormTask task{result.model, scope, effects, search, options};
   std::vector<std::string> advice;
   for (Index k = 0; k < data.state_count(); ++k) {

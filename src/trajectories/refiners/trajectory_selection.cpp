@@ -308,6 +308,14 @@ void note_length(const Dataset& whole, const Dataset& part, std::vector<std::str
                   " samples: more would not change the terms");
 }
 
+void note_negligible(const std::vector<LeftOut>& left_out, const TermLibrary& library,
+                     RefinedModel& result) {
+  for (const LeftOut& out : left_out)
+    result.negligible.push_back(
+        {out.column.equation, library.terms[static_cast<std::size_t>(out.column.term)].name(),
+         out.effect, out.threshold});
+}
+
 }  // namespace
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
@@ -367,11 +375,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   if (is_long) note_length(task.data, search.data, result.notes);
   if (other) note_disputes(task, found.fit, other->fit, result.notes);
   note_growing_noise(search, result.notes);
-  for (const LeftOut& out : left_out)
-    result.negligible.push_back(
-        {out.column.equation,
-         task.library.terms[static_cast<std::size_t>(out.column.term)].name(), out.effect,
-         out.threshold});
+  note_negligible(left_out, task.library, result);
   return result;
 }
 

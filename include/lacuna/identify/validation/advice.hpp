@@ -37,13 +37,18 @@ struct AdviceOptions {
   }
 };
 
+/// What advice is asked for: all of it outlives the call.
+struct AdviceTask {
+  const IdentificationResult& result;
+  const Dataset& data;
+  const std::vector<Stage<Effect>>& effects;
+  std::optional<Vector> white_noise = {};  ///< of each state, where it is known
+};
+
 /// What to try where a model does not fit: for each of its equations the form that the residual
 /// asks for, if one stands out (FormSearch), else `lacuna diagnose`.
-/// @param seen as of FormSearch.
-std::vector<std::string> advice_for(const IdentificationResult& result, const Dataset& data,
-                                    const std::vector<Stage<Effect>>& effects,
+std::vector<std::string> advice_for(const AdviceTask& asked_for,
                                     const AdviceOptions& options = {},
-                                    const RunContext& context = {},
-                                    const std::optional<Vector>& seen = {});
+                                    const RunContext& context = {});
 
 }  // namespace lacuna

@@ -14,7 +14,9 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::vector<std::string> advice_on(const Dataset& data, const Pipeline& pipeline) {
-  return advice_for(identify(data, pipeline), data, default_registry().make_all<Effect>());
+  const IdentificationResult found = identify(data, pipeline);
+  const std::vector<Stage<Effect>> effects = default_registry().make_all<Effect>();
+  return advice_for({found, data, effects});
 }
 
 TEST(Advice, NamesTheFormThatTheResidualAsksFor) {
