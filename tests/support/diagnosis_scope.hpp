@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "lacuna/forms/candidate/scope.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -19,6 +21,14 @@ inline OdeModel oscillator() {
       {"state": "v", "terms": [{"term": "q", "coefficient": -4.0},
         {"term": "v", "coefficient": -0.2}, {"term": "F", "coefficient": 1.0}]}]})",
                      "oscillator");
+}
+
+/// The same with damping that drives: it grows without bound.
+inline OdeModel runaway() {
+  std::vector<Equation> equations = oscillator().equations();
+  for (WeightedTerm& summand : equations[1])
+    if (summand.term.name() == "v") summand.coefficient = 0.2;
+  return oscillator().with_equations(std::move(equations));
 }
 
 /// 1001 samples of 10 s; q swings in +-1, v in +-2, F in +-0.5.

@@ -74,7 +74,7 @@ TEST(Baseline, EffectsAreFittedOnTopOfIt) {
 TEST(Baseline, AModelWithoutASolutionIsAnErrorThatNamesTheRecord) {
   Dataset data = support::hidden_record(support::nothing, 0.01);
   data.trajectories.front().time *= 1e8;
-  const support::Asked asked{.records = observed(data)};
+  const support::Asked asked{.records = observed(data), .nominal = support::runaway()};
   EXPECT_THROW(asked.baseline(), DataError);
 }
 

@@ -281,7 +281,7 @@ TEST(Diagnose, AModelThatDivergesWithinAStepIsAnErrorThatNamesUnits) {
   DiagnosisOptions options;
   options.decision.hints.slip_remainder = 0.0;  // not looked for
   options.decision.hints.identity_factor = 1e12;
-  EXPECT_THROW(diagnose(support::oscillator(), data, {}, options, RunContext{}), DataError);
+  EXPECT_THROW(diagnose(support::runaway(), data, {}, options, RunContext{}), DataError);
 }
 
 /// The record with a column G that acts on dv/dt.
