@@ -206,19 +206,10 @@ class AdaptiveStepper final : public RungeKuttaStepper {
     constexpr double kErrorAfterHalving = 0.25;  // a fact: between a half and a sixteenth
     const double h = limited(control_.along_jump * (t1 - t));
     const double whole = try_step(rhs, t, h, x);
-    const double decay = stages_.decay_rate(h);
-    if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > kErrorAfterHalving * whole) ||
-        is_smooth_decay(decay, stages_.decay_rate(0.5 * h)))
+    if (!(whole > 1.0) || !(try_step(rhs, t, 0.5 * h, x) > kErrorAfterHalving * whole))
       return false;
     step_ = least_ = h;
     return true;
-  }
-
-  /// Whether rates of decay over a step and over half of it are those of one slope; across a
-  /// jump the second is twice the first.
-  static bool is_smooth_decay(double over_step, double over_half) {
-    constexpr double kBetween = 1.41421356;  // a fact: between once and twice
-    return over_half < kBetween * over_step;
   }
 
   /// The step's error, in units of what is let pass; not a number where the state runs away.

@@ -99,12 +99,12 @@ TEST(FitReport, AnIntervalThatEndsWithItsRangeIsShownByItsEnds) {
 
 TEST(FitReport, TheHeadlineIsMadeOfTheAdequacy) {
   Fit fit = example();
-  EXPECT_THAT(fit_page(fit).headline, HasSubstr("leaves structure"));
+  EXPECT_THAT(fit_page(fit).headline, HasSubstr("the residuals have structure"));
   fit.adequacy = adequacy_of({{"y", Adequate::Yes, 200, true}});
   EXPECT_THAT(fit_page(fit).headline, HasSubstr("the residuals are noise"));
   EXPECT_EQ(fit_page(fit).tone, Tone::Good);
   fit.adequacy = {};
-  EXPECT_THAT(fit_page(fit).headline, HasSubstr("do not tell"));
+  EXPECT_THAT(fit_page(fit).headline, HasSubstr("too few to show"));
   EXPECT_EQ(fit_page(fit).tone, Tone::Doubtful);
   EXPECT_EQ(nlohmann::json::parse(format_json(fit))["adequacy"]["fits"], "untold");
 }
