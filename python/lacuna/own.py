@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
 
@@ -15,7 +15,17 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-class Basis:
+class _Own:
+    """A part that is made again of what it was made of: pickled, copied, cloned."""
+
+    def __init__(self, *given: Any) -> None:
+        self._given = given
+
+    def __reduce__(self) -> tuple[type[_Own], tuple[Any, ...]]:
+        return type(self), self._given
+
+
+class Basis(_Own):
     """Candidate terms made by a function.
 
     Parameters
@@ -37,6 +47,7 @@ class Basis:
     def __init__(
         self, terms: Callable[[list[str], list[str]], Iterable[str]], name: str = "python-basis"
     ) -> None:
+        super().__init__(terms, name)
         self.written = _lacuna.WrittenBasis(name, terms)
 
     def library(self, states: Sequence[str], inputs: Sequence[str] = ()) -> list[str]:
@@ -44,7 +55,7 @@ class Basis:
         return self.written.library(list(states), list(inputs))
 
 
-class Regressor:
+class Regressor(_Own):
     """Coefficients of one equation, found by a function.
 
     Parameters
@@ -66,6 +77,7 @@ class Regressor:
     def __init__(
         self, solve: Callable[[Array, Array], ArrayLike], name: str = "python-regressor"
     ) -> None:
+        super().__init__(solve, name)
         self.written = _lacuna.WrittenRegressor(name, solve)
 
     def fit(self, theta: Array, y: Array) -> list[float]:
@@ -121,7 +133,7 @@ class Scope:
     duration: float
 
 
-class Effect:
+class Effect(_Own):
     """A named family of forms that a model may lack, for `diagnose`.
 
     Parameters
@@ -142,5 +154,6 @@ class Effect:
     def __init__(
         self, name: str, forms: Callable[[Scope], Iterable[Form]], cause: str = ""
     ) -> None:
+        super().__init__(name, forms, cause)
         self.name = name
         self.written = _lacuna.WrittenEffect(name, forms, cause)

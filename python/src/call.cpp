@@ -17,6 +17,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kLook = 20ms;       ///< from one look at Python's signals to the next
 constexpr auto kPatience = 500ms;  ///< after an interrupt; a call has to end within a second
+constexpr auto kFarewell = 2s;     ///< before the interpreter goes away, with its process
 
 /// What the two threads of a call share.
 struct Exchange {
@@ -143,7 +144,7 @@ void run_interruptible(const CallOptions& options,
 void wait_for_abandoned_work() {
   const nb::gil_scoped_release release;
   std::unique_lock lock(abandoned().mutex);
-  abandoned().changed.wait(lock, [] { return abandoned().count == 0; });
+  abandoned().changed.wait_for(lock, kFarewell, [] { return abandoned().count == 0; });
 }
 
 }  // namespace lacuna::python

@@ -31,7 +31,8 @@ struct CallOptions {
 void run_interruptible(const CallOptions& options,
                        std::function<void(const RunContext& context)> work);
 
-/// Waits for work that was left to end by itself: before the interpreter goes away.
+/// Gives work that was left to end by itself two seconds, before the interpreter goes away.
+/// What does not look at its stop token by then (in a factorisation) ends with the process.
 void wait_for_abandoned_work();
 
 /// The value of work that runs so.

@@ -74,8 +74,8 @@ std::vector<std::string> names_of_columns(const Table& table) {
 }  // namespace
 
 const Registry& registry() {
-  static const Registry instance = default_registry();
-  return instance;
+  static const auto* const instance = new Registry(default_registry());  // work may outlive it
+  return *instance;
 }
 
 void bind_errors(nb::module_&) { nb::register_exception_translator(translate); }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -96,6 +98,15 @@ def test_units_of_the_columns_do_not_matter() -> None:
 def test_coefficients_that_are_none_are_refused(answer: list[float], problem: str) -> None:
     with pytest.raises(lacuna.ArgumentError, match=problem):
         lacuna.Regressor(lambda theta, y: answer).fit(*columns())
+
+
+def test_own_parts_are_copied_and_pickled() -> None:
+    basis = copy.deepcopy(lacuna.Basis(friction, "friction"))
+    again = pickle.loads(pickle.dumps(basis))
+    assert again.library(["x"]) == basis.library(["x"]) == ["1", "x", "x*abs(x)"]
+    regressor = pickle.loads(pickle.dumps(lacuna.Regressor(least_squares)))
+    np.testing.assert_allclose(regressor.fit(*columns()), TRUTH, atol=1e-10)
+    assert copy.copy(lacuna.Effect("loss", lambda scope: [])).name == "loss"
 
 
 # In the journeys.

@@ -114,6 +114,13 @@ def test_parameters_are_cloned_and_searched(fast: ODERegressor, samples: Samples
     assert search.best_estimator_.model_.states == ("x0", "x1")
 
 
+def test_a_library_of_ones_own_is_cloned(fast: ODERegressor, samples: Samples) -> None:
+    t, x = samples
+    basis = lacuna.Basis(lambda states, inputs: [*states, *(f"sin({s})" for s in states)])
+    fit = clone(fast.set_params(degree=None, feature_library=basis)).fit(x, t=t)
+    assert fit.result_.pipeline.used.basis.type == "python-basis"
+
+
 def test_it_stands_in_a_pipeline(fast: ODERegressor, samples: Samples) -> None:
     _, x = samples
     chain = make_pipeline(StandardScaler(), fast).fit(x)
