@@ -123,6 +123,11 @@ Dataset joined(std::size_t count,
 }  // namespace
 
 Table renamed(Table table, const ColumnRoles& roles) {
+  if (static_cast<Index>(table.columns.size()) != table.values.cols())
+    throw DataError(table.source,
+                    "it has " + std::to_string(table.columns.size()) + " names for " +
+                        std::to_string(table.values.cols()) + " columns",
+                    "give one name for each column");
   for (const auto& [name, column] : roles.names) rename_column(table, name, column);
   return table;
 }

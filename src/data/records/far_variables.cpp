@@ -44,7 +44,8 @@ std::vector<FarVariable> far_variables(const Dataset& data) {
     for (std::size_t k = 0; k < quantities.size(); ++k) {
       std::vector<Vector> columns;
       for (const Trajectory& record : data.trajectories)
-        columns.emplace_back((record.*values).col(static_cast<Index>(k)));
+        if (static_cast<Index>(k) < (record.*values).cols())  // who identifies says so
+          columns.emplace_back((record.*values).col(static_cast<Index>(k)));
       FarVariable one = position_of(quantities[k].name, columns);
       if (one.deviations > kFar) far.push_back(std::move(one));
     }

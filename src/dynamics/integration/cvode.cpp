@@ -57,8 +57,11 @@ class CvodeStepper final : public Stepper {
     Eigen::Map<Vector> state(N_VGetArrayPointer(state_.get()), rates_.dimension);
     const bool goes_on = begun_ && t0 == time_ && start == state;
     if (!goes_on) begin(t0, x);
-    CVodeSetStopTime(memory_.get(), t1);
-    const int flag = CVode(memory_.get(), t1, state_.get(), &time_, CV_NORMAL);
+    int flag = step_to(t1);
+    if (flag < 0 && goes_on) {  // an input has jumped: what was before it foretells nothing
+      begin(t0, x);
+      flag = step_to(t1);
+    }
     const bool is_good = state.allFinite();
     if (is_good) {
       std::copy(state.begin(), state.end(), x);
@@ -71,6 +74,11 @@ class CvodeStepper final : public Stepper {
   }
 
  private:
+  int step_to(double t1) {
+    CVodeSetStopTime(memory_.get(), t1);
+    return CVode(memory_.get(), t1, state_.get(), &time_, CV_NORMAL);
+  }
+
   /// Starts at a state with a step of its own, as at the begin and where a caller moved x.
   void begin(double t, const double* x) {
     std::copy(x, x + rates_.dimension, N_VGetArrayPointer(state_.get()));

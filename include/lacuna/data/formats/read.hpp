@@ -21,8 +21,8 @@ Table read_table(const std::filesystem::path& path);
 /// 1970), which Table::counted and a note say.
 Table read_table(const std::filesystem::path& path, const ColumnRoles& roles);
 
-/// The table with columns called as ColumnRoles::names says.
-/// @throws DataError as rename_column().
+/// The table with columns called as ColumnRoles::names says; what is not there stays NaN.
+/// @throws DataError as rename_column(), and where names and columns are not as many.
 Table renamed(Table table, const ColumnRoles& roles);
 
 /// Paths with each pattern ("run*.csv") replaced by the files that match it, in the order of

@@ -38,7 +38,8 @@ class RecordStream {
   /// The records, or the excerpt of long ones.
   const Dataset& excerpt() const noexcept { return *excerpt_; }
 
-  /// The noise of the excerpt, analysed when it is first asked for.
+  /// The noise of the excerpt, analysed when it is first asked for; not finite where times are
+  /// beyond doubles.
   /// @throws ArgumentError as analyse_noise().
   const std::vector<StateNoise>& noise(int threads = 1) const;
 

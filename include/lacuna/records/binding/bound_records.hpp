@@ -51,7 +51,8 @@ BoundRecords observed_alike(Dataset data, const BoundRecords& records,
                             const ChannelOptions& options = {});
 
 /// Records as they are, of whose channels nothing but the noise is looked for.
-/// @param outliers per record n x m: samples to leave out, beside those with marks; or none.
+/// @param outliers per record n x m: samples to leave out, beside those with marks, finite or
+/// not; or none.
 /// @throws DataError as check_dataset().
 BoundRecords as_measured(Dataset data, std::vector<Matrix> outliers = {});
 

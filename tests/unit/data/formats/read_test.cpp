@@ -172,6 +172,10 @@ TEST(DatasetOfTables, NeedsOneAndTheSameColumns) {
   const Table a = read_table(folder.write("a.csv", kRun));
   const Table b = read_table(folder.write("b.csv", "t,x\n0,1\n1,2\n"));
   EXPECT_THROW(dataset_of_tables({a, b}), DataError);
+  Table nameless = a;
+  nameless.columns.pop_back();
+  expect_error<DataError>([&] { dataset_of_tables({nameless}); }, "a.csv", "2 names for 3",
+                          "one name for each");
 }
 
 }  // namespace

@@ -56,6 +56,8 @@ TEST(FarVariables, OfWhatDoesNotMoveOrHasNoValueNothingIsSaid) {
     record.states.col(0).setConstant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_TRUE(far_variables(data).empty());
   EXPECT_TRUE(far_variables(shifted(1e300, 0.0, 1e299)).empty());
+  for (Trajectory& record : data.trajectories) record.states.resize(record.samples(), 0);
+  EXPECT_TRUE(far_variables(data).empty()) << "columns that are not there";
 }
 
 }  // namespace
