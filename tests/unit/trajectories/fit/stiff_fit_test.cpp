@@ -63,8 +63,9 @@ TEST(StiffFit, AGateWithNanosecondsAndMilliseconds) {
   const Parameter& slow = found.model.parameters()[1];
   EXPECT_NEAR(slow.value, 1000.0, 10.0);
   ASSERT_TRUE(slow.standard_error);
-  EXPECT_FALSE(found.model.parameters()[0].standard_error)
-      << "samples of 10 us do not show a time of 5 ns";
+  // Samples of 10 us do not show a time of 5 ns: it has no error, or one of its own size.
+  const Parameter& fast = found.model.parameters()[0];
+  EXPECT_GT(fast.standard_error.value_or(INFINITY), 0.5 * fast.value) << fast.value;
 }
 
 }  // namespace
