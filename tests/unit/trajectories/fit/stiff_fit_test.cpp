@@ -63,9 +63,10 @@ TEST(StiffFit, AGateWithNanosecondsAndMilliseconds) {
   const Parameter& slow = found.model.parameters()[1];
   EXPECT_NEAR(slow.value, 1000.0, 10.0);
   ASSERT_TRUE(slow.standard_error);
-  // Samples of 10 us do not show a time of 5 ns: it has no error, or one of its own size.
+  // Samples of 10 us do not show a time of 5 ns, only that it is short: the likelihood is flat
+  // towards 0, and a symmetric error does not say so.
   const Parameter& fast = found.model.parameters()[0];
-  EXPECT_GT(fast.standard_error.value_or(INFINITY), 0.5 * fast.value) << fast.value;
+  EXPECT_GT(fast.standard_error.value_or(INFINITY), 0.1 * fast.value) << fast.value;
 }
 
 }  // namespace
