@@ -13,7 +13,7 @@ constexpr double kLeastSteps = 1.0 / 3.0, kMostOfRecord = 0.25;
 
 // Of what fills a store beside the state's own: between the two the state and the other
 // variable have each their part.
-constexpr double kLeastShare = 0.05;
+constexpr double kLeastFraction = 0.05;
 
 ShapeParameter time_constant(const Scope& scope) {
   return {"tau", scope.model.time_unit(), kLeastSteps * scope.step,
@@ -26,7 +26,7 @@ MemoryState store_of(const Scope& scope, const Expression& source) {
 }
 
 std::vector<double> time_constants(const ShapeParameter& tau) {
-  constexpr double kRatio = 4.0;
+  constexpr double kRatio = 4.0;  // a fact of the search: it goes on from there
   std::vector<double> values;
   for (double value = tau.low; value < tau.high; value *= kRatio) values.push_back(value);
   return values;
@@ -46,7 +46,7 @@ Candidate store_beside(const Scope& scope, const Expression& x) {
 Candidate store_between(const Scope& scope, const Expression& x, const Expression& y) {
   const ShapeParameter tau = time_constant(scope);
   Candidate candidate = plain_candidate(formula(scope, "store-x", {{"x", x}}), x);
-  candidate.shapes = {tau, {"fraction", "", kLeastShare, 1.0 - kLeastShare, false}};
+  candidate.shapes = {tau, {"fraction", "", kLeastFraction, 1.0 - kLeastFraction, false}};
   for (const double value : time_constants(tau))
     candidate.starts.push_back(Vector{{value, 0.3}});
   candidate.memory = {
