@@ -174,7 +174,7 @@ TEST(DatasetOfTables, NeedsOneAndTheSameColumns) {
   EXPECT_THROW(dataset_of_tables({a, b}), DataError);
   Table nameless = a;
   nameless.columns.pop_back();
-  expect_error<DataError>([&] { dataset_of_tables({nameless}); }, "a.csv", "2 names for 3",
+  expect_error<DataError>([&] { dataset_of_tables({nameless}); }, a.source, "2 names for 3",
                           "one name for each");
 }
 
