@@ -13,7 +13,8 @@ void add_friction(const Scope& scope, const Expression& v, std::vector<Candidate
   const VariableRange speed = scope.range_of(v);
   if (!speed.changes_sign()) return;
   result.push_back(plain_candidate(formula(scope, "sign(v)", {{"v", v}}), v));
-  // From where it cannot be told from a jump to where it cannot be told from a straight line.
+  // From where it cannot be distinguished from a jump to where it cannot be distinguished from
+  // a straight line.
   const double widest = speed.magnitude();
   result.push_back(shaped_candidate(formula(scope, "tanh(v/width)", {{"v", v}}), v,
                                     {"width", speed.unit, 1e-4 * widest, widest, true},
@@ -28,7 +29,7 @@ std::vector<Candidate> coulomb_friction_forms(const Scope& scope, Index equation
 
 // A bend so near to standstill that it is as good as a jump: steep about standstill and against
 // the motion there. The form has to be what acts there; one that takes it away outside empties
-// the nominal term and says the same with other coefficients than were given.
+// the nominal term and is equivalent to it with other coefficients than were given.
 bool bends_at_standstill(const FittedForm& fitted) {
   const std::optional<Bend> bend = bend_of(fitted);
   if (!bend || !has_form(fitted.candidate, "clip(x,-a,a)") ||

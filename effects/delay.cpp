@@ -89,8 +89,8 @@ std::vector<Candidate> delay_forms(const Scope& scope, Index equation) {
   return result;
 }
 
-// Shorter than a step the delay of a part of a term, or of what is new, is told from a lag by
-// nothing.
+// Shorter than a step the delay of a part of a term, or of what is new, is distinguished from a
+// lag by nothing.
 bool is_too_short(const FittedForm& fitted) {
   return fitted.shapes[0] < fitted.scope.step && !is_whole_term(fitted);
 }

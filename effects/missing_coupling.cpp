@@ -7,7 +7,7 @@ namespace lacuna {
 namespace {
 
 // An exchange between two states that the equation has no linear term of. Where it has one of
-// them the other alone says the same.
+// them the other alone is equivalent.
 bool may_exchange(const Scope& scope, Index equation, Index other) {
   return other != equation && !has_term(scope, equation, own_state(scope, equation)) &&
          !has_term(scope, equation, own_state(scope, other));

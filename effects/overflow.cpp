@@ -18,7 +18,7 @@ std::vector<Candidate> overflow_forms(const Scope& scope, Index equation) {
     const VariableRange& level = scope.state(j);
     if (!level.is_amount()) continue;
     const Expression x = own_state(scope, j);
-    const auto at = [&](double share) { return level.quantile(share); };
+    const auto at = [&](double fraction) { return level.quantile(fraction); };
     result.push_back(
         shaped_candidate(formula(scope, "max(x-edge,0)", {{"x", x}}), x,
                          {"edge", level.unit, at(0.1), at(0.995), false},

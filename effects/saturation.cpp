@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-// A coarse converter may show 0 most of the time: the least limit is a share of the largest.
+// A coarse converter may show 0 most of the time: the least limit is a fraction of the largest.
 constexpr double kLeastLimit = 1e-3;
 
 // Up to where a hard limit is reached in a few samples, and a soft one bends what is seen.
@@ -35,7 +35,7 @@ Candidate limited(const Scope& scope, const char* form, const Expression& x, dou
 
 // A hard limit and a soft one of something that the nominal model has unlimited: the form takes
 // away what the term has too much, no more than the whole of it. With any coefficient it would
-// be the action of clip or tanh, which is searched by itself, in another writing.
+// be the action of clip or tanh, which is searched by itself, in another parametrisation.
 void add_limits(const Scope& scope, Index equation, const Expression& x,
                 std::vector<Candidate>& result) {
   if (!scope.range_of(x).changes_sign()) return;
@@ -93,7 +93,7 @@ bool acts_beside_the_term(const FittedForm& fitted) {
 
 // Nothing of the slope is left beyond the limit. Where the nominal model has it, its term stays
 // what acts inside and the form takes it away outside; a form that empties the nominal term
-// says the same with other coefficients than were given.
+// is equivalent to it with other coefficients than were given.
 std::optional<Reading> saturation_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (has_form(candidate, "sign(x)") && acts_beside_the_term(fitted))

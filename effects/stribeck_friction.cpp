@@ -7,11 +7,11 @@
 namespace lacuna {
 namespace {
 
-// Slower than this share of the largest speed is where friction may rise.
+// Slower than this fraction of the largest speed is where friction may rise.
 constexpr double kSlowestRise = 0.005, kFastestRise = 0.5;
 
-// How wide the reversal may be: from where it cannot be told from a jump to where it hides the
-// rise.
+// How wide the reversal may be: from where it cannot be distinguished from a jump to where it
+// hides the rise.
 constexpr double kNarrowestReversal = 1e-4, kWidestReversal = 0.1;
 
 std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equation) {

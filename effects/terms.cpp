@@ -34,7 +34,7 @@ Expression lowered(const Expression& power) {
   return less > 1.0 ? Expression::make(Operation::Power, {x, Expression::number(less)}) : x;
 }
 
-/// The factors of a product one by one, those of a power with what is left of it.
+/// The factors of a product one by one, those of a power with the rest of it.
 void collect_factors(const Expression& product, const std::vector<Expression>& beside,
                      std::vector<TermFactor>& result) {
   const auto with = [&](const Expression& more) {
@@ -183,7 +183,7 @@ bool are_of_two_kinds(const Scope& scope, const Expression& x, const Expression&
 
 /// Whether two terms of an equation have a difference in them: variables with opposite
 /// coefficients, or states of one kind with coefficients of opposite sign. -a*x + b*y is
-/// min(a,b)*(y-x) and what is left of the larger one, as of a body that is held by another one
+/// min(a,b)*(y-x) and the rest of the larger one, as of a body that is held by another one
 /// and by the ground.
 bool have_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
   if (are_opposite(one, other)) return true;

@@ -6,8 +6,8 @@
 namespace lacuna {
 namespace {
 
-// What forgets within a few samples cannot be told from the noise of the rate, what takes
-// longer than a tenth of the record not from a drift.
+// What forgets within a few samples cannot be distinguished from the noise of the rate, what
+// takes longer than a tenth of the record not from a drift.
 constexpr double kLeastMemory = 3.0, kMemoriesOfRecord = 10.0;
 
 // A free input is a process of its own (Ornstein and Uhlenbeck's), moved by white noise.

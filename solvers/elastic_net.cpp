@@ -69,9 +69,9 @@ Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem
     choice.values = fit.gains;
     choice.threshold = score.least_gain(fit.residual);
   }
-  const double share = size > 0.0 ? 1.0 / (size * size) : 0.0;
-  choice.values *= share;
-  choice.threshold *= share;
+  const double fraction = size > 0.0 ? 1.0 / (size * size) : 0.0;
+  choice.values *= fraction;
+  choice.threshold *= fraction;
   return regression_on(system, problem, choice, effort, context);
 }
 

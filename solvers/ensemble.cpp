@@ -56,7 +56,7 @@ TermSet thresholded(Subproblem problem, double threshold) {
   }
 }
 
-/// Share of the resamples that kept each term among those that offered it.
+/// Fraction of the resamples that kept each term among those that offered it.
 Vector inclusion_probabilities(const Matrix& rows, const EnsembleOptions& options,
                                const RunContext& context) {
   const Index terms = rows.cols() - 1;

@@ -17,8 +17,8 @@ TermSet with_term(TermSet positions, Index term) {
 
 /// Whether the term that would be taken next is worth it.
 bool goes_on(const FrolsOptions& options, const Subproblem& problem, double gain) {
-  const double share = gain / std::pow(problem.target_norm(), 2);
-  return gain > 0.0 && share >= options.threshold.value_or(0.0);
+  const double fraction = gain / std::pow(problem.target_norm(), 2);
+  return gain > 0.0 && fraction >= options.threshold.value_or(0.0);
 }
 
 }  // namespace

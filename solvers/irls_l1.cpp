@@ -13,8 +13,8 @@ namespace lacuna {
 namespace {
 
 /// Moves the terms whose coefficient is zero from the active set to the removed ones.
-/// @param gradient 2 |theta_j' W r| of the unit columns; @param penalty what it was held
-/// against.
+/// @param gradient 2 |theta_j' W r| of the unit columns; @param penalty what it was compared
+/// with.
 void drop_zeros(const Vector& h, const Vector& gradient, const Vector& penalty,
                 Regression& result) {
   const TermSet all = result.active;

@@ -49,18 +49,18 @@ double unexplained(const Subproblem& problem) {
 
 SubsetScore::SubsetScore(const Subproblem& problem, double penalty)
     : rows_(static_cast<double>(problem.rows())),
-      price_(penalty * parameter_price(rows_)),
+      term_penalty_(penalty * parameter_penalty(rows_)),
       target_norm_(problem.target_norm()) {}
 
 double SubsetScore::operator()(double residual, Index terms) const {
-  constexpr double kRoundingShare = 1e-12;  // a fact of rounding, as the header says
-  const double share = target_norm_ > 0.0 ? residual / target_norm_ : 1.0;
-  return 2.0 * rows_ * std::log(std::max(share, kRoundingShare)) +
-         price_ * static_cast<double>(terms);
+  constexpr double kRoundingFraction = 1e-12;  // a fact of rounding, as the header says
+  const double fraction = target_norm_ > 0.0 ? residual / target_norm_ : 1.0;
+  return 2.0 * rows_ * std::log(std::max(fraction, kRoundingFraction)) +
+         term_penalty_ * static_cast<double>(terms);
 }
 
 double SubsetScore::least_gain(double residual) const {
-  return residual * residual * -std::expm1(-price_ / rows_);
+  return residual * residual * -std::expm1(-term_penalty_ / rows_);
 }
 
 Regression regression_on(const LeastSquaresSystem& system, const Subproblem& problem,

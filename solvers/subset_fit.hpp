@@ -21,7 +21,7 @@ SubproblemFit fit_subset(const Subproblem& problem, const TermSet& positions);
 /// rho: the residual that no coefficients remove.
 double unexplained(const Subproblem& problem);
 
-/// A price for terms (Schwarz 1978):
+/// A penalty for terms (Schwarz 1978):
 ///
 ///   score = 2 n log(max(|r|, 1e-12 |y|) / |y|) + penalty k log n
 ///
@@ -37,14 +37,14 @@ class SubsetScore {
 
  private:
   double rows_;
-  double price_;
+  double term_penalty_;
   double target_norm_;
 };
 
 /// The answer of a method that chose terms: least squares on them, the others removed.
 /// @param positions of the chosen terms, increasing.
 /// @param quantity what a term was judged by; @param values of all terms of the problem.
-/// @param threshold what the values were held against.
+/// @param threshold what the values were compared with.
 struct SubsetChoice {
   TermSet positions = {};
   std::string quantity = {};

@@ -55,7 +55,7 @@ void MpiTeam::wait_for(MPI_Request& request, bool watches) const {
   }
 }
 
-void MpiTeam::share(std::span<double> numbers, int owner) const {
+void MpiTeam::broadcast(std::span<double> numbers, int owner) const {
   // MPI counts with int.
   constexpr std::size_t kMost = std::numeric_limits<int>::max() / 2;
   while (!numbers.empty()) {

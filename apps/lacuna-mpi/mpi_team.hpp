@@ -21,9 +21,9 @@ class MpiTeam final : public Team {
 
   int size() const override { return size_; }
   int rank() const override { return rank_; }
-  void share(std::span<double> numbers, int owner) const override;
+  void broadcast(std::span<double> numbers, int owner) const override;
 
-  /// Tells the others that this member has failed, and why.
+  /// Informs the others that this member has failed, and why.
   void fail(const std::string& message) const;
 
   /// Waits, without keeping a core busy, until all members have come here.

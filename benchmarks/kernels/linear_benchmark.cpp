@@ -72,7 +72,7 @@ void refinement_pass(benchmark::State& state) {
   label(state);
 }
 
-// Position of the term whose share of the fit is smallest.
+// Position of the term whose fraction of the fit is smallest.
 Index smallest_term(const Subproblem& problem) {
   Index position = 0;
   problem.solve().cwiseProduct(problem.column_norms()).cwiseAbs().minCoeff(&position);

@@ -66,7 +66,8 @@ void fill_errors(const SyncResult& result, double unit, Eigen::Ref<Vector> colum
   column.head(errors.size()) = unit * errors;
 }
 
-/// Mean distance of the slave from the orbit without noise, and its share of the largest |x|.
+/// Mean distance of the slave from the orbit without noise, and its fraction of the largest
+/// |x|.
 PrintedError errors_from(const Matrix& orbit, const SyncResult& result) {
   const Matrix& slave = result.states[0];
   const Vector errors = (slave - orbit.topRows(slave.rows())).rowwise().norm();

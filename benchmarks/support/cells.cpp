@@ -153,7 +153,7 @@ std::optional<int> number_in(const char* variable) {
 
 std::string file_digest(const fs::path& path) { return digest(read_bytes(path).view()); }
 
-void tell_other_values(const CellStore& store, const std::string& cell) {
+void report_other_values(const CellStore& store, const std::string& cell) {
   throw DataError("cell '" + cell + "' of study_" + store.study,
                   "holds other values than this program computes",
                   "give --cells another folder");

@@ -129,7 +129,7 @@ std::optional<std::vector<CellRecord>> finish_cells(
     const std::function<nlohmann::json(std::size_t)>& work);
 
 /// @throws DataError always.
-[[noreturn]] void tell_other_values(const CellStore& store, const std::string& cell);
+[[noreturn]] void report_other_values(const CellStore& store, const std::string& cell);
 
 Origin origin_of(const std::vector<CellRecord>& records);
 
@@ -155,7 +155,7 @@ std::optional<Finished<Value>> run_cells(const CellStore& store, const Cells<Val
     try {
       read_value((*records)[k].value, finished.values[k]);
     } catch (const nlohmann::json::exception&) {
-      tell_other_values(store, cells.names()[k]);
+      report_other_values(store, cells.names()[k]);
     }
     finished.seconds.push_back((*records)[k].seconds);
   }

@@ -14,7 +14,7 @@ namespace lacuna::benchmarks {
 struct RefinementCondition {
   std::string system;  ///< a test system
   Index samples = 1000;
-  double noise = 0.01;  ///< share of each state's standard deviation
+  double noise = 0.01;  ///< fraction of each state's standard deviation
 };
 
 /// What refinement made of one draw of the noise; the structure is given, the coefficients

@@ -30,7 +30,7 @@
 #include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/diagnose/criterion/smoothing_options.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/diagnose/journey/diagnosis.hpp"

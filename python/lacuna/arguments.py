@@ -29,9 +29,9 @@ def called(
     given = {name: value for name, value in arguments.items() if value is not None}
     given["seed"] = seed
     given["threads"] = threads or os.cpu_count() or 1
-    with progress_function(progress) as tell:
-        if tell is not None:
-            given["progress"] = tell
+    with progress_function(progress) as report:
+        if report is not None:
+            given["progress"] = report
         return function(given)
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-Told = Callable[[str, float], None]
+Report = Callable[[str, float], None]
 
 
 @contextmanager
-def progress_function(progress: bool | Told) -> Iterator[Told | None]:
-    """Who is told how far a call is: nobody, a function, or a bar that ends with the call."""
+def progress_function(progress: bool | Report) -> Iterator[Report | None]:
+    """Who is informed how far a call is: nobody, a function, or a bar that ends with the call."""
     if callable(progress):
         yield progress
         return
@@ -24,9 +24,9 @@ def progress_function(progress: bool | Told) -> Iterator[Told | None]:
         return
     with tqdm(total=1.0, bar_format="{desc} {percentage:3.0f}%|{bar}| {elapsed}") as bar:
 
-        def tell(activity: str, fraction: float) -> None:
+        def report(activity: str, fraction: float) -> None:
             bar.set_description_str(activity, refresh=False)
             bar.n = min(1.0, fraction)
             bar.refresh()
 
-        yield tell
+        yield report

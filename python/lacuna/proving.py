@@ -1,4 +1,4 @@
-"""What a model does, held against records; records, models and parts by themselves."""
+"""What a model does, compared with records; records, models and parts by themselves."""
 
 from __future__ import annotations
 

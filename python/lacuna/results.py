@@ -180,10 +180,10 @@ class Identification(_Modelled):
 
 
 class Diagnosis(_Modelled):
-    """What `diagnose` found; ``.rivals`` has every account that was judged."""
+    """What `diagnose` found; ``.rivals`` has every composite model that was judged."""
 
     def explain(self) -> str:
-        """Every account that was judged and the number that decided, for people."""
+        """Every composite model that was judged and the number that decided, for people."""
         return str(self._answer.trail())
 
 

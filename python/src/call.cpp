@@ -84,8 +84,8 @@ RunContext make_context(const CallOptions& options, const std::shared_ptr<Exchan
   return context;
 }
 
-void work_and_tell(const std::function<void(const RunContext&)>& work,
-                   const RunContext& context, Exchange& exchange) {
+void work_and_report(const std::function<void(const RunContext&)>& work,
+                     const RunContext& context, Exchange& exchange) {
   std::exception_ptr error;
   try {
     work(context);
@@ -117,7 +117,7 @@ void run_interruptible(const CallOptions& options,
   abandoned().add(1);  // until it is seen to end
   std::thread worker(
       [exchange, context = std::move(context), work = std::move(work)]() mutable {
-        work_and_tell(work, context, *exchange);
+        work_and_report(work, context, *exchange);
         work = nullptr;  // what it keeps alive goes first
         exchange.reset();
         abandoned().add(-1);

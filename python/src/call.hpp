@@ -15,7 +15,7 @@ namespace lacuna::python {
 
 namespace nb = nanobind;
 
-/// How a call runs: seed, threads, and who is told how far it is (None, or a function of an
+/// How a call runs: seed, threads, and who is informed how far it is (None, or a function of an
 /// activity and a fraction).
 struct CallOptions {
   std::uint64_t seed = 1;

@@ -1,4 +1,4 @@
-"""Records and models of the tests, and the command that answers are held against."""
+"""Records and models of the tests, and the command that answers are compared with."""
 
 from __future__ import annotations
 

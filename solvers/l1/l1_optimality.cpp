@@ -80,9 +80,10 @@ std::optional<Vector> l1_polished(const L1Problem& problem, const Vector& guess)
   if (guess.size() == 0) return guess;
   const double largest = guess.cwiseAbs().maxCoeff();
   std::vector<Index> tried;
-  for (double share = 0.0; share < 0.5; share = share == 0.0 ? 1e-14 : 10.0 * share) {
-    const std::vector<Index> active = support(problem, guess, share * largest);
-    if (share > 0.0 && active == tried) continue;
+  for (double fraction = 0.0; fraction < 0.5;
+       fraction = fraction == 0.0 ? 1e-14 : 10.0 * fraction) {
+    const std::vector<Index> active = support(problem, guess, fraction * largest);
+    if (fraction > 0.0 && active == tried) continue;
     tried = active;
     const std::optional<Vector> z = stationary(problem, active, guess);
     if (z && l1_violation(problem, *z) <= kRoundingViolation) return z;

@@ -112,7 +112,7 @@ All<BoundRecords> Choices<BoundRecords>::all() {
   return {{"a record", observed(dataset({record()}))}};
 }
 
-All<SaidCoefficient> Choices<SaidCoefficient>::all() {
+All<EstimatedCoefficient> Choices<EstimatedCoefficient>::all() {
   return {{"q", {1, "q", 2.0, 0.1}},
           {"(-1)", {-1, "q"}},
           {"(7)", {7, "q"}},

@@ -10,7 +10,7 @@ namespace {
 
 class EveryHypothesis : public testing::TestWithParam<StageVariant> {
  protected:
-  /// What it proposes against the bare account of a record with something hidden in it.
+  /// What it proposes against the bare composite model of a record with something hidden in it.
   Proposals proposals(const support::Hidden& hidden) {
     records_ = observed(support::hidden_record(hidden, 0.01, 3));
     return stage_of<Hypothesis>(GetParam())->propose(problem(), bare());
@@ -18,9 +18,10 @@ class EveryHypothesis : public testing::TestWithParam<StageVariant> {
 
   Problem problem() const { return {nominal_, records_, options_, context_}; }
 
-  Account bare() const {
+  CompositeModel bare() const {
     const Problem asked = problem();
-    return bare_account(asked, "bare", std::make_shared<const Baseline>(plain_baseline(asked)));
+    return bare_composite(asked, "bare",
+                          std::make_shared<const Baseline>(plain_baseline(asked)));
   }
 
   OdeModel nominal_ = support::oscillator();
@@ -30,21 +31,21 @@ class EveryHypothesis : public testing::TestWithParam<StageVariant> {
   RunContext context_;
 };
 
-TEST_P(EveryHypothesis, ProposesAccountsOfTheSameRecords) {
-  for (const Proposal& proposal : proposals(support::dry_friction).accounts) {
-    const Account& account = proposal.account;
-    ASSERT_NE(account.base, nullptr);
-    EXPECT_EQ(account.base->records->data.samples(), records_.data.samples());
-    EXPECT_TRUE(std::isfinite(options_.criterion->value(evidence_of(account))));
-    EXPECT_TRUE(account.named.empty() ||
-                account.named.size() == account.explanation.effects.size());
+TEST_P(EveryHypothesis, ProposesCompositesOfTheSameRecords) {
+  for (const Proposal& proposal : proposals(support::dry_friction).composites) {
+    const CompositeModel& composite = proposal.composite;
+    ASSERT_NE(composite.base, nullptr);
+    EXPECT_EQ(composite.base->records->data.samples(), records_.data.samples());
+    EXPECT_TRUE(std::isfinite(options_.criterion->value(evidence_of(composite))));
+    EXPECT_TRUE(composite.named.empty() ||
+                composite.named.size() == composite.explanation.effects.size());
   }
 }
 
 TEST_P(EveryHypothesis, SignsWhatItProposesAndDeclines) {
   const Proposals made = proposals(support::dry_friction);
-  for (const Proposal& proposal : made.accounts)
-    EXPECT_EQ(proposal.account.hypothesis, stage_of<Hypothesis>(GetParam())->info().name);
+  for (const Proposal& proposal : made.composites)
+    EXPECT_EQ(proposal.composite.hypothesis, stage_of<Hypothesis>(GetParam())->info().name);
   for (const Rival& rival : made.trail) {
     EXPECT_EQ(rival.hypothesis, stage_of<Hypothesis>(GetParam())->info().name);
     EXPECT_FALSE(rival.quantity.empty());
@@ -52,23 +53,23 @@ TEST_P(EveryHypothesis, SignsWhatItProposesAndDeclines) {
 }
 
 TEST_P(EveryHypothesis, NamesNothingWhereNothingIsMissing) {
-  for (const Proposal& proposal : proposals(support::nothing).accounts)
-    EXPECT_TRUE(proposal.account.named.empty()) << proposal.account.named.front().name;
+  for (const Proposal& proposal : proposals(support::nothing).composites)
+    EXPECT_TRUE(proposal.composite.named.empty()) << proposal.composite.named.front().name;
 }
 
 TEST_P(EveryHypothesis, DoesNotDependOnTheNumberOfThreads) {
   const Proposals one = proposals(support::dry_friction);
   context_.threads = 3;
   const Proposals three = proposals(support::dry_friction);
-  ASSERT_EQ(one.accounts.size(), three.accounts.size());
-  for (std::size_t i = 0; i < one.accounts.size(); ++i)
-    EXPECT_EQ(one.accounts[i].account.explanation.fit.deviance,
-              three.accounts[i].account.explanation.fit.deviance);
+  ASSERT_EQ(one.composites.size(), three.composites.size());
+  for (std::size_t i = 0; i < one.composites.size(); ++i)
+    EXPECT_EQ(one.composites[i].composite.explanation.fit.deviance,
+              three.composites[i].composite.explanation.fit.deviance);
 }
 
 TEST_P(EveryHypothesis, EndsWhenAsked) {
   records_ = observed(support::hidden_record(support::dry_friction, 0.01, 3));
-  const Account best = bare();
+  const CompositeModel best = bare();
   std::stop_source source;
   source.request_stop();
   context_.stop = source.get_token();

@@ -58,7 +58,7 @@ auto count(Kind kind) {
 
 /// What the terms of the nominal model leave over of the derivative in one equation when their
 /// coefficients are fitted anew, relative to the derivative.
-double share_after_refit(const HiddenCase& hidden, const Dataset& record, Index equation) {
+double fraction_after_refit(const HiddenCase& hidden, const Dataset& record, Index equation) {
   const Trajectory& run = record.trajectories[0];
   const Matrix rates = central_rates(record);
   const Equation& terms = hidden.nominal.equations()[static_cast<std::size_t>(equation)];
@@ -155,9 +155,9 @@ TEST_P(HiddenCaseTest, EffectsAreOfSensibleSize) {
     concerned.insert(hidden.nominal.state_index(effect.equation));
   for (Index k = 0; k < size.size(); ++k) {
     if (concerned.contains(k)) {
-      const double share = share_after_refit(hidden, record, k);
-      EXPECT_GT(share, 0.01) << "equation " << k;
-      EXPECT_LT(share, 0.7) << "equation " << k;
+      const double fraction = fraction_after_refit(hidden, record, k);
+      EXPECT_GT(fraction, 0.01) << "equation " << k;
+      EXPECT_LT(fraction, 0.7) << "equation " << k;
     } else if ((hidden.skew.array() == 0.0).all()) {
       EXPECT_LT(size[k], 1e-3) << "equation " << k;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gap that a diagnosis claims, held against simulations of its model without noise.
+// The gap that a diagnosis claims, compared with simulations of its model without noise.
 #include <gtest/gtest.h>
 
 #include "hidden/support/cases.hpp"

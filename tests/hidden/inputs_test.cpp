@@ -32,8 +32,8 @@ Vector every_fourth_on_lines(const Vector& values) {
   Vector lines = values;
   const Index last = (values.size() - 1) / 4 * 4;
   for (Index i = 0; i < last; ++i) {
-    const double share = static_cast<double>(i % 4) / 4.0;
-    lines[i] = (1.0 - share) * values[i - i % 4] + share * values[i - i % 4 + 4];
+    const double fraction = static_cast<double>(i % 4) / 4.0;
+    lines[i] = (1.0 - fraction) * values[i - i % 4] + fraction * values[i - i % 4 + 4];
   }
   return lines;
 }

@@ -35,29 +35,29 @@ double spread(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
 }
 
-/// x + share of its size of another quantity.
-FaultySensor picks_up(std::string name, std::string state, std::string other, double share) {
+/// x + fraction of its size of another quantity.
+FaultySensor picks_up(std::string name, std::string state, std::string other, double fraction) {
   return {name, state, "sensor-offset", [=](const OdeModel& model, const Trajectory& record) {
             const Vector x = column(model, record, state), y = column(model, record, other);
-            return Vector(x + share * spread(x) / spread(y) * y);
+            return Vector(x + fraction * spread(x) / spread(y) * y);
           }};
 }
 
-/// x + share of its size of x^2.
-FaultySensor bends(std::string name, std::string state, double share) {
+/// x + fraction of its size of x^2.
+FaultySensor bends(std::string name, std::string state, double fraction) {
   return {name, state, "sensor-gain", [=](const OdeModel& model, const Trajectory& record) {
             const Vector x = column(model, record, state);
-            return Vector(x + share / spread(x) * x.cwiseAbs2());
+            return Vector(x + fraction / spread(x) * x.cwiseAbs2());
           }};
 }
 
-/// x + share of its size of a tone with some samples in a period.
-FaultySensor hums(std::string name, std::string state, double share, double samples) {
+/// x + fraction of its size of a tone with some samples in a period.
+FaultySensor hums(std::string name, std::string state, double fraction, double samples) {
   return {name, state, "sensor-offset", [=](const OdeModel& model, const Trajectory& record) {
             const Vector x = column(model, record, state);
             const Vector index = Vector::LinSpaced(x.size(), 0.0, double(x.size() - 1));
             return Vector(x.array() +
-                          share * spread(x) * (6.2831853 / samples * index.array()).sin());
+                          fraction * spread(x) * (6.2831853 / samples * index.array()).sin());
           }};
 }
 

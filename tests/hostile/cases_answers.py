@@ -122,7 +122,7 @@ def number_cases():
         ("nothing", b"param k = 0.1\nparam b = 1\ndx/dt = -k*x + 1e-30*b\n", "not determined"),
         ("nothing, tiny", b"param b = 1\ndx/dt = -0.1*x + 1e-20*b*x\n", "not determined"),
         ("product", b"param a = 0.2\nparam b = 0.5\ndx/dt = -a*b*x\n", "Not identifiable"),
-        ("hidden", b"param k = 0.1\ndx/dt = -k*x\ndz/dt = -z\n", "cannot be told"),
+        ("hidden", b"param k = 0.1\ndx/dt = -k*x\ndz/dt = -z\n", "cannot be determined"),
     ]:
         for ending in ["", " --json -"]:
             yield Case("number, %s%s" % (name, ending), "fit m.ode r.csv" + ending, 0,

@@ -104,7 +104,7 @@ std::string text_of(const Dataset& record) {
 }
 
 /// The diagnosis of the linear resonator with the whole vocabulary, on the first samples of the
-/// training part, held against the first multisine of the test part.
+/// training part, compared with the first multisine of the test part.
 nlohmann::json silverbox_diagnosis(const Dataset& all, Index samples,
                                    const std::string& nominal, const std::string& model_out) {
   const TemporaryFolder place;

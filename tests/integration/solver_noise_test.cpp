@@ -47,7 +47,7 @@ TEST(SolverNoise, TermsThatWereTooSmallAreInTheTrail) {
       identify(solver_record(lorenz, {"", Making::Solver::Quartic, 1e-6}), preset("robust"));
   const auto count =
       std::count_if(result.trail.begin(), result.trail.end(), [](const TrailEntry& entry) {
-        return entry.quantity == "share of the rate that the term is worth" && !entry.kept &&
+        return entry.quantity == "fraction of the rate that the term is worth" && !entry.kept &&
                entry.value < entry.threshold;
       });
   EXPECT_GT(count, 0);

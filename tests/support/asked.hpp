@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna::support {
@@ -19,7 +19,7 @@ struct Asked {
   std::shared_ptr<const Baseline> baseline() const {
     return std::make_shared<const Baseline>(plain_baseline(problem()));
   }
-  Account bare() const { return bare_account(problem(), "bare", baseline()); }
+  CompositeModel bare() const { return bare_composite(problem(), "bare", baseline()); }
 };
 
 inline Asked asked(const Hidden& hidden, double noise = 0.01,

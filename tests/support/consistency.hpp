@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 using Faults = std::vector<std::string>;
 
 constexpr double kGapOfExplained = 1.5;  ///< times its noise floor
-constexpr double kSeenGap = 0.002;       ///< share of the spread below which it is of no size
+constexpr double kSeenGap = 0.002;  ///< fraction of the spread below which it is of no size
 constexpr double kSignificantGap = 3.0;  ///< standard deviations
 /// Half an interval over its number from which on a word has to be said.
 constexpr double kUndetermined = 1e6;

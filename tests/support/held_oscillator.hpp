@@ -12,17 +12,17 @@
 namespace lacuna::support {
 
 /// The force from sample i to the next one: levels that change at every fifth sample; where it
-/// switches it does so a share of a step after that sample.
+/// switches it does so a fraction of a step after that sample.
 struct HeldForce {
   Hold hold = Hold::Zero;
-  Vector levels;  ///< at the samples
-  Vector shares;  ///< of steps
+  Vector levels;     ///< at the samples
+  Vector fractions;  ///< of steps
 
-  double at(Index i, double share) const {
+  double at(Index i, double fraction) const {
     const double from = levels[i], to = levels[i + 1];
     if (hold == Hold::Zero) return from;
-    if (hold == Hold::Linear) return from + share * (to - from);
-    return share < shares[i] ? from : to;
+    if (hold == Hold::Linear) return from + fraction * (to - from);
+    return fraction < fractions[i] ? from : to;
   }
 };
 
@@ -32,7 +32,7 @@ inline HeldForce held_force(Hold hold, Index samples, std::uint64_t seed) {
   for (Index i = 0; i < samples; ++i) {
     const double level = random.normal();
     force.levels[i] = i % 5 == 0 ? level : force.levels[i - 1];
-    force.shares[i] = std::abs(std::fmod(1.7 * random.normal(), 1.0));
+    force.fractions[i] = std::abs(std::fmod(1.7 * random.normal(), 1.0));
   }
   return force;
 }

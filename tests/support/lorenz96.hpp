@@ -28,8 +28,8 @@ inline OdeModel lorenz96(Index m) {
   return OdeModel(states, {}, equations);
 }
 
-/// A record of it, from its attractor, with white noise of a share of the rms of each state.
-inline Dataset lorenz96_record(Index m, Index samples, double share, std::uint64_t seed) {
+/// A record of it, from its attractor, with white noise of a fraction of the rms of each state.
+inline Dataset lorenz96_record(Index m, Index samples, double fraction, std::uint64_t seed) {
   constexpr double kStep = 0.01;
   constexpr Index kTransient = 500;
   const OdeModel model = lorenz96(m);
@@ -45,7 +45,7 @@ inline Dataset lorenz96_record(Index m, Index samples, double share, std::uint64
   record.time = sample_times(0.0, kStep, samples);
   record.states = orbit.states.bottomRows(samples);
   record.inputs.resize(samples, 0);
-  const Vector sigma = share * spread(record.states);
+  const Vector sigma = fraction * spread(record.states);
   for (Index k = 0; k < m; ++k)
     for (Index i = 0; i < samples; ++i) record.states(i, k) += sigma[k] * random.normal();
   data.trajectories.push_back(std::move(record));

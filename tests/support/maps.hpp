@@ -47,7 +47,7 @@ inline Vector henon(const Vector& x) {
 /// The logistic map at 3.9.
 inline Vector logistic(const Vector& x) { return Vector{{3.9 * x[0] * (1.0 - x[0])}}; }
 
-/// Two logistic maps of different rates, each of which gets a share of the other's.
+/// Two logistic maps of different rates, each of which gets a fraction of the other's.
 inline Vector coupled_logistic(const Vector& x) {
   const double f = 3.7 * x[0] * (1.0 - x[0]), g = 3.8 * x[1] * (1.0 - x[1]);
   return Vector{{0.95 * f + 0.05 * g, 0.9 * g + 0.1 * f}};

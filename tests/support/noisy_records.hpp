@@ -22,9 +22,9 @@ inline Vector spread(const Matrix& states) {
   return centred.colwise().norm() / std::sqrt(static_cast<double>(states.rows()));
 }
 
-/// A record of a test system, 2000 steps from its start, with white noise of a share of the
+/// A record of a test system, 2000 steps from its start, with white noise of a fraction of the
 /// spread of each state.
-inline Dataset noisy_record(const std::string& name, Index samples, double share,
+inline Dataset noisy_record(const std::string& name, Index samples, double fraction,
                             std::uint64_t seed) {
   const TestSystem& system = test_system(name);
   const Index transient = 2000;
@@ -38,7 +38,7 @@ inline Dataset noisy_record(const std::string& name, Index samples, double share
   record.time = sample_times(0.0, system.step, samples);
   record.states = orbit.states.bottomRows(samples);
   record.inputs.resize(samples, 0);
-  const Vector sigma = share * spread(record.states);
+  const Vector sigma = fraction * spread(record.states);
   for (Index k = 0; k < record.states.cols(); ++k)
     for (Index i = 0; i < samples; ++i) record.states(i, k) += sigma[k] * random.normal();
   data.trajectories.push_back(std::move(record));

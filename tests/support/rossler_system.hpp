@@ -46,12 +46,12 @@ inline std::vector<std::string> names_of(const LeastSquaresSystem& system,
 }
 
 /// y with independent normal errors of standard deviation `share` times each column's rms.
-inline Matrix with_noise(const Matrix& values, double share, std::uint64_t seed) {
+inline Matrix with_noise(const Matrix& values, double fraction, std::uint64_t seed) {
   Random random(seed);
   Matrix result = values;
   for (Index j = 0; j < values.cols(); ++j) {
     const double rms = values.col(j).norm() / std::sqrt(static_cast<double>(values.rows()));
-    for (Index i = 0; i < values.rows(); ++i) result(i, j) += share * rms * random.normal();
+    for (Index i = 0; i < values.rows(); ++i) result(i, j) += fraction * rms * random.normal();
   }
   return result;
 }

@@ -11,7 +11,7 @@
 namespace lacuna::testing {
 
 /// Random columns, three of ten with a coefficient (1: 2, 4: -1, 7: 0.5), normal noise, and
-/// gross errors of one sign in a share of the rows.
+/// gross errors of one sign in a fraction of the rows.
 inline LeastSquaresSystem sparse_problem(Index rows, double noise, double outliers,
                                          std::uint64_t seed = 5) {
   Random random(seed);
@@ -28,7 +28,7 @@ inline LeastSquaresSystem sparse_problem(Index rows, double noise, double outlie
 }
 
 /// The same coefficients and as many columns; columns and noise are series in which each value
-/// remembers a share of the one before.
+/// remembers a fraction of the one before.
 inline LeastSquaresSystem sparse_series(Index rows, double noise, double memory,
                                         std::uint64_t seed) {
   Random random(seed);

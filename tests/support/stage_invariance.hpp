@@ -54,9 +54,9 @@ inline std::vector<std::string> old_names(const LeastSquaresSystem& system,
 }
 
 /// |h_j theta_j| with sign, relative to |y|: the same however the data are written.
-inline std::map<std::string, double> shares(const LeastSquaresSystem& system, Index target,
-                                            const TermSet& active, const Vector& h,
-                                            const Rewriting& r) {
+inline std::map<std::string, double> fractions(const LeastSquaresSystem& system, Index target,
+                                               const TermSet& active, const Vector& h,
+                                               const Rewriting& r) {
   std::map<std::string, double> result;
   for (std::size_t i = 0; i < active.size(); ++i) {
     const std::string& name = system.term_names()[static_cast<std::size_t>(active[i])];
@@ -72,12 +72,12 @@ inline Index new_target(Index old, const Rewriting& r) {
   return std::find(r.order.begin(), r.order.end(), old) - r.order.begin();
 }
 
-inline void expect_same_shares(const std::map<std::string, double>& a,
-                               const std::map<std::string, double>& b, double tolerance) {
+inline void expect_same_fractions(const std::map<std::string, double>& a,
+                                  const std::map<std::string, double>& b, double tolerance) {
   ASSERT_EQ(a.size(), b.size());
-  for (const auto& [name, share] : a) {
+  for (const auto& [name, fraction] : a) {
     ASSERT_TRUE(b.count(name)) << name;
-    EXPECT_NEAR(share, b.at(name), tolerance) << name;
+    EXPECT_NEAR(fraction, b.at(name), tolerance) << name;
   }
 }
 

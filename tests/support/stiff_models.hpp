@@ -27,7 +27,7 @@ inline const char* robertson_text() {
 /// Robertson's reactions (1966), the standard stiff problem: rates 0.04, 1e4 and 3e7.
 inline OdeModel robertson() { return parse_ode(robertson_text(), "robertson"); }
 
-/// What CVODE makes of a model at the given times, with noise of a share of each spread.
+/// What CVODE makes of a model at the given times, with noise of a fraction of each spread.
 inline Dataset stiff_data(const OdeModel& model, const Vector& start, const Vector& times,
                           const Matrix& inputs, double noise, std::uint64_t seed = 1) {
   Dataset data{"s", {}, {}, {}, {}};

@@ -37,7 +37,7 @@ class ThreadTeam {
     Member(ThreadTeam& team, int size, int rank) : team_(team), size_(size), rank_(rank) {}
     int size() const override { return size_; }
     int rank() const override { return rank_; }
-    void share(std::span<double> numbers, int owner) const override {
+    void broadcast(std::span<double> numbers, int owner) const override {
       if (rank_ == owner) team_.shared_.assign(numbers.begin(), numbers.end());
       team_.meeting_.arrive_and_wait();
       std::copy(team_.shared_.begin(), team_.shared_.end(), numbers.begin());

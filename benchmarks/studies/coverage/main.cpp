@@ -14,9 +14,9 @@
 namespace lacuna::benchmarks {
 namespace {
 
-std::string percent(double share) { return format_number(100.0 * share, 3); }
+std::string percent(double fraction) { return format_number(100.0 * fraction, 3); }
 
-/// Share of all intervals of a cell that contain the truth.
+/// Fraction of all intervals of a cell that contain the truth.
 double coverage(const RefinementDraws& cell) {
   double inside = 0.0, all = 0.0;
   for (const RefinementDraw& draw : cell.draws) {
@@ -36,7 +36,7 @@ double worst_coverage(const RefinementDraws& cell) {
   return inside.minCoeff() / static_cast<double>(cell.draws.size());
 }
 
-double share_of(const RefinementDraws& cell, bool RefinementDraw::*property) {
+double fraction_of(const RefinementDraws& cell, bool RefinementDraw::*property) {
   return static_cast<double>(std::count_if(cell.draws.begin(), cell.draws.end(),
                                            [&](const auto& d) { return d.*property; })) /
          static_cast<double>(cell.draws.size());
@@ -56,8 +56,8 @@ ResultTable table_of(const std::vector<RefinementDraws>& cells) {
     table.rows.push_back({cell.condition.system, std::to_string(cell.condition.samples),
                           percent(cell.condition.noise), std::to_string(cell.draws.size()),
                           percent(coverage(cell)), percent(worst_coverage(cell)),
-                          percent(share_of(cell, &RefinementDraw::converged)),
-                          percent(share_of(cell, &RefinementDraw::fits_to_noise)),
+                          percent(fraction_of(cell, &RefinementDraw::converged)),
+                          percent(fraction_of(cell, &RefinementDraw::fits_to_noise)),
                           format_number(mean_milliseconds(cell), 3)});
   return table;
 }

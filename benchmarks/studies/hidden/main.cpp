@@ -52,7 +52,7 @@ std::vector<Trial> trials_of(const StudyArguments& given, Cells<Outcome>& cells)
            (!level.empty() && trial.level != std::stod(level));
   });
   for (const Trial& trial : trials)
-    add_told(cells, trial, [=] { return run_trial(trial, options); });
+    add_reported(cells, trial, [=] { return run_trial(trial, options); });
   return trials;
 }
 

@@ -121,7 +121,7 @@ std::vector<Trial> practice_trials(const fs::path& folder, const std::string& pa
     for (const auto& [ending, level] : kLevels) {
       if (!fs::exists(path / ("r1_" + ending + ".csv.gz"))) continue;
       const Trial trial{read_case(path), 1.0, level, 0};
-      add_told(
+      add_reported(
           cells, trial,
           [=, ending = ending] { return judge_records(path, ending, trial.hidden, options); },
           " " + ending);

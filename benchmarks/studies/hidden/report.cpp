@@ -44,7 +44,7 @@ std::string ordinary_of(const Trial& trial) {
   return space == std::string::npos ? to_string(trial.hidden.noise) : name.substr(space + 1);
 }
 
-std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
+std::string percent(double fraction) { return format_number(100.0 * fraction, 3) + " %"; }
 
 /// Gaps: near that of the true model; not claimed better than it is.
 constexpr double kNear = 1.5, kHonest = 1.2;

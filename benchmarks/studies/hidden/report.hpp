@@ -8,7 +8,7 @@
 
 namespace lacuna::benchmarks {
 
-/// Writes NAME.csv with every trial and NAME.md with the shares by noise, by kind and by
+/// Writes NAME.csv with every trial and NAME.md with the fractions by noise, by kind and by
 /// family.
 void write_tables(const std::filesystem::path& folder, const std::string& name,
                   const std::vector<Trial>& trials, const Finished<Outcome>& finished);

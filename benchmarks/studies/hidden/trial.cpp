@@ -79,8 +79,8 @@ std::string name_of(const Trial& trial) {
          std::to_string(trial.seed);
 }
 
-void add_told(Cells<Outcome>& cells, const Trial& trial, const std::function<Outcome()>& run,
-              const std::string& ending) {
+void add_reported(Cells<Outcome>& cells, const Trial& trial,
+                  const std::function<Outcome()>& run, const std::string& ending) {
   cells.add(name_of(trial) + ending, [=] {
     Outcome outcome = run();
     report_progress(trial, outcome);

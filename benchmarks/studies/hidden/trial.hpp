@@ -49,7 +49,7 @@ std::string name_of(const Trial& trial);
 
 /// Adds a trial as a cell, which is told on standard error when it is run.
 /// @param ending of its name, where trials do not differ else.
-void add_told(Cells<Outcome>& cells, const Trial& trial, const std::function<Outcome()>& run,
-              const std::string& ending = "");
+void add_reported(Cells<Outcome>& cells, const Trial& trial,
+                  const std::function<Outcome()>& run, const std::string& ending = "");
 
 }  // namespace lacuna::benchmarks

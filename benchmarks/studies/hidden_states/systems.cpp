@@ -25,12 +25,12 @@ Matrix driving(const System& system, Index inputs, Index samples, Random& random
   Matrix u(samples, inputs);
   for (Index j = 0; j < inputs; ++j) {
     Vector sum = Vector::Zero(samples);
-    for (const double share : {1.0, 0.61, 0.37, 2.3, 0.23, 0.5}) {
+    for (const double fraction : {1.0, 0.61, 0.37, 2.3, 0.23, 0.5}) {
       const double phase = 2.0 * std::numbers::pi * random.uniform();
       const double amplitude = 0.5 + random.uniform();
       for (Index i = 0; i < samples; ++i)
         sum[i] += amplitude * std::sin(2.0 * std::numbers::pi * static_cast<double>(i) *
-                                           system.step / (share * system.period) +
+                                           system.step / (fraction * system.period) +
                                        phase);
     }
     const double middle = 0.5 * (system.low + system.high);

@@ -43,7 +43,7 @@ struct Records {
   Dataset find, check;  ///< as measured
 };
 
-/// @param noise share of each measured state's standard deviation.
+/// @param noise fraction of each measured state's standard deviation.
 Records make_records(const System& system, double noise, std::uint64_t seed);
 
 }  // namespace lacuna::hidden_states

@@ -34,7 +34,7 @@ struct System {
   std::array<Matrix, 2> states;  ///< n x m
 };
 
-/// Noise x (1 + sigma xi), and the share of samples that is dropped.
+/// Noise x (1 + sigma xi), and the fraction of samples that is dropped.
 struct Condition {
   double sigma = 0.0, dropped = 0.0;
 };
@@ -135,7 +135,7 @@ Outcome run(const Dataset& data, const System& system, const Search& search) {
   return outcome;
 }
 
-std::string share(std::span<const Outcome> outcomes, std::size_t solution) {
+std::string fraction(std::span<const Outcome> outcomes, std::size_t solution) {
   const auto good = std::count_if(outcomes.begin(), outcomes.end(), [&](const Outcome& one) {
     return one.determination[solution] > 0.9;
   });
@@ -191,7 +191,7 @@ int run_study(const benchmarks::StudyArguments& arguments) {
   for (std::size_t k = 0; k < kConditions.size(); ++k) {
     const std::span<const Outcome> outcomes = finished->group(k);
     summary.rows.push_back({name_of(kConditions[k]), std::to_string(outcomes.size()),
-                            share(outcomes, 0), share(outcomes, 1),
+                            fraction(outcomes, 0), fraction(outcomes, 1),
                             format_number(median_seconds(outcomes), 2)});
     for (std::size_t i = 0; i < outcomes.size(); ++i)
       details.rows.push_back(

@@ -33,7 +33,7 @@ const RationalSystem& rational_system(const std::string& name);
 /// The default with the monomials and the rate laws of the system's library.
 Pipeline pipeline_for(const RationalSystem& system);
 
-/// Its records with white noise of a share of each state's standard deviation.
+/// Its records with white noise of a fraction of each state's standard deviation.
 Dataset records_of(const RationalSystem& system, double noise, std::uint64_t seed);
 
 /// Whether a model has the structure of the system: each right-hand side is a fraction of the

@@ -21,7 +21,7 @@
 namespace lacuna::benchmarks {
 namespace {
 
-/// One fit held against the truth.
+/// One fit compared with the truth.
 Score score(const Composition& composition, const Dataset& noisy, const Dataset& clean) {
   const auto start = std::chrono::steady_clock::now();
   const IdentificationResult result = identify(noisy, composition.pipeline);

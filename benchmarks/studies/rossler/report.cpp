@@ -196,16 +196,16 @@ std::string tics(const std::vector<std::string>& names) {
 std::string heat_map_script(const Summary& summary) {
   const std::size_t rows = summary.rows.size(), columns = summary.columns.size();
   const std::size_t width = 520 + 60 * columns, height = 260 + 24 * rows;
-  const auto share = [](double part, std::size_t whole) {
+  const auto fraction = [](double part, std::size_t whole) {
     return std::to_string(part / static_cast<double>(whole));
   };
   return "set terminal svg size " + std::to_string(width) + "," + std::to_string(height) +
          " font 'sans,12' background 'white'\nset output 'rossler.svg'\n"
          "set title 'Rossler, 20 candidate terms: runs with exactly the true terms (%)'\n"
          "set lmargin at screen " +
-         share(390.0, width) + "\nset rmargin at screen 1-" + share(100.0, width) +
-         "\nset bmargin at screen " + share(200.0, height) + "\nset tmargin at screen 1-" +
-         share(40.0, height) + "\nset xtics rotate by 35 right " + tics(summary.columns) +
+         fraction(390.0, width) + "\nset rmargin at screen 1-" + fraction(100.0, width) +
+         "\nset bmargin at screen " + fraction(200.0, height) + "\nset tmargin at screen 1-" +
+         fraction(40.0, height) + "\nset xtics rotate by 35 right " + tics(summary.columns) +
          "\nset ytics " + tics(summary.rows) + "\nset yrange [" + std::to_string(rows) +
          "-0.5:-0.5]\nset xrange [-0.5:" + std::to_string(columns) +
          "-0.5]\nset cbrange [0:100]\n"

@@ -10,7 +10,7 @@
 
 namespace lacuna::benchmarks {
 
-/// One fit held against the truth.
+/// One fit compared with the truth.
 struct Score {
   bool exact_structure = false;    ///< exactly the true terms in every equation
   double coefficient_error = 0.0;  ///< max |h - h_true| / max |h_true|

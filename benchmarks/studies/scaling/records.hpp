@@ -16,7 +16,7 @@ struct RecordProblem {
   OdeModel model;
   double step = 0.01;
   Index rows = 20000;
-  double noise = 0.0;  ///< share of the rms of each state, as it is at the begin
+  double noise = 0.0;  ///< fraction of the rms of each state, as it is at the begin
   bool derivatives = false;
 };
 

@@ -12,8 +12,8 @@ namespace {
 constexpr Index kStages = 7;
 using Weights = Eigen::Matrix<double, kStages, 4>;
 
-/// Weights of the stages for the powers 1..4 of the share of the step: Shampine, Math. Comp. 46
-/// (1986) 135.
+/// Weights of the stages for the powers 1..4 of the fraction of the step: Shampine, Math. Comp.
+/// 46 (1986) 135.
 Weights quartic_weights() {
   Weights weights;
   weights << 1.0, -8048581381.0 / 2820520608.0, 8663915743.0 / 2820520608.0,
@@ -102,9 +102,9 @@ Matrix dense_solution(const DrivenModel& driven, const Vector& x0, const Vector&
     const double factor = std::clamp(0.9 * std::pow(std::max(size, 1e-10), -0.2), 0.2, 10.0);
     if (size < 1.0) {
       for (; next < times.size() && times[next] <= time + step; ++next) {
-        const double share = (times[next] - time) / step;
-        const Eigen::Vector4d powers(share, share * share, std::pow(share, 3),
-                                     std::pow(share, 4));
+        const double fraction = (times[next] - time) / step;
+        const Eigen::Vector4d powers(fraction, fraction * fraction, std::pow(fraction, 3),
+                                     std::pow(fraction, 4));
         states.row(next) = (state + step * stages * (weights * powers)).transpose();
       }
       time += step;

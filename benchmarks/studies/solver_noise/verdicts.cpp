@@ -31,18 +31,18 @@ struct Judged {
   auto fields() { return std::tie(done, exact, verdicts, step, window, noise); }
 };
 
-double largest_share(const PredictionTest& test) {
-  double share = 0.0;
+double largest_fraction(const PredictionTest& test) {
+  double fraction = 0.0;
   for (const PredictionError& state : test.states)
-    if (state.freedom >= 1.0) share = std::max(share, state.share());
-  return share;
+    if (state.freedom >= 1.0) fraction = std::max(fraction, state.fraction());
+  return fraction;
 }
 
 double largest_noise(const PredictionTest& test) {
-  double share = 0.0;
+  double fraction = 0.0;
   for (const PredictionError& state : test.states)
-    if (state.freedom >= 1.0) share = std::max(share, state.noise / state.motion);
-  return share;
+    if (state.freedom >= 1.0) fraction = std::max(fraction, state.noise / state.motion);
+  return fraction;
 }
 
 Judged judged(const Flow& flow, const Making& making) {
@@ -56,8 +56,8 @@ Judged judged(const Flow& flow, const Making& making) {
       const Validation validation =
           validate({found, record, pipeline}, {.resolution = kFloors[i]});
       outcome.verdicts[i] = validation.verdict;
-      outcome.step = largest_share(validation.one_step);
-      outcome.window = largest_share(validation.windows);
+      outcome.step = largest_fraction(validation.one_step);
+      outcome.window = largest_fraction(validation.windows);
       outcome.noise = largest_noise(validation.windows);
     }
     outcome.done = true;

@@ -35,7 +35,7 @@ struct Bend {
 /// x-a*tanh(x/a); nothing for other forms.
 std::optional<Bend> bend_of(const FittedForm& fitted);
 
-/// Whether nothing is left of the slope inside: what is left is less than its uncertainty
+/// Whether nothing is left of the slope inside: the rest is less than its uncertainty
 /// (NamingOptions::equal_slopes, standard_errors).
 bool is_flat_inside(const Bend& bend, const NamingOptions& options);
 

@@ -67,7 +67,7 @@ bool is_transmission(const Scope& scope, const Expression& argument);
 /// Terms of an equation that are not a number and not a variable alone.
 std::vector<Expression> nonlinear_terms(const Scope& scope, Index equation);
 
-/// A factor of a product that varies, and what is left of the product without it.
+/// A factor of a product that varies, and the rest of the product without it.
 struct TermFactor {
   Expression factor, rest;
 };
@@ -82,8 +82,8 @@ Expression right_hand_side(const Scope& scope, Index equation);
 /// The quantiles of an expression's absolute value.
 double magnitude_quantile(const Scope& scope, const Expression& argument, double level);
 
-/// Least edge of two bends about 0, as a share of the largest value: what is narrower is a jump
-/// in any record, and searched as one.
+/// Least edge of two bends about 0, as a fraction of the largest value: what is narrower is a
+/// jump in any record, and searched as one.
 inline constexpr double kNarrowestBend = 2e-3;
 
 }  // namespace lacuna

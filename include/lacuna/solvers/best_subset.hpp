@@ -20,12 +20,11 @@ struct BestSubsetOptions {
 
   void describe(OptionVisitor& v) {
     v.field({"max_terms", "", "Most terms of a set.", 1.0, 1000.0}, max_terms);
-    v.field(
-        {"penalty", "",
-         "Price of a term in the score, in log n; 1 is that of the BIC, 0 gives the best set "
-         "of max_terms terms.",
-         0.0},
-        penalty);
+    v.field({"penalty", "",
+             "Penalty for a term in the score, in log n; 1 is that of the BIC, 0 gives the "
+             "best set of max_terms terms.",
+             0.0},
+            penalty);
     v.field({"most_operations", "",
              "The search ends after about so many; then the set is not proved to be the best "
              "(not converged).",

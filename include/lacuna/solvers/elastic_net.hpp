@@ -21,16 +21,16 @@ struct ElasticNetOptions {
   double penalty = 1.0;
 
   void describe(OptionVisitor& v) {
-    v.field({"mix", "", "Share of the l1 penalty; 1 is the lasso.", 1e-3, 1.0}, mix);
+    v.field({"mix", "", "Fraction of the l1 penalty; 1 is the lasso.", 1e-3, 1.0}, mix);
     v.field({"points", "", "Penalties on the path, equally far apart in their logarithm.", 2.0,
              1e5},
             points);
-    v.field({"range", "", "Smallest penalty, as a share of the one that leaves no term.", 1e-15,
-             0.99},
+    v.field({"range", "", "Smallest penalty, as a fraction of the one that leaves no term.",
+             1e-15, 0.99},
             range);
-    v.field(
-        {"penalty", "", "Price of a term in the score, in log n; 1 is that of the BIC.", 0.0},
-        penalty);
+    v.field({"penalty", "", "Penalty for a term in the score, in log n; 1 is that of the BIC.",
+             0.0},
+            penalty);
   }
 };
 

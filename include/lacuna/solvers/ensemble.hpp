@@ -31,16 +31,16 @@ struct EnsembleOptions {
         left_out);
     v.field({"threshold", "", "|h_j theta_j| / |y| below which a resample drops a term.", 0.0},
             threshold);
-    v.field({"inclusion", "", "Share of the resamples that have to keep a term.", 0.0, 1.0},
+    v.field({"inclusion", "", "Fraction of the resamples that have to keep a term.", 0.0, 1.0},
             inclusion);
   }
 };
 
 /// Bagging of rows and terms: each resample draws blocks of rows with replacement and leaves
 /// terms out at random, and is fitted by sequentially thresholded least squares. Terms whose
-/// inclusion probability (share of the resamples that kept them among those that offered them)
-/// is at least `inclusion` get the coefficients of least squares on all rows. Random numbers
-/// come from the seed of the run.
+/// inclusion probability (fraction of the resamples that kept them among those that offered
+/// them) is at least `inclusion` get the coefficients of least squares on all rows. Random
+/// numbers come from the seed of the run.
 class Ensemble final : public Configured<Regressor, EnsembleOptions> {
  public:
   using Configured::Configured;

@@ -20,13 +20,13 @@ struct FrolsOptions {
 
   void describe(OptionVisitor& v) {
     v.field({"threshold", "",
-             "Ends when the next term reduces the error by less than this share of |y|^2; by "
-             "the score when not given.",
+             "Ends when the next term reduces the error by less than this fraction of |y|^2; "
+             "by the score when not given.",
              0.0, 1.0},
             threshold);
-    v.field(
-        {"penalty", "", "Price of a term in the score, in log n; 1 is that of the BIC.", 0.0},
-        penalty);
+    v.field({"penalty", "", "Penalty for a term in the score, in log n; 1 is that of the BIC.",
+             0.0},
+            penalty);
     v.field({"max_terms", "", "Most terms.", 1.0, 1e6}, max_terms);
   }
 };

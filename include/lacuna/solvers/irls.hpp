@@ -42,9 +42,10 @@ struct IrlsOptions {
              "given.",
              1e-300},
             delta);
-    v.field({"tolerance", "",
-             "Ends when no term changes by more than this share of the largest.", 1e-15, 1.0},
-            tolerance);
+    v.field(
+        {"tolerance", "",
+         "Ends when no term changes by more than this fraction of the largest.", 1e-15, 1.0},
+        tolerance);
     v.field({"max_iterations", "", "Most passes over the rows.", 1.0, 1e6}, max_iterations);
   }
 };

@@ -39,8 +39,8 @@ struct IrlsL1Options {
 
   void describe(OptionVisitor& v) {
     v.field({"inner", "", "Solves the penalised problem for given weights."}, inner);
-    v.field({"alpha", "", "Penalty; 'relative': as a share of the penalty that leaves no term.",
-             0.0},
+    v.field({"alpha", "",
+             "Penalty; 'relative': as a fraction of the penalty that leaves no term.", 0.0},
             alpha);
     v.field(
         {"tolerances", "",
@@ -51,9 +51,10 @@ struct IrlsL1Options {
              "given.",
              1e-300},
             delta);
-    v.field({"tolerance", "",
-             "Ends when no term changes by more than this share of the largest.", 1e-15, 1.0},
-            tolerance);
+    v.field(
+        {"tolerance", "",
+         "Ends when no term changes by more than this fraction of the largest.", 1e-15, 1.0},
+        tolerance);
     v.field({"max_iterations", "", "Most passes over the rows.", 1.0, 1e6}, max_iterations);
   }
 };

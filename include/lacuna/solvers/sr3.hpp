@@ -18,7 +18,7 @@ struct Sr3Options {
   int max_iterations = 10000;
 
   void describe(OptionVisitor& v) {
-    v.field({"threshold", "", "Terms of the copy below this share of |y| are zero.", 0.0},
+    v.field({"threshold", "", "Terms of the copy below this fraction of |y| are zero.", 0.0},
             threshold);
     v.field(
         {"relaxation", "",

@@ -12,7 +12,7 @@ namespace lacuna {
 
 /// Options of Stlsq.
 struct StlsqOptions {
-  /// What is held against the threshold.
+  /// What is compared with the threshold.
   enum class Scale {
     Contribution,  ///< |h_j| |theta_j| / |y|: without unit
     Coefficient,   ///< |h_j| in the units of the data
@@ -57,7 +57,7 @@ class Stlsq final : public Configured<Regressor, StlsqOptions> {
   Regression do_fit(const LeastSquaresSystem& system, const Subproblem& problem, Effort effort,
                     const RunContext& context) const override;
 
-  /// What is held against the threshold, one number per active term.
+  /// What is compared with the threshold, one number per active term.
   Vector measures(const Subproblem& problem) const;
 };
 

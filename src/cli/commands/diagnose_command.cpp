@@ -104,7 +104,7 @@ std::vector<std::string> inputs_of(const DiagnoseArguments& options) {
   return files;
 }
 
-/// What a record says by itself.
+/// What a record shows by itself.
 FleetAnswer answer_of(const std::string& file, const OdeModel& model,
                       const DiagnoseArguments& options, const Session& session,
                       const RunContext& context) {
@@ -135,7 +135,7 @@ int diagnose_each(const Session& session, const DiagnoseArguments& options) {
   const OwnParts own = own_parts(files.size(), context);
   for (std::size_t i = own.first; i < own.end; ++i)
     texts[i] = packed(answer_of(files[i], model, options, session, context.alone()));
-  share_texts(texts, context);
+  exchange_texts(texts, context);
   if (!context.leads()) return 0;
   finish_progress(session, options.run);
   std::vector<FleetAnswer> fleet;
@@ -181,7 +181,7 @@ void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
                  "(see `describe decision`)")
       ->type_name("PATH=VALUE");
   app.add_flag("--explain", options.explain,
-               "Show every account that was judged and the number that decided");
+               "Show every composite model that was judged and the number that decided");
   app.add_flag("--full", options.full, "Show the augmented model with all its digits too");
   app.add_flag("--fill-gap", options.fill_gap,
                "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
@@ -235,7 +235,7 @@ Command declare_diagnose(CLI::App& root) {
   app->add_option("--json", options->json, "Write the diagnosis as JSON; - for standard output")
       ->type_name("FILE|-");
   declare_report_options(*app, options->report);
-  // Candidates are fitted side by side; all cores are in use unless told otherwise.
+  // Candidates are fitted side by side; all cores are in use unless set otherwise.
   options->run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   declare_run_options(*app, options->run);
   return {app,

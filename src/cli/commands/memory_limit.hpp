@@ -11,7 +11,7 @@ namespace lacuna::cli {
 /// The least that anything can be done with.
 inline constexpr std::uint64_t kLeastMemory = std::uint64_t{16} << 20U;
 
-/// Bytes that a run may take unless told otherwise: three quarters of the machine's memory.
+/// Bytes that a run may take unless set otherwise: three quarters of the machine's memory.
 std::uint64_t default_memory();
 
 /// Keeps memory that is freed for what asks for it next: fits ask for the same large matrices

@@ -28,7 +28,7 @@ constexpr std::array kVerdicts = {
     VerdictColour{"No structure is missing", kYellow},
     VerdictColour{"Partly explained", kYellow},
     VerdictColour{"An approximation", kYellow},
-    VerdictColour{"Cannot tell", kYellow},
+    VerdictColour{"Undecided", kYellow},
     VerdictColour{"Something is missing", kRed},
     VerdictColour{"No effect is sought", kRed},
     VerdictColour{"Does not hold", kRed},

@@ -25,7 +25,7 @@ struct Range {
 /// Characters of units, in order. None combines with one before it, none has another composed
 /// form (Unicode's NFC_Quick_Check is yes, the combining class 0), none is written from right
 /// to left: without the ohm, kelvin and angstrom signs (U+2126, U+212A, U+212B), which are
-/// other writings of letters.
+/// other shapes of letters.
 constexpr std::array<Range, 19> kUnitCharacters{{{0x20, 0x5A},
                                                  {0x5C, 0x5C},
                                                  {0x5E, 0x7E},

@@ -48,7 +48,7 @@ std::optional<TextFault> unit_fault(std::string_view unit);
 std::optional<TextFault> comment_fault(std::string_view text);
 
 /// The unit that is meant by a text in UTF-8 from elsewhere: unseen characters are left out,
-/// those that have another writing get it (the ohm sign is an omega, brackets are round),
+/// those that have another shape get it (the ohm sign is an omega, brackets are round),
 /// others that no unit has become '?', and what is too long is cut. unit_fault() of it is
 /// nothing.
 std::string cleaned_unit(std::string_view text);

@@ -26,8 +26,8 @@ void for_each_own_part(std::size_t parts, const RunContext& context,
                [&](std::size_t i) { work(own.first + i); });
 }
 
-void share_parts(std::size_t parts, const RunContext& context,
-                 FunctionRef<std::span<double>(std::size_t)> numbers) {
+void exchange_parts(std::size_t parts, const RunContext& context,
+                    FunctionRef<std::span<double>(std::size_t)> numbers) {
   if (context.team == nullptr) return;
   for (int member = 0; member < context.team->size(); ++member) {
     const OwnParts own = parts_of(member, parts, context);
@@ -36,7 +36,7 @@ void share_parts(std::size_t parts, const RunContext& context,
       const std::span<double> part = numbers(i);
       all.insert(all.end(), part.begin(), part.end());
     }
-    context.team->share(all, member);
+    context.team->broadcast(all, member);
     auto next = all.begin();
     for (std::size_t i = own.first; i < own.end; ++i) {
       const std::span<double> part = numbers(i);
@@ -46,17 +46,17 @@ void share_parts(std::size_t parts, const RunContext& context,
   }
 }
 
-void share_texts(std::vector<std::string>& texts, const RunContext& context) {
+void exchange_texts(std::vector<std::string>& texts, const RunContext& context) {
   if (context.team == nullptr) return;
   std::vector<double> sizes;
   for (const std::string& text : texts) sizes.push_back(static_cast<double>(text.size()));
-  share_parts(texts.size(), context, [&](std::size_t i) { return std::span(&sizes[i], 1); });
+  exchange_parts(texts.size(), context, [&](std::size_t i) { return std::span(&sizes[i], 1); });
   std::vector<std::vector<double>> letters;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     letters.emplace_back(texts[i].begin(), texts[i].end());
     letters[i].resize(static_cast<std::size_t>(sizes[i]));
   }
-  share_parts(texts.size(), context, [&](std::size_t i) { return std::span(letters[i]); });
+  exchange_parts(texts.size(), context, [&](std::size_t i) { return std::span(letters[i]); });
   for (std::size_t i = 0; i < texts.size(); ++i) {
     texts[i].clear();
     for (const double letter : letters[i]) texts[i] += static_cast<char>(letter);

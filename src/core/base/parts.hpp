@@ -29,11 +29,11 @@ void for_each_own_part(std::size_t parts, const RunContext& context,
 
 /// Gives every member of the team the numbers of all parts, as those have them who made them.
 /// @param numbers of a part; the same count in every member.
-void share_parts(std::size_t parts, const RunContext& context,
-                 FunctionRef<std::span<double>(std::size_t)> numbers);
+void exchange_parts(std::size_t parts, const RunContext& context,
+                    FunctionRef<std::span<double>(std::size_t)> numbers);
 
 /// The same for a text of each part.
-void share_texts(std::vector<std::string>& texts, const RunContext& context);
+void exchange_texts(std::vector<std::string>& texts, const RunContext& context);
 
 /// The numbers of a matrix or a vector.
 template <class Dense>

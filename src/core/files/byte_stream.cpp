@@ -49,7 +49,7 @@ std::size_t ByteStream::read(std::span<char> bytes) {
   return before + read_file(bytes.subspan(before));
 }
 
-std::optional<double> ByteStream::share() const {
+std::optional<double> ByteStream::fraction() const {
   if (!file_size_ || *file_size_ == 0) return std::nullopt;
   const std::size_t used = position_ - waiting_.size();
   return std::min(1.0, static_cast<double>(used) / static_cast<double>(*file_size_));

@@ -33,8 +33,8 @@ class ByteStream {
   /// Size of the file in bytes, packed as it is; nothing for a pipe.
   std::optional<std::size_t> file_size() const noexcept { return file_size_; }
 
-  /// Share of the file that has been read, 0..1; nothing for a pipe.
-  std::optional<double> share() const;
+  /// Fraction of the file that has been read, 0..1; nothing for a pipe.
+  std::optional<double> fraction() const;
 
  private:
   std::size_t read_file(std::span<char> bytes);

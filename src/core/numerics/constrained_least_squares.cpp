@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-/// Share of the largest pivot below which a direction is none.
+/// Fraction of the largest pivot below which a direction is none.
 constexpr double kRank = 1e-12;
 
 /// What moves along any of the directions that nothing determines has no finite variance.

@@ -6,7 +6,8 @@
 
 namespace lacuna {
 
-/// The solution of min |R h - c| subject to A h = b, with what is left free around it.
+/// The solution of min |R h - c| subject to A h = b, with the directions that stay free around
+/// it.
 struct ConstrainedSolution {
   Vector h;          ///< q
   Vector variances;  ///< q: diagonal of N (N'R'RN)^-1 N', N spanning the null

@@ -64,13 +64,13 @@ void Qr::apply_on_the_right(Eigen::Ref<Matrix> b) const {
     t.col(i).head(i) =
         -t(i, i) * (t.topLeftCorner(i, i) * (v.leftCols(i).transpose() * v.col(i)).eval());
   }
-  const Matrix shares = (b * v).eval() * t;
-  b.noalias() -= shares * v.transpose();
+  const Matrix fractions = (b * v).eval() * t;
+  b.noalias() -= fractions * v.transpose();
 }
 
-PivotedQr::PivotedQr(const Matrix& a, std::optional<double> share)
+PivotedQr::PivotedQr(const Matrix& a, std::optional<double> fraction)
     : factor_(a.rows(), a.cols()) {
-  if (share) factor_.setThreshold(*share);
+  if (fraction) factor_.setThreshold(*fraction);
   if (a.size() > 0) factor_.compute(a);
 }
 

@@ -37,13 +37,13 @@ class Qr {
 };
 
 /// A P = Q R, each next column the one that is longest without those before (Businger & Golub
-/// 1965). Columns whose pivot is below a share of the largest count as dependent. Of an A with
-/// NaN or infinite entries the rank is 0 and solutions are NaN. Functions with an argument
+/// 1965). Columns whose pivot is below a fraction of the largest count as dependent. Of an A
+/// with NaN or infinite entries the rank is 0 and solutions are NaN. Functions with an argument
 /// throw ArgumentError when its shape does not fit.
 class PivotedQr {
  public:
   /// @param share by default the smaller side of A times the rounding of a double.
-  explicit PivotedQr(const Matrix& a, std::optional<double> share = {});
+  explicit PivotedQr(const Matrix& a, std::optional<double> fraction = {});
 
   Index rank() const;
 

@@ -7,12 +7,12 @@
 
 namespace lacuna {
 
-Index SingularValues::rank(double share) const {
-  return values.size() == 0 ? 0 : (values.array() > share * values[0]).count();
+Index SingularValues::rank(double fraction) const {
+  return values.size() == 0 ? 0 : (values.array() > fraction * values[0]).count();
 }
 
-Matrix SingularValues::null_space(double share) const {
-  return right.rightCols(right.cols() - rank(share));
+Matrix SingularValues::null_space(double fraction) const {
+  return right.rightCols(right.cols() - rank(fraction));
 }
 
 SingularValues singular_values(const Matrix& a) {

@@ -12,10 +12,10 @@ struct SingularValues {
   Matrix right;   ///< L x L: V
 
   /// How many values are larger than `share` of the largest.
-  Index rank(double share) const;
+  Index rank(double fraction) const;
 
   /// Orthonormal columns that A maps to nothing: L x (L - rank(share)).
-  Matrix null_space(double share) const;
+  Matrix null_space(double fraction) const;
 };
 
 /// @param a n x L; all numbers are NaN where an entry is not finite.

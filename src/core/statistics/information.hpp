@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a parameter and a choice cost in -2 log likelihood: all prices are made of these two.
+// What a parameter and a choice cost in -2 log likelihood: all penalties are made of these two.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 
 namespace lacuna {
 
-/// Price of one parameter by the Bayesian information criterion: log n for n samples, 0 for
+/// Penalty for one parameter by the Bayesian information criterion: log n for n samples, 0 for
 /// less than one. Schwarz, Ann. Statist. 6 (1978), 461.
-inline double parameter_price(double samples) { return std::log(std::max(1.0, samples)); }
+inline double parameter_penalty(double samples) { return std::log(std::max(1.0, samples)); }
 
-/// Price of what was the best of so many candidates: log(tried), half of what the extended
+/// Penalty for what was the best of so many candidates: log(tried), half of what the extended
 /// criterion asks with its weight 1. Chen and Chen, Biometrika 95 (2008), eq. (1).
-inline double choice_price(double tried) { return std::log(std::max(1.0, tried)); }
+inline double choice_penalty(double tried) { return std::log(std::max(1.0, tried)); }
 
 }  // namespace lacuna

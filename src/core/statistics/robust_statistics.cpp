@@ -25,11 +25,12 @@ void check_values(const std::vector<double>& values, const char* function) {
 
 }  // namespace
 
-double quantile(std::vector<double>& values, double share) {
+double quantile(std::vector<double>& values, double fraction) {
   check_values(values, "quantile");
-  check_argument(share >= 0.0 && share <= 1.0, "quantile", "the share is not from 0 to 1");
+  check_argument(fraction >= 0.0 && fraction <= 1.0, "quantile",
+                 "the fraction is not from 0 to 1");
   return ranked(values,
-                static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
+                static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1)));
 }
 
 double median(std::vector<double> values) {

@@ -10,14 +10,14 @@ namespace lacuna {
 /// Median absolute value of a standard normal variable: a fact, the quantile 0.75.
 inline constexpr double kNormalMedian = 0.674489750196082;
 
-/// A scale of differences of order k + 1 that is not below this share of that of order k has
+/// A scale of differences of order k + 1 that is not below this fraction of that of order k has
 /// levelled off: it is the noise, and no longer the signal, which falls by more
 /// (docs/decisions.md).
 inline constexpr double kLevelledOff = 0.93;
 
-/// The value of rank floor(share (n - 1)) among n values, from 0. No value is interpolated.
-/// @throws ArgumentError when there is no value, or the share is not from 0 to 1.
-double quantile(std::vector<double>& values, double share);
+/// The value of rank floor(fraction (n - 1)) among n values, from 0. No value is interpolated.
+/// @throws ArgumentError when there is no value, or the fraction is not from 0 to 1.
+double quantile(std::vector<double>& values, double fraction);
 
 /// The mean of the two middle values of an even number of them.
 /// @throws ArgumentError when there is no value; the same below.

@@ -84,7 +84,7 @@ class OrderChoice {
         highest_(highest),
         rows_(static_cast<double>(orders_.rates().rows())) {}
 
-  /// The order of least error; the last one only tells the error of the one before. Higher
+  /// The order of least error; the last one only estimates the error of the one before. Higher
   /// orders amplify noise more: once noise alone is above the least error none of them is
   /// better.
   int best() {
@@ -168,7 +168,7 @@ class OrderChoice {
   std::vector<Level> levels_;  ///< those that were asked for
 };
 
-/// The middle of the longest record: so many samples tell mean squares to two per cent.
+/// The middle of the longest record: so many samples determine mean squares to two per cent.
 Dataset middle_of(const Dataset& data) {
   const Trajectory& record = longest_record(data);
   const Index count = std::min<Index>(record.samples(), 4096);

@@ -88,7 +88,7 @@ Index packed_together(const Handle& set, bool columns) {
 struct Found {
   std::vector<ArrayShape> shapes;  ///< of the data sets that are arrays of numbers
   std::vector<Handle> sets;        ///< these
-  std::vector<std::string> notes;  ///< what is left out
+  std::vector<std::string> notes;  ///< what is omitted
 };
 
 /// How links are followed: never into other files, which a record has no business to name.
@@ -306,7 +306,7 @@ class Hdf5Blocks final : public RowBlocks {
     return true;
   }
 
-  std::optional<double> share() const override {
+  std::optional<double> fraction() const override {
     return static_cast<double>(first_) / static_cast<double>(rows_.samples());
   }
 
@@ -316,12 +316,12 @@ class Hdf5Blocks final : public RowBlocks {
   Index first_ = 0;  ///< of the next block
 };
 
-void tell_errors_ourselves() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void report_errors_ourselves() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 }  // namespace
 
 Table parse_hdf5(std::string_view bytes, const std::string& source, const TimeFinder& find) {
-  tell_errors_ourselves();
+  report_errors_ourselves();
   const ArrayRows rows(open_file(bytes, source), source, find);
   Table table = rows.columns();
   table.values = rows.read(0, rows.samples());
@@ -330,7 +330,7 @@ Table parse_hdf5(std::string_view bytes, const std::string& source, const TimeFi
 
 std::unique_ptr<RowBlocks> hdf5_blocks(const std::filesystem::path& path, BlockSizes sizes,
                                        const TimeFinder& find) {
-  tell_errors_ourselves();
+  report_errors_ourselves();
   return std::make_unique<Hdf5Blocks>(path, sizes, find);
 }
 

@@ -29,8 +29,8 @@ class RowBlocks {
   /// @throws FileError, DataError as read_table() does.
   virtual bool next(Table& block) = 0;
 
-  /// Share of the file that has been read, 0..1; nothing where nobody knows how long it is.
-  virtual std::optional<double> share() const = 0;
+  /// Fraction of the file that has been read, 0..1; nothing where nobody knows how long it is.
+  virtual std::optional<double> fraction() const = 0;
 };
 
 /// A file, or standard input ("-"), whose begin has been looked at.

@@ -77,7 +77,7 @@ class TextBlocks final : public RowBlocks {
     return true;
   }
 
-  std::optional<double> share() const override { return part_.file().stream.share(); }
+  std::optional<double> fraction() const override { return part_.file().stream.fraction(); }
 
  private:
   /// Whole lines, and the rest where the text has ended.

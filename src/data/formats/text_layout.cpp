@@ -84,7 +84,7 @@ std::optional<char> data_delimiter(std::string_view line) {
   return std::nullopt;
 }
 
-/// Names such as "time,1,2" tell a header although numbers stand in it.
+/// Names such as "time,1,2" show a header although numbers stand in it.
 bool starts_with_time(std::string_view line, char delimiter) {
   std::vector<std::string_view> fields;
   split_fields(line, delimiter, fields);

@@ -15,7 +15,7 @@ namespace lacuna {
 
 /// How a text is read, which its begin shows.
 struct TextFormat {
-  /// So many bytes tell a dialect.
+  /// So many bytes determine a dialect.
   static constexpr std::size_t kBegin = std::size_t{1} << 20U;
 
   std::optional<TextDialect> dialect;

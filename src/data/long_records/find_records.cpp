@@ -72,11 +72,11 @@ Records from_text(const std::string& text) {
 }
 
 /// Gives all members of a team what each has found in its pieces.
-void share_records(std::vector<Records>& found, const RunContext& context) {
+void exchange_records(std::vector<Records>& found, const RunContext& context) {
   if (context.team == nullptr) return;
   std::vector<std::string> texts;
   for (const Records& records : found) texts.push_back(as_text(records));
-  share_texts(texts, context);
+  exchange_texts(texts, context);
   std::transform(texts.begin(), texts.end(), found.begin(), from_text);
 }
 
@@ -111,7 +111,7 @@ Records find_records(const NpyFile& file, const ColumnIndices& columns,
     const Index end = std::min(static_cast<Index>(i + 1) * kPiece, file.rows());
     found[i] = records_of_piece(file, columns, first, end - first);
   });
-  share_records(found, context);
+  exchange_records(found, context);
   Records all;
   for (std::size_t i = 0; i < pieces; ++i) {
     join_ranges(found[i].ranges, std::max<Index>(static_cast<Index>(i) * kPiece - kOverlap, 0),

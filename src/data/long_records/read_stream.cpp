@@ -68,7 +68,7 @@ class HopefulRecord final : public SampleSource {
   std::shared_ptr<const RecordFile> file_;
 };
 
-/// What a dataset says beside its samples.
+/// What a dataset has beside its samples.
 Dataset described(Table table, const ColumnIndices& columns, ColumnRoles roles) {
   roles.names.clear();  // the columns are called so already
   // Two rows with which nothing is wrong.
@@ -94,7 +94,7 @@ void append_notes(const std::vector<std::string>& notes, Dataset& data) {
 
 }  // namespace
 
-/// Files, and what a dataset says of them beside its samples.
+/// Files, and what a dataset has of them beside its samples.
 struct RecordFiles {
   std::vector<std::shared_ptr<const RecordFile>> files;
   Dataset description;

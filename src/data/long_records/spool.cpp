@@ -19,13 +19,13 @@ std::string megabytes(double bytes) {
   return std::to_string(static_cast<std::uint64_t>(std::ceil(bytes / 1048576.0))) + " MB";
 }
 
-/// Writes what the share of a source that was read has become.
+/// Writes what the fraction of a source that was read has become.
 void write_part(TemporaryFile& file, std::span<const char> bytes, const std::string& source,
-                std::optional<double> share) {
+                std::optional<double> fraction) {
   const auto all = static_cast<double>(file.size() + bytes.size());
   if (file.append(bytes)) return;
-  const std::string needed = share && *share > 0.0 ? "about " + megabytes(all / *share)
-                                                   : "more than " + megabytes(all);
+  const std::string needed = fraction && *fraction > 0.0 ? "about " + megabytes(all / *fraction)
+                                                         : "more than " + megabytes(all);
   throw FileError(file.folder().string(),
                   "there is no room for the numbers of " + source + ": they take " + needed +
                       ", and " + megabytes(static_cast<double>(file.size())) +
@@ -64,9 +64,9 @@ NpyFile spooled(RowBlocks& blocks, const RunContext& context) {
   LineNumbers lines;
   Index rows = 0;
   while (blocks.next(block)) {
-    context.report(kActivity, blocks.share().value_or(0.0));
+    context.report(kActivity, blocks.fraction().value_or(0.0));
     const RowMajorMatrix by_row = block.values;
-    write_part(file, bytes_of(by_row), source, blocks.share());
+    write_part(file, bytes_of(by_row), source, blocks.fraction());
     lines.append(block.lines);
     rows += by_row.rows();
   }
@@ -79,8 +79,8 @@ NpyFile unpacked(OpenedFile& opened, const RunContext& context) {
   TemporaryFile file;
   std::string bytes = std::exchange(opened.begin, {});
   while (!bytes.empty()) {
-    context.report(kActivity, opened.stream.share().value_or(0.0));
-    write_part(file, bytes, opened.source, opened.stream.share());
+    context.report(kActivity, opened.stream.fraction().value_or(0.0));
+    write_part(file, bytes, opened.source, opened.stream.fraction());
     bytes.resize(kBlock);
     bytes.resize(opened.stream.read(bytes));
   }

@@ -39,11 +39,11 @@ Interpolation interpolation_of(const std::optional<Hold>& hold) {
   }
 }
 
-bool shows_hold(const Eigen::Ref<const Vector>& values, double share) {
+bool shows_hold(const Eigen::Ref<const Vector>& values, double fraction) {
   const Index n = values.size() - 1;
   if (n < 1) return false;
   const Index repeats = (values.tail(n).array() == values.head(n).array()).count();
-  return repeats<n&& static_cast<double>(repeats)> share * static_cast<double>(n);
+  return repeats<n&& static_cast<double>(repeats)> fraction * static_cast<double>(n);
 }
 
 }  // namespace lacuna

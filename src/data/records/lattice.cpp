@@ -28,7 +28,7 @@ std::vector<double> distinct_values(const Dataset& data, Index state) {
 
 std::optional<double> lattice_of(const Dataset& data, Index state) {
   constexpr std::size_t kFewestLevels = 8;  // fewer say nothing of what they have in common
-  constexpr double kRounding = 1e-3;        // of a multiple, as a share of q
+  constexpr double kRounding = 1e-3;        // of a multiple, as a fraction of q
   constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
   const std::vector<double> values = distinct_values(data, state);
   if (values.size() < kFewestLevels) return std::nullopt;

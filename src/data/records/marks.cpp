@@ -15,9 +15,9 @@ void fill_between(Index before, Index behind, Eigen::Ref<Vector> values) {
   const double first = values[from ? before : behind];
   const double last = values[to ? behind : before];
   for (Index row = before + 1; row < behind; ++row) {
-    const double share =
+    const double fraction =
         static_cast<double>(row - before) / static_cast<double>(behind - before);
-    values[row] = first + share * (last - first);
+    values[row] = first + fraction * (last - first);
   }
 }
 

@@ -80,7 +80,7 @@ class Differences {
   Index count_;  ///< of the differences
 };
 
-/// Orders after the one at which the estimates level off that count: what is left of the signal
+/// Orders after the one at which the estimates level off that count: the rest of the signal
 /// goes on falling; much later ones only scatter more.
 constexpr std::size_t kSettling = 3;
 
@@ -91,7 +91,7 @@ std::size_t first_level(const std::vector<double>& sigmas) {
   return sigmas.size();
 }
 
-/// Noise seen by the differences of order 1, 2, ..., as far as the level needs them.
+/// Noise estimated by the differences of order 1, 2, ..., as far as the level needs them.
 std::vector<double> noise_by_order(const Dataset& data, Index state) {
   std::vector<Differences> records;
   for (const Trajectory& trajectory : data.trajectories)
@@ -136,9 +136,9 @@ Dataset thinned(const Dataset& data, Index state, Index stride) {
   return result;
 }
 
-/// Noise seen by every second sample, where it is certainly more than every sample sees: the
-/// scatter of a median of n values is about 1.2 / sqrt(n) of it, and differences of one order
-/// more or less move a plateau by a tenth.
+/// Noise estimated by every second sample, where it is certainly more than every sample sees:
+/// the scatter of a median of n values is about 1.2 / sqrt(n) of it, and differences of one
+/// order more or less move a plateau by a tenth.
 std::optional<double> coloured_level(const Dataset& data, Index state, double sigma) {
   const double margin =
       1.2 + 5.0 / std::sqrt(static_cast<double>(std::max<Index>(data.samples(), 1)));
@@ -196,8 +196,8 @@ Vector bends(const Trajectory& record, Index state) {
   const auto x = record.states.col(state);
   Vector bend = Vector::Zero(record.samples());
   for (Index i = 1; i + 1 < record.samples(); ++i) {
-    const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
-    bend[i] = x[i] - (1.0 - share) * x[i - 1] - share * x[i + 1];
+    const double fraction = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+    bend[i] = x[i] - (1.0 - fraction) * x[i - 1] - fraction * x[i + 1];
   }
   return bend;
 }

@@ -55,12 +55,12 @@ void note_resolution(Table& table, const TimeColumn& time, std::span<const doubl
     if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
   std::sort(steps.begin(), steps.end());
   if (!are_rounded(steps, resolution)) return;
-  const double share = resolution / steps[steps.size() / 2];
-  if (share < kWorthSaying) return;
+  const double fraction = resolution / steps[steps.size() / 2];
+  if (fraction < kWorthSaying) return;
   const std::string& name = table.columns[static_cast<std::size_t>(time.column)].name;
   table.notes.push_back(table.source + ": the times in column '" + name + "' are rounded to " +
                         format_number(resolution, 2) + ", " +
-                        std::to_string(std::lround(100.0 * share)) +
+                        std::to_string(std::lround(100.0 * fraction)) +
                         " % of their step; write them with more digits, or give the step");
 }
 

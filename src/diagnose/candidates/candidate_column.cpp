@@ -175,10 +175,11 @@ double longest_delay(const Expression& formula, const Variables& variables) {
 /// began; the number of rows when they never are.
 Index forgotten_from(const Matrix& one, const Matrix& other) {
   // A decision (docs/decisions.md).
-  constexpr double kShareOfStart = 0.05;
+  constexpr double kFractionOfStart = 0.05;
   const Matrix apart = (one - other).cwiseAbs();
   Index row = apart.rows();
-  while (row > 0 && (apart.row(row - 1).array() <= kShareOfStart * apart.row(0).array()).all())
+  while (row > 0 &&
+         (apart.row(row - 1).array() <= kFractionOfStart * apart.row(0).array()).all())
     --row;
   return row;
 }

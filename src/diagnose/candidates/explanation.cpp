@@ -218,7 +218,7 @@ class JointFit {
     return next;
   }
 
-  /// What no record tells of the model with effects: they show changes that nothing shows
+  /// What no record determines of the model with effects: they show changes that nothing shows
   /// without them, and their own numbers make up for others.
   void see_changes(const std::vector<FittedEffect>& effects, const AugmentedProblem& problem,
                    AssimilationOptions& options) const {
@@ -239,13 +239,13 @@ class JointFit {
   /// disturbance of their equation.
   static void set_drives(const std::vector<FittedEffect>& effects, Index next,
                          Vector& disturbance) {
-    constexpr double kShareOfDisturbance = 0.1;  // a fact of the search: a start, no bound
+    constexpr double kFractionOfDisturbance = 0.1;  // a fact of the search: a start, no bound
     for (const FittedEffect& effect : effects)
       for (const MemoryState& memory : effect.candidate.memory) {
         if (memory.driven) {
           double& own = disturbance[effect.candidate.equation];
           disturbance[next] = own / effect.shapes[0];
-          own *= kShareOfDisturbance;
+          own *= kFractionOfDisturbance;
         }
         ++next;
       }
@@ -339,7 +339,7 @@ Explanation explain(const JointFitTask& task, const Assimilation& start,
   const JointFit fit(task);
   const int passes = task.options.passes;
   Explanation best = fit.with_shapes(fit.at(start, effects, passes));
-  if (const auto again = with_seen_noise(best.fit)) {
+  if (const auto again = with_estimated_noise(best.fit)) {
     Explanation other = fit.with_shapes(fit.at(*again, best.effects, passes));
     if (other.fit.deviance < best.fit.deviance) return other;
   }

@@ -84,7 +84,7 @@ class KeyText {
   }
   void add(const Assimilation& fit) {
     add_all(fit.model, fit.records, fit.measured, fit.omitted, fit.noise, fit.least_noise,
-            fit.seen_noise, fit.curvature.entries, fit.curvature.inverse, fit.deviance,
+            fit.estimated_noise, fit.curvature.entries, fit.curvature.inverse, fit.deviance,
             fit.used, fit.free, fit.channel_terms, fit.covariance, fit.held, fit.units);
   }
   void add(const AssimilationOptions& options) {

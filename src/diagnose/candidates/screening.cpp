@@ -16,9 +16,9 @@
 namespace lacuna {
 namespace {
 
-/// Gain less the price of the shape parameters.
-double net_gain(const ScreenedCandidate& screened, double shape_price) {
-  return screened.gain - shape_price * static_cast<double>(screened.shapes.size());
+/// Gain less the penalty for the shape parameters.
+double net_gain(const ScreenedCandidate& screened, double shape_penalty) {
+  return screened.gain - shape_penalty * static_cast<double>(screened.shapes.size());
 }
 
 /// One start of one candidate.
@@ -167,7 +167,7 @@ Screening::Screening(const Assimilation& assimilation)
 }
 
 std::vector<Score> Screening::scores(std::span<const Probe> probes) const {
-  // Below this share of its length a column is one of the nominal terms, up to rounding.
+  // Below this fraction of its length a column is one of the nominal terms, up to rounding.
   constexpr double kIndependent = 1e-10;
   const ProbeColumns found = probe_columns(probes, assimilation_, system_);
   const Vector inner = found.columns.transpose() * innovations_;
@@ -258,7 +258,7 @@ std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
   const Recollection known(screening, memory);
   std::vector<ScreenedCandidate> all = all_at_starts(candidates, screening, known, context);
   const auto better = [&](const ScreenedCandidate& a, const ScreenedCandidate& b) {
-    return net_gain(a, options.shape_price) > net_gain(b, options.shape_price);
+    return net_gain(a, options.shape_penalty) > net_gain(b, options.shape_penalty);
   };
   std::stable_sort(all.begin(), all.end(), better);
   context.report("searching shapes", 0.5);

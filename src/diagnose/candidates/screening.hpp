@@ -41,7 +41,7 @@ class Screening {
   explicit Screening(const Assimilation& assimilation);
 
   /// Gain and coefficient (within the candidate's bounds) at given shapes; gain 0 where the
-  /// candidate cannot be told from the nominal terms or is not finite.
+  /// candidate cannot be distinguished from the nominal terms or is not finite.
   Score score(const Candidate& candidate, std::span<const double> shapes) const;
 
   /// score() of several that are all in the same place and equation, which costs less.
@@ -70,9 +70,9 @@ class Screening {
 
 /// What decides in a screening.
 struct ScreeningOptions {
-  double shape_price =
+  double shape_penalty =
       0.0;  ///< gain that a shape parameter has to bring, as a criterion has it
-  double worth_shaping = 0.0;  ///< share of the best gain below which shapes are not searched
+  double worth_shaping = 0.0;  ///< of the best gain; shapes are not searched below it
 };
 
 /// What was found of candidates, for other screenings against the same assimilation. Several
@@ -98,7 +98,7 @@ class ScreeningMemory {
 /// Screens all candidates: starting points of all, then the shapes of the best of each family
 /// and equation. Uses the threads of the context.
 /// @param memory of screenings, or null.
-/// @return by falling gain less the price of the shapes.
+/// @return by falling gain less the penalty for the shapes.
 std::vector<ScreenedCandidate> screen(const std::vector<Candidate>& candidates,
                                       const Screening& screening,
                                       const ScreeningOptions& options,

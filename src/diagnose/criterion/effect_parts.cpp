@@ -125,7 +125,7 @@ double apart(const Explanation& one, const Explanation& other, const OdeModel& n
   return std::sqrt(sum / samples) / rate_rms(other.fit)[equation];
 }
 
-double acting_share(const FittedEffect& effect, const Assimilation& fit, double of_largest) {
+double acting_fraction(const FittedEffect& effect, const Assimilation& fit, double of_largest) {
   std::vector<Vector> all;
   double largest = 0.0, acting = 0.0, samples = 0.0;
   for (const LinearisedRecord& record : fit.records) {

@@ -43,9 +43,9 @@ struct MovedCoefficient {
   bool changes_sign() const { return given * fitted < 0.0; }
 };
 
-/// The nominal coefficients that have moved beyond what passes as the given ones: told from 0,
-/// and of the other sign and more than a minor part of the given one, or larger by more than
-/// DecisionOptions::out_of_scale.
+/// The nominal coefficients that have moved beyond what passes as the given ones: distinguished
+/// from 0, and of the other sign and more than a minor part of the given one, or larger by more
+/// than DecisionOptions::out_of_scale.
 /// @param free how many of the fit's free coefficients, the first ones, are nominal.
 std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
                                                  const OdeModel& nominal, std::size_t free,
@@ -56,8 +56,8 @@ std::vector<MovedCoefficient> moved_coefficients(const Assimilation& fit,
 double apart(const Explanation& one, const Explanation& other, const OdeModel& nominal,
              Index equation);
 
-/// Share of the samples in which an effect acts: in which it is more than a share of the
+/// Fraction of the samples in which an effect acts: in which it is more than a fraction of the
 /// largest it ever is.
-double acting_share(const FittedEffect& effect, const Assimilation& fit, double of_largest);
+double acting_fraction(const FittedEffect& effect, const Assimilation& fit, double of_largest);
 
 }  // namespace lacuna

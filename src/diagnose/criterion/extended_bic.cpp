@@ -7,12 +7,12 @@ namespace lacuna {
 
 void ExtendedBicOptions::describe(OptionVisitor& v) {
   v.field(
-      {"choice", "", "Weight of the price of choosing; 0 is the plain criterion.", 0.0, 1.0},
+      {"choice", "", "Weight of the penalty for choosing; 0 is the plain criterion.", 0.0, 1.0},
       choice);
 }
 
 double ExtendedBic::do_penalty(const Evidence& evidence) const {
-  return evidence.parameters * parameter_price(evidence.samples) +
+  return evidence.parameters * parameter_penalty(evidence.samples) +
          2.0 * options().choice * evidence.log_choices;
 }
 

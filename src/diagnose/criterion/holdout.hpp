@@ -21,7 +21,7 @@ struct HoldoutGaps {
 
 /// The effects are refuted when the gap grows by more than a negligible share; they do little
 /// where it does not shrink at all, or where the nominal gap stands above the floor by more
-/// than a minor share and less than a major share of its square, above the floor's, goes.
+/// than a minor fraction and less than a major fraction of its square, above the floor's, goes.
 HoldoutVerdict holdout_verdict(const HoldoutGaps& gaps, const DecisionOptions& decision);
 
 }  // namespace lacuna

@@ -9,13 +9,13 @@ namespace {
 void describe_search(DecisionOptions& o, OptionVisitor& v) {
   v.field(
       {"worth_shaping", "",
-       "Candidates whose gain is a smaller share of the best one's get no search of shapes.",
+       "Candidates whose gain is a smaller fraction of the best one's get no search of shapes.",
        0.0, 1.0},
       o.worth_shaping);
-  v.field(
-      {"worth_fitting", "",
-       "Candidates whose gain is a smaller share of the best one's are not fitted.", 0.0, 1.0},
-      o.worth_fitting);
+  v.field({"worth_fitting", "",
+           "Candidates whose gain is a smaller fraction of the best one's are not fitted.", 0.0,
+           1.0},
+          o.worth_fitting);
   v.field({"possible", "standard deviations",
            "Candidates whose gain is less significant are not fitted.", 0.0},
           o.possible);
@@ -60,7 +60,7 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
        1.0},
       o.explained_gap);
   v.field({"cancelling", "",
-           "Terms whose sum is a smaller share of the largest of them nearly cancel: their "
+           "Terms whose sum is a smaller fraction of the largest of them nearly cancel: their "
            "numbers say nothing each, and they do not pass as an explanation.",
            0.0, 1.0},
           o.cancelling);
@@ -70,33 +70,32 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            1.0},
           o.out_of_scale);
   v.field({"acting", "",
-           "An effect that acts in a smaller share of the samples is known from too few of "
-           "them to pass as an explanation; it acts where it is more than this share of its "
+           "An effect that acts in a smaller fraction of the samples is known from too few of "
+           "them to pass as an explanation; it acts where it is more than this fraction of its "
            "largest value.",
            0.0, 1.0},
           o.acting);
-  v.field({"filter_gain", "",
-           "A filter in front of a sensor passes on the whole of the state, up to this share.",
-           0.0, 1.0},
-          o.filter_gain);
   v.field(
-      {"dense_input", "",
-       "An input is recorded densely where its slope changes from step to step by a smaller "
-       "share of itself (rms): straight lines and curves through its samples are then the "
-       "same, and no jump hides between two of them.",
-       0.0},
-      o.dense_input);
+      {"filter_gain", "",
+       "A filter in front of a sensor passes on the whole of the state, up to this fraction.",
+       0.0, 1.0},
+      o.filter_gain);
+  v.field({"dense_input", "",
+           "An input is recorded densely where its slope changes from step to step by a "
+           "smaller fraction of itself (rms): straight lines and curves through its samples "
+           "are then the same, and no jump hides between two of them.",
+           0.0},
+          o.dense_input);
 }
 
 }  // namespace
 
 void SmoothingOptions::describe(OptionVisitor& v) {
-  v.field(
-      {"smoothing_widest", "samples",
-       "Widest filter that records are asked for: a wider one leaves of the noise above half "
-       "of the highest frequency too little to tell it from others.",
-       2.0, 128.0},
-      widest);
+  v.field({"smoothing_widest", "samples",
+           "Widest filter that records are asked for: a wider one leaves of the noise above "
+           "half of the highest frequency too little to distinguish it from others.",
+           2.0, 128.0},
+          widest);
   v.field(
       {"smoothing_below", "",
        "A filter that is seen above half of the highest frequency is that of the records "
@@ -128,28 +127,29 @@ void DecisionOptions::describe(OptionVisitor& v) {
            "What is less significant, after allowing for all that was tried, is chance.", 0.0},
           significance);
   v.field({"effect_size", "",
-           "Least rms of an effect or of what is left, as a share of the rms of the state's "
+           "Least rms of an effect or of the residual, as a fraction of the rms of the state's "
            "rate; what is less may come from the arithmetic that made or sampled the records.",
            0.0, 1.0},
           effect_size);
   v.field({"undecided", "",
-           "Evidence up to which two explanations are not told apart: 2 log B of Kass and "
+           "Evidence up to which two explanations are not distinguished: 2 log B of Kass and "
            "Raftery, JASA 90 (1995), from where on it is very strong.",
            0.0},
           undecided);
   v.field({"max_effects", "", "Effects that are named at most.", 0.0, 20.0}, max_effects);
   v.field({"negligible", "",
-           "A difference of this share (of a gap, of a disturbance, of what an input explains) "
-           "is none.",
+           "A difference of this fraction (of a gap, of a disturbance, of what an input "
+           "explains) is none.",
            0.0, 1.0},
           negligible);
-  v.field({"minor", "",
-           "A part of this share is a minor one: a further effect takes away more of what is "
-           "left; an explanation that leaves less of the square of the gap shows the motion.",
-           0.0, 1.0},
-          minor);
+  v.field(
+      {"minor", "",
+       "A part of this fraction is a minor one: a further effect takes away more of the "
+       "residual; an explanation that leaves less of the square of the gap shows the motion.",
+       0.0, 1.0},
+      minor);
   v.field({"major", "",
-           "More than this share is most: of the variance of the disturbances that an "
+           "More than this fraction is most: of the variance of the disturbances that an "
            "explanation takes away, of the square of the gap on other records, of samples that "
            "repeat.",
            0.0, 1.0},

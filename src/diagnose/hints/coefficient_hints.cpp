@@ -9,15 +9,15 @@ namespace lacuna {
 namespace {
 
 bool is_change_of(const OdeModel& model, const CoefficientFactor& change,
-                  const SaidCoefficient& said) {
+                  const EstimatedCoefficient& said) {
   return change.equation == said.equation &&
          model.equations()[static_cast<std::size_t>(change.equation)]
                           [static_cast<std::size_t>(change.summand)]
                               .term.name() == said.term;
 }
 
-/// Whether the records say this factor, and no other near it.
-bool is_said(const SaidCoefficient& said, double factor, double round_factor) {
+/// Whether the records determine this factor, and no other near it.
+bool is_said(const EstimatedCoefficient& said, double factor, double round_factor) {
   if (!(said.ratio * factor > 0.0)) return false;
   const double size = std::abs(factor) == 1.0 ? std::numbers::ln10 : std::log(std::abs(factor));
   const double tolerance = round_factor * std::abs(size);
@@ -28,7 +28,8 @@ bool is_said(const SaidCoefficient& said, double factor, double round_factor) {
 }  // namespace
 
 std::optional<Hint> coefficient_hint(const OdeModel& model, const Dataset& data,
-                                     const SaidCoefficient& said, const HintOptions& options) {
+                                     const EstimatedCoefficient& said,
+                                     const HintOptions& options) {
   for (const Slip& slip : possible_slips(model, data)) {
     const auto change = as_coefficient(model, slip);
     if (!change || !is_change_of(model, *change, said)) continue;

@@ -38,9 +38,9 @@ std::optional<double> made_by(const OdeModel& model, const Slip& slip, Index equ
 /// |log r|, where the other sign counts as much as a factor of exp(pi).
 double distance(double ratio) { return std::abs(std::log(std::complex<double>(ratio))); }
 
-/// Share of the distances that a slip leaves; infinite where it has no say.
-double share_left(const OdeModel& model, const std::vector<CoefficientRatio>& ratios,
-                  const Slip& slip, double slip_factor) {
+/// Fraction of the distances that a slip leaves; infinite where it has no say.
+double fraction_left(const OdeModel& model, const std::vector<CoefficientRatio>& ratios,
+                     const Slip& slip, double slip_factor) {
   double before = 0.0, after = 0.0;
   int changed = 0;
   for (const CoefficientRatio& one : ratios) {
@@ -56,7 +56,8 @@ double share_left(const OdeModel& model, const std::vector<CoefficientRatio>& ra
 }  // namespace
 
 std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Dataset& data,
-                                                 const RateWindows& windows, double told) {
+                                                 const RateWindows& windows,
+                                                 double significance) {
   const Matrix measured = window_rates(data, windows);
   std::vector<CoefficientRatio> ratios;
   for (Index k = 0; k < model.dimension(); ++k) {
@@ -76,7 +77,7 @@ std::vector<CoefficientRatio> coefficient_ratios(const OdeModel& model, const Da
           model.equations()[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)]
               .coefficient;
       const double error = kSharedBy * std::sqrt(variances[j]);
-      if (nominal != 0.0 && std::abs(said[j]) > told * error)
+      if (nominal != 0.0 && std::abs(said[j]) > significance * error)
         ratios.push_back({k, j, said[j] / scales[j] / nominal});
     }
   }
@@ -87,11 +88,11 @@ std::optional<FoundSlip> slip_of_coefficients(const OdeModel& model, const Datas
                                               const RateWindows& windows,
                                               const HintOptions& options) {
   const std::vector<CoefficientRatio> ratios =
-      coefficient_ratios(model, data, windows, options.told);
+      coefficient_ratios(model, data, windows, options.significance);
   std::vector<std::pair<double, Slip>> candidates;
   for (const Slip& slip : possible_slips(model, data)) {
     if (slip.kind != HintKind::TimeUnit && slip.kind != HintKind::ChannelUnit) continue;
-    const double left = share_left(model, ratios, slip, options.slip_factor);
+    const double left = fraction_left(model, ratios, slip, options.slip_factor);
     if (left <= options.slip_remainder) candidates.emplace_back(left, slip);
   }
   if (candidates.empty()) return std::nullopt;

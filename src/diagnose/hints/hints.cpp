@@ -36,25 +36,24 @@ namespace {
 
 /// Slips of units, signs and identities.
 void describe_slips(HintOptions& o, OptionVisitor& v) {
-  v.field(
-      {"slip_remainder", "",
-       "A slip of units, signs or columns is one where, undone, it leaves no more than this "
-       "share of the misfit (geometric mean over the equations it changes).",
-       0.0, 1.0},
-      o.slip_remainder);
+  v.field({"slip_remainder", "",
+           "A slip of units, signs or columns is one where, undone, it leaves no more than "
+           "this fraction of the misfit (geometric mean over the equations it changes).",
+           0.0, 1.0},
+          o.slip_remainder);
   v.field({"slip_misfit", "",
-           "Equations in which model and records are apart by less than this share of their "
+           "Equations in which model and records are apart by less than this fraction of their "
            "rates have no slip.",
            0.0, 1.0},
           o.slip_misfit);
   v.field({"slip_alike", "",
            "Slips that leave misfits (or changes of coefficients) within this ratio are not "
-           "told apart: the plainest is named.",
+           "distinguished: the plainest is named.",
            1.0},
           o.slip_alike);
   v.field({"slip_harm", "",
-           "An equation may gain this much misfit (rms, as a share of its rates) by undoing a "
-           "slip.",
+           "An equation may gain this much misfit (rms, as a fraction of its rates) by undoing "
+           "a slip.",
            0.0, 1.0},
           o.slip_harm);
   v.field({"slip_factor", "",
@@ -62,11 +61,11 @@ void describe_slips(HintOptions& o, OptionVisitor& v) {
            "that are missing bend them less.",
            1.0},
           o.slip_factor);
-  v.field(
-      {"round_factor", "",
-       "A factor is that of a unit where the records say it to this share of its logarithm.",
-       0.0, 1.0},
-      o.round_factor);
+  v.field({"round_factor", "",
+           "A factor is that of a unit where the records determine it to this fraction of its "
+           "logarithm.",
+           0.0, 1.0},
+          o.round_factor);
   v.field({"identity_factor", "",
            "An identity dq/dt = v that is off by a larger factor, or by sign, is a slip; less "
            "is a gain of a sensor.",
@@ -81,32 +80,32 @@ void describe_slips(HintOptions& o, OptionVisitor& v) {
 /// Columns that the model does not know.
 void describe_columns(HintOptions& o, OptionVisitor& v) {
   v.field({"column_share", "",
-           "A column that the model does not know is an input where it explains a larger share "
-           "of what an equation lacks.",
+           "A column that the model does not know is an input where it explains a larger "
+           "fraction of what an equation lacks.",
            0.0, 1.0},
-          o.column_share);
+          o.column_fraction);
+  v.field({"column_own", "",
+           "Such a column has something of its own where the terms of the model make up all "
+           "but this fraction of it.",
+           0.0, 1.0},
+          o.column_own);
   v.field(
-      {"column_own", "",
-       "Such a column has something of its own where the terms of the model make up all but "
-       "this share of it.",
+      {"column_rate", "",
+       "A column that is apart from the rate of a state by a smaller fraction is that rate.",
        0.0, 1.0},
-      o.column_own);
-  v.field({"column_rate", "",
-           "A column that is apart from the rate of a state by a smaller share is that rate.",
-           0.0, 1.0},
-          o.column_rate);
+      o.column_rate);
   v.field({"told", "standard deviations",
-           "What such a column explains, what the records say of a coefficient, or how far "
+           "What such a column explains, what the records show of a coefficient, or how far "
            "samples are from white noise is chance where it is less significant.",
            0.0},
-          o.told);
+          o.significance);
 }
 
 /// What the records cannot say.
 void describe_motion(HintOptions& o, OptionVisitor& v) {
   v.field(
       {"feedback", "",
-       "An input of which the states make up a larger share is in a closed loop.", 0.0, 1.0},
+       "An input of which the states make up a larger fraction is in a closed loop.", 0.0, 1.0},
       o.feedback);
   v.field({"samples_per_period", "samples",
            "Less in a mean period of the fastest state is few.", 2.0},
@@ -118,8 +117,8 @@ void describe_motion(HintOptions& o, OptionVisitor& v) {
            "A state that deviates from its mean by fewer of its noise hardly moves.", 0.0},
           o.barely_moving);
   v.field({"alike_terms", "",
-           "Terms of which a combination is a smaller share of them have coefficients that the "
-           "records do not tell apart.",
+           "Terms of which a combination is a smaller fraction of them have coefficients that "
+           "the records do not distinguish.",
            0.0, 1.0},
           o.alike_terms);
 }

@@ -34,8 +34,8 @@ double known_noise(const Channel& channel) {
   return channel.noise.kind == NoiseKind::None ? 0.0 : channel.noise.sigma;
 }
 
-/// Share of an input's variance that a linear function of the states has.
-double share_of_states(const Dataset& data, Index input) {
+/// Fraction of an input's variance that a linear function of the states has.
+double fraction_of_states(const Dataset& data, Index input) {
   const Vector u = values_of(data, &Trajectory::inputs, input);
   Matrix states(u.size(), data.state_count());
   for (Index k = 0; k < states.cols(); ++k) {
@@ -54,21 +54,21 @@ void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptio
     const std::string& name = model.inputs()[static_cast<std::size_t>(j)].name;
     const Vector u = values_of(data, &Trajectory::inputs, j);
     if (variance(u) <= 1e-20 * u.squaredNorm() / static_cast<double>(u.size())) {
-      hints.push_back({HintKind::Excitation,
-                       "the input " + name +
-                           " does not change: what acts on it is not told "
-                           "from a constant",
-                       "use a record in which " + name + " moves"});
+      hints.push_back(
+          {HintKind::Excitation,
+           "the input " + name +
+               " does not change: what acts on it is not distinguished from a constant",
+           "use a record in which " + name + " moves"});
       continue;
     }
-    const double share = share_of_states(data, j);
-    if (share < options.feedback || share >= 1.0 + 1e-9) continue;
+    const double fraction = fraction_of_states(data, j);
+    if (fraction < options.feedback || fraction >= 1.0 + 1e-9) continue;
     hints.push_back(
         {HintKind::ClosedLoop,
-         "the input " + name + " follows the states (" + format_number(100.0 * share, 3) +
+         "the input " + name + " follows the states (" + format_number(100.0 * fraction, 3) +
              " % of it is a linear function of them), as feedback makes it: coefficients of " +
              name +
-             " and of the states, and effects in either, are told apart by the rest only",
+             " and of the states, and effects in either, are distinguished by the rest only",
          "add a known excitation to " + name + ", or move its reference faster"});
   }
 }
@@ -77,8 +77,8 @@ void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptio
 /// is chi squared for white noise (Box and Pierce, J. Am. Stat. Assoc. 65:1509, 1970). Records
 /// in which the state never changes say nothing.
 double significance_of_motion(const Dataset& data, Index state) {
-  // A fact of the statistic: its distribution knows how many are summed, HintOptions::told
-  // decides.
+  // A fact of the statistic: its distribution knows how many are summed,
+  // HintOptions::significance decides.
   constexpr Index kLags = 20;
   constexpr double kRounding = 1e-14;  // a fact: what subtracting a mean leaves of a constant
   double sum = 0.0, freedom = 0.0;
@@ -95,13 +95,14 @@ double significance_of_motion(const Dataset& data, Index state) {
   return freedom > 0.0 ? sigma_of_gain(sum, freedom, 1.0) : 0.0;
 }
 
-/// Whether all that was measured is white noise, or never changes: no model is told from
-/// another one by it.
-bool is_still(const BoundRecords& records, double told) {
+/// Whether all that was measured is white noise, or never changes: no model is distinguished
+/// from another one by it.
+bool is_still(const BoundRecords& records, double significance) {
   bool any = false;
   for (std::size_t k = 0; k < records.channels.size(); ++k) {
     if (!records.channels[k].measured) continue;
-    if (significance_of_motion(records.data, static_cast<Index>(k)) >= told) return false;
+    if (significance_of_motion(records.data, static_cast<Index>(k)) >= significance)
+      return false;
     any = true;
   }
   return any;
@@ -146,7 +147,7 @@ void add_state_hints(const OdeModel& model, const BoundRecords& records,
                      "record for longer"});
 }
 
-/// Terms of an equation whose coefficients the records do not tell apart.
+/// Terms of an equation whose coefficients the records do not distinguish.
 std::optional<Hint> alike_terms(const OdeModel& model, Index equation, Matrix terms,
                                 double alike) {
   if (terms.cols() < 2 || !terms.allFinite()) return std::nullopt;
@@ -166,7 +167,7 @@ std::optional<Hint> alike_terms(const OdeModel& model, Index equation, Matrix te
   return Hint{HintKind::NotIdentifiable,
               "in d" + model.states()[static_cast<std::size_t>(equation)].name +
                   "/dt the terms " + join(names, ", ") +
-                  " go along: the records do not tell their coefficients apart",
+                  " go along: the records do not distinguish their coefficients",
               "hold one of them, e.g. with --tolerance, or use a record with other motion"};
 }
 
@@ -188,10 +189,10 @@ double steps_in_period(const Dataset& data, Index state, double sigma) {
 }
 
 std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options) {
-  if (!is_still(records, options.told)) return std::nullopt;
+  if (!is_still(records, options.significance)) return std::nullopt;
   return Hint{HintKind::Excitation,
               "nothing moves: what was measured is white noise, and neither effects nor "
-              "coefficients can be told by it",
+              "coefficients can be determined by it",
               "use a record with motion", Withheld::Claims};
 }
 

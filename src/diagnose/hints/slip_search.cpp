@@ -65,9 +65,9 @@ bool fits_no_worse(const Comparison& fit, double slip_harm) {
   return (fit.after.array().sqrt() <= fit.before.array().sqrt() + slip_harm).all();
 }
 
-/// Whether the factor that the records say, from the parabola through the logarithms of three
-/// misfits, is the one on the list, and whether they say one at all. Of the logarithms the
-/// equation that says most decides, and not one that lacks something.
+/// Whether the factor that the records determine, from the parabola through the logarithms of
+/// three misfits, is the one on the list, and whether they say one at all. Of the logarithms
+/// the equation that says most decides, and not one that lacks something.
 bool is_said(const Trial& trial, const Slip& slip, const Comparison& fit, double round_factor) {
   if (slip.kind != HintKind::TimeUnit && slip.kind != HintKind::ChannelUnit) return true;
   const auto at = [&](double step) {

@@ -21,9 +21,9 @@ struct FoundSlip {
 /// The slip that does so best; of those that do so about as well the one with the fewest
 /// channels.
 ///
-/// A slip is taken for one where, undone, it leaves a small share of the misfit (geometric mean
-/// of the rms over the equations that it changes), where no equation fits worse, and, for a
-/// factor, where the factor that the records themselves say is the one on the list.
+/// A slip is taken for one where, undone, it leaves a small fraction of the misfit (geometric
+/// mean of the rms over the equations that it changes), where no equation fits worse, and, for
+/// a factor, where the factor that the records themselves determine is the one on the list.
 std::optional<FoundSlip> find_slip(const OdeModel& model, const Dataset& data,
                                    const RateWindows& windows, const HintOptions& options);
 

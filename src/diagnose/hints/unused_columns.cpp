@@ -57,7 +57,7 @@ double independent_values(const Vector& a, const Vector& b) {
 /// What one column says of one equation.
 struct Finding {
   Index column = 0;
-  double share = 0.0;        ///< of the disagreement
+  double fraction = 0.0;     ///< of the disagreement
   double sigma = 0.0;        ///< significance
   double coefficient = 0.0;  ///< in the equation
 };
@@ -72,7 +72,7 @@ Finding best_column(const Vector& lacking, const Matrix& columns, double noise, 
     const double along = column.dot(lacking), total = lacking.squaredNorm();
     const double gain = along * along / column.squaredNorm();
     const double signal = std::max(total - noise * static_cast<double>(lacking.size()), gain);
-    if (gain / signal <= best.share) continue;
+    if (gain / signal <= best.fraction) continue;
     const double rest = std::max(1.0 - gain / total, 1e-12);
     const double coefficient = along / column.squaredNorm();
     const Vector unexplained = lacking - coefficient * column;
@@ -119,13 +119,13 @@ std::vector<Hint> unused_column_hints(const OdeModel& model, const BoundRecords&
         left.col(j).setZero();
     const Finding best = best_column(without(known, lacking.col(k)), left, noise[k],
                                      static_cast<double>(columns.cols() * model.dimension()));
-    if (best.share < options.column_share || best.sigma < options.told) continue;
+    if (best.fraction < options.column_fraction || best.sigma < options.significance) continue;
     const std::string& name = unused.inputs[static_cast<std::size_t>(best.column)].name;
     const std::string& state = model.states()[static_cast<std::size_t>(k)].name;
     hints.push_back({HintKind::UnusedColumn,
                      "column " + name + ", which is not in the model, explains " +
-                         format_number(100.0 * best.share, 3) + " % of the disagreement in d" +
-                         state + "/dt",
+                         format_number(100.0 * best.fraction, 3) +
+                         " % of the disagreement in d" + state + "/dt",
                      "add " + name + " to the model as an input, with a term " + name + " of " +
                          "about " + format_number(best.coefficient, 2) + " in d" + state +
                          "/dt",

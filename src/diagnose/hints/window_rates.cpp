@@ -10,7 +10,7 @@ namespace lacuna {
 namespace {
 
 constexpr Index kShortestRadius = 4;       // half of the shortest window: phi is resolved
-constexpr Index kMostWindows = 4000;       // enough for shares of a per cent
+constexpr Index kMostWindows = 4000;       // enough for fractions of a per cent
 constexpr double kPowerOverNoise = 400.0;  // power of the rates over that of their noise
 constexpr double kLongestStep = 1.5;       // usual steps; a longer one is a gap
 

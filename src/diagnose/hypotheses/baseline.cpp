@@ -32,9 +32,9 @@ JointFitTask joint_fit(const Problem& problem, const Baseline& base) {
 /// coefficients go where they say nothing. From the nominal ones, with the disturbances that
 /// they need and with less.
 std::vector<Assimilation> other_starts(const Baseline& base) {
-  constexpr double kShareOfDisturbance = 0.1;  // a fact of the search: a start, no bound
+  constexpr double kFractionOfDisturbance = 0.1;  // a fact of the search: a start, no bound
   Assimilation exact = base.given;
-  exact.noise.disturbance *= kShareOfDisturbance;
+  exact.noise.disturbance *= kFractionOfDisturbance;
   return {base.given, std::move(exact)};
 }
 
@@ -62,7 +62,7 @@ Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assim
 }
 
 /// The nominal coefficients fitted. Where states are hidden a large disturbance explains
-/// everything and tells the coefficients nothing; beside a small one they go where they belong.
+/// everything and determines no coefficients; beside a small one they go where they belong.
 Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
                            const Assimilation& given, const AssimilationOptions& options,
                            const RunContext& context) {
@@ -71,11 +71,11 @@ Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
     return settled(assimilate_from(nominal, data, start, options, quiet), data, options, quiet);
   };
   if (options.hidden.empty()) return fit_from(given);
-  constexpr std::array<double, 4> kShares{1.0, 0.1, 0.01, 1e-3};
-  std::array<std::optional<Assimilation>, kShares.size()> fits;
-  parallel_for(kShares.size(), context.threads, [&](std::size_t i) {
+  constexpr std::array<double, 4> kFractions{1.0, 0.1, 0.01, 1e-3};
+  std::array<std::optional<Assimilation>, kFractions.size()> fits;
+  parallel_for(kFractions.size(), context.threads, [&](std::size_t i) {
     Assimilation start = given;
-    start.noise.disturbance *= kShares[i];
+    start.noise.disturbance *= kFractions[i];
     fits[i] = fit_from(start);
   });
   std::size_t best = 0;
@@ -131,7 +131,7 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
   std::vector<std::string> notes;
   if (!std::isfinite(fitted.deviance)) {
     notes.push_back(
-        "these records do not tell the nominal coefficients, which are kept as they are");
+        "these records do not determine the nominal coefficients, which are kept as they are");
     fit_options.free.clear();
     fitted = given;
   }

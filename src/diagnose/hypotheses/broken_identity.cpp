@@ -16,7 +16,7 @@ namespace {
 /// against their neighbours.
 double noise_inflation(const NoiseModel& noise, const Assimilation& exact) {
   constexpr double kResolutions = 10.0;  // below so many of them noise is rounding
-  const Vector seen = exact.seen_noise.cwiseMax(kResolutions * exact.least_noise);
+  const Vector seen = exact.estimated_noise.cwiseMax(kResolutions * exact.least_noise);
   double largest = 0.0;
   for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
     if (!noise.measurement[k]) continue;
@@ -105,7 +105,7 @@ bool any(const std::vector<bool>& flags) {
 
 }  // namespace
 
-Proposals BrokenIdentity::do_propose(const Problem& problem, const Account& best) const {
+Proposals BrokenIdentity::do_propose(const Problem& problem, const CompositeModel& best) const {
   const Baseline& base = *best.base;
   const std::vector<bool> doubted = doubtful(problem.nominal, base.given);
   if (!any(doubted)) return {};
@@ -118,9 +118,9 @@ Proposals BrokenIdentity::do_propose(const Problem& problem, const Account& best
   const std::vector<bool> broken = broken_among(problem, base, doubted);
   if (!any(broken)) return {{}, {{name, says, {}, false, "equations disturbed", 0.0, 1.0}}};
   auto loose = std::make_shared<const Baseline>(loosened_baseline(problem, base, broken));
-  Account account = bare_account(problem, name, std::move(loose));
-  account.findings = best.findings;
-  return {{{std::move(account), true}}, {}};
+  CompositeModel composite = bare_composite(problem, name, std::move(loose));
+  composite.findings = best.findings;
+  return {{{std::move(composite), true}}, {}};
 }
 
 }  // namespace lacuna

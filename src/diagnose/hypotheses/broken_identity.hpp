@@ -20,7 +20,7 @@ class BrokenIdentity final : public Configured<Hypothesis, NoOptions<kBrokenIden
  private:
   Phase do_phase() const override { return Phase::Assumptions; }
   int do_order() const override { return 1; }
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
 }  // namespace lacuna

@@ -32,14 +32,14 @@ double longest_memory(const Assimilation& fit) {
 /// Noise in the place of the disturbances: as large as what these do to a state in the
 /// correlation time. They start small, so that it is they who have to prove themselves.
 NoiseModel coloured_start(const Assimilation& fit, double time) {
-  constexpr double kShareOfDisturbance = 0.1;  // a fact of the search: a start, no bound
+  constexpr double kFractionOfDisturbance = 0.1;  // a fact of the search: a start, no bound
   NoiseModel noise = fit.noise;
   for (std::size_t k = 0; k < noise.coloured.size(); ++k) {
     if (!noise.measurement[k]) continue;
     const double moved = noise.disturbance[static_cast<Index>(k)] * std::sqrt(time);
     noise.coloured[k] = ColouredNoise{std::hypot(*noise.measurement[k], moved), time};
   }
-  noise.disturbance *= kShareOfDisturbance;
+  noise.disturbance *= kFractionOfDisturbance;
   return noise;
 }
 
@@ -103,7 +103,7 @@ Baseline coloured_baseline(const Problem& problem, const Baseline& base,
 }  // namespace
 
 Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
-                                              const Account& best) const {
+                                              const CompositeModel& best) const {
   if (best.named.empty() && !leaves_structure(best, problem.options.decision)) return {};
   problem.context.report("fitting noise with a memory", 0.0);
   const Assimilation& fitted = best.base->fitted;
@@ -124,9 +124,9 @@ Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
               std::string(problem.options.criterion->info().name), value, least}}};
   auto base = std::make_shared<const Baseline>(
       coloured_baseline(problem, *best.base, std::move(coloured)));
-  Account account = bare_account(problem, std::string(info().name), std::move(base));
-  account.findings = best.findings;
-  return {{{std::move(account)}}, {}};
+  CompositeModel composite = bare_composite(problem, std::string(info().name), std::move(base));
+  composite.findings = best.findings;
+  return {{{std::move(composite)}}, {}};
 }
 
 std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model, double least) {

@@ -22,10 +22,10 @@ class ColouredNoiseHypothesis final : public Configured<Hypothesis, NoOptions<kC
 
  private:
   Phase do_phase() const override { return Phase::Assumptions; }
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
-/// The channels whose noise has a memory worth telling of (more than `least` of the white
+/// The channels whose noise has a memory worth reporting (more than `least` of the white
 /// part), with its standard deviation and correlation time: "v 0.15 m/s over 4 s".
 std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model, double least);
 

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-bool is_anything_missing(const Problem& problem, const Account& best) {
+bool is_anything_missing(const Problem& problem, const CompositeModel& best) {
   const Baseline& base = *best.base;
   const double gain = base.given.deviance - base.fitted.deviance;
   return !best.named.empty() || leaves_structure(best, problem.options.decision) ||
@@ -23,15 +23,15 @@ double corrected_deviance(const Problem& problem, const Baseline& base,
   return explain_roughly(task, base.fitted, effects).fit.deviance;
 }
 
-double lead_over(const Problem& problem, const Account& best,
+double lead_over(const Problem& problem, const CompositeModel& best,
                  const std::vector<FittedEffect>& effects, double deviance, double parameters) {
   const Baseline& base = *best.base;
   Explanation corrected{effects, base.fitted};
   corrected.fit.deviance = deviance;
-  const double price = problem.options.criterion->penalty(
+  const double penalty = problem.options.criterion->penalty(
       {0.0, parameters, static_cast<double>(base.fitted.used), 0.0});
   return criterion_of(problem, base, best.explanation) -
-         criterion_of(problem, base, corrected) - price;
+         criterion_of(problem, base, corrected) - penalty;
 }
 
 Baseline corrected_baseline(const Problem& problem, const Baseline& base,
@@ -51,9 +51,9 @@ Baseline corrected_baseline(const Problem& problem, const Baseline& base,
   return next;
 }
 
-std::vector<std::vector<FittedEffect>> first_effects(const Account& account) {
+std::vector<std::vector<FittedEffect>> first_effects(const CompositeModel& composite) {
   std::vector<std::vector<FittedEffect>> first{{}};
-  for (const FittedEffect& effect : account.explanation.effects) {
+  for (const FittedEffect& effect : composite.explanation.effects) {
     first.push_back(first.back());
     first.back().push_back(effect);
   }

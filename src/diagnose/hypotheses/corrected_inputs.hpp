@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Accounts on records whose inputs are corrected.
+// Composite models on records whose inputs are corrected.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
 namespace lacuna {
 
 /// The same correction for all records of a system.
 using InputCorrection = std::function<Dataset(const Dataset&)>;
 
-/// Whether the best account says that something is missing, or other coefficients.
-bool is_anything_missing(const Problem& problem, const Account& best);
+/// Whether the best composite model says that something is missing, or other coefficients.
+bool is_anything_missing(const Problem& problem, const CompositeModel& best);
 
 /// The nominal model with effects, everything fitted in few passes from a baseline, on its
 /// records as they are corrected: the deviance.
@@ -23,8 +23,8 @@ double corrected_deviance(const Problem& problem, const Baseline& base,
                           const std::vector<FittedEffect>& effects);
 
 /// By how much a deviance on corrected records, with effects and so many parameters of the
-/// correction, does better than the best account, in units of the criterion.
-double lead_over(const Problem& problem, const Account& best,
+/// correction, does better than the best composite model, in units of the criterion.
+double lead_over(const Problem& problem, const CompositeModel& best,
                  const std::vector<FittedEffect>& effects, double deviance, double parameters);
 
 /// The baseline on corrected records.
@@ -32,11 +32,11 @@ double lead_over(const Problem& problem, const Account& best,
 Baseline corrected_baseline(const Problem& problem, const Baseline& base,
                             const InputCorrection& correct, double parameters);
 
-/// Effects of an account from none to all, in the order in which they came: those that are real
-/// came first, and what follows may be there for want of the correction.
-std::vector<std::vector<FittedEffect>> first_effects(const Account& account);
+/// Effects of a composite model from none to all, in the order in which they came: those that
+/// are real came first, and what follows may be there for want of the correction.
+std::vector<std::vector<FittedEffect>> first_effects(const CompositeModel& composite);
 
-/// Whether an InputSkew of one input would do better than the best account.
-bool is_recorded_late(const Problem& problem, const Account& best, Index input);
+/// Whether an InputSkew of one input would do better than the best composite model.
+bool is_recorded_late(const Problem& problem, const CompositeModel& best, Index input);
 
 }  // namespace lacuna

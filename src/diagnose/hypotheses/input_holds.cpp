@@ -19,7 +19,7 @@ constexpr int kPasses = 3;
 
 using Holds = std::vector<std::optional<Hold>>;
 
-/// How much the slope of an input changes from step to step, as a share of itself (rms).
+/// How much the slope of an input changes from step to step, as a fraction of itself (rms).
 double bend_of(const Dataset& data, Index input) {
   double slopes = 0.0, bends = 0.0;
   for (const Trajectory& record : data.trajectories) {
@@ -162,14 +162,15 @@ OdeModel with_hold(const OdeModel& model, Index input, Hold hold) {
 }
 
 /// Deviance of the effects that were found, fitted in few passes under another model.
-double deviance_under(const Problem& problem, const Account& best, const OdeModel& model) {
+double deviance_under(const Problem& problem, const CompositeModel& best,
+                      const OdeModel& model) {
   const JointFitTask task{problem.records.data, model, best.base->fit_options, problem.context};
   return explain_roughly(task, best.base->fitted, best.explanation.effects).fit.deviance;
 }
 
 /// Whether the model with its effects follows the records from their first samples to the last
 /// with nothing that disturbs it on the way: then no other hold has anything to explain.
-bool needs_no_disturbance(const Problem& problem, const Account& best) {
+bool needs_no_disturbance(const Problem& problem, const CompositeModel& best) {
   Assimilation start = best.explanation.fit;
   start.noise.disturbance.setZero();
   const JointFitTask task{problem.records.data, problem.nominal, best.base->fit_options,
@@ -179,8 +180,8 @@ bool needs_no_disturbance(const Problem& problem, const Account& best) {
 }
 
 /// Other holds of an input under which the effects that were found fit better by `lead`.
-std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, Index input,
-                                   double lead) {
+std::vector<OdeModel> better_holds(const Problem& problem, const CompositeModel& best,
+                                   Index input, double lead) {
   const std::vector<Hold> possible = possible_holds(problem, input);
   const Hold own = *problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
   std::vector<double> deviance(possible.size());
@@ -198,7 +199,7 @@ std::vector<OdeModel> better_holds(const Problem& problem, const Account& best, 
 }  // namespace
 
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
-                                  const Account& best) {
+                                  const CompositeModel& best) {
   std::vector<OdeModel> rivals;
   const std::vector<FittedEffect>& effects = best.explanation.effects;
   const DecisionOptions& decision = problem.options.decision;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
 namespace lacuna {
 
@@ -45,7 +45,7 @@ ChosenHolds choose_holds(const Problem& problem);
 /// None of an input with the hold that its samples show, where it is recorded late (InputSkew).
 /// @param problem its model has the chosen holds.
 std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
-                                  const Account& best);
+                                  const CompositeModel& best);
 
 /// What is assumed of inputs that are not smooth, for people: "u is held from sample to
 /// sample".

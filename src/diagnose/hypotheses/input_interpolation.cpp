@@ -52,7 +52,8 @@ std::string note_on(const Problem& problem, const std::vector<Index>& inputs) {
 
 }  // namespace
 
-Proposals InputInterpolation::do_propose(const Problem& problem, const Account& best) const {
+Proposals InputInterpolation::do_propose(const Problem& problem,
+                                         const CompositeModel& best) const {
   const Baseline& base = *best.base;
   if (!base.fit_options.hidden.empty() || !is_anything_missing(problem, best)) return {};
   const std::vector<Index> inputs = interpolated_inputs(base.records->data);
@@ -63,10 +64,10 @@ Proposals InputInterpolation::do_propose(const Problem& problem, const Account& 
     if (!(lead_over(problem, best, effects, deviance, 0.0) > 0.0)) continue;
     Baseline smooth = corrected_baseline(problem, base, smoothed, 0.0);
     smooth.notes.push_back(note_on(problem, inputs));
-    Account account = bare_account(problem, std::string(info().name),
-                                   std::make_shared<const Baseline>(std::move(smooth)));
-    account.findings = best.findings;
-    return {{{.account = std::move(account), .search_first = true}}, {}};
+    CompositeModel composite = bare_composite(
+        problem, std::string(info().name), std::make_shared<const Baseline>(std::move(smooth)));
+    composite.findings = best.findings;
+    return {{{.composite = std::move(composite), .search_first = true}}, {}};
   }
   return {};
 }

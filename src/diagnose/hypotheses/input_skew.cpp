@@ -157,9 +157,10 @@ std::optional<Lead> likeliest_lead(const Problem& problem, const Baseline& base,
 }
 
 /// The time with which the nominal model, with nothing or with the first of some effects, does
-/// better than the best account by most.
-std::optional<Lead> better_lead(const Problem& problem, const Account& best,
-                                const std::vector<Index>& inputs, const Account& effects_of) {
+/// better than the best composite model by most.
+std::optional<Lead> better_lead(const Problem& problem, const CompositeModel& best,
+                                const std::vector<Index>& inputs,
+                                const CompositeModel& effects_of) {
   std::optional<Lead> found;
   double most = 0.0;
   for (const std::vector<FittedEffect>& effects : first_effects(effects_of)) {
@@ -181,7 +182,7 @@ InputCorrection correction_of(const Problem& problem, const Lead& lead) {
 
 /// The time beside the effects that are found with it: effects that were found without it may
 /// stand for a part of it. Both take turns until the time stays.
-std::optional<Lead> settled_lead(const Problem& problem, const Account& best) {
+std::optional<Lead> settled_lead(const Problem& problem, const CompositeModel& best) {
   constexpr int kTurns = 3;  // a fact: bounds the work where the time goes to and fro
   const double resolution = 2.0 * kResolution * median_step(best.base->records->data);
   std::vector<Index> inputs(problem.nominal.inputs().size());
@@ -190,7 +191,8 @@ std::optional<Lead> settled_lead(const Problem& problem, const Account& best) {
   for (int turn = 0; lead && turn < kTurns; ++turn) {
     auto base = std::make_shared<const Baseline>(
         corrected_baseline(problem, *best.base, correction_of(problem, *lead), 1.0));
-    const Account found = searched(problem, std::move(base), problem.options.effects).account;
+    const CompositeModel found =
+        searched(problem, std::move(base), problem.options.effects).composite;
     const std::optional<Lead> next = better_lead(problem, best, {lead->input}, found);
     if (!next) break;
     const bool stays = std::abs(next->time - lead->time) <= resolution;
@@ -233,18 +235,18 @@ NamedEffect finding(const Problem& problem, const Baseline& before, const Baseli
   found.sigma = sigma_of_gain(before.fitted.deviance - after.fitted.deviance, 1.0,
                               static_cast<double>(nominal.inputs().size()));
   found.probability = 1.0;
-  found.gap_closed = share_closed(before.fitted, after.fitted);
+  found.gap_closed = fraction_closed(before.fitted, after.fitted);
   return found;
 }
 
 }  // namespace
 
-bool is_recorded_late(const Problem& problem, const Account& best, Index input) {
+bool is_recorded_late(const Problem& problem, const CompositeModel& best, Index input) {
   return best.base->fit_options.hidden.empty() && is_anything_missing(problem, best) &&
          better_lead(problem, best, {input}, best).has_value();
 }
 
-Proposals InputSkew::do_propose(const Problem& problem, const Account& best) const {
+Proposals InputSkew::do_propose(const Problem& problem, const CompositeModel& best) const {
   const Baseline& base = *best.base;
   if (!base.fit_options.hidden.empty() || !is_anything_missing(problem, best)) return {};
   problem.context.report("inputs that are recorded late", 0.0);
@@ -253,10 +255,11 @@ Proposals InputSkew::do_propose(const Problem& problem, const Account& best) con
   auto moved = std::make_shared<const Baseline>(
       corrected_baseline(problem, base, correction_of(problem, *lead), 1.0));
   NamedEffect found = finding(problem, base, *moved, *lead);
-  Account account = bare_account(problem, std::string(info().name), std::move(moved));
-  account.findings = best.findings;
-  account.findings.push_back(std::move(found));
-  return {{{.account = std::move(account), .search_first = true}}, {}};
+  CompositeModel composite =
+      bare_composite(problem, std::string(info().name), std::move(moved));
+  composite.findings = best.findings;
+  composite.findings.push_back(std::move(found));
+  return {{{.composite = std::move(composite), .search_first = true}}, {}};
 }
 
 }  // namespace lacuna

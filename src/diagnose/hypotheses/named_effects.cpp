@@ -14,31 +14,31 @@ namespace lacuna {
 
 namespace {
 
-SearchedAccount account_of(const EffectSearch& search, std::shared_ptr<const Baseline> base,
-                           FoundEffects found) {
+SearchedComposite composite_of(const EffectSearch& search, std::shared_ptr<const Baseline> base,
+                               FoundEffects found) {
   const Problem& problem = search.problem;
   std::vector<std::string> doubts = rivals_elsewhere(search, found);
-  SearchedAccount result{{.hypothesis = std::string(kNamedEffects.name),
-                          .base = std::move(base),
-                          .explanation = std::move(found.explanation),
-                          .named = std::move(found.named),
-                          .rounds = std::move(found.rounds),
-                          .left = std::move(found.left)},
-                         std::move(found.rivals)};
-  Account& account = result.account;
-  account.doubts = std::move(doubts);
-  if (!account.named.empty() && leaves_structure(account, problem.options.decision))
-    account.refitted = refit_over_windows(problem, *account.base, account.explanation);
+  SearchedComposite result{{.hypothesis = std::string(kNamedEffects.name),
+                            .base = std::move(base),
+                            .explanation = std::move(found.explanation),
+                            .named = std::move(found.named),
+                            .rounds = std::move(found.rounds),
+                            .left = std::move(found.left)},
+                           std::move(found.rivals)};
+  CompositeModel& composite = result.composite;
+  composite.doubts = std::move(doubts);
+  if (!composite.named.empty() && leaves_structure(composite, problem.options.decision))
+    composite.refitted = refit_over_windows(problem, *composite.base, composite.explanation);
   return result;
 }
 
-/// The account of a search beside the best so far, whose assumptions it shares.
-Proposals proposed(const EffectSearch& search, const Account& best, FoundEffects found,
+/// The composite model of a search beside the best so far, whose assumptions it shares.
+Proposals proposed(const EffectSearch& search, const CompositeModel& best, FoundEffects found,
                    double lead) {
-  SearchedAccount result = account_of(search, best.base, std::move(found));
-  Proposal proposal{.account = std::move(result.account), .judged = ByCriterion{lead}};
-  proposal.account.findings = best.findings;
-  proposal.account.notes = best.notes;
+  SearchedComposite result = composite_of(search, best.base, std::move(found));
+  Proposal proposal{.composite = std::move(result.composite), .judged = ByCriterion{lead}};
+  proposal.composite.findings = best.findings;
+  proposal.composite.notes = best.notes;
   return {{std::move(proposal)}, std::move(result.rivals)};
 }
 
@@ -55,13 +55,14 @@ std::vector<Candidate> special_forms(const std::vector<FittedEffect>& effects) {
   return result;
 }
 
-/// Searches that may come to other effects than the best account: where something is left,
-/// without each of its special forms; where states are hidden, among all functions of the
+/// Searches that may come to other effects than the best composite model: where something is
+/// left, without each of its special forms; where states are hidden, among all functions of the
 /// arguments that it has, along its path, which is nearer to the truth than the one from which
 /// its forms were chosen.
-std::vector<EffectSearch> other_searches(const EffectSearch& search, const Account& best) {
+std::vector<EffectSearch> other_searches(const EffectSearch& search,
+                                         const CompositeModel& best) {
   std::vector<EffectSearch> others;
-  if (is_anything_left(best.left, search.problem.options.decision))
+  if (has_residual_structure(best.left, search.problem.options.decision))
     for (Candidate& doubted : special_forms(best.explanation.effects)) {
       others.push_back(search);
       others.back().without.push_back(std::move(doubted));
@@ -76,18 +77,18 @@ std::vector<EffectSearch> other_searches(const EffectSearch& search, const Accou
 
 }  // namespace
 
-SearchedAccount searched(const Problem& problem, std::shared_ptr<const Baseline> base,
-                         const std::vector<Stage<Effect>>& effects) {
+SearchedComposite searched(const Problem& problem, std::shared_ptr<const Baseline> base,
+                           const std::vector<Stage<Effect>>& effects) {
   const EffectSearch search{problem, *base, effects};
-  return account_of(search, std::move(base), search_effects(search));
+  return composite_of(search, std::move(base), search_effects(search));
 }
 
-Proposals NamedEffects::do_propose(const Problem& problem, const Account& best) const {
+Proposals NamedEffects::do_propose(const Problem& problem, const CompositeModel& best) const {
   const EffectSearch search{problem, *best.base, problem.options.effects};
   return proposed(search, best, search_effects(search), 0.0);
 }
 
-Proposals OtherChoices::do_propose(const Problem& problem, const Account& best) const {
+Proposals OtherChoices::do_propose(const Problem& problem, const CompositeModel& best) const {
   const DecisionOptions& decision = problem.options.decision;
   if (best.named.empty()) return {};
   const EffectSearch search{problem, *best.base, problem.options.effects};
@@ -108,7 +109,7 @@ Proposals OtherChoices::do_propose(const Problem& problem, const Account& best) 
     least = value;
     lead = needed;
     most = std::move(next);
-    if (!is_anything_left(most->left, decision)) break;
+    if (!has_residual_structure(most->left, decision)) break;
   }
   if (!most) return {{}, std::move(trail)};
   Proposals result = proposed(search, best, std::move(*most), lead);

@@ -43,7 +43,8 @@ void add_polynomials(const OdeModel& nominal, Index equation, Explanation& expla
 /// Many small terms of which none is of the size of an effect are found only together; those
 /// that are not significant are taken out again. Nothing where the polynomials do not explain
 /// more than they cost.
-std::optional<Explanation> with_polynomials(const Problem& problem, const Account& best) {
+std::optional<Explanation> with_polynomials(const Problem& problem,
+                                            const CompositeModel& best) {
   const DecisionOptions& decision = problem.options.decision;
   problem.context.report("filling the gap with polynomials", 0.0);
   Explanation filled = best.explanation;
@@ -60,52 +61,53 @@ std::optional<Explanation> with_polynomials(const Problem& problem, const Accoun
   const bool removed = kept != filled.effects.end();
   filled.effects.erase(kept, filled.effects.end());
   if (removed) filled = explain_on(problem, *best.base, best.explanation.fit, filled.effects);
-  Account account = best;
-  account.explanation = filled;
+  CompositeModel composite = best;
+  composite.explanation = filled;
   const Criterion& criterion = *problem.options.criterion;
-  if (!(criterion.value(evidence_of(account)) < criterion.value(evidence_of(best))))
+  if (!(criterion.value(evidence_of(composite)) < criterion.value(evidence_of(best))))
     return std::nullopt;
   return filled;
 }
 
-Proposals filled_with_polynomials(const Problem& problem, const Account& best) {
+Proposals filled_with_polynomials(const Problem& problem, const CompositeModel& best) {
   if (!problem.options.fill_gap) return {};
   auto filled = with_polynomials(problem, best);
   if (!filled) return {};
-  Account account = best;
-  account.explanation = std::move(*filled);
-  update_numbers(account.explanation, account.named);
-  account.notes.push_back(
+  CompositeModel composite = best;
+  composite.explanation = std::move(*filled);
+  update_numbers(composite.explanation, composite.named);
+  composite.notes.push_back(
       "polynomials fill, as a stop-gap, what the named effects leave; they stand in the "
       "augmented model and explain nothing");
-  return {{{std::move(account)}}, {}};
+  return {{{std::move(composite)}}, {}};
 }
 
 double variance_of(const Assimilation& fit, Index equation) {
   return fit.noise.disturbance[equation] * fit.noise.disturbance[equation];
 }
 
-/// Fits a function to what is left and says how much it explains.
-void fit_function(const Problem& problem, const ScoredFunction& function, Account& account) {
-  const Baseline& base = *account.base;
-  Unnamed& unnamed = *account.unnamed;
+/// Fits a function to the residual and says how much it explains.
+void fit_function(const Problem& problem, const ScoredFunction& function,
+                  CompositeModel& composite) {
+  const Baseline& base = *composite.base;
+  Unnamed& unnamed = *composite.unnamed;
   const bool fill = problem.options.fill_gap;
   const auto fit = fill ? explain_on : explain_roughly_on;
-  Account filled = account;
+  CompositeModel filled = composite;
   filled.explanation = fit(problem, base, base.fitted, function.members());
   const Criterion& criterion = *problem.options.criterion;
   const double before = variance_of(base.fitted, unnamed.equation);
   const double worth =
-      criterion.value(evidence_of(account)) - criterion.value(evidence_of(filled));
+      criterion.value(evidence_of(composite)) - criterion.value(evidence_of(filled));
   if (!(worth > 0.0) || !(before > 0.0)) return;
   const double after = variance_of(filled.explanation.fit, unnamed.equation);
   unnamed.explained = std::clamp(1.0 - after / before, 0.0, 1.0);
   unnamed.filled = fill;
-  if (fill) account.explanation = std::move(filled.explanation);
+  if (fill) composite.explanation = std::move(filled.explanation);
 }
 
 /// Of which variables the structure is a function.
-Account described(const Problem& problem, const Account& best) {
+CompositeModel described(const Problem& problem, const CompositeModel& best) {
   const Baseline& base = *best.base;
   const Criterion& criterion = *problem.options.criterion;
   const auto structure = test_disturbances(base.fitted, problem.context);
@@ -116,30 +118,31 @@ Account described(const Problem& problem, const Account& best) {
   const auto other = screening.best_of(other_functions(base.scope, equation), criterion);
   const double now = present ? std::max(present->net, 0.0) : 0.0;
   const bool is_other = other && other->net > now;
-  Account account = best;
-  account.unnamed = Unnamed{equation, {}, 0.0, false, false, false};
-  account.unnamed->memory = is_other && other->basis.kind == FunctionBasis::Kind::Memory;
-  account.unnamed->periodic = is_other && other->basis.kind == FunctionBasis::Kind::Lines;
+  CompositeModel composite = best;
+  composite.unnamed = Unnamed{equation, {}, 0.0, false, false, false};
+  composite.unnamed->memory = is_other && other->basis.kind == FunctionBasis::Kind::Memory;
+  composite.unnamed->periodic = is_other && other->basis.kind == FunctionBasis::Kind::Lines;
   if (is_other)
-    account.unnamed->variables = other->basis.variables;
+    composite.unnamed->variables = other->basis.variables;
   else if (now > 0.0)
-    account.unnamed->variables = present->basis.variables;
-  if (now > 0.0) fit_function(problem, *present, account);
-  return account;
+    composite.unnamed->variables = present->basis.variables;
+  if (now > 0.0) fit_function(problem, *present, composite);
+  return composite;
 }
 
 }  // namespace
 
-Proposals ResidualFunction::do_propose(const Problem& problem, const Account& best) const {
+Proposals ResidualFunction::do_propose(const Problem& problem,
+                                       const CompositeModel& best) const {
   if (!leaves_structure(best, problem.options.decision)) return {};
   if (!best.named.empty()) {
     Proposals filled = filled_with_polynomials(problem, best);
-    for (Proposal& proposal : filled.accounts) proposal.account.hypothesis = info().name;
+    for (Proposal& proposal : filled.composites) proposal.composite.hypothesis = info().name;
     return filled;
   }
   Proposal proposal{described(problem, best)};
-  proposal.account.hypothesis = info().name;
-  proposal.judged = ByRule{"describes what is left; explains nothing"};
+  proposal.composite.hypothesis = info().name;
+  proposal.judged = ByRule{"describes the residual; explains nothing"};
   return {{std::move(proposal)}, {}};
 }
 

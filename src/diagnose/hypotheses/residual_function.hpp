@@ -6,11 +6,11 @@
 namespace lacuna {
 
 inline constexpr StageInfo kResidualFunction{
-    "residual-function", "What is left is described, or filled by a black-box function",
+    "residual-function", "The residual is described, or filled by a black-box function",
     "de Boor, A Practical Guide to Splines (1978), Ch. IX"};
 
 /// What stands in for what has no name. Where nothing is named, the spline of one variable or
-/// two, or the coefficient that varies in time, that explains most tells of which variables the
+/// two, or the coefficient that varies in time, that explains most shows of which variables the
 /// structure is a function, and whether earlier values or a few lines of the spectrum do
 /// better. With DiagnosisOptions::fill_gap the spline stands in the model; beside named effects
 /// that leave structure polynomials do. They describe the records and explain nothing.
@@ -20,7 +20,7 @@ class ResidualFunction final : public Configured<Hypothesis, NoOptions<kResidual
 
  private:
   Phase do_phase() const override { return Phase::Residual; }
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
 }  // namespace lacuna

@@ -96,7 +96,7 @@ bool is_sizeable(const FittedEffect& effect, const Assimilation& fit, const Base
   return size.added >= decision.effect_size * size.state && size.added > rounding;
 }
 
-/// Told from 0, and the whole of the state where the form stands for it.
+/// Distinguished from 0, and the whole of the state where the form stands for it.
 bool is_plausible(const FittedEffect& effect, const DecisionOptions& decision) {
   if (std::abs(effect.coefficient) < decision.significance * effect.deviation) return false;
   return !is_whole(effect.candidate) ||
@@ -114,8 +114,8 @@ Vector middle(const std::vector<ShapeParameter>& shapes) {
 /// The channels that may be it, as they are to be fitted. A filter is one in any case, from the
 /// middle of its range: what it makes of a path that follows the noise says nothing of it. Not
 /// so beside hidden states, of which it would be one more.
-/// @param explained deviance that the best account explains: a channel has to show more than a
-/// minor part of it at first sight.
+/// @param explained deviance that the best composite model explains: a channel has to show more
+/// than a minor part of it at first sight.
 std::vector<Start> worth_fitting(const std::vector<ScreenedCandidate>& screened,
                                  double explained, const Baseline& given,
                                  const DecisionOptions& decision) {
@@ -181,10 +181,11 @@ std::optional<std::size_t> sound_one(const Problem& problem, std::vector<Fitted>
   return std::nullopt;
 }
 
-/// Each of the best channels together with each of the effects of an account, fitted: one fault
-/// bends several equations and may stand behind all effects but one.
+/// Each of the best channels together with each of the effects of a composite model, fitted:
+/// one fault bends several equations and may stand behind all effects but one.
 std::vector<Fitted> beside_effects(const Problem& problem, const Baseline& given,
-                                   const Account& best, const std::vector<Fitted>& channels) {
+                                   const CompositeModel& best,
+                                   const std::vector<Fitted>& channels) {
   const auto most = static_cast<std::size_t>(problem.options.decision.exact_fits);
   std::vector<Start> starts;
   for (std::size_t i = 0; i < std::min(most, channels.size()); ++i)
@@ -214,11 +215,12 @@ Peer best_coefficient(const Problem& problem, const Baseline& given, const Expla
   return best;
 }
 
-/// The effects of an account.
-Peer same_effects(const Problem& problem, const Baseline& given, const Account& account) {
-  if (account.explanation.effects.empty()) return {};
+/// The effects of a composite model.
+Peer same_effects(const Problem& problem, const Baseline& given,
+                  const CompositeModel& composite) {
+  if (composite.explanation.effects.empty()) return {};
   const Explanation same =
-      explain_on(problem, given, given.fitted, account.explanation.effects);
+      explain_on(problem, given, given.fitted, composite.explanation.effects);
   if (!std::isfinite(same.fit.deviance)) return {};
   return {criterion_of(problem, given, same), same.parameters()};
 }
@@ -246,7 +248,7 @@ NamedEffect named(const Problem& problem, const Baseline& given,
     return std::exp(-0.5 * (one.criterion - fitted.front().criterion)) / sum;
   };
   result.probability = probability(own);
-  result.gap_closed = share_closed(given.fitted, own.explanation.fit);
+  result.gap_closed = fraction_closed(given.fitted, own.explanation.fit);
   for (std::size_t i = 0; i < fitted.size() && result.alternatives.size() < kAlternatives;
        ++i) {
     if (i == chosen) continue;
@@ -260,58 +262,60 @@ NamedEffect named(const Problem& problem, const Baseline& given,
   return result;
 }
 
-/// What an account calls an effect.
-const NamedEffect& name_in(const Account& account, const FittedEffect& effect) {
-  const std::vector<FittedEffect>& effects = account.explanation.effects;
+/// What a composite model calls an effect.
+const NamedEffect& name_in(const CompositeModel& composite, const FittedEffect& effect) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
   const auto found = std::find_if(effects.begin(), effects.end(), [&](const FittedEffect& one) {
     return are_one_form(one.candidate, effect.candidate);
   });
-  return account.named[static_cast<std::size_t>(found - effects.begin())];
+  return composite.named[static_cast<std::size_t>(found - effects.begin())];
 }
 
-Account account_of(const Account& best, const Baseline& given, Fitted own, NamedEffect fault) {
-  Account account{.hypothesis = std::string(kSensorCalibration.name),
-                  .base = std::make_shared<const Baseline>(given),
-                  .explanation = std::move(own.explanation),
-                  .named = {std::move(fault)},
-                  .rounds = best.rounds,
-                  .left = std::move(own.left)};
-  for (std::size_t e = 1; e < account.explanation.effects.size(); ++e)
-    account.named.push_back(name_in(best, account.explanation.effects[e]));
-  update_numbers(account.explanation, account.named);
-  account.notes = best.notes;
-  return account;
+CompositeModel composite_of(const CompositeModel& best, const Baseline& given, Fitted own,
+                            NamedEffect fault) {
+  CompositeModel composite{.hypothesis = std::string(kSensorCalibration.name),
+                           .base = std::make_shared<const Baseline>(given),
+                           .explanation = std::move(own.explanation),
+                           .named = {std::move(fault)},
+                           .rounds = best.rounds,
+                           .left = std::move(own.left)};
+  for (std::size_t e = 1; e < composite.explanation.effects.size(); ++e)
+    composite.named.push_back(name_in(best, composite.explanation.effects[e]));
+  update_numbers(composite.explanation, composite.named);
+  composite.notes = best.notes;
+  return composite;
 }
 
 std::string as_well(const std::string& what) {
-  return "the records do not tell this from another explanation: " + what;
+  return "the records do not distinguish this from another explanation: " + what;
 }
 
-/// Whether an account has something in another place than the channel.
-bool acts_elsewhere(const Account& account, const NamedEffect& fault) {
-  const std::vector<FittedEffect>& effects = account.explanation.effects;
+/// Whether a composite model has something in another place than the channel.
+bool acts_elsewhere(const CompositeModel& composite, const NamedEffect& fault) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
   return std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
     return effect.candidate.place != Place::Channel ||
            effect.candidate.equation != fault.equation;
   });
 }
 
-/// The best account with the channel beside it as an alternative.
-Proposal beside(const Account& best, const NamedEffect& fault, const std::string& term) {
-  Account account = best;
-  std::vector<std::string>& said = acts_elsewhere(best, fault) ? account.doubts : account.notes;
+/// The best composite model with the channel beside it as an alternative.
+Proposal beside(const CompositeModel& best, const NamedEffect& fault, const std::string& term) {
+  CompositeModel composite = best;
+  std::vector<std::string>& said =
+      acts_elsewhere(best, fault) ? composite.doubts : composite.notes;
   said.push_back(as_well(fault.description + " (" + fault.name + ")"));
-  for (NamedEffect& effect : account.named)
+  for (NamedEffect& effect : composite.named)
     effect.alternatives.insert(effect.alternatives.begin(),
                                {fault.name, term, 0.5 * effect.probability});
-  return {.account = std::move(account),
+  return {.composite = std::move(composite),
           .judged = ByRule{"a channel explains the records as well"}};
 }
 
 /// The channel against its peers: alone where they do worse beyond doubt, first where it is the
 /// plainer one, else an alternative.
-Proposals against_peers(const Problem& problem, const Account& best, const Baseline& given,
-                        Fitted own, NamedEffect fault) {
+Proposals against_peers(const Problem& problem, const CompositeModel& best,
+                        const Baseline& given, Fitted own, NamedEffect fault) {
   const double undecided = problem.options.decision.undecided;
   const Peer coefficient = best_coefficient(problem, given, own.explanation);
   const Peer effects = same_effects(problem, given, best);
@@ -327,31 +331,33 @@ Proposals against_peers(const Problem& problem, const Account& best, const Basel
     return {{beside(best, fault, term)}, {}};
   }
   const bool elsewhere = acts_elsewhere(best, fault);
-  Account account = account_of(best, given, std::move(own), std::move(fault));
-  if (is_sure) return {{{.account = std::move(account), .judged = ByCriterion{undecided}}}, {}};
-  std::vector<std::string>& said = elsewhere ? account.doubts : account.notes;
+  CompositeModel composite = composite_of(best, given, std::move(own), std::move(fault));
+  if (is_sure)
+    return {{{.composite = std::move(composite), .judged = ByCriterion{undecided}}}, {}};
+  std::vector<std::string>& said = elsewhere ? composite.doubts : composite.notes;
   for (const NamedEffect& other : best.named) {
     said.push_back(as_well(other.description + " (" + other.name + ")"));
-    account.named[0].alternatives.insert(account.named[0].alternatives.begin(),
-                                         {other.name, other.term, 0.0});
+    composite.named[0].alternatives.insert(composite.named[0].alternatives.begin(),
+                                           {other.name, other.term, 0.0});
   }
-  return {{{.account = std::move(account),
+  return {{{.composite = std::move(composite),
             .judged = ByRule{"the plainer one of two that explain the records as well"}}},
           {}};
 }
 
 }  // namespace
 
-Proposals SensorCalibration::do_propose(const Problem& problem, const Account& best) const {
+Proposals SensorCalibration::do_propose(const Problem& problem,
+                                        const CompositeModel& best) const {
   const DecisionOptions& decision = problem.options.decision;
   const Baseline given = as_given(*best.base);
   const double explained = given.fitted.deviance - best.explanation.fit.deviance;
   problem.context.report("calibrating channels", 0.0);
   const Screening screening(given.fitted);
-  const double shape_price = problem.options.criterion->penalty(
+  const double shape_penalty = problem.options.criterion->penalty(
       {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
   const std::vector<ScreenedCandidate> screened =
-      screen(candidates_of(problem, given), screening, {shape_price, decision.worth_shaping},
+      screen(candidates_of(problem, given), screening, {shape_penalty, decision.worth_shaping},
              problem.context);
   std::vector<Fitted> fitted =
       fitted_channels(problem, given, worth_fitting(screened, explained, given, decision));

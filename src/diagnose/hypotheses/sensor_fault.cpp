@@ -8,8 +8,8 @@
 namespace lacuna {
 namespace {
 
-bool has_fault(const Account& account) {
-  return !account.explanation.fit.channel_terms.empty();
+bool has_fault(const CompositeModel& composite) {
+  return !composite.explanation.fit.channel_terms.empty();
 }
 
 /// Whether an effect is one of the measurement.
@@ -22,14 +22,14 @@ bool is_fault(const Effect& effect, const Scope& scope) {
 
 }  // namespace
 
-Proposals SensorFault::do_propose(const Problem& problem, const Account& best) const {
+Proposals SensorFault::do_propose(const Problem& problem, const CompositeModel& best) const {
   if (!has_fault(best) || !leaves_structure(best, problem.options.decision)) return {};
   std::vector<Stage<Effect>> dynamics = problem.options.effects;
   std::erase_if(dynamics, [&](const Stage<Effect>& effect) {
     return is_fault(*effect, best.base->scope);
   });
-  SearchedAccount found = searched(problem, best.base, dynamics);
-  Account& other = found.account;
+  SearchedComposite found = searched(problem, best.base, dynamics);
+  CompositeModel& other = found.composite;
   other.hypothesis = info().name;
   if (!closes_most(other, problem))
     return {{},

@@ -18,7 +18,7 @@ class SensorFault final : public Configured<Hypothesis, NoOptions<kSensorFault>>
  private:
   Phase do_phase() const override { return Phase::Revision; }
   int do_order() const override { return 1; }
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
 inline constexpr StageInfo kSensorCalibration{
@@ -31,8 +31,9 @@ inline constexpr StageInfo kSensorCalibration{
 /// (sensor-drift), or the value behind a filter of first order less x_k (sensor-lag).
 ///
 /// It is proposed where such a channel leaves nothing over. On equal terms, with the other
-/// coefficients as given, a change of one coefficient and the effects of the best account so
-/// far must do worse by more than the evidence that cannot tell two explanations apart.
+/// coefficients as given, a change of one coefficient and the effects of the best composite
+/// model so far must do worse by more than the evidence that cannot distinguish two
+/// explanations.
 class SensorCalibration final : public Configured<Hypothesis, NoOptions<kSensorCalibration>> {
  public:
   using Configured::Configured;
@@ -40,7 +41,7 @@ class SensorCalibration final : public Configured<Hypothesis, NoOptions<kSensorC
  private:
   Phase do_phase() const override { return Phase::Revision; }
   int do_order() const override { return 2; }
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
 inline constexpr StageInfo kInputSkew{
@@ -50,11 +51,12 @@ inline constexpr StageInfo kInputSkew{
 /// What acts is u(t + T), and u(t) is what was recorded: a column that is written one sample
 /// late, the mean over the step before, a slower converter. T is the likeliest for the nominal
 /// model, coefficients fitted, with nothing or with the first of the effects of the best
-/// account, then of those that are found with the input moved ahead, until it stays. An input
-/// that acts late is no such fault: that is a delay of the plant.
+/// composite model, then of those that are found with the input moved ahead, until it stays. An
+/// input that acts late is no such fault: that is a delay of the plant.
 ///
 /// It is proposed where something is missing and the moved input does better than the best
-/// account, and not when it is moved the other way: between samples its noise is averaged.
+/// composite model, and not when it is moved the other way: between samples its noise is
+/// averaged.
 class InputSkew final : public Configured<Hypothesis, NoOptions<kInputSkew>> {
  public:
   using Configured::Configured;
@@ -64,7 +66,7 @@ class InputSkew final : public Configured<Hypothesis, NoOptions<kInputSkew>> {
   int do_order() const override {
     return 2;
   }  // noise with a memory needs no fault of the record
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
 inline constexpr StageInfo kInputInterpolation{
@@ -82,7 +84,7 @@ class InputInterpolation final : public Configured<Hypothesis, NoOptions<kInputI
  private:
   Phase do_phase() const override { return Phase::Assumptions; }
   int do_order() const override { return 1; }  // a curve can be moved ahead, lines hardly
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
 }  // namespace lacuna

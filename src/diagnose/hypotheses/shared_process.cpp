@@ -141,7 +141,7 @@ std::vector<FittedEffect> effects_of(const Pair& pair) {
 }
 
 /// Both effects with their names; none where one has numbers that no effect can have, or is not
-/// told from 0, or the two are not one effect.
+/// distinguished from 0, or the two are not one effect.
 std::vector<NamedEffect> names_of(const Problem& problem, const Baseline& base,
                                   const Explanation& explanation, Index tried) {
   const NameTable table{problem.options.effects, base.scope, problem.options.decision.naming};
@@ -151,8 +151,9 @@ std::vector<NamedEffect> names_of(const Problem& problem, const Baseline& base,
   std::vector<NamedEffect> named;
   for (const FittedEffect& effect : explanation.effects) {
     const std::vector<Name> names = table.names_of(effect, explanation.fit.model);
-    const double told = problem.options.decision.significance;
-    if (names.empty() || std::abs(effect.coefficient) < told * effect.deviation) return {};
+    const double significance = problem.options.decision.significance;
+    if (names.empty() || std::abs(effect.coefficient) < significance * effect.deviation)
+      return {};
     NamedEffect one{.equation = effect.candidate.equation};
     take_name(effect, names.front(), one);
     one.sigma = sigma;
@@ -193,9 +194,9 @@ Explanation fitted_roughly(const JointFitTask& task, const Assimilation& start,
 /// From where a rough fit has come, with less disturbance than it took.
 FittedPair fitted(const Problem& problem, const Baseline& base, const JointFitTask& task,
                   const Explanation& rough, Index tried) {
-  constexpr double kShareOfDisturbance = 0.2;  // a fact of the search: a start, no bound
+  constexpr double kFractionOfDisturbance = 0.2;  // a fact of the search: a start, no bound
   Assimilation start = rough.fit;
-  start.noise.disturbance *= kShareOfDisturbance;
+  start.noise.disturbance *= kFractionOfDisturbance;
   FittedPair result{explain(task, start, rough.effects), {}, INFINITY};
   if (!std::isfinite(result.explanation.fit.deviance)) return result;
   result.named = names_of(problem, base, result.explanation, tried);
@@ -275,23 +276,23 @@ std::optional<FittedPair> best_pair(const Problem& problem, const Baseline& base
 
 }  // namespace
 
-Proposals SharedProcess::do_propose(const Problem& problem, const Account& best) const {
+Proposals SharedProcess::do_propose(const Problem& problem, const CompositeModel& best) const {
   const Baseline& base = *best.base;
   if (base.fit_options.hidden.empty() ||
-      (best.named.empty() && !is_anything_left(best.left, problem.options.decision)))
+      (best.named.empty() && !has_residual_structure(best.left, problem.options.decision)))
     return {};
   problem.context.report("fitting effects in two equations", 0.0);
   std::optional<FittedPair> pair = best_pair(problem, base);
   if (!pair) return {};
-  Account account{.hypothesis = std::string(info().name),
-                  .base = best.base,
-                  .explanation = std::move(pair->explanation),
-                  .named = std::move(pair->named)};
-  account.left = test_disturbances(account.explanation.fit, problem.context);
-  account.findings = best.findings;
-  account.notes = best.notes;
-  update_numbers(account.explanation, account.named);
-  return {{{.account = std::move(account)}}, {}};
+  CompositeModel composite{.hypothesis = std::string(info().name),
+                           .base = best.base,
+                           .explanation = std::move(pair->explanation),
+                           .named = std::move(pair->named)};
+  composite.left = test_disturbances(composite.explanation.fit, problem.context);
+  composite.findings = best.findings;
+  composite.notes = best.notes;
+  update_numbers(composite.explanation, composite.named);
+  return {{{.composite = std::move(composite)}}, {}};
 }
 
 }  // namespace lacuna

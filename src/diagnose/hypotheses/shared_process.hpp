@@ -21,7 +21,7 @@ class SharedProcess final : public Configured<Hypothesis, NoOptions<kSharedProce
  private:
   Phase do_phase() const override { return Phase::Revision; }
   int do_order() const override { return 2; }
-  Proposals do_propose(const Problem& problem, const Account& best) const override;
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
 }  // namespace lacuna

@@ -193,41 +193,41 @@ NamedEffect name_of(const FoundInput& input, const Search& search) {
   named.sigma = sigma_of_gain(input.gain, 2.0, 1.0);
   named.contribution = input.contribution;
   named.probability = 1.0;
-  const double share = input.explanation.fit.noise.disturbance[search.equation] /
-                       search.base.fitted.noise.disturbance[search.equation];
-  named.gap_closed = std::clamp(1.0 - share * share, 0.0, 1.0);
+  const double fraction = input.explanation.fit.noise.disturbance[search.equation] /
+                          search.base.fitted.noise.disturbance[search.equation];
+  named.gap_closed = std::clamp(1.0 - fraction * fraction, 0.0, 1.0);
   return named;
 }
 
-/// The account in which the input is the only effect.
-Account named_account(FoundInput input, std::vector<EquationStructure> left,
-                      const Search& search, const Account& best) {
+/// The composite model in which the input is the only effect.
+CompositeModel named_composite(FoundInput input, std::vector<EquationStructure> left,
+                               const Search& search, const CompositeModel& best) {
   NamedEffect named = name_of(input, search);
   const double sigma = named.sigma;
-  Account account{.hypothesis = {},
-                  .base = best.base,
-                  .explanation = std::move(input.explanation),
-                  .named = {std::move(named)},
-                  .left = std::move(left)};
-  account.rounds = best.rounds;
-  account.rounds.push_back({1, "unmeasured-input", sigma, true});
-  update_numbers(account.explanation, account.named);
-  return account;
+  CompositeModel composite{.hypothesis = {},
+                           .base = best.base,
+                           .explanation = std::move(input.explanation),
+                           .named = {std::move(named)},
+                           .left = std::move(left)};
+  composite.rounds = best.rounds;
+  composite.rounds.push_back({1, "unmeasured-input", sigma, true});
+  update_numbers(composite.explanation, composite.named);
+  return composite;
 }
 
-/// The account in which nothing has a name, as a process in time that is no input explains the
-/// records better than the effects.
-Proposal unnamed_proposal(const Search& search, const Account& best) {
-  Proposal proposal{bare_account(search.problem, {}, best.base)};
-  proposal.account.rounds = best.rounds;
+/// The composite model in which nothing has a name, as a process in time that is no input
+/// explains the records better than the effects.
+Proposal unnamed_proposal(const Search& search, const CompositeModel& best) {
+  Proposal proposal{bare_composite(search.problem, {}, best.base)};
+  proposal.composite.rounds = best.rounds;
   proposal.judged = ByRule{
       "a process in time explains the records better than the effects, and is no input: it "
       "depends on what was recorded"};
   return proposal;
 }
 
-/// Whether nothing is left over, and what moves the input has nothing to do with what was
-/// recorded.
+/// Whether no residual structure is there, and what moves the input has nothing to do with what
+/// was recorded.
 bool stands_alone(const FoundInput& input, const std::vector<EquationStructure>& left,
                   const Search& search) {
   return std::none_of(left.begin(), left.end(),
@@ -240,13 +240,14 @@ bool stands_alone(const FoundInput& input, const std::vector<EquationStructure>&
 
 }  // namespace
 
-Proposals UnmeasuredInput::do_propose(const Problem& problem, const Account& best) const {
+Proposals UnmeasuredInput::do_propose(const Problem& problem,
+                                      const CompositeModel& best) const {
   const DecisionOptions& decision = problem.options.decision;
   if (!leaves_structure(best, decision) || shows_the_motion(best, problem)) return {};
   const Baseline& base = *best.base;
   const auto structure = test_disturbances(base.fitted, problem.context);
   const Search search{problem, base, structure.empty() ? 0 : structure.front().equation,
-                      with_seen_noise(base.fitted).value_or(base.fitted)};
+                      with_estimated_noise(base.fitted).value_or(base.fitted)};
   const std::string name(info().name), says = "an input that was not measured";
   std::optional<FoundInput> input = find_input(search);
   if (!input || !is_evident(*input, search)) return {};
@@ -258,9 +259,9 @@ Proposals UnmeasuredInput::do_propose(const Problem& problem, const Account& bes
   std::vector<EquationStructure> left = left_by(*input, search);
   Proposal proposal =
       stands_alone(*input, left, search)
-          ? Proposal{named_account(std::move(*input), std::move(left), search, best)}
+          ? Proposal{named_composite(std::move(*input), std::move(left), search, best)}
           : unnamed_proposal(search, best);
-  proposal.account.hypothesis = name;
+  proposal.composite.hypothesis = name;
   return {{std::move(proposal)}, {}};
 }
 

@@ -26,9 +26,9 @@ bool may_differ(const FittedEffect& effect) {
          bind_form(effect.candidate, shapes).variables().contains("t");
 }
 
-std::string list_of_names(const Account& account, const OdeModel& nominal) {
+std::string list_of_names(const CompositeModel& composite, const OdeModel& nominal) {
   std::vector<std::string> names;
-  for (const auto* all : {&account.named, &account.findings})
+  for (const auto* all : {&composite.named, &composite.findings})
     for (const NamedEffect& effect : *all)
       names.push_back(effect.name + " in " +
                       nominal.states()[static_cast<std::size_t>(effect.equation)].name);
@@ -46,27 +46,27 @@ bool coefficients_off(const Problem& problem, const Baseline& base) {
          largest_rate_change(problem.nominal, base.fitted) >= decision.effect_size;
 }
 
-Verdict verdict_of(const Problem& problem, const Account& account) {
-  const bool left = leaves_structure(account, problem.options.decision);
-  if (!account.named.empty() || !account.findings.empty())
+Verdict verdict_of(const Problem& problem, const CompositeModel& composite) {
+  const bool left = leaves_structure(composite, problem.options.decision);
+  if (!composite.named.empty() || !composite.findings.empty())
     return left ? Verdict::PartlyExplained : Verdict::Explained;
   if (left) return Verdict::UnnamedStructure;
-  return coefficients_off(problem, *account.base) ? Verdict::CoefficientsOnly
-                                                  : Verdict::NoDiscrepancy;
+  return coefficients_off(problem, *composite.base) ? Verdict::CoefficientsOnly
+                                                    : Verdict::NoDiscrepancy;
 }
 
-/// The verdict after other records were heard: what stays open there is structure that has no
+/// The verdict after the holdout evaluation: what stays open there is structure that has no
 /// name, whatever the records that were used show.
-Verdict heard(Verdict verdict, bool is_open, bool is_doubted) {
+Verdict after_holdout(Verdict verdict, bool is_open, bool is_doubted) {
   const bool nothing_missing =
       verdict == Verdict::NoDiscrepancy || verdict == Verdict::CoefficientsOnly;
   if (nothing_missing && is_open) return Verdict::UnnamedStructure;
   return is_doubted ? Verdict::PartlyExplained : verdict;
 }
 
-Remaining remaining_of(const Account& account, const DecisionOptions& decision) {
+Remaining remaining_of(const CompositeModel& composite, const DecisionOptions& decision) {
   Remaining remaining;
-  for (const EquationStructure& structure : account.left) {
+  for (const EquationStructure& structure : composite.left) {
     remaining.sigma = std::max(remaining.sigma, structure.sigma);
     if (!is_substantial(structure, decision)) continue;
     remaining.equations.push_back(structure.equation);
@@ -116,7 +116,7 @@ void add_notes(const Problem& problem, Diagnosis& result) {
 void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis& result) {
   const DecisionOptions& decision = problem.options.decision;
   const TimingJitter jitter = timing_jitter(fit);
-  if (jitter.sigma < decision.significance || jitter.share < decision.minor) return;
+  if (jitter.sigma < decision.significance || jitter.fraction < decision.minor) return;
   const double steps = jitter.deviation / median_step(problem.records.data);
   result.notes.push_back(
       "timing jitter: the noise grows with the rate of the states as if the "
@@ -127,19 +127,19 @@ void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis&
 
 }  // namespace
 
-Hearing hear_other_records(const Problem& problem, const Account& account,
-                           const std::optional<Gap>& gap) {
-  const std::vector<FittedEffect>& effects = account.explanation.effects;
-  const bool only_assumed = account.named.empty();
-  if (only_assumed && account.findings.empty()) return {};
-  const bool others_tell = std::none_of(effects.begin(), effects.end(), may_differ);
-  if (gap && !others_tell) return {};
-  const std::string names = "with " + list_of_names(account, problem.nominal) +
+HoldoutEvaluation evaluate_holdout(const Problem& problem, const CompositeModel& composite,
+                                   const std::optional<Gap>& gap) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  const bool only_assumed = composite.named.empty();
+  if (only_assumed && composite.findings.empty()) return {};
+  const bool holdout_decides = std::none_of(effects.begin(), effects.end(), may_differ);
+  if (gap && !holdout_decides) return {};
+  const std::string names = "with " + list_of_names(composite, problem.nominal) +
                             " the model fits the records that were used better and the others ";
   if (gap && std::isinf(gap->after))
     return {true, false, names + "not at all: there it has no finite values"};
   // With a coefficient in each of two equations a form follows hidden states far.
-  if (others_tell && account.hypothesis == kSharedProcess.name &&
+  if (holdout_decides && composite.hypothesis == kSharedProcess.name &&
       (!gap || stays_open(*gap, problem.options.decision)))
     return {true, false, names + "not to their noise; a form in two equations gets no name so"};
   if (!gap)
@@ -151,7 +151,7 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
     case HoldoutVerdict::Refuted:
       return {true, false, names + "worse; what fails there gets no name"};
     case HoldoutVerdict::Little:
-      if (mostly_repeats(*account.base->records))
+      if (mostly_repeats(*composite.base->records))
         return {true, false,
                 names +
                     "hardly; most samples repeat the one before (coarse quantisation), and "
@@ -166,16 +166,16 @@ Hearing hear_other_records(const Problem& problem, const Account& account,
 }
 
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
-                      const Hearing& hearing) {
-  Account& best = judged.best;
+                      const HoldoutEvaluation& evaluation) {
+  CompositeModel& best = judged.best;
   const Baseline& base = *best.base;
   const Assimilation& fit = best.explanation.fit;
   const Verdict alone = verdict_of(problem, best);
   const std::vector<std::string> doubts = reservations(problem, best, gap);
-  const bool lower = hearing.lower || (alone == Verdict::Explained && !doubts.empty());
+  const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
   const bool open = gap && stays_open(*gap, problem.options.decision);
   Diagnosis result{
-      .verdict = heard(alone, open, lower),
+      .verdict = after_holdout(alone, open, lower),
       .nominal = problem.nominal,
       .disagreement = locate(base.given, problem.context),
       .effects = std::move(best.named),
@@ -191,16 +191,16 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
       .unnamed = std::move(best.unnamed)};
   std::move(best.findings.begin(), best.findings.end(), std::back_inserter(result.effects));
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
-  result.remaining.structure = result.remaining.structure || hearing.lower ||
+  result.remaining.structure = result.remaining.structure || evaluation.lower ||
                                result.verdict == Verdict::UnnamedStructure;
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
-  if (!hearing.note.empty()) result.notes.push_back(hearing.note);
+  if (!evaluation.note.empty()) result.notes.push_back(evaluation.note);
   add_notes(problem, result);
   result.adequacy = adequacy_on(problem, fit.noise, result.remaining, result.gap);
   result.hints = identifiability_hints(problem, base, fit);
   if (fit.held.cols() > 0 && !result.effects.empty())
     result.notes.push_back(
-        "where the records tell coefficients only together, sizes of effects hold for the "
+        "where the records determine coefficients only together, sizes of effects hold for the "
         "coefficients that are kept");
   if (!result.remaining.structure) add_jitter_note(problem, fit, result);
   return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The journey: records -> baseline -> accounts -> the best of them -> gap -> answer.
+// The journey: records -> baseline -> composite models -> the best of them -> gap -> answer.
 #include "lacuna/diagnose/journey/diagnose.hpp"
 
 #include <cmath>
@@ -91,38 +91,39 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
   return {std::move(find), std::move(unused), std::move(known), std::move(all.notes)};
 }
 
-/// The gap on records that chose nothing, which the account's assumptions correct like the
-/// others.
-std::optional<Gap> gap_of(const Problem& problem, const Account& account,
+/// The gap on records that chose nothing, which the composite model's assumptions correct like
+/// the others.
+std::optional<Gap> gap_of(const Problem& problem, const CompositeModel& composite,
                           const BoundRecords& check) {
-  const auto& correct = account.base->correct;
+  const auto& correct = composite.base->correct;
   const Dataset corrected = correct ? correct(check.data) : check.data;
-  Gap gap = measure_gap(problem.nominal, account.explanation,
+  Gap gap = measure_gap(problem.nominal, composite.explanation,
                         {check, corrected, problem.options.decision.outlying}, problem.context);
   const bool refuted = std::isinf(gap.after);
   if (!refuted && !std::isfinite(gap.before + gap.after)) return std::nullopt;
   return gap;
 }
 
-/// An account that other records were heard on.
-struct HeardAccount {
+/// A composite model with its holdout evaluation.
+struct EvaluatedComposite {
   Judged judged;
   std::optional<Gap> gap;
-  Hearing hearing = {};                     ///< the last one, which withdraws nothing more
+  HoldoutEvaluation evaluation = {};        ///< the last one, which withdraws nothing more
   std::vector<std::string> withdrawn = {};  ///< what was, and why
 };
 
-HeardAccount heard_on(const BoundRecords& check, const Problem& problem,
-                      const std::vector<Stage<Hypothesis>>& hypotheses, Judged judged) {
-  HeardAccount heard{settle_account(problem, hypotheses, std::move(judged)), {}};
+EvaluatedComposite evaluated_on(const BoundRecords& check, const Problem& problem,
+                                const std::vector<Stage<Hypothesis>>& hypotheses,
+                                Judged judged) {
+  EvaluatedComposite evaluated{settle_composite(problem, hypotheses, std::move(judged)), {}};
   for (;;) {
-    heard.gap = gap_of(problem, heard.judged.best, check);
-    heard.hearing = hear_other_records(problem, heard.judged.best, heard.gap);
-    if (heard.gap && !std::isfinite(heard.gap->after)) heard.gap.reset();
-    if (!heard.hearing.withdraw) return heard;
-    heard.withdrawn.push_back(heard.hearing.note);
-    heard.judged.best = without_claims(problem, heard.judged.best);
-    heard.judged = settle_account(problem, hypotheses, std::move(heard.judged));
+    evaluated.gap = gap_of(problem, evaluated.judged.best, check);
+    evaluated.evaluation = evaluate_holdout(problem, evaluated.judged.best, evaluated.gap);
+    if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
+    if (!evaluated.evaluation.withdraw) return evaluated;
+    evaluated.withdrawn.push_back(evaluated.evaluation.note);
+    evaluated.judged.best = without_claims(problem, evaluated.judged.best);
+    evaluated.judged = settle_composite(problem, hypotheses, std::move(evaluated.judged));
   }
 }
 
@@ -149,8 +150,9 @@ void add_coefficient_hints(const Problem& problem, Diagnosis& diagnosis) {
   const DecisionOptions& decision = problem.options.decision;
   for (const CoefficientChange& change : diagnosis.coefficient_changes) {
     if (change.nominal == 0.0 || change.sigma < decision.significance) continue;
-    const SaidCoefficient said{change.equation, change.term, change.estimated / change.nominal,
-                               change.deviation / std::abs(change.nominal)};
+    const EstimatedCoefficient said{change.equation, change.term,
+                                    change.estimated / change.nominal,
+                                    change.deviation / std::abs(change.nominal)};
     if (auto hint =
             coefficient_hint(problem.nominal, problem.records.data, said, decision.hints))
       diagnosis.hints.push_back(std::move(*hint));
@@ -166,17 +168,17 @@ OdeModel held(const OdeModel& model) {
 }
 
 /// Records that were smoothed, as their noise shows, as they were before.
-void sharpen(const OdeModel& nominal, const DiagnosisOptions& options,
-             const RunContext& context, Records& records) {
+void preprocess(const OdeModel& nominal, const DiagnosisOptions& options,
+                const RunContext& context, Records& records) {
   const auto smoothing = smoothing_of({nominal, records.find, options, context});
   if (!smoothing) return;
   const SmoothingOptions& undoing = options.decision.smoothing;
-  records.find = sharpened(*smoothing, std::move(records.find), undoing);
-  records.check = sharpened(*smoothing, std::move(records.check), undoing);
+  records.find = preprocessed(*smoothing, std::move(records.find), undoing);
+  records.check = preprocessed(*smoothing, std::move(records.check), undoing);
   records.notes.push_back(note_on(*smoothing));
 }
 
-/// What the records themselves say. Where states are hidden there are no rates to compare.
+/// What the records themselves show. Where states are hidden there are no rates to compare.
 std::vector<Hint> hints_on(const OdeModel& nominal, const Records& records,
                            const HintOptions& options) {
   if (hidden_states(nominal, records.find.data).empty())
@@ -216,15 +218,17 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
-  sharpen(known, options, context, records);
+  preprocess(known, options, context, records);
 
   const Problem given{known, records.find, options, context};
   JudgedModel inputs = judge_holds(given, hypotheses);
   const Problem problem{*inputs.model, records.find, options, context, given.memory};
-  HeardAccount heard = heard_on(records.check, problem, hypotheses, std::move(inputs.judged));
-  Diagnosis diagnosis =
-      make_answer(problem, std::move(heard.judged), std::move(heard.gap), heard.hearing);
-  diagnosis.notes.insert(diagnosis.notes.end(), heard.withdrawn.begin(), heard.withdrawn.end());
+  EvaluatedComposite evaluated =
+      evaluated_on(records.check, problem, hypotheses, std::move(inputs.judged));
+  Diagnosis diagnosis = make_answer(problem, std::move(evaluated.judged),
+                                    std::move(evaluated.gap), evaluated.evaluation);
+  diagnosis.notes.insert(diagnosis.notes.end(), evaluated.withdrawn.begin(),
+                         evaluated.withdrawn.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
   diagnosis.hints.insert(diagnosis.hints.begin(), std::make_move_iterator(hints.begin()),

@@ -14,17 +14,18 @@ using Hypotheses = std::vector<Stage<Hypothesis>>;
 JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& hypotheses) {
   auto nominal = std::make_shared<const OdeModel>(std::move(model));
   const Problem problem{*nominal, asked.records, asked.options, asked.context, asked.memory};
-  Judged judged = first_account(problem, hypotheses, plain_baseline(problem));
+  Judged judged = first_composite(problem, hypotheses, plain_baseline(problem));
   return {std::move(nominal), std::move(judged)};
 }
 
-double criterion_of(const Problem& problem, const Account& account) {
-  return problem.options.criterion->value(evidence_of(account));
+double criterion_of(const Problem& problem, const CompositeModel& composite) {
+  return problem.options.criterion->value(evidence_of(composite));
 }
 
 }  // namespace
 
-bool is_less_plain(const Account& one, const Account& other, const DecisionOptions& decision) {
+bool is_less_plain(const CompositeModel& one, const CompositeModel& other,
+                   const DecisionOptions& decision) {
   return one.named.size() > other.named.size() && !leaves_structure(other, decision);
 }
 
@@ -50,7 +51,7 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
   }
   const Problem held{*best.model, problem.records, problem.options, problem.context,
                      problem.memory};
-  best.judged = choose_account(held, hypotheses, std::move(best.judged));
+  best.judged = choose_composite(held, hypotheses, std::move(best.judged));
   best.notes = notes_on_holds(*best.model, chosen.open);
   std::vector<Rival>& all = best.judged.trail;
   all.insert(all.begin(), std::make_move_iterator(trail.begin()),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Accounts under what is assumed of the inputs between samples.
+// Composite models under what is assumed of the inputs between samples.
 #pragma once
 
 #include <memory>
@@ -10,20 +10,21 @@
 
 namespace lacuna {
 
-/// The best account, and the nominal model with the holds under which it is the best.
+/// The best composite model, and the nominal model with the holds under which it is the best.
 struct JudgedModel {
   std::shared_ptr<const OdeModel> model;
   Judged judged;
   std::vector<std::string> notes = {};
 };
 
-/// Whether one account names more effects than another that leaves no structure: what it says
-/// better may be what a wrong assumption has to be patched with.
-bool is_less_plain(const Account& one, const Account& other, const DecisionOptions& decision);
+/// Whether one composite model names more effects than another that leaves no structure: what
+/// it says better may be what a wrong assumption has to be patched with.
+bool is_less_plain(const CompositeModel& one, const CompositeModel& other,
+                   const DecisionOptions& decision);
 
-/// Chooses how inputs go on between samples, then the account; where the effects that are found
-/// speak for other holds (rival_holds()), these are judged too, and the criterion decides among
-/// those that are not less plain.
+/// Chooses how inputs go on between samples, then the composite model; where the effects that
+/// are found speak for other holds (rival_holds()), these are judged too, and the criterion
+/// decides among those that are not less plain.
 /// @param problem with the nominal model as it was given.
 JudgedModel judge_holds(const Problem& problem,
                         const std::vector<Stage<Hypothesis>>& hypotheses);

@@ -17,14 +17,14 @@ namespace {
 /// not depend on it.
 constexpr double kPart = 0.05;
 
-/// A direction of coefficients that the records do not tell, and the one that is kept for it;
-/// none: all of them keep their proportion.
+/// A direction of coefficients that the records do not determine, and the one that is kept for
+/// it; none: all of them keep their proportion.
 struct Direction {
   Vector parts;
   std::optional<Index> unit;
 };
 
-/// The same space by directions with as many zeros as elimination makes, so that each tells of
+/// The same space by directions with as many zeros as elimination makes, so that each is about
 /// few coefficients; first those of the units, in which no other unit has a part.
 std::vector<Direction> sparse_directions(Matrix columns, const std::vector<Index>& units) {
   constexpr double kNothing = 1e-6;  // rounding of orthonormal columns after elimination
@@ -88,10 +88,10 @@ Hint hint_of(const OdeModel& model, const std::vector<CoefficientPlace>& free,
                      : "they keep the proportion that the model gives";
   return {
       HintKind::NotIdentifiable,
-      names.size() == 1 ? "the records do not tell the coefficient of " + names.front() +
+      names.size() == 1 ? "the records do not determine the coefficient of " + names.front() +
                               ": it is kept as the model gives it"
-                        : "the records tell the coefficients of " + join(names, ", ") + " " +
-                              combination(parts) + ": " + kept,
+                        : "the records determine the coefficients of " + join(names, ", ") +
+                              " " + combination(parts) + ": " + kept,
       "fix one of them (\"fixed\": true, or --tolerance), or measure a state that is hidden"};
 }
 

@@ -9,8 +9,8 @@
 namespace lacuna {
 
 /// Hints on what the records do not determine where states are hidden: coefficients that they
-/// tell only together (directions that were held in the fit), and states on which nothing that
-/// was measured depends.
+/// determine only together (directions that were held in the fit), and states on which nothing
+/// that was measured depends.
 /// @param fit with AssimilationOptions::held_among; without it there are no hints.
 std::vector<Hint> identifiability_hints(const Problem& problem, const Baseline& base,
                                         const Assimilation& fit);

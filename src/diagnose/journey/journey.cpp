@@ -12,29 +12,29 @@ namespace {
 using Phase = Hypothesis::Phase;
 using Hypotheses = std::vector<Stage<Hypothesis>>;
 
-/// What an account says in a few words.
-std::string says(const Account& account, const OdeModel& nominal) {
+/// What a composite model says in a few words.
+std::string says(const CompositeModel& composite, const OdeModel& nominal) {
   std::vector<std::string> parts;
-  for (const NamedEffect& effect : account.named)
+  for (const NamedEffect& effect : composite.named)
     parts.push_back(effect.name + " in d" +
                     nominal.states()[static_cast<std::size_t>(effect.equation)].name +
                     "/dt: " + effect.term);
-  for (const NamedEffect& finding : account.findings) parts.push_back(finding.name);
+  for (const NamedEffect& finding : composite.findings) parts.push_back(finding.name);
   return parts.empty() ? "nothing is missing" : join(parts, "; ");
 }
 
-/// Effects on the baseline of an account.
-Judged with_effects(const Problem& problem, const Hypotheses& hypotheses, Account bare) {
+/// Effects on the baseline of a composite model.
+Judged with_effects(const Problem& problem, const Hypotheses& hypotheses, CompositeModel bare) {
   return judge_phase(problem, hypotheses, Phase::Revision,
                      judge_phase(problem, hypotheses, Phase::Effects, {std::move(bare)}));
 }
 
-/// A proposal against the best account so far.
-Rival compare(const Problem& problem, const Proposal& proposal, const Account& best) {
+/// A proposal against the best composite model so far.
+Rival compare(const Problem& problem, const Proposal& proposal, const CompositeModel& best) {
   const Criterion& criterion = *problem.options.criterion;
-  const double value = criterion.value(evidence_of(proposal.account));
+  const double value = criterion.value(evidence_of(proposal.composite));
   const double least = criterion.value(evidence_of(best));
-  Rival rival{proposal.account.hypothesis, says(proposal.account, problem.nominal), value};
+  Rival rival{proposal.composite.hypothesis, says(proposal.composite, problem.nominal), value};
   rival.quantity = criterion.info().name;
   rival.threshold = least;
   if (const auto* rule = std::get_if<ByRule>(&proposal.judged)) {
@@ -53,9 +53,10 @@ void append(std::vector<Rival>& trail, std::vector<Rival> more) {
                std::make_move_iterator(more.end()));
 }
 
-/// What the records do not tell from the account that was taken: another assumption of them.
-void add_doubt(const Problem& problem, const Rival& rival, const Account& loser,
-               Account& winner) {
+/// What the records do not distinguish from the composite model that was taken: another
+/// assumption of them.
+void add_doubt(const Problem& problem, const Rival& rival, const CompositeModel& loser,
+               CompositeModel& winner) {
   if (!rival.rule.empty() || says(loser, problem.nominal) == says(winner, problem.nominal) ||
       std::abs(rival.value - rival.threshold) > problem.options.decision.undecided)
     return;
@@ -69,10 +70,10 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
   const bool is_baseline = phase == Phase::Assumptions;
   std::vector<Rival> inner;
   const auto search = [&] {
-    const std::string hypothesis = proposal.account.hypothesis;
-    Judged found = with_effects(problem, hypotheses, std::move(proposal.account));
-    proposal.account = std::move(found.best);
-    proposal.account.hypothesis = hypothesis;
+    const std::string hypothesis = proposal.composite.hypothesis;
+    Judged found = with_effects(problem, hypotheses, std::move(proposal.composite));
+    proposal.composite = std::move(found.best);
+    proposal.composite.hypothesis = hypothesis;
     inner = std::move(found.trail);
   };
   if (is_baseline && proposal.search_first) search();
@@ -80,41 +81,42 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
   so_far.trail.push_back(rival);
   if (rival.taken) {
     if (is_baseline && !proposal.search_first) search();
-    if (is_baseline) add_doubt(problem, rival, so_far.best, proposal.account);
-    so_far.best = std::move(proposal.account);
+    if (is_baseline) add_doubt(problem, rival, so_far.best, proposal.composite);
+    so_far.best = std::move(proposal.composite);
   } else if (is_baseline) {
-    add_doubt(problem, rival, proposal.account, so_far.best);
+    add_doubt(problem, rival, proposal.composite, so_far.best);
   }
   if (!rival.taken && so_far.best.rounds.empty())
-    so_far.best.rounds = std::move(proposal.account.rounds);  // what was tried in vain
+    so_far.best.rounds = std::move(proposal.composite.rounds);  // what was tried in vain
   append(so_far.trail, std::move(inner));
 }
 
-/// The account with names only where they explain most, and coefficients that hold.
-Account with_claims(const Problem& problem, Account account, std::vector<Rival>& trail) {
-  const auto with_errors = [&](Account one) {
+/// The composite model with names only where they explain most, and coefficients that hold.
+CompositeModel with_claims(const Problem& problem, CompositeModel composite,
+                           std::vector<Rival>& trail) {
+  const auto with_errors = [&](CompositeModel one) {
     one.explanation = with_joint_errors(problem, *one.base, std::move(one.explanation));
     update_numbers(one.explanation, one.named);
     return one;
   };
-  if (account.named.empty()) return account;
-  if (!leaves_structure(account, problem.options.decision))
-    return with_errors(std::move(account));
-  if (!closes_most(account, problem)) {
-    trail.push_back({account.hypothesis,
-                     says(account, problem.nominal),
+  if (composite.named.empty()) return composite;
+  if (!leaves_structure(composite, problem.options.decision))
+    return with_errors(std::move(composite));
+  if (!closes_most(composite, problem)) {
+    trail.push_back({composite.hypothesis,
+                     says(composite, problem.nominal),
                      {},
                      false,
                      "disturbances that go",
                      0.0,
                      problem.options.decision.major});
-    return without_names(problem, account);
+    return without_names(problem, composite);
   }
-  if (!account.refitted) return with_errors(std::move(account));
-  account.explanation = std::move(*account.refitted);
-  account.refitted.reset();
-  update_numbers(account.explanation, account.named);
-  return account;
+  if (!composite.refitted) return with_errors(std::move(composite));
+  composite.explanation = std::move(*composite.refitted);
+  composite.refitted.reset();
+  update_numbers(composite.explanation, composite.named);
+  return composite;
 }
 
 }  // namespace
@@ -125,15 +127,15 @@ Judged judge_phase(const Problem& problem, const Hypotheses& hypotheses, Phase p
     if (hypothesis->phase() != phase) continue;
     Proposals proposals = hypothesis->propose(problem, so_far.best);
     append(so_far.trail, std::move(proposals.trail));
-    for (Proposal& proposal : proposals.accounts)
+    for (Proposal& proposal : proposals.composites)
       judge(problem, hypotheses, phase, std::move(proposal), so_far);
   }
   return so_far;
 }
 
-Judged first_account(const Problem& problem, const Hypotheses& hypotheses, Baseline base) {
-  Account bare = bare_account(problem, "coefficients-only",
-                              std::make_shared<const Baseline>(std::move(base)));
+Judged first_composite(const Problem& problem, const Hypotheses& hypotheses, Baseline base) {
+  CompositeModel bare = bare_composite(problem, "coefficients-only",
+                                       std::make_shared<const Baseline>(std::move(base)));
   const double value = problem.options.criterion->value(evidence_of(bare));
   Judged best = judge_phase(problem, hypotheses, Phase::Effects, {std::move(bare)});
   best.trail.insert(best.trail.begin(),
@@ -143,28 +145,28 @@ Judged first_account(const Problem& problem, const Hypotheses& hypotheses, Basel
   return best;
 }
 
-Judged choose_account(const Problem& problem, const Hypotheses& hypotheses, Judged first) {
+Judged choose_composite(const Problem& problem, const Hypotheses& hypotheses, Judged first) {
   return judge_phase(problem, hypotheses, Phase::Assumptions,
                      judge_phase(problem, hypotheses, Phase::Revision, std::move(first)));
 }
 
-Judged settle_account(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {
+Judged settle_composite(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {
   so_far.best = with_claims(problem, std::move(so_far.best), so_far.trail);
   return judge_phase(problem, hypotheses, Phase::Residual, std::move(so_far));
 }
 
-Account without_names(const Problem& problem, const Account& account) {
-  Account bare = bare_account(problem, account.hypothesis, account.base);
-  bare.rounds = account.rounds;
-  bare.notes = account.notes;
-  bare.findings = account.findings;
+CompositeModel without_names(const Problem& problem, const CompositeModel& composite) {
+  CompositeModel bare = bare_composite(problem, composite.hypothesis, composite.base);
+  bare.rounds = composite.rounds;
+  bare.notes = composite.notes;
+  bare.findings = composite.findings;
   return bare;
 }
 
-Account without_claims(const Problem& problem, const Account& account) {
-  if (!account.named.empty()) return without_names(problem, account);
-  return bare_account(problem, "coefficients-only",
-                      std::make_shared<const Baseline>(plain_baseline(problem)));
+CompositeModel without_claims(const Problem& problem, const CompositeModel& composite) {
+  if (!composite.named.empty()) return without_names(problem, composite);
+  return bare_composite(problem, "coefficients-only",
+                        std::make_shared<const Baseline>(plain_baseline(problem)));
 }
 
 }  // namespace lacuna

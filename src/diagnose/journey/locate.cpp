@@ -109,7 +109,7 @@ std::vector<Disagreement> locate(const Assimilation& fit, const RunContext& cont
                       locations(fit, system, structure.equation, lines)});
   }
   for (Disagreement& equation : result)
-    equation.share = total > 0.0 ? equation.share / total : 0.0;
+    equation.fraction = total > 0.0 ? equation.fraction / total : 0.0;
   return result;
 }
 

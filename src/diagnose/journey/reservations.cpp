@@ -28,73 +28,76 @@ std::string where(const Problem& problem, Index equation) {
   return "d" + problem.nominal.states()[static_cast<std::size_t>(equation)].name + "/dt";
 }
 
-void add_bounds(const Account& account, Sentences& said) {
-  for (std::size_t e = 0; e < account.named.size(); ++e) {
-    const FittedEffect& effect = account.explanation.effects[e];
+void add_bounds(const CompositeModel& composite, Sentences& said) {
+  for (std::size_t e = 0; e < composite.named.size(); ++e) {
+    const FittedEffect& effect = composite.explanation.effects[e];
     for (std::size_t s = 0; s < effect.candidate.shapes.size(); ++s) {
       const ShapeParameter& shape = effect.candidate.shapes[s];
       const double value = effect.shapes[static_cast<Index>(s)];
       if (is_on_bound(shape, value))
         said.push_back("a parameter sits on its bound: " + shape.name + " = " +
-                       format_number(value, 4) + " of " + account.named[e].name);
+                       format_number(value, 4) + " of " + composite.named[e].name);
     }
   }
 }
 
-void add_cancelling(const Problem& problem, const Account& account, Sentences& said) {
+void add_cancelling(const Problem& problem, const CompositeModel& composite, Sentences& said) {
   const double least = problem.options.decision.cancelling;
   std::vector<Index> seen;
-  for (const FittedEffect& effect : account.explanation.effects) {
+  for (const FittedEffect& effect : composite.explanation.effects) {
     const Index k = effect.candidate.equation;
     if (effect.candidate.place != Place::Rate ||
         std::find(seen.begin(), seen.end(), k) != seen.end())
       continue;
     seen.push_back(k);
     const Cancellation found =
-        largest_cancellation(added_parts(account.explanation, problem.nominal, k));
+        largest_cancellation(added_parts(composite.explanation, problem.nominal, k));
     if (found.left < least)
       said.push_back("terms in " + where(problem, k) +
                      " nearly cancel: " + join(found.terms, ", "));
   }
 }
 
-void add_coefficients(const Problem& problem, const Account& account, Sentences& said) {
+void add_coefficients(const Problem& problem, const CompositeModel& composite,
+                      Sentences& said) {
   for (const MovedCoefficient& one :
-       moved_coefficients(account.explanation.fit, problem.nominal,
-                          account.base->fit_options.free.size(), problem.options.decision))
+       moved_coefficients(composite.explanation.fit, problem.nominal,
+                          composite.base->fit_options.free.size(), problem.options.decision))
     said.push_back("the nominal coefficient of " + one.term + " in " +
                    where(problem, one.equation) +
                    (one.changes_sign() ? " changes its sign: " : " changes out of scale: ") +
                    format_number(one.given, 4) + " to " + format_number(one.fitted, 4));
 }
 
-void add_idle(const Problem& problem, const Account& account, Sentences& said) {
-  for (std::size_t e = 0; e < account.named.size(); ++e) {
-    const FittedEffect& effect = account.explanation.effects[e];
+void add_idle(const Problem& problem, const CompositeModel& composite, Sentences& said) {
+  for (std::size_t e = 0; e < composite.named.size(); ++e) {
+    const FittedEffect& effect = composite.explanation.effects[e];
     if (effect.candidate.place != Place::Rate || effect.candidate.is_driven()) continue;
     const double least = problem.options.decision.acting;
-    const double share = acting_share(effect, account.explanation.fit, least);
-    if (share < least)
-      said.push_back(account.named[e].name + " acts in " + format_number(100.0 * share, 2) +
-                     " % of the samples only");
+    const double fraction = acting_fraction(effect, composite.explanation.fit, least);
+    if (fraction < least)
+      said.push_back(composite.named[e].name + " acts in " +
+                     format_number(100.0 * fraction, 2) + " % of the samples only");
   }
 }
 
 /// Names explain a disagreement when it is less with them.
-void add_hardly_closing(const Problem& problem, const Account& account, Sentences& said) {
-  if (account.named.empty()) return;
-  const double share = share_closed(account.base->fitted, account.explanation.fit);
-  if (share >= problem.options.decision.minor || shows_the_motion(account, problem)) return;
-  said.push_back("of what disturbs the model only " + format_number(100.0 * share, 2) +
+void add_hardly_closing(const Problem& problem, const CompositeModel& composite,
+                        Sentences& said) {
+  if (composite.named.empty()) return;
+  const double fraction = fraction_closed(composite.base->fitted, composite.explanation.fit);
+  if (fraction >= problem.options.decision.minor || shows_the_motion(composite, problem))
+    return;
+  said.push_back("of what disturbs the model only " + format_number(100.0 * fraction, 2) +
                  " % goes with what is named");
 }
 
 /// Of what acts on hidden states only what reaches a channel is seen: one channel cannot
 /// confirm several effects, each of which may stand for a part of another one.
-void add_unconfirmed(const Problem& problem, const Account& account, Sentences& said) {
-  if (account.base->fit_options.hidden.empty()) return;
+void add_unconfirmed(const Problem& problem, const CompositeModel& composite, Sentences& said) {
+  if (composite.base->fit_options.hidden.empty()) return;
   std::set<std::string> names;  // one process in two equations is one effect
-  for (const NamedEffect& named : account.named) names.insert(named.name);
+  for (const NamedEffect& named : composite.named) names.insert(named.name);
   const Dataset& data = problem.records.data;
   Index channels = 0;
   for (Index k = 0; k < data.state_count(); ++k) channels += data.is_measured(k);
@@ -106,15 +109,16 @@ void add_unconfirmed(const Problem& problem, const Account& account, Sentences& 
 }
 
 /// Between the samples that were recorded of an input only a curve is known.
-void add_seldom_recorded(const Problem& problem, const Account& account, Sentences& said) {
+void add_seldom_recorded(const Problem& problem, const CompositeModel& composite,
+                         Sentences& said) {
   const Dataset& data = problem.records.data;
   for (Index j = 0; j < data.input_count(); ++j) {
     if (!is_interpolated(data, j)) continue;
     const std::string& input = problem.nominal.inputs()[static_cast<std::size_t>(j)].name;
-    for (std::size_t e = 0; e < account.named.size(); ++e)
-      if (account.explanation.effects[e].candidate.depends_on(input))
+    for (std::size_t e = 0; e < composite.named.size(); ++e)
+      if (composite.explanation.effects[e].candidate.depends_on(input))
         said.push_back("most samples of " + input + " lie on lines between others: " +
-                       account.named[e].name + " may stand for what it did in between");
+                       composite.named[e].name + " may stand for what it did in between");
   }
 }
 
@@ -131,21 +135,21 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision) {
          gap.after >= decision.significance * gap.noise_floor;
 }
 
-Sentences reservations(const Problem& problem, const Account& account,
+Sentences reservations(const Problem& problem, const CompositeModel& composite,
                        const std::optional<Gap>& gap) {
   Sentences said;
   if (gap && stays_open(*gap, problem.options.decision))
     said.push_back("the gap on the records that were not used stays at " +
                    format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
-  if (account.named.empty() && account.findings.empty()) return said;
-  said.insert(said.end(), account.doubts.begin(), account.doubts.end());
-  add_bounds(account, said);
-  add_cancelling(problem, account, said);
-  add_coefficients(problem, account, said);
-  add_idle(problem, account, said);
-  add_hardly_closing(problem, account, said);
-  add_unconfirmed(problem, account, said);
-  add_seldom_recorded(problem, account, said);
+  if (composite.named.empty() && composite.findings.empty()) return said;
+  said.insert(said.end(), composite.doubts.begin(), composite.doubts.end());
+  add_bounds(composite, said);
+  add_cancelling(problem, composite, said);
+  add_coefficients(problem, composite, said);
+  add_idle(problem, composite, said);
+  add_hardly_closing(problem, composite, said);
+  add_unconfirmed(problem, composite, said);
+  add_seldom_recorded(problem, composite, said);
   return said;
 }
 

@@ -6,19 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "lacuna/diagnose/journey/gap.hpp"
 
 namespace lacuna {
 
-/// What there is to be said against an account that leaves no structure, a sentence each; none
-/// where names and numbers are as they should be. Said are: a gap on other records that stays
-/// above its noise floor (DecisionOptions::explained_gap) by more than chance, also where
-/// nothing is named, a shape on the
-/// bound of its range, parts that nearly cancel, nominal coefficients of another sign or size,
-/// effects that act in few samples only, effects of an input of which most samples were put on
-/// lines between others, and Account::doubts.
-std::vector<std::string> reservations(const Problem& problem, const Account& account,
+/// What there is to be said against a composite model that leaves no structure, a sentence
+/// each; none where names and numbers are as they should be. Said are: a gap on other records
+/// that stays above its noise floor (DecisionOptions::explained_gap) by more than chance, also
+/// where nothing is named, a shape on the bound of its range, parts that nearly cancel, nominal
+/// coefficients of another sign or size, effects that act in few samples only, effects of an
+/// input of which most samples were put on lines between others, and CompositeModel::doubts.
+std::vector<std::string> reservations(const Problem& problem, const CompositeModel& composite,
                                       const std::optional<Gap>& gap);
 
 /// Whether the gap stays above its floor by more than the decision allows, and not by chance:

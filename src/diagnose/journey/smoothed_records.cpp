@@ -48,7 +48,7 @@ Assimilation fit_before(const Smoothing& smoothing, const Problem& problem) {
   // passes change of the coefficients is less by far.
   constexpr int kPasses = 3;
   const BoundRecords sharp =
-      sharpened(smoothing, problem.records, problem.options.decision.smoothing);
+      preprocessed(smoothing, problem.records, problem.options.decision.smoothing);
   AssimilationOptions options;
   options.hidden = hidden_states(problem.nominal, sharp.data);
   options.passes = kPasses;
@@ -57,7 +57,7 @@ Assimilation fit_before(const Smoothing& smoothing, const Problem& problem) {
   return assimilate(problem.nominal, sharp, options, problem.context);
 }
 
-/// What leaves the same noise; without inputs nothing tells it.
+/// What leaves the same noise; without inputs nothing determines it.
 std::vector<Smoothing> alike(const SmoothingFilter& seen, bool has_inputs) {
   std::vector<Smoothing> others;
   if (!has_inputs) return others;
@@ -74,7 +74,7 @@ std::optional<Smoothing> smoothing_of(const Problem& problem) {
   const SmoothingOptions& options = decision.smoothing;
   const Dataset& data = problem.records.data;
   const auto seen =
-      seen_filter(data, measured_states(problem.records), decision.undecided, options);
+      estimated_filter(data, measured_states(problem.records), decision.undecided, options);
   if (!seen || samples_left(*seen, data, options) < options.least_left) return std::nullopt;
   Smoothing best{*seen};
   const std::vector<Smoothing> others = alike(*seen, !problem.nominal.inputs().empty());
@@ -84,15 +84,16 @@ std::optional<Smoothing> smoothing_of(const Problem& problem) {
   for (const Smoothing& other : others) {
     const Assimilation fit = fit_before(other, problem);
     if (!(fit.deviance < plain.deviance - decision.undecided)) continue;
-    const double share = share_closed(plain, fit);
-    if (share <= most) continue;
-    most = share;
+    const double fraction = fraction_closed(plain, fit);
+    if (fraction <= most) continue;
+    most = fraction;
     best = other;
   }
   return best;
 }
 
-Dataset sharpened(const Smoothing& smoothing, Dataset data, const SmoothingOptions& options) {
+Dataset preprocessed(const Smoothing& smoothing, Dataset data,
+                     const SmoothingOptions& options) {
   const SmoothingFilter& filter = smoothing.filter;
   const Index reach = filter.reach(), memory = memory_of(filter, options);
   for (Trajectory& record : data.trajectories) {
@@ -107,9 +108,9 @@ Dataset sharpened(const Smoothing& smoothing, Dataset data, const SmoothingOptio
   return data;
 }
 
-BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records,
-                       const SmoothingOptions& options) {
-  records.data = sharpened(smoothing, std::move(records.data), options);
+BoundRecords preprocessed(const Smoothing& smoothing, BoundRecords records,
+                          const SmoothingOptions& options) {
+  records.data = preprocessed(smoothing, std::move(records.data), options);
   for (std::size_t r = 0; r < records.outliers.size(); ++r) {
     const Matrix& marks = records.data.trajectories[r].marks;
     Matrix& outliers = records.outliers[r];
@@ -122,8 +123,8 @@ BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records,
 std::string note_on(const Smoothing& smoothing) {
   return std::string(smoothing.of_inputs ? "all columns" : "the states") +
          " were smoothed by " + description_of(smoothing.filter) +
-         ", as their noise shows; the model is held against what they were before, and samples "
-         "as they were measured would tell more";
+         ", as their noise shows; the model is compared with what they were before, and "
+         "samples as they were measured would determine more";
 }
 
 }  // namespace lacuna

@@ -17,8 +17,8 @@ struct Smoothing {
   bool of_inputs = false;
 };
 
-/// How records were smoothed, as the noise of their states shows (seen_filter()). It does not
-/// show whether means are over the samples before or over those about each one, and whether
+/// How records were smoothed, as the noise of their states shows (estimated_filter()). It does
+/// not show whether means are over the samples before or over those about each one, and whether
 /// inputs went the same way: means about each one, of states, unless with another one most of
 /// what disturbs the model goes, its coefficients fitted. Nothing where samples are missing, at
 /// an end of their channel or not evenly spaced, or where too few samples would be left
@@ -28,12 +28,12 @@ std::optional<Smoothing> smoothing_of(const Problem& problem);
 /// Records as they were before they were smoothed, which bends what is fast. Samples that share
 /// noise with others, and the ends, where the filter had no samples, are marked as missing.
 /// Records that are not evenly sampled stay as they are.
-Dataset sharpened(const Smoothing& smoothing, Dataset data,
-                  const SmoothingOptions& options = {});
+Dataset preprocessed(const Smoothing& smoothing, Dataset data,
+                     const SmoothingOptions& options = {});
 
 /// The same of bound records, with the noise that they have then.
-BoundRecords sharpened(const Smoothing& smoothing, BoundRecords records,
-                       const SmoothingOptions& options = {});
+BoundRecords preprocessed(const Smoothing& smoothing, BoundRecords records,
+                          const SmoothingOptions& options = {});
 
 /// "the states were smoothed by means over 9 samples, ...": for people.
 std::string note_on(const Smoothing& smoothing);

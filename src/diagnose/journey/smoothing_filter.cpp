@@ -69,7 +69,7 @@ Matrix moved(const Matrix& samples, Index by) {
 }
 
 /// Facts of the spectrum: samples of a window, six times the widest filter, so that the zeros
-/// of its |h|^2 are told apart; the frequencies that are looked at, from half of the highest
+/// of its |h|^2 are distinguished; the frequencies that are looked at, from half of the highest
 /// on, where differences of fourth order leave nothing of a well sampled signal; and those an
 /// octave below them, where a signal may show, but by little.
 constexpr Index kWindow = 256, kCount = kWindow / 4, kBelow = kWindow / 8;
@@ -149,7 +149,7 @@ bool goes_on(const SmoothingFilter& filter, const Spectrum& spectrum, double sca
   return ratio.mean() < factor;
 }
 
-/// By what a filter is told.
+/// By what a filter is recognised.
 struct FilterTest {
   double undecided = 0.0;
   SmoothingOptions options;
@@ -211,9 +211,10 @@ double mean_over_frequencies(Function function) {
 
 }  // namespace
 
-std::optional<SmoothingFilter> seen_filter(const Dataset& data,
-                                           const std::vector<Index>& states, double undecided,
-                                           const SmoothingOptions& options) {
+std::optional<SmoothingFilter> estimated_filter(const Dataset& data,
+                                                const std::vector<Index>& states,
+                                                double undecided,
+                                                const SmoothingOptions& options) {
   const FilterTest test{undecided, options};
   std::vector<Spectrum> spectra;
   for (const Index k : states) {
@@ -269,10 +270,10 @@ Index memory_of(const SmoothingFilter& filter, const SmoothingOptions& options) 
   };
   const double most = options.in_common * covariance(0);
   for (Index apart = 1; apart < filter.window; ++apart) {
-    bool shares = false;
+    bool fractions = false;
     for (Index times = 1; times <= kMultiples; ++times)
-      shares = shares || std::abs(covariance(times * apart)) > most;
-    if (!shares) return apart;
+      fractions = fractions || std::abs(covariance(times * apart)) > most;
+    if (!fractions) return apart;
   }
   return filter.window;
 }

@@ -31,9 +31,10 @@ struct SmoothingFilter {
 /// by `undecided` in each state; nothing where none of up to SmoothingOptions::widest samples
 /// does so, where there is more in the octave below than it passes (SmoothingOptions::below),
 /// or records are shorter. Past means look like centred ones.
-std::optional<SmoothingFilter> seen_filter(const Dataset& data,
-                                           const std::vector<Index>& states, double undecided,
-                                           const SmoothingOptions& options = {});
+std::optional<SmoothingFilter> estimated_filter(const Dataset& data,
+                                                const std::vector<Index>& states,
+                                                double undecided,
+                                                const SmoothingOptions& options = {});
 
 /// Samples that are smoothed, by columns. Beyond its ends a column is mirrored at their values.
 Matrix smoothed(const SmoothingFilter& filter, const Matrix& samples);
@@ -41,7 +42,7 @@ Matrix smoothed(const SmoothingFilter& filter, const Matrix& samples);
 /// What was before it was smoothed: x_0 = y, x_j+1 = x_j + h * (y - h * x_j), which lacks
 /// (1 - h) (1 - h^2)^turns and enlarges no noise (Landweber, Am. J. Math. 73 (1951)). Means of
 /// an even number of samples lie half a step aside: of them the mean of two neighbours is
-/// undone. The last samples of a PastMean are the last one that is told.
+/// undone. The last samples of a PastMean are the last one that is given.
 Matrix undone(const SmoothingFilter& filter, const Matrix& samples, int turns);
 
 /// Samples so far apart that what undone() makes of white noise behind h has no larger

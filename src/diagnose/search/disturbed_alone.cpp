@@ -21,9 +21,9 @@ Assimilation disturbed_alone(const Problem& problem, const Baseline& base, Index
 }
 
 Assimilation loosened(Assimilation start, const Baseline& base) {
-  constexpr double kShareOfDisturbance = 0.1;  // a fact of the search: a start, no bound
+  constexpr double kFractionOfDisturbance = 0.1;  // a fact of the search: a start, no bound
   start.noise.disturbance =
-      start.noise.disturbance.cwiseMax(kShareOfDisturbance * base.given.noise.disturbance);
+      start.noise.disturbance.cwiseMax(kFractionOfDisturbance * base.given.noise.disturbance);
   return start;
 }
 

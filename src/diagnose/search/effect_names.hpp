@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnose/search/rank.hpp"
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
 namespace lacuna {
 
@@ -32,7 +32,7 @@ std::vector<OtherForm> plainer_forms(const RankedEffect& ranked, const Ranking& 
                                      const DecisionOptions& decision);
 
 /// The forms in a ranking that stand in another equation, or on a channel, and that the records
-/// do not tell from one of them (DecisionOptions::undecided).
+/// do not distinguish from one of them (DecisionOptions::undecided).
 std::vector<OtherForm> forms_elsewhere(const RankedEffect& ranked, const Ranking& ranking,
                                        const DecisionOptions& decision);
 

@@ -48,18 +48,18 @@ std::optional<Shortfall> EffectSize::shortfall(Extended& before,
   const double had = disturbance(before.explanation.fit, newest);
   const double has = disturbance(after.fit, newest);
   if (has > (1.0 - decision.minor) * had)
-    return Shortfall{"share of what is left that goes", 1.0 - has / had, decision.minor};
+    return Shortfall{"fraction of the residual that goes", 1.0 - has / had, decision.minor};
   if (has < (1.0 - decision.major) * had) return std::nullopt;
   if (had - has < decision.negligible)
-    return Shortfall{"share of the nominal model's disturbance that goes", had - has,
+    return Shortfall{"fraction of the nominal model's disturbance that goes", had - has,
                      decision.negligible};
   if (!before.least_gap) before.least_gap = least_gap(before.explanation);
   if (*before.least_gap < decision.negligible)
-    return Shortfall{"share of the nominal model's squared gap that is left", *before.least_gap,
-                     decision.negligible};
+    return Shortfall{"fraction of the nominal model's squared gap that is left",
+                     *before.least_gap, decision.negligible};
   const double goes = *before.least_gap - least_gap(after);
   if (goes >= decision.negligible) return std::nullopt;
-  return Shortfall{"share of the nominal model's squared gap that goes", goes,
+  return Shortfall{"fraction of the nominal model's squared gap that goes", goes,
                    decision.negligible};
 }
 

@@ -24,9 +24,9 @@ struct Extended {
 
 /// What explanations leave of the disagreement of the nominal model.
 ///
-/// Where structure is left over, the likelihood takes it for a white disturbance. Samples are
+/// Where structure remains, the likelihood takes it for a white disturbance. Samples are
 /// then far from independent, and everything that goes along with the structure is significant.
-/// So what is left is measured in two ways: the disturbance, which sees one sampling step, and
+/// So the residual is measured in two ways: the disturbance, which sees one sampling step, and
 /// the gap in windows of a mean period, which sees what lasts. An effect shows in both.
 class EffectSize {
  public:

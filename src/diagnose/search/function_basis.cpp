@@ -163,7 +163,7 @@ std::optional<ScoredFunction> FunctionScreening::best_of(std::vector<FunctionBas
     const double net =
         found.gain -
         criterion.penalty({0.0, static_cast<double>(found.members.size()),
-                           static_cast<double>(system_.used()), choice_price(basis.tried)});
+                           static_cast<double>(system_.used()), choice_penalty(basis.tried)});
     if (!found.members.empty() && (!best || net > best->net))
       best = ScoredFunction{std::move(basis), std::move(found), net};
   }
@@ -171,7 +171,8 @@ std::optional<ScoredFunction> FunctionScreening::best_of(std::vector<FunctionBas
 }
 
 FunctionScore FunctionScreening::score(const FunctionBasis& basis) const {
-  // Below this share of its length a column is made of the others, up to what noise would tell.
+  // Below this fraction of its length a column is made of the others, up to what noise would
+  // show.
   constexpr double kIndependent = 1e-3;
   std::vector<std::size_t> places;
   Matrix columns(system_.rows(), static_cast<Index>(basis.members.size()));

@@ -44,7 +44,7 @@ struct FunctionScore {
   std::vector<std::size_t> members;  ///< that are independent of what is fitted and each other
 };
 
-/// A basis with what it explains less the price of its members.
+/// A basis with what it explains less the penalty for its members.
 struct ScoredFunction {
   FunctionBasis basis;
   FunctionScore score;

@@ -47,7 +47,7 @@ double power(const Eigen::ArrayXcd& wave, const Eigen::ArrayXd& d) {
   const double cs = 0.5 * twice.imag() - n * mean.real() * mean.imag();
   const double c = (wave.real() * d).sum(), s = (wave.imag() * d).sum();
   const double determinant = cc * ss - cs * cs;
-  // Below this share the values lie so that the two cannot be told apart.
+  // Below this fraction the values lie so that the two cannot be distinguished.
   if (!(determinant > 1e-6 * n * n)) return 0.0;
   return (c * c * ss - 2.0 * c * s * cs + s * s * cc) / determinant;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether what a model leaves over comes again with the value of a variable: teeth, poles, a
+// Whether the residual of a model comes again with the value of a variable: teeth, poles, a
 // grating along the way.
 #pragma once
 

@@ -93,15 +93,15 @@ std::vector<std::string> present_names(const Explanation& current, const NameTab
 }
 
 /// Whether the effects that were there before still have numbers such as they can have, by
-/// whatever name. One that is not told from 0 any more, or that the new one stands for, will
-/// go.
+/// whatever name. One that is not distinguished from 0 any more, or that the new one stands
+/// for, will go.
 bool leaves_others_plausible(const RankedEffect& ranked, const EffectSearch& search,
                              const std::vector<std::string>& names) {
   const NameTable table = search.names();
-  const double told = search.problem.options.decision.significance;
+  const double significance = search.problem.options.decision.significance;
   const std::vector<FittedEffect>& all = ranked.explanation.effects;
   for (std::size_t e = 0; e + 1 < all.size(); ++e) {
-    const bool goes = std::abs(all[e].coefficient) < told * all[e].deviation;
+    const bool goes = std::abs(all[e].coefficient) < significance * all[e].deviation;
     if (!goes && table.names_of(all[e], ranked.explanation.fit.model).empty() &&
         !are_forms_of_one(all[e], names[e], ranked.effect(), leading_name(ranked.names),
                           table.scope))
@@ -154,7 +154,7 @@ std::pair<bool, Index> intricacy_of(const RankedEffect& ranked, const EffectSear
           candidate.intricacy()};
 }
 
-/// Whether the records do not tell an explanation from the best one: by
+/// Whether the records do not distinguish an explanation from the best one: by
 /// DecisionOptions::undecided, or because what the two add to the equation along the record is
 /// apart by less than the size of an effect.
 bool does_as_well(const RankedEffect& ranked, const RankedEffect& best,

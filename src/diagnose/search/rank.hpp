@@ -29,7 +29,7 @@ struct EffectSearch {
 struct RankedEffect {
   Explanation explanation;       ///< the new effect is the last
   std::vector<Name> names = {};  ///< of the new effect with its numbers, best first
-  double criterion = 0.0;        ///< of the explanation, without the price of the choice
+  double criterion = 0.0;        ///< of the explanation, without the penalty for the choice
   double gain = 0.0;             ///< drop of the deviance against the explanation without it
   double sigma = 0.0;            ///< of the gain, for the number of candidates tried
   double contribution = 0.0;     ///< rms of coefficient x form over that of the state's rate
@@ -56,9 +56,9 @@ bool are_forms_of_one(const FittedEffect& a, const std::string& name_of_a,
 /// Ranks the candidates that may come next: score tests of all, then the best of each family
 /// and equation is fitted exactly, with all coefficients, shapes and variances, and compared by
 /// the criterion. "None of them" is the model with its disturbances as they are. A form that
-/// has no name with its numbers is left out. Of those within the evidence that cannot tell them
-/// apart (DecisionOptions::undecided) one whose terms do not nearly cancel leads, and then one
-/// with fewer shape parameters.
+/// has no name with its numbers is left out. Of those within the evidence that cannot
+/// distinguish them (DecisionOptions::undecided) one whose terms do not nearly cancel leads,
+/// and then one with fewer shape parameters.
 /// @param current the explanation so far, where all fits start.
 Ranking rank(const EffectSearch& search, const Explanation& current);
 

@@ -29,7 +29,7 @@ double criterion_of(const EffectSearch& search, const Explanation& explanation) 
 }
 
 /// Coefficient over its standard error; infinite where it has none.
-double told_from_zero(const FittedEffect& effect) {
+double ratio_to_error(const FittedEffect& effect) {
   return effect.deviation > 0.0 ? std::abs(effect.coefficient) / effect.deviation : INFINITY;
 }
 
@@ -44,7 +44,7 @@ std::optional<Shortfall> absurdity(const EffectSearch& search, const Explanation
                                                        ranked.effect().candidate.equation))
                           .left;
   if (left < decision.cancelling)
-    return Shortfall{"what is left of terms that cancel", left, decision.cancelling};
+    return Shortfall{"the rest of terms that cancel", left, decision.cancelling};
   const auto moved = [&](const Assimilation& fit) {
     const std::size_t free = search.base.fit_options.free.size();
     return static_cast<double>(moved_coefficients(fit, nominal, free, decision).size());
@@ -54,8 +54,8 @@ std::optional<Shortfall> absurdity(const EffectSearch& search, const Explanation
   return std::nullopt;
 }
 
-/// The gain has to be the effect's own: with a coefficient that is not told from 0 it is that
-/// of effects before it, whose shapes have moved.
+/// The gain has to be the effect's own: with a coefficient that is not distinguished from 0 it
+/// is that of effects before it, whose shapes have moved.
 std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
                                    Extended& before, const RankedEffect& ranked) {
   const DecisionOptions& decision = decision_of(search);
@@ -63,14 +63,14 @@ std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize&
     return Shortfall{"significance", ranked.sigma, decision.significance};
   if (ranked.contribution < decision.effect_size)
     return Shortfall{"effect size", ranked.contribution, decision.effect_size};
-  if (const double told = told_from_zero(ranked.effect()); told < decision.significance)
-    return Shortfall{"coefficient over its error", told, decision.significance};
+  if (const double ratio = ratio_to_error(ranked.effect()); ratio < decision.significance)
+    return Shortfall{"coefficient over its error", ratio, decision.significance};
   if (before.explanation.effects.empty()) return std::nullopt;
   if (const auto absurd = absurdity(search, before.explanation, ranked)) return absurd;
   return size.shortfall(before, ranked.explanation);
 }
 
-/// Drop of the disturbance variance of an equation, as a share of the baseline's.
+/// Drop of the disturbance variance of an equation, as a fraction of the baseline's.
 double drop_of(const EffectSearch& search, const Explanation& before, const Explanation& after,
                Index equation) {
   const auto variance = [&](const Assimilation& fit) {
@@ -89,11 +89,11 @@ bool all_named(const EffectSearch& search, const Explanation& explanation) {
                       });
 }
 
-/// Takes out the first effect that is not told from 0 any more, if the records are explained no
-/// worse without it. @return whether there was one.
+/// Takes out the first effect that is not distinguished from 0 any more, if the records are
+/// explained no worse without it. @return whether there was one.
 bool take_out_one(const EffectSearch& search, FoundEffects& found) {
   for (std::size_t e = 0; e + 1 < found.explanation.effects.size(); ++e) {
-    if (told_from_zero(found.explanation.effects[e]) >= decision_of(search).significance)
+    if (ratio_to_error(found.explanation.effects[e]) >= decision_of(search).significance)
       continue;
     const auto place = static_cast<std::ptrdiff_t>(e);
     std::vector<FittedEffect> rest = found.explanation.effects;

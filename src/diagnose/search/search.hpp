@@ -6,7 +6,7 @@
 
 #include "diagnose/search/rank.hpp"
 #include "effect_names.hpp"
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
 namespace lacuna {
 
@@ -16,7 +16,7 @@ struct FoundEffects {
   std::vector<NamedEffect> named = {};               ///< one for each effect of the explanation
   std::vector<std::vector<OtherForm>> plainer = {};  ///< forms that may take their places
   std::vector<Round> rounds = {};
-  std::vector<EquationStructure> left = {};  ///< what they leave over
+  std::vector<EquationStructure> left = {};  ///< their residual structure
   std::vector<Rival> rivals = {};            ///< candidates of all rounds, taken or not
   /// Per effect, what explained the records as well in its round in another place.
   std::vector<std::vector<OtherForm>> elsewhere = {};

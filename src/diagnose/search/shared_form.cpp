@@ -13,7 +13,8 @@ bool is_instant(const Candidate& candidate) {
   return candidate.place == Place::Rate && candidate.memory.empty();
 }
 
-/// A form in another equation; one share may have the other sign, so the bounds hold for both.
+/// A form in another equation; one fraction may have the other sign, so the bounds hold for
+/// both.
 Candidate in_equation(Candidate candidate, Index equation) {
   candidate.equation = equation;
   const double most = std::max(candidate.most, -candidate.least);
@@ -51,10 +52,10 @@ std::optional<Agreement> agreement(const EffectSearch& search, const FoundEffect
   };
   result.of_model = names(model);
   result.of_follower = names(follower);
-  const double told = search.problem.options.decision.significance;
+  const double significance = search.problem.options.decision.significance;
   const FittedEffect& fitted = result.explanation.effects[follower];
   if (result.of_model.empty() || result.of_follower.empty() ||
-      std::abs(fitted.coefficient) < told * fitted.deviation)
+      std::abs(fitted.coefficient) < significance * fitted.deviation)
     return std::nullopt;
   result.criterion = criterion_of(search.problem, search.base, result.explanation);
   return result;

@@ -16,7 +16,7 @@ namespace lacuna {
 namespace {
 
 /// Whether one effect proposes both.
-bool share_a_family(const Candidate& a, const Candidate& b) {
+bool are_of_one_family(const Candidate& a, const Candidate& b) {
   return std::any_of(a.families.begin(), a.families.end(), [&](const std::string& family) {
     return std::find(b.families.begin(), b.families.end(), family) != b.families.end();
   });
@@ -27,7 +27,7 @@ bool share_a_family(const Candidate& a, const Candidate& b) {
 bool covers(const Candidate& adopted, const Candidate& candidate, const Scope& scope) {
   if (!in_one_place(adopted, candidate) || candidate.repeats) return false;
   const bool both_remember = !adopted.memory.empty() && !candidate.memory.empty() &&
-                             share_a_family(adopted, candidate);
+                             are_of_one_family(adopted, candidate);
   return both_remember || are_one_form(adopted, candidate) ||
          nests(adopted, candidate, candidate.starts.front(), scope);
 }
@@ -55,7 +55,7 @@ std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanat
     return std::any_of(
         search.without.begin(), search.without.end(), [&](const Candidate& other) {
           return in_one_place(other, candidate) && candidate.intricacy() >= other.intricacy() &&
-                 share_a_family(other, candidate);
+                 are_of_one_family(other, candidate);
         });
   };
   for (Candidate& candidate : merged(proposed))
@@ -97,14 +97,14 @@ std::vector<ScreenedCandidate> worth_fitting(const std::vector<ScreenedCandidate
   std::vector<ScreenedCandidate> result;
   const auto tried = static_cast<double>(screened.size());
   const double best = screened.empty() ? 0.0 : screened.front().gain;
-  Shares shares;
+  Shares fractions;
   for (const ScreenedCandidate& candidate : screened) {
     if (static_cast<int>(result.size()) == decision.rough_fits) break;
     const double freedom = 1.0 + static_cast<double>(candidate.shapes.size());
     const bool is_possible = candidate.gain >= decision.worth_fitting * best &&
                              sigma_of_gain(candidate.gain, freedom, tried) >= decision.possible;
     if (!is_possible && static_cast<int>(result.size()) >= at_least) continue;
-    if (shares.take(candidate.candidate)) result.push_back(candidate);
+    if (fractions.take(candidate.candidate)) result.push_back(candidate);
   }
   return result;
 }
@@ -126,9 +126,9 @@ ShortList screened_list(const EffectSearch& search, const Explanation& current) 
   const RunContext& context = search.problem.context;
   ScreeningMemory* memory = &search.problem.memory->screenings;
   const Screening screening(current.fit);
-  const double shape_price = search.problem.options.criterion->penalty(
+  const double shape_penalty = search.problem.options.criterion->penalty(
       {0.0, 1.0, static_cast<double>(screening.system().used()), 0.0});
-  const ScreeningOptions options{shape_price, decision.worth_shaping};
+  const ScreeningOptions options{shape_penalty, decision.worth_shaping};
   const std::vector<Candidate> candidates = all_candidates(search, current);
   ShortList list;
   append(screen(candidates, screening, options, context, memory), decision, nullptr, list);

@@ -9,10 +9,10 @@
 namespace lacuna {
 
 /// Fits the coefficients of an explanation that leaves structure to the trajectories
-/// (refine()). The likelihood of the innovations takes what is left for a white disturbance of
+/// (refine()). The likelihood of the innovations takes the residual for a white disturbance of
 /// each step and gives way to what happens within a step or two, however small its part in the
-/// motion; solutions over windows weigh it as the motion does, and blocks of the record say how
-/// sure the coefficients are.
+/// motion; solutions over windows weigh it as the motion does, and blocks of the record show
+/// how sure the coefficients are.
 /// @return nothing where the explanation has delays, memory or terms in what is measured,
 ///   where the records hold fewer than `long_window` windows of as many mean periods, or where
 ///   the gap in windows (window_gap()) is more than negligibly larger with the new

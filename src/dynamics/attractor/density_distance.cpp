@@ -17,28 +17,29 @@ using Histogram = std::map<Cell, double>;
 Vector cell_edges(const Matrix& a, const Matrix& b) {
   const double n = static_cast<double>(a.rows() + b.rows());
   const double shorter = static_cast<double>(std::min(a.rows(), b.rows()));
-  const double share = 3.49 * std::pow(shorter, -1.0 / (static_cast<double>(a.cols()) + 2.0));
+  const double fraction =
+      3.49 * std::pow(shorter, -1.0 / (static_cast<double>(a.cols()) + 2.0));
   Vector edges(a.cols());
   for (Index k = 0; k < a.cols(); ++k) {
     const double mean = (a.col(k).sum() + b.col(k).sum()) / n;
     const double squares =
         (a.col(k).array() - mean).square().sum() + (b.col(k).array() - mean).square().sum();
-    edges[k] = squares > 0.0 ? share * std::sqrt(squares / n) : 1.0;
+    edges[k] = squares > 0.0 ? fraction * std::sqrt(squares / n) : 1.0;
   }
   return edges;
 }
 
-/// Share of the samples in each cell.
+/// Fraction of the samples in each cell.
 Histogram histogram(const Matrix& points, const Vector& edges) {
-  Histogram shares;
+  Histogram fractions;
   const double weight = 1.0 / static_cast<double>(points.rows());
   Cell cell(static_cast<std::size_t>(points.cols()));
   for (Index i = 0; i < points.rows(); ++i) {
     for (Index k = 0; k < points.cols(); ++k)
       cell[static_cast<std::size_t>(k)] = std::lround(std::floor(points(i, k) / edges[k]));
-    shares[cell] += weight;
+    fractions[cell] += weight;
   }
-  return shares;
+  return fractions;
 }
 
 }  // namespace
@@ -53,9 +54,9 @@ double density_distance(const Matrix& a, const Matrix& b) {
   const Histogram p = histogram(a, edges);
   const Histogram q = histogram(b, edges);
   double overlap = 0.0;
-  for (const auto& [cell, share] : p)
+  for (const auto& [cell, fraction] : p)
     if (const auto other = q.find(cell); other != q.end())
-      overlap += std::sqrt(share * other->second);
+      overlap += std::sqrt(fraction * other->second);
   return std::sqrt(std::max(0.0, 1.0 - overlap));
 }
 

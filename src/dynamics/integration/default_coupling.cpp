@@ -8,15 +8,15 @@
 namespace lacuna {
 namespace {
 
-// 1 - cos(w lag) of a harmonic oscillation reaches this share of twice its variance at w lag =
-// kAngle. A quarter leaves room for noise below and for aperiodic orbits above.
-constexpr double kShareOfVariance = 0.25;
-const double kAngle = std::acos(1.0 - kShareOfVariance);
+// 1 - cos(w lag) of a harmonic oscillation reaches this fraction of twice its variance at w lag
+// = kAngle. A quarter leaves room for noise below and for aperiodic orbits above.
+constexpr double kFractionOfVariance = 0.25;
+const double kAngle = std::acos(1.0 - kFractionOfVariance);
 
 /// Half the mean square change of one state over `lag` samples, in variances; and the mean
 /// time.
 struct Change {
-  double share = 0.0;
+  double fraction = 0.0;
   double time = 0.0;
 };
 
@@ -35,23 +35,24 @@ Change change(const Dataset& record, Index state, double variance, Index lag) {
   return {squares / (2.0 * pairs * variance), time / pairs};
 }
 
-/// The lag after which the change has reached kShareOfVariance, between samples by a straight
-/// line; found by doubling and halving, at a cost of n log n.
+/// The lag after which the change has reached kFractionOfVariance, between samples by a
+/// straight line; found by doubling and halving, at a cost of n log n.
 double characteristic_time(const Dataset& record, Index state, double variance) {
   const auto at = [&](Index lag) { return change(record, state, variance, lag); };
   const Index last = longest_record(record).samples() - 1;
   Index low = 0, high = 1;
-  while (high < last && at(high).share < kShareOfVariance) {
+  while (high < last && at(high).fraction < kFractionOfVariance) {
     low = high;
     high = std::min(2 * high, last);
   }
   while (high - low > 1) {
     const Index middle = low + (high - low) / 2;
-    (at(middle).share < kShareOfVariance ? low : high) = middle;
+    (at(middle).fraction < kFractionOfVariance ? low : high) = middle;
   }
   const Change above = at(high), below = low > 0 ? at(low) : Change{};
-  if (above.share <= kShareOfVariance) return above.time;
-  const double part = (kShareOfVariance - below.share) / (above.share - below.share);
+  if (above.fraction <= kFractionOfVariance) return above.time;
+  const double part =
+      (kFractionOfVariance - below.fraction) / (above.fraction - below.fraction);
   // From lag 0 the change grows with the square of the lag, not with the lag.
   return low > 0 ? below.time + part * (above.time - below.time) : above.time * std::sqrt(part);
 }

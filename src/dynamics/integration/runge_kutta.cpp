@@ -318,13 +318,12 @@ void StepControl::describe(OptionVisitor& visitor) {
                 absolute_tolerance);
   visitor.field({"max_step", "time unit", "Longest step.", 1e-300}, max_step);
   visitor.field({"max_steps", "", "Most steps in one sampling interval.", 1.0}, max_steps);
-  visitor.field(
-      {"along_jump", "",
-       "Step on a solution that is held where rates jump, as by dry friction at rest, "
-       "as a share of the sampling interval: it goes to and fro by the jump times such "
-       "a step, which no tolerance applies to.",
-       1e-9, 1.0},
-      along_jump);
+  visitor.field({"along_jump", "",
+                 "Step on a solution that is held where rates jump, as by dry friction at "
+                 "rest, as a fraction of the sampling interval: it goes to and fro by the jump "
+                 "times such a step, which no tolerance applies to.",
+                 1e-9, 1.0},
+                along_jump);
 }
 
 namespace {

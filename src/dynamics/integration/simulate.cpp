@@ -37,8 +37,8 @@ class OrbitHistory {
  private:
   // Delays shorter than the distance of points look into the step that is being made.
   double straight(std::size_t i, double s, Index k, double t, const double* x) const {
-    const double share = (s - times_[i]) / (t - times_[i]);
-    return states_[i][k] + share * (x[k] - states_[i][k]);
+    const double fraction = (s - times_[i]) / (t - times_[i]);
+    return states_[i][k] + fraction * (x[k] - states_[i][k]);
   }
 
   double hermite(std::size_t i, double s, Index k) const {

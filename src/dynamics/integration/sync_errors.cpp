@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-/// Root mean square of the errors from one share of every trajectory to another.
+/// Root mean square of the errors from one fraction of every trajectory to another.
 double rms_between(const std::vector<Vector>& errors, double from, double to) {
   double squares = 0.0;
   Index count = 0;

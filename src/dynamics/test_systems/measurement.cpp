@@ -64,11 +64,11 @@ Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed
   return noisy;
 }
 
-Dataset add_relative_noise(const Dataset& record, double share, std::uint64_t seed) {
+Dataset add_relative_noise(const Dataset& record, double fraction, std::uint64_t seed) {
   check_columns(record, "add_relative_noise");
   Vector sigma(record.state_count());
   for (Index k = 0; k < sigma.size(); ++k)
-    sigma[k] = share * std::sqrt(state_variance(record, k));
+    sigma[k] = fraction * std::sqrt(state_variance(record, k));
   return add_noise(record, sigma, seed);
 }
 

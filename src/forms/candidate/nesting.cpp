@@ -12,8 +12,8 @@
 namespace lacuna {
 namespace {
 
-/// Share of the square up to which a form is followed by another one.
-constexpr double kShareNotFollowed = 1e-3;
+/// Fraction of the square up to which a form is followed by another one.
+constexpr double kFractionNotFollowed = 1e-3;
 
 /// Values of formulas without delays at the samples of a scope.
 Matrix at_samples(const std::vector<Expression>& formulas, const Scope& scope) {
@@ -61,7 +61,7 @@ Vector own_values(const Candidate& candidate, std::span<const double> shapes,
   if (!values.allFinite()) return Vector::Zero(values.size());
   const double whole = values.norm();
   values -= nominal * (nominal.transpose() * values);
-  // Below this share of its length a form is one of the nominal terms, up to rounding.
+  // Below this fraction of its length a form is one of the nominal terms, up to rounding.
   if (!(values.norm() > 1e-8 * whole)) return Vector::Zero(values.size());
   return values.normalized();
 }
@@ -84,13 +84,13 @@ bool nests(const Candidate& general, const Candidate& special, const Vector& val
   const auto best =
       std::min_element(begin.begin(), begin.end(),
                        [&](const auto& a, const auto& b) { return left(a) < left(b); });
-  if (left(*best) <= kShareNotFollowed) return true;
+  if (left(*best) <= kFractionNotFollowed) return true;
   // A fact of the search, for each shape.
   constexpr int kEvaluations = 40;
   const int budget = kEvaluations * static_cast<int>(general.shapes.size());
   return left(nelder_mead(left, *best,
-                          {.unnoticed = kShareNotFollowed, .evaluations = budget})) <=
-         kShareNotFollowed;
+                          {.unnoticed = kFractionNotFollowed, .evaluations = budget})) <=
+         kFractionNotFollowed;
 }
 
 }  // namespace lacuna

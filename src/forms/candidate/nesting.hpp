@@ -13,7 +13,7 @@ namespace lacuna {
 /// projected out, and the shapes of the general form are searched in their ranges for the one
 /// that follows the special form most closely. It is one where no more than a thousandth of its
 /// square is left. Forms in different places or of different arguments, with delays or memory
-/// states (which samples do not tell) never nest.
+/// states (which samples do not determine) never nest.
 /// @param values of the special form's shape parameters.
 bool nests(const Candidate& general, const Candidate& special, const Vector& values,
            const Scope& scope);

@@ -128,8 +128,8 @@ void set_times(Scope& scope, const Dataset& data) {
 double VariableRange::quantile(double level) const {
   const double place = std::clamp(level, 0.0, 1.0) * static_cast<double>(quantiles.size() - 1);
   const Index below = std::min(static_cast<Index>(place), quantiles.size() - 2);
-  const double share = place - static_cast<double>(below);
-  return (1.0 - share) * quantiles[below] + share * quantiles[below + 1];
+  const double fraction = place - static_cast<double>(below);
+  return (1.0 - fraction) * quantiles[below] + fraction * quantiles[below + 1];
 }
 
 const VariableRange& Scope::state(Index number) const {

@@ -34,8 +34,8 @@ class ShapeScale {
           shape.logarithmic ? std::log(shape.high / shape.low) : shape.high - shape.low;
       const double above =
           shape.logarithmic ? std::log(shapes[i] / shape.low) : shapes[i] - shape.low;
-      const double share = above / span;  // no number for a range of one value, or below it
-      result[i] = share > 0.0 ? std::min(share, 1.0) : 0.0;
+      const double fraction = above / span;  // no number for a range of one value, or below it
+      result[i] = fraction > 0.0 ? std::min(fraction, 1.0) : 0.0;
     }
     return result;
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Of the square of a column, so much has to be new: less is rounding of a Gram matrix.
-constexpr double kNewShare = 1e-11;
+constexpr double kNewFraction = 1e-11;
 
 /// What two coefficients are worth together.
 double worth(double h, double g, double hh, double hg, double gg) {
@@ -32,7 +32,7 @@ BaseColumns::BaseColumns(const Matrix& columns, const Vector& target) {
   for (Index j = 0; j < scaled.cols(); ++j)
     scaled.col(j) /= std::max(scaled.col(j).norm(), 1e-300);
   if (scaled.cols() > 0) {
-    const PivotedQr factor(scaled, kNewShare);
+    const PivotedQr factor(scaled, kNewFraction);
     basis_ = factor.basis();
     root_ = factor.inverse_triangle();
   } else {
@@ -55,7 +55,7 @@ BaseColumns::Added BaseColumns::added(const Vector& column) const {
   Vector fresh = unit - basis_ * along;
   fresh -= basis_ * (basis_.transpose() * fresh);
   const double size = fresh.squaredNorm();
-  if (!(size > kNewShare * kNewShare)) return {{}, 0.0, 0.0, left_};
+  if (!(size > kNewFraction * kNewFraction)) return {{}, 0.0, 0.0, left_};
   const double h = fresh.dot(rest_) / size;
   return {root_ * along, size, h, (rest_ - h * fresh).squaredNorm()};
 }

@@ -6,7 +6,7 @@
 namespace lacuna {
 
 /// Least squares in columns that stay, so that it costs little to ask what one column more
-/// would do. Columns that depend on others (a share below 1e-11 is new) do not count.
+/// would do. Columns that depend on others (a fraction below 1e-11 is new) do not count.
 class BaseColumns {
  public:
   /// @param columns K x L; @param target K.

@@ -31,18 +31,18 @@ void describe_plainness(FormOptions& o, OptionVisitor& v) {
            "tried in the place of another.",
            0.0, 1.0},
           o.alike);
-  v.field(
-      {"jump_samples", "",
-       "A jump takes the place of a slope that a smaller share of the samples sees.", 0.0, 1.0},
-      o.jump_samples);
+  v.field({"jump_samples", "",
+           "A jump takes the place of a slope that a smaller fraction of the samples sees.",
+           0.0, 1.0},
+          o.jump_samples);
   v.field({"jump_far", "",
-           "A sample sees a slope where slope and jump differ by more than this share of their "
-           "rms.",
+           "A sample sees a slope where slope and jump differ by more than this fraction of "
+           "their rms.",
            0.0, 1.0},
           o.jump_far);
   v.field({"jump_varies", "",
-           "Only for slopes whose standard deviation is a larger share of their rms: what has "
-           "one sign all along is no jump.",
+           "Only for slopes whose standard deviation is a larger fraction of their rms: what "
+           "has one sign all along is no jump.",
            0.0, 1.0},
           o.jump_varies);
 }
@@ -51,21 +51,21 @@ void describe_plainness(FormOptions& o, OptionVisitor& v) {
 
 void FormOptions::describe(OptionVisitor& v) {
   v.field({"worth_asking", "",
-           "Residual as a share of the rate (rms) below which no form is sought: errors of "
+           "Residual as a fraction of the rate (rms) below which no form is sought: errors of "
            "solvers.",
            0.0, 1.0},
           worth_asking);
   v.field({"most_forms", "", "Forms that an equation takes in beside the library at most.", 0.0,
            20.0},
           most_forms);
-  v.field({"fewest_numbers", "", "An equation of fewer numbers that fits is not said by forms.",
-           2.0},
-          fewest_numbers);
-  v.field(
-      {"same", "",
-       "Residuals that are no noise are the same where they (rms) differ by a smaller share.",
-       0.0, 1.0},
-      same);
+  v.field({"fewest_numbers", "",
+           "An equation of fewer parameters that fits is not said by forms.", 2.0},
+          fewest_parameters);
+  v.field({"same", "",
+           "Residuals that are no noise are the same where they (rms) differ by a smaller "
+           "fraction.",
+           0.0, 1.0},
+          same);
   v.field(
       {"mostly_noise", "",
        "Residuals are noise up to so many times the sum of squares that noise leaves.", 1.0},

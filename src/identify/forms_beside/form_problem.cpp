@@ -25,9 +25,9 @@ bool has_form(const EquationForms& equation, const Candidate& candidate) {
 }
 
 /// By how much the sum of squares grows without each of the columns, h_i^2 / ((A'A)^-1)_ii.
-/// Nothing where columns depend on one another, to within what squares_left() counts.
+/// Nothing where columns depend on one another, to within what residual_squares() counts.
 std::optional<Vector> column_losses(const Matrix& columns, const Vector& target) {
-  constexpr double kIndependent = 1e-9;  // well above the rank of squares_left()
+  constexpr double kIndependent = 1e-9;  // well above the rank of residual_squares()
   if (columns.cols() < 2 || columns.rows() < columns.cols() || !columns.allFinite())
     return std::nullopt;
   const Vector norms = columns.colwise().norm().cwiseMax(1e-300);
@@ -57,7 +57,7 @@ std::vector<Start> all_starts(const std::vector<Candidate>& candidates) {
   return starts;
 }
 
-void set_left(const Vector& left, std::vector<Start>& starts) {
+void set_residuals(const Vector& left, std::vector<Start>& starts) {
   for (std::size_t i = 0; i < starts.size(); ++i) starts[i].left = left[static_cast<Index>(i)];
 }
 
@@ -77,7 +77,7 @@ std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
 
 double Limit::operator()(const EquationForms& equation) const {
   const std::size_t now = equation.parameters();
-  return left + (now < parameters ? price * static_cast<double>(parameters - now) : 0.0);
+  return left + (now < parameters ? penalty * static_cast<double>(parameters - now) : 0.0);
 }
 
 bool Limit::prefers(const Trial& a, const Trial& b) {
@@ -93,14 +93,14 @@ FormProblem::FormProblem(const Dataset& data, Vector noise, FormOptions options,
       options_(options),
       context_(std::move(context)) {}
 
-double FormProblem::noise_left(Index equation) const {
+double FormProblem::residual_noise(Index equation) const {
   constexpr double kResolution = 1e-8;  // of the target
   return static_cast<double>(rows_.rows()) * noise_[equation] * noise_[equation] +
          kResolution * kResolution * rows_.target(equation).squaredNorm();
 }
 
 double FormProblem::same_as(double left, double noise) const {
-  const double chance = 2.0 * parameter_price(static_cast<double>(rows_.rows()));
+  const double chance = 2.0 * parameter_penalty(static_cast<double>(rows_.rows()));
   if (left > options_.mostly_noise * noise)
     return (1.0 + options_.same) * (1.0 + options_.same) * left;
   return std::max(left, noise) * (1.0 + chance / static_cast<double>(rows_.rows()));
@@ -109,11 +109,11 @@ double FormProblem::same_as(double left, double noise) const {
 Limit FormProblem::limit_of(const EquationForms& equation, Remainder remainder) const {
   const Index k = equation.equation;
   const double now = left(equation);
-  const double noise = std::max(noise_left(k), remainder == Remainder::Noise ? now : 0.0);
+  const double noise = std::max(residual_noise(k), remainder == Remainder::Noise ? now : 0.0);
   const auto rows = static_cast<double>(rows_.rows());
   const bool is_noise = now <= options_.mostly_noise * noise;
   return {same_as(now, noise),
-          is_noise ? parameter_price(rows) / rows * std::max(now, noise) : 0.0,
+          is_noise ? parameter_penalty(rows) / rows * std::max(now, noise) : 0.0,
           equation.parameters()};
 }
 
@@ -126,7 +126,7 @@ Matrix FormProblem::columns(const EquationForms& equation) const {
 }
 
 double FormProblem::left(const EquationForms& equation) const {
-  return squares_left(columns(equation), rows_.target(equation.equation));
+  return residual_squares(columns(equation), rows_.target(equation.equation));
 }
 
 std::vector<Term> FormProblem::linear_terms() const {
@@ -142,7 +142,7 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
   // A fact of the search: enough to rank forms, which are fitted again.
   constexpr int kEvaluationsRoughly = 25;
   std::vector<Start> starts = all_starts(candidates);
-  set_left(rated({{equation}}, starts).col(0), starts);
+  set_residuals(rated({{equation}}, starts).col(0), starts);
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
   for (const Start& start :
@@ -195,7 +195,7 @@ Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
   const Matrix triangle = Qr(system).triangle();
   const Subset subset =
       best_subset(subset_problem(triangle / std::sqrt(std::max(limit.left, 1e-300) / rows)),
-                  2.0 * parameter_price(rows), {{last}}, Exchange::Single, context_);
+                  2.0 * parameter_penalty(rows), {{last}}, Exchange::Single, context_);
   if (subset.columns.empty() || subset.columns.back() != last) return none;
   EquationForms few{from.equation, {}, {}};
   const auto terms = static_cast<Index>(from.terms.size());

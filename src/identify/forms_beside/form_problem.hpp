@@ -24,8 +24,8 @@ struct Start {
 /// All candidates at all of their starting points.
 std::vector<Start> all_starts(const std::vector<Candidate>& candidates);
 
-/// Notes what is left with each.
-void set_left(const Vector& left, std::vector<Start>& starts);
+/// Notes the residual with each.
+void set_residuals(const Vector& left, std::vector<Start>& starts);
 
 /// The first so many, those that leave least first, each candidate at its best starting point.
 std::vector<Start> best_of(std::vector<Start> starts, std::size_t count);
@@ -45,14 +45,14 @@ struct Trial {
 /// How much an equation may leave in place of another.
 struct Limit {
   double left = 0.0;           ///< with as many numbers
-  double price = 0.0;          ///< more for each number less; 0 where residuals are no noise
+  double penalty = 0.0;        ///< more for each number less; 0 where residuals are no noise
   std::size_t parameters = 0;  ///< of the other
 
   double operator()(const EquationForms& equation) const;
 
-  /// Whether one trial is the better of two: by fewer numbers, and by what is left where they
-  /// have as many. Terms whose noise is not in the rows' whitening make Schwarz' criterion take
-  /// too many.
+  /// Whether one trial is the better of two: by fewer parameters, and by the residual where
+  /// they have as many. Terms whose noise is not in the rows' whitening make Schwarz' criterion
+  /// take too many.
   static bool prefers(const Trial& a, const Trial& b);
 };
 
@@ -70,7 +70,7 @@ class FormProblem {
   Index rows() const { return rows_.rows(); }
 
   /// The sum of squares that noise leaves, or quadrature and rounding where there is none.
-  double noise_left(Index equation) const;
+  double residual_noise(Index equation) const;
 
   /// The largest sum of squares that is the same as another: what is no noise is known to
   /// FormOptions::same (rms), noise to what chance does for the best of many forms.
@@ -95,10 +95,10 @@ class FormProblem {
                                const std::vector<Candidate>& candidates) const;
 
   /// The equation with one form more and without those members that are missed least, as long
-  /// as what is left stays within a limit; infinite where already the form does not.
+  /// as the residual stays within a limit; infinite where already the form does not.
   Trial thinned(EquationForms equation, const MissingForm& form, const Limit& limit) const;
 
-  /// The form with those terms of an equation that it needs beside it, chosen by a price for
+  /// The form with those terms of an equation that it needs beside it, chosen by a penalty for
   /// each in units of what the limit leaves on average in a row; thinned to the limit.
   Trial chosen(const EquationForms& from, const MissingForm& form, const Limit& limit) const;
 
@@ -114,10 +114,10 @@ class FormProblem {
   /// Correlation of two forms over the samples.
   double likeness(const MissingForm& a, const MissingForm& b) const;
 
-  /// Fits the shapes of one form. @return what is left.
+  /// Fits the shapes of one form. @return the residual.
   double polish(EquationForms& equation, std::size_t place, int evaluations) const;
 
-  /// What is left with each of the starting points more: starts x equations. Columns of the
+  /// The residual with each of the starting points more: starts x equations. Columns of the
   /// starting points are made once for all equations.
   Matrix rated(const std::vector<Beside>& equations, const std::vector<Start>& starts) const;
 
@@ -125,7 +125,7 @@ class FormProblem {
   /// The equation without that member, the last form apart, that is missed least.
   Trial without_least(const EquationForms& equation) const;
 
-  /// Fits the shapes of a form beside columns that stay. @return what is left.
+  /// Fits the shapes of a form beside columns that stay. @return the residual.
   double fit_shapes(const BaseColumns& base, MissingForm& form, int evaluations) const;
 
   FormRows rows_;

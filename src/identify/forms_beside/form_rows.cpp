@@ -14,7 +14,7 @@
 namespace lacuna {
 namespace {
 
-/// More rows than this tell forms no better apart.
+/// More rows than this distinguish forms no better.
 constexpr double kMostRows = 1000.0;
 
 double total_duration(const Dataset& data) {
@@ -161,7 +161,7 @@ Vector FormRows::target(Index state) const {
   return projected_by(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
 }
 
-double squares_left(const Matrix& columns, const Vector& target) {
+double residual_squares(const Matrix& columns, const Vector& target) {
   if (!columns.allFinite()) return std::numeric_limits<double>::infinity();
   Matrix scaled = columns;
   for (Index j = 0; j < scaled.cols(); ++j)

@@ -76,6 +76,6 @@ class FormRows {
 };
 
 /// |y - A h|^2 of the least squares solution; infinite where a column is not finite.
-double squares_left(const Matrix& columns, const Vector& target);
+double residual_squares(const Matrix& columns, const Vector& target);
 
 }  // namespace lacuna

@@ -54,7 +54,7 @@ std::vector<std::vector<Candidate>> candidates_for(const ExtendedPipeline& pipel
   return candidates;
 }
 
-/// What a search for forms beside the library works with. Everything outlives it.
+/// What a search for basis functions beside the library works with. Everything outlives it.
 struct FormsTask {
   const ExtendedPipeline& pipeline;
   const std::vector<std::vector<Candidate>>& candidates;  ///< of each equation
@@ -64,19 +64,19 @@ struct FormsTask {
 
   /// @param part of the search, from 0 to 1, that begins with an equation.
   void report(double part) const { context.report("searching forms", part); }
-  double share(std::size_t equation) const {
+  double fraction(std::size_t equation) const {
     return static_cast<double>(equation) / static_cast<double>(candidates.size());
   }
 };
 
-/// Whether fewer numbers do the same by Schwarz' criterion: 2 n ln(residual) of each state and
-/// ln(n m) for each number.
-bool says_the_same(const FormsTask& task, const Counted& fewer, const Counted& more) {
+/// Whether fewer parameters do the same by Schwarz' criterion: 2 n ln(residual) of each state
+/// and ln(n m) for each number.
+bool is_equivalent(const FormsTask& task, const Counted& fewer, const Counted& more) {
   const auto n = static_cast<double>(task.data.samples());
-  const double price = parameter_price(n * static_cast<double>(task.data.state_count()));
+  const double penalty = parameter_penalty(n * static_cast<double>(task.data.state_count()));
   return fewer.numbers < more.numbers &&
          2.0 * n * task.pipeline.models().excess(fewer.result, more.result) <
-             price * static_cast<double>(more.numbers - fewer.numbers);
+             penalty * static_cast<double>(more.numbers - fewer.numbers);
 }
 
 /// The library in every equation, and no form.
@@ -91,7 +91,7 @@ std::vector<EquationForms> with_missing_forms(const FormsTask& task,
                                               std::vector<EquationForms> equations) {
   const auto most_forms = static_cast<std::size_t>(task.options.most_forms);
   for (std::size_t k = 0; k < equations.size(); ++k) {
-    task.report(0.5 * task.share(k));
+    task.report(0.5 * task.fraction(k));
     if (!task.candidates[k].empty())
       equations[k] = task.pipeline.search().with_missing_forms(std::move(equations[k]),
                                                                task.candidates[k], most_forms);
@@ -126,7 +126,7 @@ Extension with_fewer_shapes(const FormsTask& task, Extension found) {
   Extension other = task.pipeline.settled(std::move(fewer), task.candidates);
   const bool same =
       reaches_the_noise(other.result) >= reaches_the_noise(found.result) &&
-      says_the_same(task, {other.result, other.numbers()}, {found.result, found.numbers()});
+      is_equivalent(task, {other.result, other.numbers()}, {found.result, found.numbers()});
   return same ? std::move(other) : std::move(found);
 }
 
@@ -153,12 +153,12 @@ std::optional<std::vector<EquationForms>> thinned(const FormsTask& task,
                                                   std::vector<EquationForms> equations,
                                                   bool fits) {
   const FormSearch& search = task.pipeline.search();
-  const auto fewest = static_cast<std::size_t>(task.options.fewest_numbers);
+  const auto fewest = static_cast<std::size_t>(task.options.fewest_parameters);
   const std::vector<EquationForms> kept = kept_in(found, equations);
   bool changed = false;
   for (std::size_t k = 0; k < equations.size(); ++k) {
     if (task.candidates[k].empty()) continue;
-    task.report(0.5 + 0.5 * task.share(k));
+    task.report(0.5 + 0.5 * task.fraction(k));
     equations[k] = kept[k];
     if (fits && kept[k].parameters() < fewest) continue;
     equations[k] = search.refitted(search.with_fewer_terms(
@@ -183,18 +183,18 @@ Extension with_forms_beside(const FormsTask& task, const IdentificationResult& a
 }
 
 /// Whether forms have made the model better. Where the library fits already they have to be
-/// the same by fewer numbers; else it fits now, or leaves less with no more terms.
+/// the same by fewer parameters; else it fits now, or leaves less with no more terms.
 bool is_better(const FormsTask& task, const Extension& with,
                const IdentificationResult& without) {
   if (reaches_the_noise(without))
     return reaches_the_noise(with.result) &&
-           says_the_same(task, {with.result, with.numbers()}, {without, terms_of(without)});
+           is_equivalent(task, {with.result, with.numbers()}, {without, terms_of(without)});
   if (is_known_to_fit(with.result)) return true;
   return task.pipeline.models().excess(with.result, without) < -task.options.same &&
          terms_of(with.result) <= terms_of(without);
 }
 
-/// Whether there are rows enough to tell forms from the library.
+/// Whether there are rows enough to distinguish forms from the library.
 bool has_rows_for_forms(const ExtendedPipeline& pipeline) {
   return pipeline.search().rows() > 2 * pipeline.library().size();
 }

@@ -11,8 +11,8 @@ namespace lacuna {
 
 /// Identifies with the library of the pipeline and with forms beside it that are no polynomials
 /// (function_forms(), missing_forms()). These are the answer where the library does not reach
-/// the noise of the record and they do, or leave less, and where they say the same by fewer
-/// numbers, shapes counted. The model of the library alone stands beside it
+/// the noise of the record and they do, or leave less, and where they are equivalent with fewer
+/// parameters, shapes counted. The model of the library alone stands beside it
 /// (IdentificationResult::library_alone). A pipeline with libraries of single equations is run
 /// as it is.
 /// A team divides the run without forms; its leader looks for them.

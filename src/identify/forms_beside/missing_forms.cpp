@@ -70,10 +70,10 @@ EquationForms FormSearch::with_missing_forms(EquationForms equation,
       problem_->options().significance * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
   double left = problem_->left(equation);
   while (equation.forms.size() < most_forms &&
-         left > (1.0 + scatter) * problem_->noise_left(k)) {
+         left > (1.0 + scatter) * problem_->residual_noise(k)) {
     const std::vector<Trial> trials = problem_->with_each(equation, candidates);
     if (trials.empty()) break;
-    const double same = problem_->same_as(trials.front().left, problem_->noise_left(k));
+    const double same = problem_->same_as(trials.front().left, problem_->residual_noise(k));
     if (!(left > same)) break;
     const auto plainer = [&](const Trial& a, const Trial& b) {
       const bool good = a.left <= same, other = b.left <= same;
@@ -106,7 +106,7 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   const Matrix rated = problem_->rated({{equation, true}, {linear}, {whole}}, starts);
   for (std::size_t b = 0; b < bases.size(); ++b) {
     const EquationForms* const from = bases[b];
-    set_left(rated.col(static_cast<Index>(b)), starts);
+    set_residuals(rated.col(static_cast<Index>(b)), starts);
     const std::vector<Start> best_starts = best_of(starts, tried);
     std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
     parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {

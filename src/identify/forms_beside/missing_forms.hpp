@@ -76,9 +76,10 @@ class FormSearch {
                                    const std::vector<Candidate>& candidates,
                                    std::size_t most_forms) const;
 
-  /// Looks for a form beside which so many terms and forms may leave that fewer parameters say
-  /// the same: sin(x) for x, x^3, x*y^2, beside what the equation has, beside the constant and
-  /// the variables, and beside terms of a library. @return the equation with the fewest.
+  /// Looks for a form beside which so many terms and forms may leave that fewer parameters
+  /// are equivalent: sin(x) for x, x^3, x*y^2, beside what the equation has, beside the
+  /// constant and the variables, and beside terms of a library. @return the equation with the
+  /// fewest.
   EquationForms with_fewer_terms(EquationForms equation,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<Term>& library,
@@ -95,9 +96,9 @@ class FormSearch {
   std::optional<EquationForms> with_fewer_shapes(
       const EquationForms& equation, const std::vector<Candidate>& candidates) const;
 
-  /// The equation in the plainer of two writings: with the rest m - f of a term m in the place
-  /// of a form f where less of m stays, c m + d f = (c + d) m - d (m - f); prey*fox/(a+prey)
-  /// for fox and fox/(1+prey/a) that nearly cancel.
+  /// The equation in the plainer of two parametrisations: with the rest m - f of a term m in
+  /// the place of a form f where less of m stays, c m + d f = (c + d) m - d (m - f);
+  /// prey*fox/(a+prey) for fox and fox/(1+prey/a) that nearly cancel.
   /// @param coefficients of the terms, then of the forms. @param candidates that may be m - f.
   EquationForms plainly_written(EquationForms equation, const Vector& coefficients,
                                 const std::vector<Candidate>& candidates) const;

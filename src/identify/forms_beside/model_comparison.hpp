@@ -28,8 +28,8 @@ class ModelComparison {
   /// the residuals where not both have a finite one, or none with a unit in common.
   double excess(const IdentificationResult& of, const IdentificationResult& over) const;
 
-  /// Whether a model fits and another does not, in equations whose noise is seen, or by a share
-  /// `same` less of the rates in the others.
+  /// Whether a model fits and another does not, in equations whose noise is seen, or by a
+  /// fraction `same` less of the rates in the others.
   bool is_ahead(const IdentificationResult& one, const IdentificationResult& other,
                 double same) const;
 

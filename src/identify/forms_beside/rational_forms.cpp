@@ -55,7 +55,7 @@ struct Numerators {
   Vector rate;        ///< at the samples
   Matrix values;      ///< samples x terms
   Matrix projected;   ///< K x terms
-  double unit = 1.0;  ///< rms of what they leave over a constant denominator
+  double unit = 1.0;  ///< rms of what they leave beside a constant denominator
 };
 
 Numerators numerators_of(const EquationForms& equation, const FormRows& rows) {
@@ -65,7 +65,7 @@ Numerators numerators_of(const EquationForms& equation, const FormRows& rows) {
       rows.target(equation.equation), rows.rate(equation.equation), rows.values(library), {}};
   all.projected = rows.projected(all.values);
   const double least = 1e-16 * all.target.squaredNorm();
-  all.unit = std::sqrt(std::max(squares_left(all.projected, all.target), least) /
+  all.unit = std::sqrt(std::max(residual_squares(all.projected, all.target), least) /
                        static_cast<double>(all.target.size()));
   return all;
 }
@@ -123,7 +123,7 @@ Vector implicit_numbers(const Denominator& denominator, const Numerators& numera
   return numbers;
 }
 
-/// |y - sum theta_i p_i / Q|^2 over what all of them leave, with a price for each term.
+/// |y - sum theta_i p_i / Q|^2 over what all of them leave, with a penalty for each term.
 double score_of(const Denominator& denominator, const Numerators& numerators,
                 const FormRows& rows, const RunContext& context) {
   const Vector divisor =
@@ -133,8 +133,8 @@ double score_of(const Denominator& denominator, const Numerators& numerators,
   Matrix system(numerators.target.size(), samples.cols() + 1);
   system << rows.projected(samples), numerators.target;
   return best_subset(subset_problem(Qr(system).triangle() / numerators.unit),
-                     parameter_price(static_cast<double>(system.rows())), {}, Exchange::Single,
-                     context)
+                     parameter_penalty(static_cast<double>(system.rows())), {},
+                     Exchange::Single, context)
       .score;
 }
 

@@ -7,7 +7,7 @@ namespace lacuna {
 
 Vector unseen_noise(const Dataset& data) {
   // A decision (docs/decisions.md).
-  constexpr double kShareOfMotion = 1e-4;
+  constexpr double kFractionOfMotion = 1e-4;
   Vector squares = Vector::Zero(data.state_count());
   double count = 0.0;
   for (const Trajectory& record : data.trajectories) {
@@ -18,7 +18,7 @@ Vector unseen_noise(const Dataset& data) {
                    .transpose();
     count += static_cast<double>(steps);
   }
-  return kShareOfMotion * (squares / std::max(count, 1.0)).cwiseSqrt();
+  return kFractionOfMotion * (squares / std::max(count, 1.0)).cwiseSqrt();
 }
 
 }  // namespace lacuna

@@ -84,7 +84,7 @@ ParametrisedModel parametrised(OdeModel model, Index of) {
   return ParametrisedModel(std::move(model), std::move(free));
 }
 
-/// Residuals below this share of a state's deviation are those of digits and steps.
+/// Residuals below this fraction of a state's deviation are those of digits and steps.
 constexpr double kDigitsAndSteps = 1e-5;
 
 bool is_clean(const Refinement& fit, const ResidualStatistics& residual) {
@@ -235,7 +235,7 @@ HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeli
     result.noise[residual.state] = residual.rms;
   result.path.clear();
   result.warnings.clear();
-  result.warnings.push_back(name + " was not measured: it is what is left of d" + rate +
+  result.warnings.push_back(name + " was not measured: it is the residual of d" + rate +
                             "/dt, where its coefficient is set to 1; the trail is that of " +
                             rate + "_d1 = d" + rate + "/dt");
   if (!fit.message.empty()) result.warnings.push_back("fit with " + name + ": " + fit.message);

@@ -112,7 +112,7 @@ std::vector<double> vanishing_points(const HiddenStateModel& model) {
   return points;
 }
 
-/// Share of what it is a sum of that a coefficient is nothing below: what is left of a clean
+/// Fraction of what it is a sum of that a coefficient is nothing below: the residual of a clean
 /// record's digits and steps.
 constexpr double kRounding = 1e-5;
 

@@ -41,7 +41,7 @@ struct JointProblem {
 
 JointProblem joint_problem(const LeastSquaresSystem& system, const CoefficientPlaces& places,
                            Index equations) {
-  constexpr double kRoundingShare = 1e-12;  // of the target: what rounding leaves
+  constexpr double kRoundingFraction = 1e-12;  // of the target: what rounding leaves
   const auto size = static_cast<Index>(places.size());
   JointProblem joint{Matrix::Zero(size, size), Vector::Zero(size)};
   Index first = 0;
@@ -51,7 +51,7 @@ JointProblem joint_problem(const LeastSquaresSystem& system, const CoefficientPl
     const Subproblem problem = system.subproblem(k, terms);
     const auto count = static_cast<Index>(terms.size());
     const double rms =
-        std::max(problem.residual_norm(), kRoundingShare * problem.target_norm()) /
+        std::max(problem.residual_norm(), kRoundingFraction * problem.target_norm()) /
         std::sqrt(std::max(1.0, double(problem.rows() - count)));
     const double weight = rms > 0.0 ? 1.0 / rms : 1.0;
     joint.r.block(first, first, count, count) =

@@ -24,7 +24,7 @@ struct Run {
   const TermLibrary& library;
   const LeastSquaresSystem& system;
   const FilterResult& filtered;
-  const Vector& noise;  ///< of the states, as the record itself tells it; of a map it does not
+  const Vector& noise;  ///< of the states by the record itself; none of a map
   const EquationLibraries& libraries;
   const KnownNoise& analysed;  ///< the same in full
 };

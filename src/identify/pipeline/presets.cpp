@@ -30,7 +30,7 @@ Pipeline published_algorithm1(Stage<Regressor> regressor) {
           .refiner = NoRefiner{}};
 }
 
-/// Differences of the order that the record itself asks for.
+/// Differences of the order that the record itself requires.
 Stage<Formulation> fitted_differences() {
   return StrongForm{{.differentiator = FiniteDifferences{}}};
 }

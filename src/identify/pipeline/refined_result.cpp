@@ -24,7 +24,7 @@ void enter_removal(const RefinedModel& refined, Index equation, const std::strin
   entry.stage = stage;
   entry.quantity = "decrease of chi squared by the term";
   entry.value = step ? step->gain : 0.0;
-  entry.threshold = refined.path.empty() ? 0.0 : refined.path.front().price;
+  entry.threshold = refined.path.empty() ? 0.0 : refined.path.front().penalty;
   entry.step = 1;
 }
 
@@ -33,7 +33,7 @@ void enter_negligible(const NegligibleTerm& left, const std::string& stage, Trai
   entry = {.equation = entry.equation,
            .term = entry.term,
            .stage = stage,
-           .quantity = "share of the rate that the term is worth",
+           .quantity = "fraction of the rate that the term is worth",
            .value = left.effect,
            .threshold = left.threshold,
            .step = 1};
@@ -88,10 +88,10 @@ Adequacy adequacy_of_equations(const std::vector<EquationFit>& fits) {
   std::vector<AdequacyPart> parts;
   for (const EquationFit& fit : fits) {
     if (fit.identity) continue;
-    const Adequate told = !fit.fits_to_noise   ? Adequate::Untold
-                          : *fit.fits_to_noise ? Adequate::Yes
-                                               : Adequate::No;
-    parts.push_back({fit.equation, told, fit.rows, fit.noise_floor || fit.misfit});
+    const Adequate adequate = !fit.fits_to_noise   ? Adequate::Undetermined
+                              : *fit.fits_to_noise ? Adequate::Yes
+                                                   : Adequate::No;
+    parts.push_back({fit.equation, adequate, fit.rows, fit.noise_floor || fit.misfit});
   }
   return adequacy_of(std::move(parts));
 }

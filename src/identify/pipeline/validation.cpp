@@ -19,8 +19,8 @@ std::string to_string(ValidationVerdict verdict) {
   }
 }
 
-double PredictionError::share() const {
-  const double noise_squared = noise_seen ? noise * noise : 0.0;
+double PredictionError::fraction() const {
+  const double noise_squared = noise_estimated ? noise * noise : 0.0;
   const double beyond = std::max(0.0, error * error - noise_squared);
   const double moved = std::max(motion * motion - noise_squared, noise_squared);
   return beyond > 0.0 ? std::sqrt(beyond / std::max(moved, 1e-300)) : 0.0;

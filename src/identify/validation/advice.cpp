@@ -21,7 +21,7 @@ std::string written(const MissingForm& form, const Variables& variables) {
   return Term(rounded.expression(), variables).name();
 }
 
-/// An equation with the forms that its residual asks for, and the share that they leave.
+/// An equation with the forms that its residual asks for, and the fraction that they leave.
 struct Asked {
   EquationForms equation;
   double left = 1.0;
@@ -53,7 +53,8 @@ std::optional<Asked> asked_by(const FormTask& task, Index k) {
   for (std::size_t forms = 1; forms <= most_forms; ++forms) {
     EquationForms more = search.with_missing_forms(equation, candidates, forms);
     const double with = search.left(more);
-    if (more.forms.size() < forms || !(std::sqrt(with / left) < task.options.most_left)) break;
+    if (more.forms.size() < forms || !(std::sqrt(with / left) < task.options.most_residual))
+      break;
     equation = std::move(more);
     left = with;
   }
@@ -90,7 +91,7 @@ std::vector<std::string> advice_for(const AdviceTask& asked_for, const AdviceOpt
   }
   if (advice.empty())
     advice.push_back(
-        "no function of states and inputs explains what is left: save the model (--model-out) "
+        "no function of states and inputs explains the residual: save the model (--model-out) "
         "and give it to `lacuna diagnose`, which looks for delays, memory, inputs that nobody "
         "measured and faults of sensors");
   return advice;

@@ -30,7 +30,7 @@ std::vector<Block> all_blocks(const Dataset& data);
 /// that on its own is cut.
 std::vector<Block> limited(const std::vector<Block>& blocks, Index samples);
 
-/// What is left of the records; stretches of fewer than `shortest` samples are dropped.
+/// The rest of the records; stretches of fewer than `shortest` samples are dropped.
 /// @param blocks in the order of records and time.
 Dataset without_blocks(const Dataset& data, const std::vector<Block>& blocks, Index shortest);
 

@@ -36,7 +36,7 @@ Finding finding_of(const PredictionError& state, const ValidationOptions& option
   const double most = with_chance(state.noise, state, options);
   if (!std::isfinite(state.error)) return Finding::Above;
   const double sure =
-      std::max(state.noise_seen ? most : 0.0, options.resolution * state.motion);
+      std::max(state.noise_estimated ? most : 0.0, options.resolution * state.motion);
   if (state.error > std::max(sure, most) || has_structure(state, options))
     return Finding::Above;
   if (state.motion <= most) return Finding::Blind;
@@ -45,7 +45,7 @@ Finding finding_of(const PredictionError& state, const ValidationOptions& option
 
 struct Findings {
   Index within = 0, above = 0, hidden = 0;
-  double share = 0.0;  ///< the largest of those that are above
+  double fraction = 0.0;  ///< the largest of those that are above
 };
 
 double freedom_of(const PredictionTest& test) {
@@ -74,17 +74,17 @@ Findings findings_of(const PredictionTest& test, const ValidationOptions& option
     all.within += finding == Finding::Within;
     all.hidden += finding == Finding::Hidden;
     all.above += finding == Finding::Above;
-    if (finding == Finding::Above) all.share = std::max(all.share, state.share());
+    if (finding == Finding::Above) all.fraction = std::max(all.fraction, state.fraction());
   }
   return all;
 }
 
 /// Errors of one step beside large noise are no measure of a model, which is there to predict:
-/// their share counts only where there are no windows that say something.
+/// their fraction counts only where there are no windows that say something.
 Findings joined(const Findings& one_step, const std::optional<Findings>& windows) {
   if (!windows) return one_step;
   return {one_step.within + windows->within, one_step.above + windows->above,
-          one_step.hidden + windows->hidden, windows->share};
+          one_step.hidden + windows->hidden, windows->fraction};
 }
 
 /// What is found of states in both tests, as far as these say something.
@@ -95,11 +95,11 @@ Findings findings_in(const Validation& validation, const ValidationOptions& opti
   // What is no noise and not of the model, of solvers, digits and the interpolation between
   // steps, does not add up: one step shows it, and windows show what the model is off by.
   const auto any = [&](const PredictionError& one) { return !state || one.state == *state; };
-  const auto tells_steps = [&](const PredictionError& one) {
-    return any(one) && (!windows || one.noise_seen || !std::isfinite(one.error));
+  const auto counts_in_steps = [&](const PredictionError& one) {
+    return any(one) && (!windows || one.noise_estimated || !std::isfinite(one.error));
   };
   return joined(
-      steps ? findings_of(validation.one_step, options, tells_steps) : Findings{},
+      steps ? findings_of(validation.one_step, options, counts_in_steps) : Findings{},
       windows ? std::optional(findings_of(validation.windows, options, any)) : std::nullopt);
 }
 
@@ -114,10 +114,10 @@ std::vector<AdequacyPart> parts_of(const Validation& validation,
     if (known != parts.end()) return;
     const Findings found = findings_in(validation, options, state.state);
     const Adequate fits = lost || found.above > 0 ? Adequate::No
-                          : found.hidden > 0      ? Adequate::Untold
+                          : found.hidden > 0      ? Adequate::Undetermined
                           : found.within > 0      ? Adequate::Yes
-                                                  : Adequate::Untold;
-    parts.push_back({state.state, fits, validation.samples, state.noise_seen});
+                                                  : Adequate::Undetermined;
+    parts.push_back({state.state, fits, validation.samples, state.noise_estimated});
   };
   for (const PredictionError& state : validation.windows.states) add(state);
   for (const PredictionError& state : validation.one_step.states) add(state);
@@ -131,26 +131,27 @@ Adequate whole_of(ValidationVerdict verdict) {
     case ValidationVerdict::Approximation:
     case ValidationVerdict::WrongLibrary:
       return Adequate::No;
-    case ValidationVerdict::CannotTell:
+    case ValidationVerdict::Undecided:
       break;
   }
-  return Adequate::Untold;
+  return Adequate::Undetermined;
 }
 
-std::string percent(double share) {
-  return format_number(100.0 * share, share < 0.995 ? 2 : 3) + " %";
+std::string percent(double fraction) {
+  return format_number(100.0 * fraction, fraction < 0.995 ? 2 : 3) + " %";
 }
 
 /// "0.02 % of the motion of x" or "1.02 times the noise of x": the worst state of a test.
 std::string size_of(const PredictionTest& test) {
   const PredictionError* worst = nullptr;
   for (const PredictionError& state : test.states)
-    if (state.freedom >= 1.0 && (!worst || state.share() > worst->share())) worst = &state;
+    if (state.freedom >= 1.0 && (!worst || state.fraction() > worst->fraction()))
+      worst = &state;
   if (!worst) return "";
-  if (worst->noise_seen && worst->noise > 0.0 && worst->error < 3.0 * worst->noise)
+  if (worst->noise_estimated && worst->noise > 0.0 && worst->error < 3.0 * worst->noise)
     return format_number(worst->error / worst->noise, 3) + " times the noise of " +
            worst->state;
-  return percent(worst->share()) + " of the motion of " + worst->state;
+  return percent(worst->fraction()) + " of the motion of " + worst->state;
 }
 
 std::string numbers_of(const Validation& validation, const ValidationOptions& options) {
@@ -167,15 +168,15 @@ std::string numbers_of(const Validation& validation, const ValidationOptions& op
   return text;
 }
 
-void cannot_tell(const std::string& why, Validation& validation) {
-  validation.verdict = ValidationVerdict::CannotTell;
-  validation.sentence = "Cannot tell whether the model holds: " + why + ".";
+void leave_undecided(const std::string& why, Validation& validation) {
+  validation.verdict = ValidationVerdict::Undecided;
+  validation.sentence = "Undecided whether the model holds: " + why + ".";
 }
 
 void judge_numbers(const Findings& found, const ValidationOptions& options,
                    Validation& validation) {
   const std::string numbers = numbers_of(validation, options);
-  if (found.above > 0 && found.share > options.wrong_share) {
+  if (found.above > 0 && found.fraction > options.wrong_fraction) {
     validation.verdict = ValidationVerdict::WrongLibrary;
     validation.sentence =
         "Wrong library: these terms cannot describe the record; " + numbers + ".";
@@ -183,13 +184,13 @@ void judge_numbers(const Findings& found, const ValidationOptions& options,
     validation.verdict = ValidationVerdict::Approximation;
     validation.sentence = "An approximation: " + numbers + ".";
   } else if (found.within + found.hidden == 0) {
-    cannot_tell("nothing in the samples held out moves beyond their noise", validation);
+    leave_undecided("nothing in the samples held out moves beyond their noise", validation);
   } else if (found.hidden > 0) {
-    cannot_tell("how large the noise of the samples is they do not show; " + numbers,
-                validation);
+    leave_undecided("how large the noise of the samples is they do not show; " + numbers,
+                    validation);
   } else if (!validation.given && !validation.refitted) {
-    cannot_tell("no part of the record could be held out; on what was fitted, " + numbers,
-                validation);
+    leave_undecided("no part of the record could be held out; on what was fitted, " + numbers,
+                    validation);
   } else {
     validation.verdict = ValidationVerdict::FitsToNoise;
     validation.sentence = "Fits to the noise: " + numbers + ".";
@@ -204,8 +205,8 @@ void decide(const ValidationOptions& options, bool lost, Validation& validation)
   }
   if (!says_something(validation.one_step, options) &&
       !says_something(validation.windows, options))
-    return cannot_tell("only " + std::to_string(validation.samples) + " samples are held out",
-                       validation);
+    return leave_undecided(
+        "only " + std::to_string(validation.samples) + " samples are held out", validation);
   judge_numbers(findings_in(validation, options), options, validation);
 }
 

@@ -152,7 +152,7 @@ PredictionError error_of(const std::string& state, const Means& means, Index k, 
       .state = state,
       .error = std::sqrt(means.squares[k] / count),
       .noise = std::sqrt(means.apart[k] / count),
-      .noise_seen = means.ends_apart[k] / count < kVarianceOfNeighbours * variance,
+      .noise_estimated = means.ends_apart[k] / count < kVarianceOfNeighbours * variance,
       .motion = std::sqrt(variance),
       .freedom = count / static_cast<double>(steps)};
   const double sure =
@@ -160,7 +160,7 @@ PredictionError error_of(const std::string& state, const Means& means, Index k, 
   const double bound = result.noise * std::sqrt(1.0 + means.gain[k] / count);
   if (result.error > sure * result.noise && result.error <= sure * bound) {
     result.noise = bound;
-    result.noise_seen = false;
+    result.noise_estimated = false;
   }
   return result;
 }

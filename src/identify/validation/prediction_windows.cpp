@@ -115,14 +115,14 @@ std::optional<WindowSolution> solve(const PredictedRecord& record,
 /// moves that is not measured.
 Vector accuracy_for(const PredictedRecord& record) {
   // Facts: what steps need not be more exact than is no error beside noise and motion.
-  constexpr double kShareOfDeviation = 0.02, kShareOfMotion = 1e-4, kRounding = 1e-13;
+  constexpr double kFractionOfDeviation = 0.02, kFractionOfMotion = 1e-4, kRounding = 1e-13;
   const Index steps = record.path.rows() - 1;
   const Matrix moves = record.path.bottomRows(steps) - record.path.topRows(steps);
   Vector accuracy(record.path.cols());
   for (Index k = 0; k < accuracy.size(); ++k) {
     const double most = record.deviations.col(k).maxCoeff();
-    const double wanted = most > 0.0 ? kShareOfDeviation * most
-                                     : kShareOfMotion * moves.col(k).norm() /
+    const double wanted = most > 0.0 ? kFractionOfDeviation * most
+                                     : kFractionOfMotion * moves.col(k).norm() /
                                            std::sqrt(static_cast<double>(steps));
     accuracy[k] = std::max({wanted, kRounding * record.path.col(k).cwiseAbs().maxCoeff(),
                             std::numeric_limits<double>::min()});

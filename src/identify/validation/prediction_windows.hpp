@@ -36,7 +36,7 @@ struct WindowResiduals {
 /// linearised about the path and about its own solutions, `passes` times in all. With D_i the
 /// derivative of x_i with respect to the initial state, the leverage of a sample is its
 /// diagonal entry of D (D'D)^-1 D' (rows over their deviations).
-/// @param length samples of a window, at least 2; what is left behind the last is not used.
+/// @param length samples of a window, at least 2; the rest behind the last is not used.
 WindowResiduals predict(const OdeModel& model, const PredictedRecord& record, Index length,
                         int passes);
 

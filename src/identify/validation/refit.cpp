@@ -38,7 +38,7 @@ Pipeline fitting_stages(const Pipeline& pipeline, const Dataset& data, const Ode
   if (pipeline.refiner->info().name == TrajectorySelectionOptions::kInfo.name)
     fitting.refiner =
         TrajectorySelection{{.start = TrajectorySelectionOptions::Start::Model,
-                             .price = 0.0,
+                             .penalty = 0.0,
                              .negligible = {.effect_size = 0.0, .decisive = 1.0}}};
   else
     fitting.refiner = NoRefiner{};

@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-/// A synchronisation beside what errors are held against.
+/// A synchronisation beside what errors are compared with.
 struct Case {
   const Dataset& record;
   const SyncResult& result;
@@ -86,14 +86,14 @@ Matrix late_errors_of(const Case& c) {
 Adequacy adequacy_of_slave(const OdeModel& model, const Case& c, const Matrix& errors) {
   std::vector<AdequacyPart> parts;
   for (Index k = 0; k < errors.cols(); ++k) {
-    const bool tells = c.floor[k] > 0.0;
+    const bool is_judged = c.floor[k] > 0.0;
     const bool fits =
         c.result.settled && rms(errors.col(k)) < c.options.above_noise * c.floor[k];
     parts.push_back({model.states()[static_cast<std::size_t>(k)].name,
-                     !tells ? Adequate::Untold
-                     : fits ? Adequate::Yes
-                            : Adequate::No,
-                     tells ? errors.rows() : 0, c.result.noise[k] > 0.0});
+                     !is_judged ? Adequate::Undetermined
+                     : fits     ? Adequate::Yes
+                                : Adequate::No,
+                     is_judged ? errors.rows() : 0, c.result.noise[k] > 0.0});
   }
   return adequacy_of(std::move(parts));
 }
@@ -160,8 +160,8 @@ std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
     return format_number(worst.ratio * floor / noise, 2) +
            " times the noise, which this orbit amplifies to " +
            format_number(std::hypot(1.0, c.result.response[worst.state] / noise), 2) + " times";
-  const double share = worst.ratio * c.floor[worst.state] / c.spread[worst.state];
-  return format_number(100.0 * share, 2) + " % of the spread of " +
+  const double fraction = worst.ratio * c.floor[worst.state] / c.spread[worst.state];
+  return format_number(100.0 * fraction, 2) + " % of the spread of " +
          model.states()[static_cast<std::size_t>(worst.state)].name;
 }
 
@@ -176,8 +176,8 @@ bool moves(const Dataset& record) {
 }
 
 /// Whether slaves that begin elsewhere in hidden states are together soon enough.
-bool tells_hidden(const Trajectory& first, const SyncResult& result,
-                  const SyncVerdictOptions& options) {
+bool determines_hidden(const Trajectory& first, const SyncResult& result,
+                       const SyncVerdictOptions& options) {
   if (!result.conditional_exponent) return true;
   const double quarter = 0.25 * (first.time[first.samples() - 1] - first.time[0]);
   return *result.conditional_exponent * quarter <= std::log(options.forgotten);
@@ -196,25 +196,24 @@ void SyncVerdictOptions::describe(OptionVisitor& v) {
            "which are known to some per cent.",
            1.0, 100.0},
           above_response);
-  v.field(
-      {"follows", "",
-       "As long as that response is below this share of a state's spread: a slave that noise "
-       "drives further off has lost the record, whatever the model is.",
-       0.0, 1.0},
-      follows);
+  v.field({"follows", "",
+           "As long as that response is below this fraction of a state's spread: a slave that "
+           "noise drives further off has lost the record, whatever the model is.",
+           0.0, 1.0},
+          follows);
   v.field({"resolution", "",
-           "Share of a state's spread that the interpolation of a record and the steps between "
-           "its samples may leave, half of it.",
+           "Fraction of a state's spread that the interpolation of a record and the steps "
+           "between its samples may leave, half of it.",
            0.0, 1.0},
           resolution);
-  v.field({"pieces", "", "Of a record, to tell when a model ceases to hold.", 10, 10000},
+  v.field({"pieces", "", "Of a record, to decide when a model ceases to hold.", 10, 10000},
           pieces);
-  v.field({"least_held", "", "Share of a record that `holds up to` needs.", 0.0, 1.0},
+  v.field({"least_held", "", "Fraction of a record that `holds up to` needs.", 0.0, 1.0},
           least_held);
   v.field({"forgotten", "",
-           "Share of their distance that slaves which begin elsewhere in hidden states may be "
-           "apart after a quarter of the record; else the record does not tell these states, "
-           "and there is no verdict.",
+           "Fraction of their distance that slaves which begin elsewhere in hidden states may "
+           "be apart after a quarter of the record; else the record does not determine these "
+           "states, and there is no verdict.",
            0.0, 1.0},
           forgotten);
 }
@@ -235,16 +234,16 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
                   const SyncVerdictOptions& options) {
   if (result.status != IntegrationStatus::Completed)
     return {.sentence = "Does not hold: " + result.message + "."};
-  if (!tells_hidden(record.trajectories.front(), result, options))
-    return {.told = false,
+  if (!determines_hidden(record.trajectories.front(), result, options))
+    return {.decided = false,
             .sentence =
-                "Cannot tell: slaves that begin elsewhere in hidden states do not come "
-                "together (conditional Lyapunov exponent " +
+                "Undecided: slaves that begin elsewhere in hidden states do not come together "
+                "(conditional Lyapunov exponent " +
                 format_number(*result.conditional_exponent, 2) + " 1/" + record.time_unit +
                 "); try " + stronger_coupling(model.states(), result.coupling) +
                 ", or measure one of them."};
   if (!moves(record))
-    return {.told = false, .sentence = "Cannot tell: nothing that is measured moves."};
+    return {.decided = false, .sentence = "Undecided: nothing that is measured moves."};
   const Case c = case_of(record, result, options);
   const Matrix late = late_errors_of(c);
   const Worst worst = worst_in(c, late);
@@ -269,15 +268,15 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
 
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict) {
   const bool denied = verdict.holds && predictions.fits == Adequate::No;
-  const bool is_off = verdict.told && !verdict.holds && !verdict.until;
+  const bool is_off = verdict.decided && !verdict.holds && !verdict.until;
   const bool unconfirmed = is_off && predictions.fits == Adequate::Yes;
   if (!denied && !unconfirmed) return verdict;
-  verdict.sentence = denied ? "Cannot tell: the slave holds, but the coupling may make up for "
-                              "what predictions are off by."
-                            : "Cannot tell: the slave does not stay with the record, but "
-                              "predictions fit it; try a stronger coupling (`lacuna sync "
-                              "--coupling`).";
-  verdict.holds = verdict.told = false;
+  verdict.sentence =
+      denied ? "Undecided: the slave holds, but the coupling may make up for what predictions "
+               "are off by."
+             : "Undecided: the slave does not stay with the record, but predictions fit it; "
+               "try a stronger coupling (`lacuna sync --coupling`).";
+  verdict.holds = verdict.decided = false;
   verdict.equation.reset();
   return verdict;
 }

@@ -13,10 +13,10 @@ void withdraw(EquationFit& fit, std::vector<std::string>& warnings) {
 }
 
 /// What predictions of the state that tests an equation say of it.
-void tell(const AdequacyPart& part, Adequate whole, EquationFit& fit,
-          std::vector<std::string>& warnings) {
+void take_part(const AdequacyPart& part, Adequate whole, EquationFit& fit,
+               std::vector<std::string>& warnings) {
   const bool said = fit.fits_to_noise.has_value();
-  if (part.fits != Adequate::Untold)
+  if (part.fits != Adequate::Undetermined)
     fit.fits_to_noise = part.fits == Adequate::Yes;
   else if (said && (*fit.fits_to_noise ? !part.noise_known || whole == Adequate::No
                                        : whole == Adequate::Yes))
@@ -33,7 +33,7 @@ void take_in(Validation validation, const Dataset& data, IdentificationResult& r
     if (fit.identity || !tested) continue;
     const std::string& name = data.states[static_cast<std::size_t>(*tested)].name;
     for (const AdequacyPart& part : validation.adequacy.parts)
-      if (part.name == name) tell(part, validation.adequacy.fits, fit, result.warnings);
+      if (part.name == name) take_part(part, validation.adequacy.fits, fit, result.warnings);
   }
   result.adequacy = adequacy_of_equations(result.fit);
   result.adequacy.fits = validation.adequacy.fits;

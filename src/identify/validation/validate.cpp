@@ -63,7 +63,7 @@ double mean_size(double squares, double freedom) {
   return freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0;
 }
 
-/// What is predicted, and what it is held against.
+/// What is predicted, and what it is compared with.
 struct WindowTrial {
   const OdeModel& model;
   const OdeModel& still;  ///< without rates
@@ -83,12 +83,13 @@ PredictionTest test_windows(const WindowTrial& trial, Index length, int passes,
     const auto place = static_cast<std::size_t>(k);
     const bool seen = trial.records.seen[place];
     // Initial states take the correlation out of windows of few samples.
-    const bool tells = trial.records.white[place] && length >= trial.options.correlated_samples;
+    const bool shows_correlation =
+        trial.records.white[place] && length >= trial.options.correlated_samples;
     test.states.push_back(
         {trial.data.states[place].name, mean_size(off.squares[k], off.freedom[k]),
          seen ? mean_size(off.expected[k], off.freedom[k]) : trial.records.sigma[k], seen,
          mean_size(moved.squares[k], moved.freedom[k]), off.freedom[k],
-         tells && off.squares[k] > 0.0 ? off.neighbours[k] / off.squares[k] : 0.0});
+         shows_correlation && off.squares[k] > 0.0 ? off.neighbours[k] / off.squares[k] : 0.0});
   }
   return test;
 }
@@ -172,7 +173,7 @@ Validation validate_map(const ValidationTask& task, const ValidationOptions& opt
   validation.windows = predict_map(model, tested, held.blocks, kStepsOfMap, options);
   // What may be noise over several steps is no news beside what one step shows.
   std::erase_if(validation.windows.states, [](const PredictionError& state) {
-    return !state.noise_seen && state.error <= state.noise;
+    return !state.noise_estimated && state.error <= state.noise;
   });
   judge(options, validation);
   return validation;

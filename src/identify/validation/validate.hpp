@@ -26,7 +26,7 @@ struct ValidationTask {
 ///
 ///   error = sqrt(sum r^2 / freedom),   freedom = sum (1 - leverage),
 ///
-/// is held against the noise that the samples show by themselves (analyse_noise()) and against
+/// is compared with the noise that the samples show by themselves (analyse_noise()) and against
 /// the motion, the error of a model without rates.
 ///
 /// Without records of their own a quarter of the samples is held out, in blocks evenly spread,
@@ -38,8 +38,8 @@ Validation validate(const ValidationTask& task, const ValidationOptions& options
                     const RunContext& context = {});
 
 /// Enters a validation into the result that it judges. Predictions are better evidence than
-/// residuals of derivatives: where they tell it, they say whether an equation fits to the
-/// noise, and what the residuals said against it goes.
+/// residuals of derivatives: where they determine it, they decide whether an equation fits to
+/// the noise, and what the residuals said against it goes.
 /// @param data what the model was identified from.
 void take_in(Validation validation, const Dataset& data, IdentificationResult& result);
 

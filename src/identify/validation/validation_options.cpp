@@ -25,8 +25,8 @@ void describe_samples(ValidationOptions& o, OptionVisitor& v) {
        "But no fewer than so many windows of a mean period, where the records have them.", 1.0},
       o.least_windows);
   v.field({"noise_samples", "samples",
-           "Records held out that have fewer do not tell their own noise; the records of the "
-           "identification do.",
+           "Records held out that have fewer do not determine their own noise; the records of "
+           "the identification do.",
            4.0},
           o.noise_samples);
   v.field(
@@ -42,11 +42,11 @@ void describe_samples(ValidationOptions& o, OptionVisitor& v) {
 void ValidationOptions::describe(OptionVisitor& v) {
   v.field(
       {"noise_slack", "",
-       "Errors may be above the noise by this share, as the noise is known no better.", 0.0},
+       "Errors may be above the noise by this fraction, as the noise is known no better.", 0.0},
       noise_slack);
   v.field({"scatter", "standard deviations",
            "And by so many of the rms of as many normal values; as many of the correlation of "
-           "neighbouring residuals tell structure from white noise.",
+           "neighbouring residuals distinguish structure from white noise.",
            0.0},
           scatter);
   v.field({"structure", "standard deviations",
@@ -55,13 +55,13 @@ void ValidationOptions::describe(OptionVisitor& v) {
           structure);
   v.field(
       {"resolution", "",
-       "Errors over a mean period below this share of the motion are those of the solver "
+       "Errors over a mean period below this fraction of the motion are those of the solver "
        "that made a record without noise, of its digits and of the interpolation of inputs.",
        0.0, 1.0},
       resolution);
-  v.field({"wrong_share", "", "An error of a larger share of the motion is no approximation.",
-           0.0, 1.0},
-          wrong_share);
+  v.field({"wrong_share", "",
+           "An error of a larger fraction of the motion is no approximation.", 0.0, 1.0},
+          wrong_fraction);
   v.field({"least_freedom", "", "Degrees of freedom below which a test says nothing.", 1.0},
           least_freedom);
   describe_samples(*this, v);

@@ -12,7 +12,7 @@ std::string to_string(Adequate adequate) {
       return "yes";
     case Adequate::No:
       return "no";
-    case Adequate::Untold:
+    case Adequate::Undetermined:
       break;
   }
   return "untold";
@@ -31,7 +31,7 @@ Adequacy adequacy_of(std::vector<AdequacyPart> parts) {
   };
   const Adequate whole = any(Adequate::No)    ? Adequate::No
                          : any(Adequate::Yes) ? Adequate::Yes
-                                              : Adequate::Untold;
+                                              : Adequate::Undetermined;
   return {whole, std::move(parts)};
 }
 

@@ -9,8 +9,8 @@
 namespace lacuna {
 
 /// A state that stands for a channel that is measured as a formula of the others: its equation
-/// is that formula and no rate, and no other equation has it. It is told by its hold, which
-/// other states do not have.
+/// is that formula and no rate, and no other equation has it. It is recognised by its hold,
+/// which other states do not have.
 inline bool is_formula_channel(const Quantity& state) { return state.hold.has_value(); }
 
 /// Such a state.

@@ -18,7 +18,7 @@ bool has_only_known(const Expression& formula, const VariableIndex& variables) {
 
 Expression parse_known(std::string_view text, const VariableIndex& variables) {
   const Expression formula = parse_expression(text);
-  // Read with the names it tells where one is unknown.
+  // Read with the names it reports where one is unknown.
   if (!has_only_known(formula, variables)) return parse_expression(text, variables.names());
   check_delay_times(formula, variables);
   return formula;

@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-/// What MATLAB takes and C promises to tell apart.
+/// What MATLAB takes and C promises to distinguish.
 constexpr std::size_t kLongestName = 63;
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }

@@ -18,7 +18,7 @@ ForeignNames foreign_names(const OdeModel& model, const NameRules& rules);
 std::string renamed_lines(std::string_view sign, const OdeModel& model,
                           const ForeignNames& names);
 
-/// Comment lines that say what goes in, what comes out, what is left out and what is called
+/// Comment lines that say what goes in, what comes out, what is omitted and what is called
 /// otherwise.
 /// @param sign what begins a comment: "// ".
 std::string heading(std::string_view sign, const OdeModel& model, const ForeignNames& names);

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// What is left to read of one line of a text model.
+/// The rest to read of one line of a text model.
 class OdeLine {
  public:
   /// @param text the whole line; @param number from 1.

@@ -112,7 +112,7 @@ Expression parse_of_parameters(std::string_view text, const Statements& said) {
     if (name == "t" || said.values.contains(name)) continue;
     std::vector<std::string> known{"t"};
     for (const auto& [parameter, value] : said.values) known.push_back(parameter);
-    return parse_expression(text, known);  // tells where
+    return parse_expression(text, known);  // reports where
   }
   return formula;
 }

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr Index kMostSamples = 5000;  // more tell relations no better apart
+constexpr Index kMostSamples = 5000;  // more distinguish relations no better
 constexpr Index kBlocks = 20;
 
 /// Exponents of all monomials of a degree, in lexicographic order.

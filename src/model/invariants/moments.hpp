@@ -24,7 +24,7 @@ struct MonomialMoments {
 };
 
 /// Moments of all monomials of degree 1 to `degree` in the measured states.
-/// @param resolution errors that every state has, as a share of what it varies by.
+/// @param resolution errors that every state has, as a fraction of what it varies by.
 /// @param noise of the states, where it is known already.
 MonomialMoments monomial_moments(const Dataset& data, int degree, double resolution,
                                  int threads = 1, const KnownNoise& noise = {});

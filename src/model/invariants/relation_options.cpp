@@ -11,15 +11,16 @@ void RelationOptions::describe(OptionVisitor& v) {
           most_terms);
   v.field({"strength", "", "What each summand has to vary by, in units of the scatter.", 0.0},
           strength);
-  v.field({"noise_slack", "",
-           "The scatter may be above the noise by this share, as the noise is known no better.",
-           0.0},
-          noise_slack);
+  v.field(
+      {"noise_slack", "",
+       "The scatter may be above the noise by this fraction, as the noise is known no better.",
+       0.0},
+      noise_slack);
   v.field(
       {"scatter", "standard deviations", "And by so many of a mean of as many squares.", 0.0},
       scatter);
   v.field({"resolution", "",
-           "Errors of solvers and digits, as a share of what a state varies by.", 0.0, 1.0},
+           "Errors of solvers and digits, as a fraction of what a state varies by.", 0.0, 1.0},
           resolution);
   v.field({"fewest_samples", "samples", "In fewer no relations are sought.", 4.0},
           fewest_samples);

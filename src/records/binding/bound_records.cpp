@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 /// Of the values that have a value before them.
-double share_of_repeats(const Dataset& data, Index state) {
+double fraction_of_repeats(const Dataset& data, Index state) {
   Index repeats = 0, steps = 0;
   for (const Trajectory& record : data.trajectories)
     for (Index i = 1; i < record.samples(); ++i) {
@@ -28,7 +28,7 @@ double share_of_repeats(const Dataset& data, Index state) {
   return static_cast<double>(repeats) / static_cast<double>(std::max<Index>(1, steps));
 }
 
-double share_of(const Dataset& data, Index state, Mark mark) {
+double fraction_of(const Dataset& data, Index state, Mark mark) {
   Index count = 0;
   for (const Trajectory& record : data.trajectories)
     for (Index i = 0; i < record.samples(); ++i)
@@ -47,10 +47,10 @@ std::optional<double> end_of(const Dataset& data, Index state, Mark mark) {
 Channel channel_of(const Dataset& data, Index state, const StateNoise& noise) {
   return {.measured = data.is_measured(state),
           .noise = noise,
-          .repeats = share_of_repeats(data, state),
-          .missing = share_of(data, state, Mark::Missing),
-          .at_top = share_of(data, state, Mark::AtTop),
-          .at_bottom = share_of(data, state, Mark::AtBottom),
+          .repeats = fraction_of_repeats(data, state),
+          .missing = fraction_of(data, state, Mark::Missing),
+          .at_top = fraction_of(data, state, Mark::AtTop),
+          .at_bottom = fraction_of(data, state, Mark::AtBottom),
           .limits = {end_of(data, state, Mark::AtBottom), end_of(data, state, Mark::AtTop)}};
 }
 

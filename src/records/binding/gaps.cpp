@@ -132,7 +132,7 @@ UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
   check_dataset(data);
   const Dataset known = without_blank_stretches(data, options.longest_gap);
   if (known.trajectories.empty())
-    throw DataError(data.trajectories.front().source, "no two samples say anything",
+    throw DataError(data.trajectories.front().source, "no two samples show anything",
                     "give records with values");
   UsableRecords result{join_across_gaps(known, options), {}};
   std::vector<Trajectory>& records = result.data.trajectories;
@@ -158,7 +158,8 @@ SplitRecords split_in_time(const Dataset& data) {
   SplitRecords parts{data, data};
   parts.find.trajectories.clear();
   parts.check.trajectories.clear();
-  // At the end of a part nothing tells an outlier from a motion: that is seen in the whole.
+  // At the end of a part nothing distinguishes an outlier from a motion: that is seen in the
+  // whole.
   const std::vector<Matrix> seen =
       mark_outliers(data, analyse_noise(data), kOutlyingDeviations);
   for (std::size_t r = 0; r < data.trajectories.size(); ++r) {

@@ -14,7 +14,7 @@ std::string with_unit(double value, const Quantity& state) {
   return format_number(value, 3) + (state.unit.empty() ? "" : " " + state.unit);
 }
 
-std::string per_cent(double share) { return format_number(100.0 * share, 2) + " %"; }
+std::string per_cent(double fraction) { return format_number(100.0 * fraction, 2) + " %"; }
 
 std::string clipped_note(const Quantity& state, const Channel& channel) {
   std::vector<std::string> ends;

@@ -16,8 +16,8 @@ namespace {
 /// what is held from step to step is on none.
 bool is_on_line(const Vector& time, const Eigen::Ref<const Vector>& values, Index i,
                 double spacing) {
-  const double share = (time[i] - time[i - 1]) / (time[i + 1] - time[i - 1]);
-  const double line = values[i - 1] + share * (values[i + 1] - values[i - 1]);
+  const double fraction = (time[i] - time[i - 1]) / (time[i + 1] - time[i - 1]);
+  const double line = values[i - 1] + fraction * (values[i + 1] - values[i - 1]);
   return std::abs(values[i] - line) <= spacing &&
          std::abs(values[i + 1] - values[i - 1]) > 2.0 * spacing;
 }
@@ -47,7 +47,7 @@ bool are_regular(const std::vector<Stretch>& stretches, Index samples) {
   // Facts: so many begin even numbers of samples apart by chance once in half a million; and of
   // three samples between two measured at other times one is on the line, less at the ends.
   constexpr std::size_t kFewest = 20;
-  constexpr double kLeastShare = 0.3;
+  constexpr double kLeastFraction = 0.3;
   if (stretches.size() < kFewest) return false;
   Index period = 0, shortest = stretches.front().count, all = stretches.front().count;
   for (std::size_t i = 1; i < stretches.size(); ++i) {
@@ -56,7 +56,7 @@ bool are_regular(const std::vector<Stretch>& stretches, Index samples) {
     all += stretches[i].count;
   }
   return shortest < period &&
-         static_cast<double>(all) >= kLeastShare * static_cast<double>(samples);
+         static_cast<double>(all) >= kLeastFraction * static_cast<double>(samples);
 }
 
 }  // namespace

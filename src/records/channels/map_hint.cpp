@@ -133,7 +133,7 @@ std::vector<Index> half_of(Index rows, bool second) {
   return half;
 }
 
-/// The largest share of a deviation that is left on the half that was not fitted.
+/// The largest fraction of a deviation that is left on the half that was not fitted.
 double remainder_of(const Matrix& theta, const Matrix& after) {
   Vector squares = Vector::Zero(after.cols());
   for (const bool second : {false, true}) {
@@ -148,8 +148,8 @@ double remainder_of(const Matrix& theta, const Matrix& after) {
   return std::sqrt(squares.maxCoeff() / double(after.rows()));
 }
 
-double reversed_share(const std::vector<Factors>& terms, const Matrix& theta,
-                      const Pairs& pairs) {
+double reversed_fraction(const std::vector<Factors>& terms, const Matrix& theta,
+                         const Pairs& pairs) {
   const Index m = pairs.after.cols();
   const Matrix h = least_squares(theta, pairs.after);
   Index reversed = 0;
@@ -197,20 +197,20 @@ void measure_divergence(const Pairs& pairs, double remainder, MapEvidence& seen)
 
 void MapHintOptions::describe(OptionVisitor& v) {
   v.field({"roughness", "",
-           "Samples are on no path where their mean neighbours are off by this share of what "
-           "neighbours at twice the distance are off by.",
+           "Samples are on no path where their mean neighbours are off by this fraction of "
+           "what neighbours at twice the distance are off by.",
            0.25, 1e6},
           roughness);
-  v.field({"remainder", "", "A map leaves less than this share of the deviation.", 0.0, 1.0},
+  v.field({"remainder", "", "A map leaves less than this fraction of the deviation.", 0.0, 1.0},
           remainder);
   v.field({"bend", "",
            "A linear map leaves so many times more: a linear one may be samples far apart.",
            1.0, 1e6},
           bend);
-  v.field(
-      {"reversed", "",
-       "Share of samples at which the map turns the orientation, as no flow does.", 0.0, 1.0},
-      reversed);
+  v.field({"reversed", "",
+           "Fraction of samples at which the map turns the orientation, as no flow does.", 0.0,
+           1.0},
+          reversed);
   v.field(
       {"divergence", "",
        "Neighbours part by this logarithm in a step: on closed orbits of a flow they do not.",
@@ -236,7 +236,7 @@ std::optional<MapEvidence> map_evidence(const Dataset& data) {
       .roughness = roughness_of(records),
       .remainder = remainder_of(theta, pairs.after),
       .linear_remainder = remainder_of(theta.leftCols(1 + pairs.before.cols()), pairs.after),
-      .reversed = reversed_share(terms, theta, pairs)};
+      .reversed = reversed_fraction(terms, theta, pairs)};
   measure_divergence(pairs, seen.remainder, seen);
   return seen;
 }

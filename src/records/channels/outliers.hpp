@@ -11,7 +11,7 @@ namespace lacuna {
 /// Samples that may be outliers of the measurement: those of outlying_samples() at which the
 /// record is smooth but for them. Where a fast stretch is sampled coarsely no cubic goes
 /// through the neighbours of a sample either, which says nothing of the sample. The first and
-/// the last one are held against a parabola through the six next to them.
+/// the last one are compared with a parabola through the six next to them.
 /// @param noise as analyse_noise() has it, m entries.
 /// @param deviations of the noise that a sample must be off.
 /// @return per record the marks of its samples, n x m, with those that may be one.

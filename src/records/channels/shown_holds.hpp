@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// How an input goes on between samples as far as its samples tell: Hold::Zero where most of
+/// How an input goes on between samples as far as its samples show: Hold::Zero where most of
 /// them repeat the one before in every record in which it moves (shows_hold()), else
 /// Hold::Smooth; nothing where it never moves.
 /// @throws ArgumentError when there is no such input.

@@ -36,9 +36,9 @@ void GrowingFactor::orthogonalise(const Vector& column) {
   rest_ = column;
   triangle_.col(size_).setZero();
   for (int pass = 0; pass < 2; ++pass) {  // twice is enough for full orthogonality
-    const Vector share = basis.transpose() * rest_;
-    rest_ -= basis * share;
-    triangle_.col(size_).head(size_) += share;
+    const Vector fraction = basis.transpose() * rest_;
+    rest_ -= basis * fraction;
+    triangle_.col(size_).head(size_) += fraction;
   }
   triangle_(size_, size_) = rest_.norm();
 }

@@ -10,14 +10,14 @@ namespace {
 
 /// How near to the largest remaining norm a column must be to be taken for its place in the
 /// order.
-constexpr double kShareOfLargestNorm = 0.5;
+constexpr double kFractionOfLargestNorm = 0.5;
 
 /// Column-pivoted Gram-Schmidt; the first column of nearly the largest norm is the pivot.
 TermSet pivots(Matrix rows) {
   TermSet chosen;
   for (Index step = 0; step < rows.rows(); ++step) {
     const Vector norms = rows.colwise().norm().transpose();
-    const double bound = kShareOfLargestNorm * norms.maxCoeff();
+    const double bound = kFractionOfLargestNorm * norms.maxCoeff();
     Index pivot = 0;
     while (norms[pivot] < bound) ++pivot;
     chosen.push_back(pivot);

@@ -116,7 +116,8 @@ std::vector<int> scan_columns(const RowSource& rows, FunctionRef<std::string(Ind
   for_each_tile(rows, context, "looking for the range of terms", [&](Index slot, Tile& tile) {
     scan_tile(tile, slots[static_cast<std::size_t>(slot)]);
   });
-  share_parts(slots.size(), context, [&](std::size_t slot) { return slots[slot].numbers(); });
+  exchange_parts(slots.size(), context,
+                 [&](std::size_t slot) { return slots[slot].numbers(); });
   Vector largest = Vector::Zero(columns);
   for (SlotScan& slot : slots) {
     if (const auto bad = slot.bad()) {

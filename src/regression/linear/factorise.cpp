@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kGramCondition = 1e7;
 constexpr double kGramResidual = 1e-6;
-// A fact of rounding: of what is left of a target, 1e-9 of it, a Gram sees 3e-8, which is less
+// A fact of rounding: of the residual of a target, 1e-9 of it, a Gram sees 3e-8, which is less
 // than the last digit of the target.
 constexpr double kDeflated = 1e-9;
 
@@ -133,7 +133,7 @@ class SomeRows::Reader final : public RowReader {
 
 std::unique_ptr<RowReader> SomeRows::open() const { return std::make_unique<Reader>(*this); }
 
-// Whether some of many rows tell that a pass for their Gram would be in vain.
+// Whether some of many rows show that a pass for their Gram would be in vain.
 bool seems_unresolved(const RowSource& rows, const RunContext& context) {
   if (rows.rows() < kManyRows) return false;
   const SomeRows some(rows);

@@ -20,7 +20,7 @@ using ColumnName = FunctionRef<std::string(Index column)>;
 /// deflated at once: a third of the work of QR where the terms are well conditioned, as
 /// accurate where the targets are. Deflated folding repeats with QR where it does not resolve
 /// the problem. Columns whose squares would overflow or underflow are scaled by powers of two
-/// while folding, at the price of two more passes.
+/// while folding, at the cost of two more passes.
 /// @throws DataError when an entry is not finite: names the column and the row, counted from 1.
 Factor factorise(const RowSource& rows, Folding folding, ColumnName name,
                  const RunContext& context = {});

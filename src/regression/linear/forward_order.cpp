@@ -13,7 +13,7 @@ namespace {
 /// A fact of doubles: keeps divisors that are not used from 0.
 constexpr double kLeastDivisor = 1e-300;
 
-/// What is left of the columns and of the target beside an orthonormal basis of those taken.
+/// The residuals of the columns and of the target beside an orthonormal basis of those taken.
 class Deflation {
  public:
   Deflation(const Eigen::Ref<const Matrix>& columns, const Vector& target)
@@ -21,7 +21,7 @@ class Deflation {
         rest_(target),
         products_(columns.transpose() * target),
         sizes_(columns.colwise().squaredNorm()),
-        smallest_(kNewShare * sizes_),
+        smallest_(kNewFraction * sizes_),
         basis_(columns.rows(), 0) {}
 
   double left() const { return rest_.squaredNorm(); }
@@ -43,11 +43,11 @@ class Deflation {
     sizes_[j] = 0.0;
     if (!(norm * norm > smallest_[j])) return false;
     direction /= norm;
-    const Vector shares = columns_.transpose() * direction;
-    const double share = direction.dot(rest_);
-    rest_ -= share * direction;
-    products_ -= share * shares;
-    sizes_ -= shares.cwiseAbs2();
+    const Vector fractions = columns_.transpose() * direction;
+    const double fraction = direction.dot(rest_);
+    rest_ -= fraction * direction;
+    products_ -= fraction * fractions;
+    sizes_ -= fractions.cwiseAbs2();
     sizes_[j] = 0.0;
     basis_.conservativeResize(columns_.rows(), basis_.cols() + 1);
     basis_.rightCols(1) = direction;
@@ -55,12 +55,12 @@ class Deflation {
   }
 
  private:
-  static constexpr double kNewShare = 1e-12;  ///< squared, of a column: a fact of rounding
+  static constexpr double kNewFraction = 1e-12;  ///< squared, of a column: a fact of rounding
 
   const Eigen::Ref<const Matrix>& columns_;
   Vector rest_;
   Vector products_;  ///< of the columns with the rest
-  Vector sizes_;     ///< squared norms of what is left of the columns
+  Vector sizes_;     ///< squared norms of the residuals of the columns
   Vector smallest_;
   Matrix basis_;
 };
@@ -73,7 +73,7 @@ class GramDeflation {
         left_(gram(target, target)),
         products_(gram.col(target).head(q)),
         sizes_(gram.diagonal().head(q)),
-        smallest_(kNewShare * sizes_),
+        smallest_(kNewFraction * sizes_),
         shares_(q, 0) {}
 
   double left() const { return std::max(left_, 0.0); }
@@ -90,19 +90,19 @@ class GramDeflation {
     sizes_[j] = 0.0;
     if (!(size > smallest_[j])) return false;
     const Vector common = shares_ * shares_.row(j).transpose();
-    const Vector shares = (gram_.col(j).head(sizes_.size()) - common) / std::sqrt(size);
-    const double share = products_[j] / std::sqrt(size);
-    left_ -= share * share;
-    products_ -= share * shares;
-    sizes_ -= shares.cwiseAbs2();
+    const Vector fractions = (gram_.col(j).head(sizes_.size()) - common) / std::sqrt(size);
+    const double fraction = products_[j] / std::sqrt(size);
+    left_ -= fraction * fraction;
+    products_ -= fraction * fractions;
+    sizes_ -= fractions.cwiseAbs2();
     sizes_[j] = 0.0;
     shares_.conservativeResize(Eigen::NoChange, shares_.cols() + 1);
-    shares_.rightCols(1) = shares;
+    shares_.rightCols(1) = fractions;
     return true;
   }
 
  private:
-  static constexpr double kNewShare = 1e-10;  ///< squared: a Gram matrix has half the digits
+  static constexpr double kNewFraction = 1e-10;  ///< squared: a Gram matrix has half the digits
 
   const Matrix& gram_;
   double left_;

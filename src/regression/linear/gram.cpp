@@ -31,7 +31,8 @@ Matrix fold_prepared(const RowSource& rows, const RunContext& context,
     prepare(tile);
     add_gram(tile.scratch(), tile.rows(), slots[static_cast<std::size_t>(slot)]);
   });
-  share_parts(slots.size(), context, [&](std::size_t slot) { return numbers_of(slots[slot]); });
+  exchange_parts(slots.size(), context,
+                 [&](std::size_t slot) { return numbers_of(slots[slot]); });
   Matrix total = Matrix::Zero(padded, padded);
   for (const Matrix& slot : slots) total += slot;
   return symmetric(total.topLeftCorner(columns, columns));

@@ -126,7 +126,8 @@ Vector LeastSquaresSystem::refined(const Subproblem& problem, const Vector& h,
   for_each_tile(*source_, context, "refining coefficients", [&](Index slot, Tile& tile) {
     add_gradient(equation, tile, slots[static_cast<std::size_t>(slot)]);
   });
-  share_parts(slots.size(), context, [&](std::size_t slot) { return numbers_of(slots[slot]); });
+  exchange_parts(slots.size(), context,
+                 [&](std::size_t slot) { return numbers_of(slots[slot]); });
   Vector gradient = Vector::Zero(h.size());
   for (const Vector& slot : slots) gradient += slot;
   return h + problem.solve_normal(gradient);
@@ -142,7 +143,7 @@ Vector LeastSquaresSystem::residuals(Index target, const TermSet& active, const 
                        result.segment(tile.first(), tile.rows()));
   });
   const std::vector<RowRange> slots = row_slots(rows());
-  share_parts(slots.size(), context, [&](std::size_t slot) {
+  exchange_parts(slots.size(), context, [&](std::size_t slot) {
     const auto count = static_cast<std::size_t>(slots[slot].count);
     return std::span<double>(result.data() + slots[slot].first, count);
   });

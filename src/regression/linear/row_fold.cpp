@@ -119,7 +119,8 @@ Matrix fold_orthogonal(const RowSource& rows, const RunContext& context) {
   for_each_tile(rows, context, "reading rows (orthogonal)", [&](Index slot, Tile& tile) {
     fold_triangle(tile.scratch(), tile.rows(), slots[static_cast<std::size_t>(slot)]);
   });
-  share_parts(slots.size(), context, [&](std::size_t slot) { return numbers_of(slots[slot]); });
+  exchange_parts(slots.size(), context,
+                 [&](std::size_t slot) { return numbers_of(slots[slot]); });
   Matrix total = slots.size() == 1 ? slots.front() : merge(slots, columns);
   make_diagonal_non_negative(total);
   return total;

@@ -37,8 +37,9 @@ class RowFold {
   Matrix gram();
 
   /// R of all rows, columns x columns; nothing when a Gram cannot resolve it: its relative
-  /// rounding eps must be small beside the squared share of a column that is new (condition up
-  /// to 1e6: 1e-4) and of the target that is not explained (1e-5: 1e-6). Starts anew after it.
+  /// rounding eps must be small beside the squared fraction of a column that is new (condition
+  /// up to 1e6: 1e-4) and of the target that is not explained (1e-5: 1e-6). Starts anew after
+  /// it.
   std::optional<Matrix> finish();
 
  private:

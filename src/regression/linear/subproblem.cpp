@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-// Share of a unit column in another from which on they are taken to depend on each other.
+// Fraction of a unit column in another from which on they are taken to depend on each other.
 constexpr double kDependent = 1e-6;
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
@@ -48,7 +48,7 @@ TermSet complement(Index size, const TermSet& excluded) {
 }
 
 // Coefficients that make column `column` of a triangle from the columns `kept`.
-Vector shares_of(const Matrix& triangle, Index column, const TermSet& kept) {
+Vector fractions_of(const Matrix& triangle, Index column, const TermSet& kept) {
   const TriangularProblem problem =
       retriangularise(triangle(Eigen::all, kept), triangle.col(column), kept);
   return problem.triangle.triangularView<Eigen::Upper>().solve(problem.target);
@@ -161,9 +161,9 @@ Vector Subproblem::inverse_gram_diagonal() const {
   diagonal(kept) =
       inverse_row_squares(problem.triangle).cwiseQuotient(column_norms_(kept).cwiseAbs2());
   for (const Index column : complement(size(), kept)) {
-    const Vector shares = shares_of(triangle_, column, kept);
+    const Vector fractions = fractions_of(triangle_, column, kept);
     for (std::size_t j = 0; j < kept.size(); ++j) {
-      if (std::abs(shares[static_cast<Index>(j)]) > kDependent) diagonal[kept[j]] = infinity;
+      if (std::abs(fractions[static_cast<Index>(j)]) > kDependent) diagonal[kept[j]] = infinity;
     }
   }
   return diagonal;

@@ -32,7 +32,7 @@ double counted_rows(Criterion criterion, const LeastSquaresSystem& system, Index
 /// The criterion of n rows, k terms and |residual|; infinite where AICc has no meaning.
 double criterion_value(Criterion criterion, double n, double k, double residual) {
   const double misfit = 2.0 * n * std::log(residual / std::sqrt(n));
-  if (criterion != Criterion::Aicc) return misfit + k * parameter_price(n);
+  if (criterion != Criterion::Aicc) return misfit + k * parameter_penalty(n);
   if (n - k <= 1.0) return std::numeric_limits<double>::infinity();
   return misfit + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0);
 }

@@ -38,7 +38,7 @@ PruneResult prune_up_to(double limit, Elimination state, const RunContext& conte
   return result;
 }
 
-/// Systematic error of the targets that is taken into account, rms.
+/// Systematic error of the targets that is allowed for, rms.
 double error_of(const LeastSquaresSystem& system, Index target,
                 const MinorTermsOptions& options) {
   const bool by_errors = options.stop == MinorTermsOptions::Stop::Errors;
@@ -54,7 +54,7 @@ struct Leading {
 };
 
 /// All terms of a problem; of a wide one those that orthogonal least squares takes first: so
-/// many that the others are not worth Schwarz' price. An elimination from L terms costs L^4.
+/// many that the others are not worth Schwarz' penalty. An elimination from L terms costs L^4.
 Leading leading_terms(const LeastSquaresSystem& system, Index target, const TermSet& active,
                       double error, const RunContext& context) {
   // Facts of cost: an elimination from L terms costs L^4.
@@ -63,9 +63,9 @@ Leading leading_terms(const LeastSquaresSystem& system, Index target, const Term
   const double full = problem.residual_norm();
   if (problem.size() <= kWide) return {active, full, full, full};
   const double rows = static_cast<double>(system.rows());
-  const double price =
-      static_cast<double>(problem.size() - kFewest) * parameter_price(rows) / rows;
-  const double allowed = full * full * price + rows * error * error;
+  const double penalty =
+      static_cast<double>(problem.size() - kFewest) * parameter_penalty(rows) / rows;
+  const double allowed = full * full * penalty + rows * error * error;
   ForwardOrder order =
       forward_order(problem.triangle(), problem.projected_target(),
                     {.first = {}, .fewest = kFewest, .enough = allowed}, context);
@@ -120,7 +120,7 @@ void cut_negligible(const Path& path, const NegligibleTerms& rule, double floor,
     const double after = std::max(path.residuals[k + 1], before);
     const double effect = std::sqrt((after - before) * (after + before)) / rate;
     if (!rule.holds(effect, after / before)) break;
-    removed.push_back({path.terms[k], "share of the rate that the term is worth", effect,
+    removed.push_back({path.terms[k], "fraction of the rate that the term is worth", effect,
                        rule.effect_size, static_cast<int>(k) + 1});
   }
 }
@@ -133,9 +133,9 @@ PruneResult cut_by_errors(const Path& path, double rows, double error,
   PruneResult result;
   std::size_t dropped = 0;
   for (; dropped < path.terms.size(); ++dropped) {
-    const double price =
-        static_cast<double>(path.behind + dropped + 1) * parameter_price(rows) / rows;
-    const double limit = std::sqrt(base * base * (1.0 + price) + rows * error * error);
+    const double penalty =
+        static_cast<double>(path.behind + dropped + 1) * parameter_penalty(rows) / rows;
+    const double limit = std::sqrt(base * base * (1.0 + penalty) + rows * error * error);
     if (!(path.residuals[dropped + 1] <= limit)) break;
     result.removed.push_back(
         removal(path.terms[dropped], path.residuals[dropped + 1], limit, dropped + 1));

@@ -29,9 +29,9 @@ PruneResult SequentialThresholding::do_prune(const LeastSquaresSystem& system, I
     const std::vector<Index> small = below(contributions, threshold * scale);
     if (small.empty()) break;
     for (const Index i : small) {
-      const double share = contributions[i] > 0.0 ? contributions[i] / scale : 0.0;
+      const double fraction = contributions[i] > 0.0 ? contributions[i] / scale : 0.0;
       result.removed.push_back({state.active()[static_cast<std::size_t>(i)], "|h theta| / |y|",
-                                share, threshold, step});
+                                fraction, threshold, step});
     }
     state = state.without(small);
   }

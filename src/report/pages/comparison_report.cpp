@@ -37,9 +37,9 @@ std::string format_text(const ComparisonReport& report) {
   const bool judged =
       std::any_of(report.measures.begin(), report.measures.end(),
                   [](const AttractorMeasure& measure) { return measure.agree.has_value(); });
-  const std::string verdict = report.agree() ? "They agree: one attractor as far as these tell."
+  const std::string verdict = report.agree() ? "They agree: one attractor as far as these show."
                               : judged       ? "They do not agree in all measures."
-                                             : "Cannot tell: no measure could be judged.";
+                                             : "Undecided: no measure could be judged.";
   return verdict + "\n\n" + text_table(rows) +
          "\nNumbers are means of five blocks +- 95 %. Spectrum and density are Hellinger's "
          "distances:\nblocks of one record to one another, then blocks of different records.\n";

@@ -24,9 +24,9 @@ std::string noise_text(const ChannelSummary& column) {
   const StateNoise& noise = column.channel->noise;
   if (noise.kind == NoiseKind::None) return "none seen";
   const double span = column.largest - column.least;
-  const std::string share =
+  const std::string fraction =
       span > 0.0 ? " (" + percent(noise.sigma / span) + " of the range)" : "";
-  return format_number(noise.sigma, 2) + " " + to_string(noise.kind) + share;
+  return format_number(noise.sigma, 2) + " " + to_string(noise.kind) + fraction;
 }
 
 /// What is odd about a column, or how it goes on between samples.

@@ -44,7 +44,7 @@ std::vector<Fact> facts_of(const Diagnosis& diagnosis) {
                      "probability " + percent(effect.probability) + ", explains " +
                          percent(effect.gap_closed)});
   if (!diagnosis.remaining.equations.empty())
-    facts.push_back({"Left over", format_number(diagnosis.remaining.sigma, 3) + " sigma",
+    facts.push_back({"Residual", format_number(diagnosis.remaining.sigma, 3) + " sigma",
                      "significant structure"});
   return facts;
 }
@@ -127,28 +127,28 @@ std::string common_quantity(const std::vector<Rival>& rivals) {
   return most == counts.end() ? "" : most->first;
 }
 
-/// What each account was worse by than the best, the best first.
+/// What each composite model was worse by than the best, the best first.
 std::vector<Picture> rival_pictures(const Diagnosis& diagnosis) {
   const std::string quantity = common_quantity(diagnosis.rivals);
-  std::map<std::string, const Rival*> best;  // of each account, its least number
+  std::map<std::string, const Rival*> best;  // of each composite model, its least number
   for (const Rival& rival : diagnosis.rivals) {
     if (!rival.criterion || rival.quantity != quantity) continue;
-    const Rival*& known = best[readable_formula(rival.account, {})];
+    const Rival*& known = best[readable_formula(rival.composite, {})];
     if (known == nullptr || rival.value < known->value) known = &rival;
   }
   std::vector<std::pair<double, std::string>> ranked;
-  for (const auto& [account, rival] : best) ranked.emplace_back(rival->value, account);
+  for (const auto& [composite, rival] : best) ranked.emplace_back(rival->value, composite);
   std::sort(ranked.begin(), ranked.end());
   if (ranked.size() < 2) return {};
   RowFigure figure{"rivals",
-                   "Accounts of the records: how much worse than the best",
+                   "Composite models of the records: how much worse than the best",
                    quantity + " above the least",
                    {}};
-  for (const auto& [value, account] : ranked) {
+  for (const auto& [value, composite] : ranked) {
     if (figure.rows.size() == kMostRows) break;
     const double worse = value - ranked.front().first;
     figure.rows.push_back(
-        {account, worse, {}, {}, "+ " + format_number(worse, 4), best.at(account)->taken});
+        {composite, worse, {}, {}, "+ " + format_number(worse, 4), best.at(composite)->taken});
   }
   return {draw(figure)};
 }
@@ -157,11 +157,11 @@ Markup rival_table(const Diagnosis& diagnosis) {
   std::vector<std::vector<std::string>> rows;
   for (const Rival& rival : diagnosis.rivals)
     rows.push_back({rival.taken ? "taken" : "not taken", rival.hypothesis,
-                    readable_formula(rival.account, {}),
+                    readable_formula(rival.composite, {}),
                     rival.rule.empty() ? rival.quantity + " " + format_number(rival.value, 6) +
                                              " against " + format_number(rival.threshold, 6)
                                        : rival.rule});
-  return table({"", "hypothesis", "account", "what decided"}, rows);
+  return table({"", "hypothesis", "composite model", "what decided"}, rows);
 }
 
 Vector noise_of(const Diagnosis& diagnosis) {
@@ -216,7 +216,8 @@ Page diagnosis_page(const Diagnosis& diagnosis) {
   page.sections.push_back(
       {"Coefficients", change_table(diagnosis), change_pictures(diagnosis)});
   page.sections.push_back({"Rivals", {}, rival_pictures(diagnosis)});
-  page.sections.push_back({"Every account that was judged", rival_table(diagnosis), {}, true});
+  page.sections.push_back(
+      {"Every composite model that was judged", rival_table(diagnosis), {}, true});
   // A heading over nothing says less than none.
   std::erase_if(page.sections, [](const PageSection& section) {
     return section.content.empty() && section.pictures.empty();

@@ -36,7 +36,7 @@ Json disagreement_json(const Diagnosis& diagnosis) {
               {"rms", entry.rms},
               {"noise_floor", entry.noise_floor},
               {"sigma", entry.sigma},
-              {"share", entry.share},
+              {"share", entry.fraction},
               {"relative", entry.relative},
               {"where", Json::array()}};
     for (const Location& place : entry.where) json["where"].push_back(to_json(place));
@@ -125,7 +125,7 @@ Json rivals_json(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const Rival& rival : diagnosis.rivals)
     list.push_back({{"hypothesis", rival.hypothesis},
-                    {"account", rival.account},
+                    {"account", rival.composite},
                     {"criterion", rival.criterion ? Json(*rival.criterion) : Json()},
                     {"taken", rival.taken},
                     {"quantity", rival.quantity},

@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-/// Coefficients further off than this are told of.
+/// Coefficients further off than this are reported.
 constexpr double kSignificant = 3.0;
 
 const Quantity& state_of(const Diagnosis& diagnosis, Index equation) {
@@ -23,8 +23,10 @@ std::string rate_unit_of(const Diagnosis& diagnosis, Index equation) {
   return rate_unit(state_of(diagnosis, equation).unit, diagnosis.nominal.time_unit());
 }
 
-/// A share of something, where less than a thousandth says no more than that.
-std::string share_of(double share) { return share < 1e-3 ? "less than 0.1 %" : percent(share); }
+/// A fraction of something, where less than a thousandth says no more than that.
+std::string fraction_of(double fraction) {
+  return fraction < 1e-3 ? "less than 0.1 %" : percent(fraction);
+}
 
 /// A number of a formula for people: a parameter to the digits that its error allows.
 std::string readable_number(const std::string& text,
@@ -68,7 +70,7 @@ std::string headline(const Diagnosis& diagnosis) {
 
 using Sentences = std::vector<std::string>;
 
-void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
+void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
   const bool acts = effect.place == Place::Rate;
   const std::string unit = acts ? rate_unit_of(diagnosis, effect.equation)
                                 : state_of(diagnosis, effect.equation).unit;
@@ -77,7 +79,7 @@ void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentence
                 with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +
                 readable_formula(effect.term, effect.parameters) + ", explains " +
-                share_of(effect.gap_closed) + " of the disagreement (" +
+                fraction_of(effect.gap_closed) + " of the disagreement (" +
                 format_number(effect.sigma, 3) + " sigma).");
   for (const Alternative& other : effect.alternatives)
     if (other.probability >= 0.01 && other.term != effect.term)
@@ -88,7 +90,7 @@ void tell_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentence
                     percent(other.probability) + ").");
 }
 
-void tell_changes(const Diagnosis& diagnosis, Sentences& out) {
+void report_changes(const Diagnosis& diagnosis, Sentences& out) {
   // For people.
   constexpr int kMostChanges = 4;
   int written = 0;
@@ -115,7 +117,7 @@ std::string main_place(const Diagnosis& diagnosis, Index equation) {
   return "";
 }
 
-void tell_remaining(const Diagnosis& diagnosis, Sentences& out) {
+void report_remaining(const Diagnosis& diagnosis, Sentences& out) {
   for (const EquationStructure& left : diagnosis.remaining.details)
     out.push_back("Equation " + state_of(diagnosis, left.equation).name + ": a rate of " +
                   format_number(left.rms, 3) + " " + rate_unit_of(diagnosis, left.equation) +
@@ -124,7 +126,7 @@ void tell_remaining(const Diagnosis& diagnosis, Sentences& out) {
                   ".");
 }
 
-void tell_unnamed(const Diagnosis& diagnosis, const Unnamed& unnamed, Sentences& out) {
+void report_unnamed(const Diagnosis& diagnosis, const Unnamed& unnamed, Sentences& out) {
   std::string text =
       "Equation " + state_of(diagnosis, unnamed.equation).name + ": what is missing ";
   if (unnamed.variables.empty())
@@ -186,11 +188,11 @@ DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
   for (const Hint& hint : diagnosis.hints) all.hints.push_back(hint_sentence(hint));
   all.headline = headline(diagnosis);
   for (const NamedEffect& effect : diagnosis.effects)
-    tell_effect(diagnosis, effect, all.findings);
+    report_effect(diagnosis, effect, all.findings);
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
-    tell_changes(diagnosis, all.findings);
-  if (diagnosis.remaining.structure) tell_remaining(diagnosis, all.findings);
-  if (diagnosis.unnamed) tell_unnamed(diagnosis, *diagnosis.unnamed, all.findings);
+    report_changes(diagnosis, all.findings);
+  if (diagnosis.remaining.structure) report_remaining(diagnosis, all.findings);
+  if (diagnosis.unnamed) report_unnamed(diagnosis, *diagnosis.unnamed, all.findings);
   if (diagnosis.gap) all.findings.push_back(gap_sentence(*diagnosis.gap));
   for (const std::string& note : diagnosis.notes) all.notes.push_back(note + ".");
   return all;

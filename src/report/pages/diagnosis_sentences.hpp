@@ -12,7 +12,7 @@ namespace lacuna {
 struct DiagnosisSentences {
   std::vector<std::string> hints;
   std::string headline;
-  std::vector<std::string> findings;  ///< effects, coefficients, what is left, the gap
+  std::vector<std::string> findings;  ///< effects, coefficients, the residual, the gap
   std::vector<std::string> notes;
 };
 

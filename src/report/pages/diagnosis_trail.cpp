@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every account that was judged, as a table for people.
+// Every composite model that was judged, as a table for people.
 #include <algorithm>
 
 #include "core/base/text.hpp"
@@ -20,10 +20,11 @@ std::string reason(const Rival& rival) {
 std::string format_trail(const Diagnosis& diagnosis) {
   std::size_t width = 0;
   for (const Rival& rival : diagnosis.rivals) width = std::max(width, rival.hypothesis.size());
-  std::string text = "Accounts of the records, in the order in which they were judged:\n";
+  std::string text =
+      "Composite models of the records, in the order in which they were judged:\n";
   for (const Rival& rival : diagnosis.rivals)
     text += std::string(rival.taken ? "  + " : "  - ") + padded(rival.hypothesis, width) +
-            "  " + rival.account + "\n      " + reason(rival) + "\n";
+            "  " + rival.composite + "\n      " + reason(rival) + "\n";
   return text + "(+ taken over what was best before, - not taken)\n";
 }
 

@@ -20,7 +20,7 @@ std::vector<GapRecord> runs_of(const Fit& fit) {
 
 PageSection numbers_section(const Fit& fit) {
   std::vector<std::vector<std::string>> rows;
-  for (const FittedNumber& number : fit.numbers)
+  for (const FittedParameter& number : fit.numbers)
     rows.push_back({number.name, format_number(number.start, 5), format_number(number.value, 6),
                     number.ci95 ? "[" + format_number((*number.ci95)[0], 5) + ", " +
                                       format_number((*number.ci95)[1], 5) + "]"
@@ -41,7 +41,7 @@ std::string headline_of(const Fit& fit) {
       return "The parameters are estimated, and the residuals are noise.";
     case Adequate::No:
       return "The parameters are estimated; the residuals have structure.";
-    case Adequate::Untold:
+    case Adequate::Undetermined:
       break;
   }
   return "The parameters are estimated; the samples are too few to show whether the residuals "
@@ -57,7 +57,7 @@ Page fit_page(const Fit& fit) {
     page.facts.push_back({"Fit of " + quality.channel,
                           std::isfinite(quality.fit_percent)
                               ? format_number(quality.fit_percent, 4) + " %"
-                              : "not told",
+                              : "not determined",
                           "free run, rmse " + format_number(quality.rmse, 4) +
                               (quality.unit.empty() ? "" : " " + quality.unit)});
   }

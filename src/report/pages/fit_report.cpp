@@ -26,7 +26,7 @@ Json optional_json(const std::optional<Value>& value) {
 
 Json numbers_json(const Fit& fit) {
   Json list = Json::array();
-  for (const FittedNumber& number : fit.numbers) {
+  for (const FittedParameter& number : fit.numbers) {
     Json entry{{"name", number.name},
                {"unit", number.unit},
                {"start", number.start},
@@ -108,11 +108,11 @@ Json hints_json(const Fit& fit) {
 
 std::size_t name_width(const Fit& fit) {
   std::size_t width = 4;
-  for (const FittedNumber& number : fit.numbers) width = std::max(width, number.name.size());
+  for (const FittedParameter& number : fit.numbers) width = std::max(width, number.name.size());
   return width;
 }
 
-std::string interval_text(const FittedNumber& number) {
+std::string interval_text(const FittedParameter& number) {
   if (number.bound) return "at the " + *number.bound + " of its range";
   if (!number.per_record.empty()) return "own in each record";
   if (!number.ci95) return "not determined by itself";
@@ -128,7 +128,7 @@ std::string interval_text(const FittedNumber& number) {
 void write_numbers(const Fit& fit, std::ostringstream& out) {
   const std::size_t width = name_width(fit);
   out << "Numbers (95 % intervals)\n";
-  for (const FittedNumber& number : fit.numbers)
+  for (const FittedParameter& number : fit.numbers)
     out << "  " << padded(number.name, width) << "  "
         << padded(format_number(number.value, 6), 11) << "  " << interval_text(number)
         << (number.unit.empty() ? "" : "  " + number.unit) << "\n";

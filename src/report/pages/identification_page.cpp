@@ -33,7 +33,7 @@ std::vector<std::string> equations_where(const IdentificationResult& result, Hol
 }
 
 /// The headline of a validated model.
-void tell_verdict(const Validation& validation, Page& page) {
+void report_verdict(const Validation& validation, Page& page) {
   page.headline = validation.sentence;
   switch (validation.verdict) {
     case ValidationVerdict::FitsToNoise:
@@ -47,7 +47,7 @@ void tell_verdict(const Validation& validation, Page& page) {
   }
 }
 
-void tell_headline(const IdentificationReport& report, Page& page) {
+void report_headline(const IdentificationReport& report, Page& page) {
   const IdentificationResult& result = report.result;
   const auto bad = equations_where(
       result, [](const EquationFit& fit) { return fit.fits_to_noise == false; });
@@ -58,13 +58,13 @@ void tell_headline(const IdentificationReport& report, Page& page) {
                     (result.model.is_map() ? "next value." : "derivative.");
     page.tone = Tone::Bad;
   } else if (result.validation) {
-    tell_verdict(*result.validation, page);
+    report_verdict(*result.validation, page);
   } else if (!bad.empty()) {
     page.headline = "Equations were found, but not all fit to the noise: " + join(bad, ", ") +
                     (bad.size() == 1 ? " does not." : " do not.");
     page.tone = Tone::Doubtful;
-  } else if (!unknown.empty() || result.adequacy.fits == Adequate::Untold) {
-    page.headline = "Equations were found; how large the noise is cannot be told.";
+  } else if (!unknown.empty() || result.adequacy.fits == Adequate::Undetermined) {
+    page.headline = "Equations were found; how large the noise is cannot be estimated.";
   } else {
     page.headline = "Equations were found that explain the record to its noise.";
   }
@@ -149,8 +149,8 @@ PageSection prediction_section(const Validation& validation) {
     for (const PredictionError& state : test->states)
       rows.push_back({format_number(test->horizon, 3), state.state,
                       format_number(state.error, 3),
-                      (state.noise_seen ? "" : "< ") + format_number(state.noise, 3),
-                      format_number(state.motion, 3), percent(state.share())});
+                      (state.noise_estimated ? "" : "< ") + format_number(state.noise, 3),
+                      format_number(state.motion, 3), percent(state.fraction())});
   return {"Predictions of samples held out",
           table({"ahead [" + validation.time_unit + "]", "state", "error", "noise",
                  "error without a model", "error beyond the noise"},
@@ -195,7 +195,7 @@ Page identification_page(const IdentificationReport& report, const Dataset& data
   page.title =
       "Identification of " +
       (data.trajectories.empty() ? "a record" : short_name(file_of(data.trajectories.front())));
-  tell_headline(report, page);
+  report_headline(report, page);
   page.findings = findings_of(result);
   page.facts = facts_of(report, data, runs);
   page.equations = equations_mathml(result.model);

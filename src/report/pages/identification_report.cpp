@@ -56,7 +56,7 @@ Json step_to_json(const IdentificationResult& result, const PathStep& step) {
           {"terms", step.terms},
           {"in_model", step.in_model},
           {"gain", step.gain},
-          {"price", step.price}};
+          {"price", step.penalty}};
 }
 
 template <class T, class Convert>
@@ -68,8 +68,8 @@ Json list_to_json(const std::vector<T>& values, Convert convert) {
 
 Json error_to_json(const PredictionError& error) {
   return {{"state", error.state},     {"error", error.error},
-          {"noise", error.noise},     {"noise_seen", error.noise_seen},
-          {"motion", error.motion},   {"share", error.share()},
+          {"noise", error.noise},     {"noise_seen", error.noise_estimated},
+          {"motion", error.motion},   {"share", error.fraction()},
           {"freedom", error.freedom}, {"correlation", error.correlation}};
 }
 

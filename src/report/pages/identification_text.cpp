@@ -89,7 +89,7 @@ std::string next_terms(const IdentificationResult& result) {
     if (step.in_model || !first) continue;
     text += "  d" + result.model.states()[static_cast<std::size_t>(step.equation)].name +
             "/dt: " + step.term + " would be the next: chi squared - " +
-            format_number(step.gain, 3) + " (worth it from " + format_number(step.price, 3) +
+            format_number(step.gain, 3) + " (worth it from " + format_number(step.penalty, 3) +
             ")\n";
   }
   return text;

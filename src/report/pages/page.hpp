@@ -15,7 +15,7 @@ enum class Tone { Good, Doubtful, Bad };
 struct Fact {
   std::string label;
   std::string value;
-  std::string note;  ///< what it means or is held against
+  std::string note;  ///< what it means or is compared with
 };
 
 /// A heading with what stands below it: markup, then pictures.

@@ -50,8 +50,8 @@ std::string coefficient_text(const WeightedTerm& summand, bool full) {
   return format_number(summand.coefficient, known ? digits_of(summand.coefficient, *error) : 6);
 }
 
-std::string percent(double share) {
-  return format_number(100.0 * share, std::abs(share) < 0.995 ? 2 : 3) + " %";
+std::string percent(double fraction) {
+  return format_number(100.0 * fraction, std::abs(fraction) < 0.995 ? 2 : 3) + " %";
 }
 
 std::string rate_unit(const std::string& unit, const std::string& time_unit) {

@@ -20,7 +20,7 @@ std::string with_error(double value, double error);
 std::string coefficient_text(const WeightedTerm& summand, bool full = false);
 
 /// "12 %", "0.34 %".
-std::string percent(double share);
+std::string percent(double fraction);
 
 /// Unit of a rate of change: "V" per "s" is V/s, "rad/s" per "s" is rad/s^2, "" per "s" is 1/s.
 std::string rate_unit(const std::string& unit, const std::string& time_unit);

@@ -46,7 +46,7 @@ std::string relation_sentence(const Relation& relation) {
   std::string names;
   for (const RelationTerm& term : relation.terms)
     names += (names.empty() ? "" : ", ") + term.term;
-  return holds + names + " and a constant cannot be told apart";
+  return holds + names + " and a constant cannot be distinguished";
 }
 
 }  // namespace lacuna

@@ -11,7 +11,7 @@ namespace lacuna {
 std::string relation_text(const Relation& relation);
 
 /// The same with what follows for an identification: "... on these data: x^2, y^2 and a
-/// constant cannot be told apart".
+/// constant cannot be distinguished".
 std::string relation_sentence(const Relation& relation);
 
 }  // namespace lacuna

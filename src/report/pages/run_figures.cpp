@@ -70,7 +70,7 @@ GapRecord excerpt_of(const GapRecord& run) {
           run.length};
 }
 
-/// Whether any sample says something of a state.
+/// Whether any sample shows something of a state.
 bool is_seen(const GapRecord& run, Index k) {
   return run.measured.col(k).array().isFinite().any();
 }

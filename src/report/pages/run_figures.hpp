@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// Records with the models that ran in their windows, and what is needed to tell of them.
+/// Records with the models that ran in their windows, and what is needed to report them.
 struct RunView {
   const std::vector<GapRecord>& runs;
   std::vector<Quantity> states;

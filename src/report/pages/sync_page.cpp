@@ -55,7 +55,7 @@ std::vector<Fact> facts_of(const SyncReport& report) {
   if (result.conditional_exponent)
     facts.push_back({"Conditional exponent",
                      format_number(*result.conditional_exponent, 2) + " 1/" + report.time_unit,
-                     "below 0 the record tells the hidden states"});
+                     "below 0 the record determines the hidden states"});
   return facts;
 }
 
@@ -70,7 +70,7 @@ Page sync_page(const SyncReport& report, const Dataset& data) {
                                           : short_name(file_of(data.trajectories.front()))) +
                "?";
   page.headline = verdict.sentence;
-  page.tone = verdict.holds ? Tone::Good : verdict.told ? Tone::Bad : Tone::Doubtful;
+  page.tone = verdict.holds ? Tone::Good : verdict.decided ? Tone::Bad : Tone::Doubtful;
   page.facts = facts_of(report);
   if (runs.empty()) return page;
   const RunView view{runs,

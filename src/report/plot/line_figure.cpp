@@ -107,7 +107,7 @@ std::vector<svg::Key> keys_of(const LineFigure& figure) {
   return keys;
 }
 
-/// What a script needs to tell the value at a place of the picture.
+/// What a script needs to show the value at a place of the picture.
 Markup with_scales(const LineFigure& figure, const Frame& frame, const Markup& content) {
   const auto text = [](const Scale& scale) {
     return format_number(scale.low) + " " + format_number(scale.high) +

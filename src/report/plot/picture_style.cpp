@@ -3,7 +3,7 @@
 
 namespace lacuna {
 
-// Colours are told apart by those who do not see red and green (Okabe and Ito 2008).
+// Colours are distinguished by those who do not see red and green (Okabe and Ito 2008).
 std::string picture_style() {
   return R"(:root{--ink:#1b1f24;--soft:#57606a;--paper:#ffffff;--grid:#e3e7eb;
 --measured:#57606a;--before:#d55e00;--model:#0072b2;--other:#cc79a7;--band:#0072b222}

@@ -48,17 +48,17 @@ void check_enough(const FitEngine& engine, const FitUnknowns& unknowns) {
 }
 
 /// Intervals of the numbers; the errors go by the place among the global parameters.
-std::vector<FittedNumber> numbers_of(const FitEngine& engine, const FitUnknowns& unknowns,
-                                     const FitPoint& point, const FitErrors& errors,
-                                     double freedom) {
+std::vector<FittedParameter> numbers_of(const FitEngine& engine, const FitUnknowns& unknowns,
+                                        const FitPoint& point, const FitErrors& errors,
+                                        double freedom) {
   const double reach = student_quantile_975(std::max(1.0, freedom));
   const Vector start = engine.model.values();
   const std::vector<std::string> names = engine.model.names();
-  std::vector<FittedNumber> numbers;
+  std::vector<FittedParameter> numbers;
   for (Index p = 0; p < start.size(); ++p) {
-    FittedNumber number{.name = names[static_cast<std::size_t>(p)],
-                        .start = start[p],
-                        .value = point.parameters.col(p).mean()};
+    FittedParameter number{.name = names[static_cast<std::size_t>(p)],
+                           .start = start[p],
+                           .value = point.parameters.col(p).mean()};
     const auto place = std::find(unknowns.global.begin(), unknowns.global.end(), p);
     if (place == unknowns.global.end()) {
       const Vector own = point.parameters.col(p);
@@ -121,7 +121,7 @@ std::vector<std::vector<FittedStart>> starts_of(const FitEngine& engine,
 /// for fixed parameters), it is that of their sum: the first that is free takes what the others
 /// leave.
 void set_coefficient(const SystemModel& system, const std::vector<Index>& places, Index place,
-                     const FittedNumber& number, Equation& equation) {
+                     const FittedParameter& number, Equation& equation) {
   WeightedTerm* first = nullptr;
   double others = 0.0;
   for (std::size_t i = 0; i < equation.size(); ++i) {
@@ -141,7 +141,7 @@ void set_coefficient(const SystemModel& system, const std::vector<Index>& places
 
 /// The system with the numbers in their places.
 SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& model,
-                         std::vector<FittedNumber>& numbers) {
+                         std::vector<FittedParameter>& numbers) {
   std::vector<Equation> equations = system.symbolic().equations();
   const std::vector<std::vector<Index>> places = system.places_in_parametrised();
   std::size_t i = 0;
@@ -160,18 +160,18 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
   return {system.symbolic().with_equations(std::move(equations)), std::move(parameters)};
 }
 
-constexpr double kExactFit = 99.999;  // per cent; what is left is rounding of the file
+constexpr double kExactFit = 99.999;  // per cent; the residual is rounding of the file
 
 /// Residuals are noise where they have no correlation in time, which few samples do not show.
 Adequacy adequacy_of_run(const std::vector<FitQuality>& channels) {
-  constexpr Index kTold = 20;
+  constexpr Index kFewestSamples = 20;
   std::vector<AdequacyPart> parts;
   for (const FitQuality& quality : channels) {
-    const Adequate fits = quality.samples < kTold ? Adequate::Untold
-                          : quality.white         ? Adequate::Yes
+    const Adequate fits = quality.samples < kFewestSamples ? Adequate::Undetermined
+                          : quality.white                  ? Adequate::Yes
                           : quality.fit_percent < kExactFit || quality.noise > 0
                               ? Adequate::No
-                              : Adequate::Untold;
+                              : Adequate::Undetermined;
     parts.push_back({quality.channel, fits, quality.samples, quality.noise > 0.0});
   }
   return adequacy_of(std::move(parts));
@@ -188,7 +188,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
   std::vector<std::string> notes;
   if (!fit.converged)
     notes.push_back("the fit did not converge: the numbers are the last ones");
-  for (const FittedNumber& number : fit.numbers)
+  for (const FittedParameter& number : fit.numbers)
     if (number.bound)
       notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
   for (const FitQuality& quality : fit.quality)

@@ -329,7 +329,7 @@ Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances&
   StepMaps maps(engine.rates, engine.signals.scheme);
   Matrix by_state(count, m), by_parameter(count, engine.parameters());
   const Vector density =
-      (disturbances.share * disturbances.scale).array().square() / engine.records.time_scale;
+      (disturbances.fraction * disturbances.scale).array().square() / engine.records.time_scale;
   for (Index r = 0; r < engine.records.records(); ++r) {
     engine.rates.set(point.parameters.row(r).transpose());
     Vector x = point.starts.row(r).transpose();

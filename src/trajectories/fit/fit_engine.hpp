@@ -76,12 +76,12 @@ void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path
 
 /// Sizes of the disturbances that a filter allows for.
 struct Disturbances {
-  Vector scale;      ///< m: spread of each state; 0: its equation is exact
-  double share = 0;  ///< what disturbs a state in one time scale, as a share of its spread
+  Vector scale;         ///< m: spread of each state; 0: its equation is exact
+  double fraction = 0;  ///< of a state's spread: disturbance in one time scale
 };
 
 /// The gains of the extended Kalman filter along its own path (Anderson and Moore, Optimal
-/// Filtering (1979), Ch. 8); initial states are known. Q = (share scale)^2 / time scale.
+/// Filtering (1979), Ch. 8); initial states are known. Q = (fraction scale)^2 / time scale.
 /// @param path receives the states of the filter.
 Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances& disturbances,
                    FitPath& path);

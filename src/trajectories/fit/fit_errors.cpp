@@ -18,7 +18,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// How many times its own size the deviation of a number is at most: of one beyond no more is
 /// known than before. Its size is what was given, or what was found where that differs from 0.
-constexpr double kToldOf = 100.0;
+constexpr double kMostRelativeError = 100.0;
 
 std::vector<std::string> global_names(const FitEngine& engine, const FitUnknowns& unknowns) {
   const std::vector<std::string> all = engine.model.names();
@@ -34,7 +34,7 @@ Vector global_values(const FitUnknowns& unknowns, const FitPoint& point) {
   return values;
 }
 
-/// Two numbers whose shares and whose changes are equal alike: the free run decides whether
+/// Two numbers whose fractions and whose changes are equal alike: the free run decides whether
 /// their sum or their product is what stays.
 bool is_sum(FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum& minimum,
             const Vector& direction) {
@@ -107,7 +107,7 @@ Vector local_errors(const Matrix& triangle, const Matrix& covariance, const Matr
         row[i] = ((i == k ? 1.0 : 0.0) - own.col(i).head(i).dot(row.head(i))) / own(i, i);
     const Vector through = triangle.block(0, locals, locals, g).transpose() * row;
     const double error = std::sqrt(row.squaredNorm() + through.dot(covariance * through));
-    if (error <= kToldOf * sizes[k]) errors[k] = error;
+    if (error <= kMostRelativeError * sizes[k]) errors[k] = error;
   }
   return errors;
 }
@@ -136,7 +136,7 @@ void add_unseen_states(const FitEngine& engine, const FitUnknowns& unknowns,
         engine.model.symbolic().states()[static_cast<std::size_t>(k)].name;
     if (seen <= kUnseen * most)
       errors.combinations.push_back(
-          {{name}, "the state " + name + " cannot be told from what is measured"});
+          {{name}, "the state " + name + " cannot be determined from what is measured"});
   }
 }
 
@@ -152,10 +152,10 @@ std::vector<bool> hold_bounds(const FitUnknowns& unknowns, const Vector& values,
   return errors.at_bound;
 }
 
-/// Numbers of which the records say nothing, and their names.
-void add_untold_numbers(const FitEngine& engine, const FitUnknowns& unknowns,
-                        const Vector& values, const std::vector<std::string>& names,
-                        FitErrors& errors) {
+/// Numbers of which the records show nothing, and their names.
+void add_undetermined_parameters(const FitEngine& engine, const FitUnknowns& unknowns,
+                                 const Vector& values, const std::vector<std::string>& names,
+                                 FitErrors& errors) {
   const Vector given = engine.model.values();
   for (Index i = 0; i < values.size(); ++i) {
     const auto place = static_cast<std::size_t>(i);
@@ -163,10 +163,10 @@ void add_untold_numbers(const FitEngine& engine, const FitUnknowns& unknowns,
     const double start = std::abs(given[unknowns.global[place]]), found = std::abs(values[i]);
     const bool is_zero = found <= 2.0 * deviation && start > 0.0;
     const double size = is_zero ? start : std::max(found, start);
-    if (!errors.known[place] || deviation <= kToldOf * size) continue;
+    if (!errors.known[place] || deviation <= kMostRelativeError * size) continue;
     errors.known[place] = false;
     errors.combinations.push_back(
-        {{names[place]}, names[place] + ": the records say nothing of it"});
+        {{names[place]}, names[place] + ": the records do not determine it"});
   }
 }
 
@@ -223,7 +223,7 @@ FitErrors errors_of(FitEngine& engine, const FitUnknowns& unknowns, const FitMin
   for (Index i = 0; i < g; ++i)
     if (!held[static_cast<std::size_t>(i)]) kept.push_back(i);
   errors.covariance = covariance_of_kept(linear, kept, white);
-  add_untold_numbers(engine, unknowns, values, names, errors);
+  add_undetermined_parameters(engine, unknowns, values, names, errors);
   Vector sizes = Vector::Ones(engine.states() + static_cast<Index>(unknowns.local.size()));
   sizes.head(engine.states()) = sizes_of(minimum.path);
   add_unseen_states(engine, unknowns, linear, sizes, errors);
@@ -237,13 +237,13 @@ FitMinimum nearest_minimum(FitEngine& engine, const FitUnknowns& unknowns, FitMi
   constexpr double kSame = 1.001, kMostLog = 20.0;
   const Vector values = global_values(unknowns, minimum.point);
   const Vector all = engine.model.values();
-  Vector shares = Vector::Zero(values.size());
+  Vector fractions = Vector::Zero(values.size());
   for (Index i = 0; i < values.size(); ++i) {
     const double start = all[unknowns.global[static_cast<std::size_t>(i)]];
-    if (start * values[i] > 0.0) shares[i] = std::log(start / values[i]);
+    if (start * values[i] > 0.0) fractions[i] = std::log(start / values[i]);
   }
   const Vector moves =
-      open * solve_symmetric(open.transpose() * open, open.transpose() * shares);
+      open * solve_symmetric(open.transpose() * open, open.transpose() * fractions);
   FitMinimum moved = minimum;
   for (Index i = 0; i < values.size(); ++i) {
     const Index p = unknowns.global[static_cast<std::size_t>(i)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors of fitted numbers.
+// Errors of parameters.
 #pragma once
 
 #include "fit_solver.hpp"
@@ -14,7 +14,7 @@ struct FitErrors {
   std::vector<bool> at_bound;  ///< G
   Matrix starts;               ///< R x (m + locals): standard errors; NaN where there is none
   std::vector<FitCombination> combinations;
-  Matrix open;  ///< G x d: directions of which nothing is known, as shares of the numbers
+  Matrix open;  ///< G x d: directions of which nothing is known, as fractions of the numbers
 };
 
 /// @param white whether the residuals are white; else gradients of blocks give the covariance:
@@ -23,7 +23,7 @@ FitErrors errors_of(FitEngine& engine, const FitUnknowns& unknowns, const FitMin
                     bool white);
 
 /// The same minimum as near as can be to where the numbers started, in the directions of which
-/// nothing is known: they are as they were, or changed by the least shares.
+/// nothing is known: they are as they were, or changed by the least fractions.
 FitMinimum nearest_minimum(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum minimum,
                            const Matrix& open, const RunContext& context);
 

@@ -53,10 +53,10 @@ struct PredictionErrors {
 
 PredictionErrors predictions_of(FitEngine& engine, const FitPoint& point, const FitPath& path,
                                 Index ahead) {
-  constexpr double kShare = 0.1;
+  constexpr double kFraction = 0.1;
   FitPath filtered;
   const Gains gains =
-      filter_gains(engine, point, disturbances_of(engine, path, kShare), filtered);
+      filter_gains(engine, point, disturbances_of(engine, path, kFraction), filtered);
   Vector compared;
   const Matrix errors = prediction_errors(engine, point, gains, ahead, compared);
   return {errors.colwise().norm().transpose().array() / compared.array().sqrt(), compared};
@@ -70,7 +70,7 @@ Dataset heads_of(Dataset data, Index samples) {
 }
 
 /// Initial states of held-out records: those that meet the first samples best. What these do
-/// not tell is as it was in the records of the fit.
+/// not determine is as it was in the records of the fit.
 Matrix starts_for(const ParametrisedModel& model, const Matrix& parameters, const Dataset& data,
                   const Matrix& usual, Index window) {
   FitEngine engine = fit_engine(model, fit_records(model, heads_of(data, window)));

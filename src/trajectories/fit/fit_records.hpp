@@ -14,7 +14,7 @@ namespace lacuna {
 struct FitChannel {
   std::string name, unit;
   Expression formula;
-  double noise = 0.0;   ///< what the samples show of it; 0 where it cannot be told
+  double noise = 0.0;   ///< what the samples show of it; 0 where it cannot be estimated
   double spread = 1.0;  ///< standard deviation of the samples
 };
 
@@ -26,7 +26,7 @@ struct FitRecords {
   Matrix values;                     ///< N x c
   Matrix valid;                      ///< N x c: 1 where a sample is a value, else 0
   Matrix starts;                     ///< R x m: first guess of the initial states
-  std::vector<bool> guessed;         ///< m: whether the records say nothing of that guess
+  std::vector<bool> guessed;         ///< m: whether the records show nothing of that guess
   Vector scale;                      ///< m: spread of a state where it is known, else 0
   double time_scale = 1.0;           ///< spread of the channels over that of their rates
 

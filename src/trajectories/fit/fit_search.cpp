@@ -14,8 +14,9 @@
 namespace lacuna {
 namespace {
 
-/// Shares of their spread by which states are disturbed in one time scale, one after another.
-constexpr std::array<double, 6> kShares = {3.0, 1.0, 0.3, 0.1, 0.03, 0.01};
+/// Fractions of their spread by which states are disturbed in one time scale, one after
+/// another.
+constexpr std::array<double, 6> kFractions = {3.0, 1.0, 0.3, 0.1, 0.03, 0.01};
 
 double spread_of(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
@@ -46,11 +47,11 @@ FitMinimum continued(FitEngine& engine, const FitUnknowns& unknowns, FitPoint po
   constexpr int kRounds = 2, kIterations = 8;
   const double samples = std::sqrt(engine.records.valid.sum());
   FitPath path = follow(engine, point, {});
-  for (std::size_t level = options.first_level; level < kShares.size(); ++level)
+  for (std::size_t level = options.first_level; level < kFractions.size(); ++level)
     for (int round = 0; round < kRounds; ++round) {
-      const double share = kShares[level];
+      const double fraction = kFractions[level];
       context.check_stop();
-      const Disturbances disturbances = disturbances_of(engine, path, share);
+      const Disturbances disturbances = disturbances_of(engine, path, fraction);
       FitPath filtered;
       const Gains gains = filter_gains(engine, point, disturbances, filtered);
       if (!gains.allFinite() || !std::isfinite(filtered.cost)) continue;
@@ -142,7 +143,7 @@ double excess(const FitEngine& engine, const FitUnknowns& unknowns, const FitMin
   return most;
 }
 
-/// How far parameters are from others, as shares of these.
+/// How far parameters are from others, as fractions of these.
 double distance(const FitPoint& a, const FitPoint& b) {
   return ((a.parameters - b.parameters).array() / (b.parameters.array().abs() + 1e-300))
       .abs()
@@ -169,17 +170,17 @@ bool changed_a_sign(const FitPoint& a, const FitPoint& b) {
 
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
   const double all = engine.records.valid.sum();
-  const double share = degrees_of_freedom(engine, unknowns) / std::max(1.0, all);
+  const double fraction = degrees_of_freedom(engine, unknowns) / std::max(1.0, all);
   Vector rms(path.residuals.cols());
   for (Index c = 0; c < rms.size(); ++c)
     rms[c] = path.residuals.col(c).norm() /
-             std::sqrt(std::max(1.0, share * engine.records.valid.col(c).sum()));
+             std::sqrt(std::max(1.0, fraction * engine.records.valid.col(c).sum()));
   return rms;
 }
 
-Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, double share) {
+Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, double fraction) {
   const Index m = engine.states();
-  Disturbances found{Vector::Zero(m), share};
+  Disturbances found{Vector::Zero(m), fraction};
   double logs = 0.0, known = 0.0;
   for (Index k = 0; k < m; ++k) {
     double& scale = found.scale[k];

@@ -38,6 +38,6 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
 
 /// Disturbances for a filter along a path. @param share see Disturbances.
-Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, double share);
+Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, double fraction);
 
 }  // namespace lacuna

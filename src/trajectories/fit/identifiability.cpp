@@ -10,8 +10,8 @@
 namespace lacuna {
 namespace {
 
-/// Entries of a direction below this share of its largest are rounding: what the derivatives of
-/// a path by numbers are known to, which are numerical.
+/// Entries of a direction below this fraction of its largest are rounding: what the derivatives
+/// of a path by numbers are known to, which are numerical.
 constexpr double kNothing = 0.02;
 
 /// Size by which a change of each number is measured: its own, or the error that it would have
@@ -57,7 +57,7 @@ int strong_members(const Matrix& scaled, const Vector& direction) {
   return count;
 }
 
-/// "k1*k4", "k1/k4^2": what stays as it is when a and b change by shares in the ratio 1 :
+/// "k1*k4", "k1/k4^2": what stays as it is when a and b change by fractions in the ratio 1 :
 /// power.
 std::string invariant(const std::string& a, const std::string& b, int power) {
   const std::string first =
@@ -124,7 +124,7 @@ FitCombination combination_of(const DeterminedBy& problem, const Vector& directi
   for (const Index i : members)
     found.members.push_back(problem.names[static_cast<std::size_t>(i)]);
   if (members.size() == 1) {
-    found.message = found.members[0] + ": the records say nothing of it";
+    found.message = found.members[0] + ": the records do not determine it";
     return found;
   }
   std::vector<std::string> names;

@@ -76,7 +76,7 @@ std::vector<Group> noisy_groups(const std::vector<SizedDifferences>& orders) {
   return groups;
 }
 
-/// Weighted squares that scale x sqrt(1 + ratio level^2) leaves over the groups, with the scale
+/// Weighted squares that scale x sqrt(1 + ratio level^2) leaves in the groups, with the scale
 /// that leaves least.
 struct ScaleFit {
   double squares = 0.0;
@@ -147,7 +147,7 @@ bool describes(const NoiseGrowth& growth, const SizedDifferences& differences, d
 
 }  // namespace
 
-double NoiseGrowth::at(double x) const { return std::hypot(floor, share * x); }
+double NoiseGrowth::at(double x) const { return std::hypot(floor, fraction * x); }
 
 std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders,
                                         const GrowingNoise& rule) {
@@ -166,7 +166,8 @@ std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& ord
   if (same.squares - best.squares < rule.significance * rule.significance) return std::nullopt;
   const double floor = std::exp(best.log_scale);
   const NoiseGrowth growth{floor, floor * std::sqrt(ratio)};
-  if (growth.share < rule.least_share || !describes(growth, orders.back(), rule.unit_variance))
+  if (growth.fraction < rule.least_fraction ||
+      !describes(growth, orders.back(), rule.unit_variance))
     return std::nullopt;
   return growth;
 }

@@ -11,10 +11,10 @@
 
 namespace lacuna {
 
-/// Noise whose standard deviation grows with the signal x: sqrt(floor^2 + (share x)^2).
+/// Noise whose standard deviation grows with the signal x: sqrt(floor^2 + (fraction x)^2).
 struct NoiseGrowth {
   double floor = 0.0;  ///< unit of the signal
-  double share = 0.0;
+  double fraction = 0.0;
 
   double at(double x) const;
 };
@@ -28,12 +28,12 @@ struct SizedDifferences {
 
 /// Whether noise grows with the signal. Differences are put into groups by the size of the
 /// signal; the robust deviations s_g of the groups are fitted by
-///   log s_g = log sqrt(floor^2 + (share x_g)^2),   var log s_g = 1.36 / n_g
+///   log s_g = log sqrt(floor^2 + (fraction x_g)^2),   var log s_g = 1.36 / n_g
 /// (median absolute deviation of n_g normal values). Nothing where that is not better than one
 /// deviation for all by the rule's significance. A group whose deviation goes on falling from
 /// order to order shows the signal and does not count. Nothing either where differences in
-/// units of the growing noise are not of unit variance, or where it is a smaller share of the
-/// value than instruments have.
+/// units of the growing noise are not of unit variance, or where it is a smaller fraction of
+/// the value than instruments have.
 /// @param orders differences of rising order, from one on that shows the noise.
 std::optional<NoiseGrowth> noise_growth(const std::vector<SizedDifferences>& orders,
                                         const GrowingNoise& rule);

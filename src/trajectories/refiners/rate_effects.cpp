@@ -9,9 +9,9 @@
 namespace lacuna {
 namespace {
 
-/// The shares in one equation.
+/// The fractions in one equation.
 /// @param theta triangle of its terms, one column each.
-Vector shares_in(const Matrix& theta, const Vector& h) {
+Vector fractions_in(const Matrix& theta, const Vector& h) {
   Matrix with_rate(theta.rows(), theta.cols() + 1);
   with_rate << theta, theta * h;
   std::vector<Index> all(static_cast<std::size_t>(theta.cols()));
@@ -41,7 +41,7 @@ RateEffects::RateEffects(WindowSearch& search, std::vector<Coefficient> columns)
   triangle_ = fold.finish().value_or(Matrix());
 }
 
-Vector RateEffects::shares(const std::vector<Index>& members, const Vector& h) const {
+Vector RateEffects::fractions(const std::vector<Index>& members, const Vector& h) const {
   Vector result = Vector::Zero(h.size());
   std::vector<Index> left(members.size());
   std::iota(left.begin(), left.end(), Index{0});
@@ -56,7 +56,7 @@ Vector RateEffects::shares(const std::vector<Index>& members, const Vector& h) c
     const std::vector<Index> same(left.begin(), others);
     std::vector<Index> places;
     for (const Index i : same) places.push_back(places_[column(i)]);
-    result(same) = shares_in(triangle_(Eigen::all, places), h(same));
+    result(same) = fractions_in(triangle_(Eigen::all, places), h(same));
     left.erase(left.begin(), others);
   }
   return result;

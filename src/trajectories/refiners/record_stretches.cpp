@@ -7,10 +7,10 @@
 namespace lacuna {
 namespace {
 
-/// @param share of the samples that are taken.
-void add_stretches(const Trajectory& record, Index length, double share, Dataset& result) {
+/// @param fraction of the samples that are taken.
+void add_stretches(const Trajectory& record, Index length, double fraction, Dataset& result) {
   const Index n = record.samples();
-  const double wanted = share * static_cast<double>(n);
+  const double wanted = fraction * static_cast<double>(n);
   const auto count = std::max<Index>(1, std::llround(wanted / static_cast<double>(length)));
   if (n <= 2 * count * length) return result.trajectories.push_back(record);
   for (Index i = 0; i < count; ++i)  // in the middle of equal parts
@@ -28,9 +28,9 @@ Dataset record_stretches(const Dataset& data, Index most, Index window) {
   Dataset result{data.time_unit, data.states,        data.inputs, {},
                  data.rate_of,   data.reconstructed, data.notes};
   const Index length = std::min(most, std::max(most / kStretches, kWindows * window));
-  const double share = static_cast<double>(most) / static_cast<double>(all);
+  const double fraction = static_cast<double>(most) / static_cast<double>(all);
   for (const Trajectory& record : data.trajectories)
-    add_stretches(record, length, share, result);
+    add_stretches(record, length, fraction, result);
   return result;
 }
 

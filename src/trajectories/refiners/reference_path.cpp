@@ -17,8 +17,8 @@ Vector without_outliers(const Trajectory& record, Index state, const Vector& noi
   Vector values = record.states.col(state);
   const Vector& t = record.time;
   for (const Index i : outlying_samples(record, state, noise)) {
-    const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
-    values[i] = (1.0 - share) * values[i - 1] + share * values[i + 1];
+    const double fraction = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+    values[i] = (1.0 - fraction) * values[i - 1] + fraction * values[i + 1];
   }
   return values;
 }

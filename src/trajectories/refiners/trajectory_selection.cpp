@@ -97,9 +97,9 @@ class Outcome {
     return task_.library.terms[static_cast<std::size_t>(column.term)];
   }
 
-  /// Residuals are noise when their rms is not above what the record itself says; that estimate
-  /// is good to a tenth, and an rms of n values to 1 / sqrt(2 n) of it. Noise below what the
-  /// integration resolves is not held against the model.
+  /// Residuals are noise when their rms is not above what the record itself shows; that
+  /// estimate is good to a tenth, and an rms of n values to 1 / sqrt(2 n) of it. Noise below
+  /// what the integration resolves does not count against the model.
   void judge(Index state, RefinedModel& result) const {
     const StateNoise& noise = noise_[static_cast<std::size_t>(state)];
     const bool measured = fit_.counts[state] > 0.0;
@@ -129,7 +129,7 @@ class Outcome {
       const Coefficient column = fit_.columns[static_cast<std::size_t>(fit_.subset[i])];
       if (column.equation == equation)
         steps.push_back({equation, term(column).name(), 0, true, losses[static_cast<Index>(i)],
-                         fit_.price});
+                         fit_.penalty});
     }
     number(steps, begin);
   }
@@ -142,7 +142,7 @@ class Outcome {
     for (std::size_t c = 0; c < fit_.columns.size(); ++c)
       if (fit_.columns[c].equation == equation && gains[static_cast<Index>(c)] > 0.0)
         others.push_back({equation, term(fit_.columns[c]).name(), 0, false,
-                          gains[static_cast<Index>(c)], fit_.price});
+                          gains[static_cast<Index>(c)], fit_.penalty});
     number(others, 0);
     if (others.size() > kShown) others.resize(kShown);
     const Index members =
@@ -185,7 +185,7 @@ void note_growing_noise(const SearchTask& search, std::vector<std::string>& note
   for (std::size_t k = 0; k < search.data.states.size(); ++k)
     if (const auto& growth = search.sample_noise.growth[k])
       notes.push_back("the noise of " + search.data.states[k].name + " grows with it: " +
-                      format_number(100.0 * growth->share, 2) + " % of the value");
+                      format_number(100.0 * growth->fraction, 2) + " % of the value");
 }
 
 /// Why a record cannot be fitted, or, when a model is already there, why that needs no fit.
@@ -199,7 +199,7 @@ std::string reason_to_leave(const RefinerTask& task, const std::vector<StateNois
   if (task.unexplained <= kTruncation &&
       std::all_of(noise.begin(), noise.end(),
                   [](const StateNoise& state) { return state.kind == NoiseKind::None; }))
-    return "the record has no noise that could be told from the signal";
+    return "the record has no noise that could be distinguished from the signal";
   return "";
 }
 

@@ -71,19 +71,19 @@ bool choose(const SearchTask& task, WindowSearch& search, const RunContext& cont
   const double all =
       std::pow(fit.triangle(fit.triangle.rows() - 1, fit.triangle.rows() - 1), 2);
   fit.scale = std::max(1.0, all / std::max(1.0, n - q));
-  fit.price = task.price.value_or(parameter_price(n) + choice_price(all_candidates));
+  fit.penalty = task.penalty.value_or(parameter_penalty(n) + choice_penalty(all_candidates));
   const SubsetProblem problem = problem_of(fit);
   const std::vector<Index> before = fit.subset;
-  fit.subset = best_subset(problem, fit.price, {before}, Exchange::Single, context).columns;
+  fit.subset = best_subset(problem, fit.penalty, {before}, Exchange::Single, context).columns;
   if (fit.subset == before)
-    fit.subset = best_subset(problem, fit.price, {before}, Exchange::Pairs, context).columns;
+    fit.subset = best_subset(problem, fit.penalty, {before}, Exchange::Pairs, context).columns;
   fit.subset = with_constrained(search, fit.subset);
   const std::optional<double> moved =
       move_path(search.rates, linearised, solve_subset(problem, search), search.path, context);
   return moved && *moved < kSmallMove && fit.subset == before;
 }
 
-/// Columns that were screened out and are worth their price about the path of the model are
+/// Columns that were screened out and are worth their penalty about the path of the model are
 /// taken in. @return whether there were any.
 bool widen(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   WindowFit& fit = search.fit;
@@ -183,11 +183,11 @@ void summarise(WindowSearch& search) {
       std::max(1.0, static_cast<double>(fit.rows) - static_cast<double>(fit.subset.size()));
   fit.misfit = misfits.sum() / freedom;
   fit.sigma = search.sigma;
-  // Initial states take their share of the freedom of every state.
-  const double share = freedom / std::max(1.0, fit.counts.sum());
+  // Initial states take their fraction of the freedom of every state.
+  const double fraction = freedom / std::max(1.0, fit.counts.sum());
   fit.rms = search.sigma;
   for (Index k = 0; k < fit.rms.size(); ++k)
-    fit.rms[k] *= std::sqrt(misfits[k] / std::max(1.0, share * fit.counts[k]));
+    fit.rms[k] *= std::sqrt(misfits[k] / std::max(1.0, fraction * fit.counts[k]));
 }
 
 }  // namespace lacuna

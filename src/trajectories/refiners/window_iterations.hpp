@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// Moves of the path below this share of sigma do not change any test.
+/// Moves of the path below this fraction of sigma do not change any test.
 inline constexpr double kSmallMove = 0.3;
 
 /// Where Newton's iteration for one structure ends; more iterations do not help where these do

@@ -40,7 +40,7 @@ void set_substeps(const SearchTask& task, WindowSearch& search, Index substeps, 
 }  // namespace
 
 Vector rounding_floor(const Dataset& data) {
-  constexpr double kRounding = 1e-7;  // share of a state's spread
+  constexpr double kRounding = 1e-7;  // fraction of a state's spread
   return kRounding * state_spans(data).cwiseMax(1e-300);
 }
 

@@ -9,7 +9,7 @@ namespace lacuna {
 /// believed in, or errors of the integration would be taken for structure.
 Vector rounding_floor(const Dataset& data);
 
-/// Where the noise cannot be told from the signal it is at most what the fit leaves.
+/// Where the noise cannot be distinguished from the signal it is at most what the fit leaves.
 /// @return whether a sigma became less than half of what it was.
 bool learn_noise(const SearchTask& task, WindowSearch& search);
 

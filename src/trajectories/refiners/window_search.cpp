@@ -74,7 +74,7 @@ Index most_samples(const SearchTask& task) {
 }
 
 /// Samples that a choice among many candidates takes: four for each candidate of an equation,
-/// and values enough to tell terms from noise.
+/// and values enough to distinguish terms from noise.
 Index samples_of_a_choice(const SearchTask& task) {
   // Facts of cost and of the statistic.
   constexpr Index kValuesOfAChoice = 30000, kSamplesOfACandidate = 4;
@@ -153,7 +153,7 @@ SearchTask search_task(Dataset data, const StructureTask& structure,
                   std::move(noise),
                   std::move(seen),
                   std::move(sample_noise),
-                  options.price,
+                  options.penalty,
                   constraints};
   for (Index k = 0; k < task.data.state_count(); ++k) {
     task.equations.exact.push_back(task.data.rate_state(k));
@@ -218,7 +218,7 @@ void finish(WindowSearch& search, const RunContext& context) {
 
 void simplify(const SearchTask& task, WindowSearch& search, double slack,
               const RunContext& context) {
-  if (search.fit.subset.empty() || task.price) return;
+  if (search.fit.subset.empty() || task.penalty) return;
   const Linearisation linearised = linearise_all(search, context);
   if (!linearised.triangle.allFinite()) return;
   const WindowFit found = search.fit;
@@ -227,7 +227,7 @@ void simplify(const SearchTask& task, WindowSearch& search, double slack,
   const SubsetProblem problem = problem_of(fit);
   const double limit = std::pow(1.0 + slack, 2) * fit_subset(problem, fit.subset).residual;
   fit.subset = simplest(search, problem, limit);
-  fit.price = std::max(fit.price, limit - fit_subset(problem, fit.subset).residual);
+  fit.penalty = std::max(fit.penalty, limit - fit_subset(problem, fit.subset).residual);
   move_path(search.rates, linearised, solve_subset(problem, search), search.path, context);
   finish(search, context);
   fit.sigma = found.sigma;  // the noise is what it was

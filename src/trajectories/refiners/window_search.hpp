@@ -21,13 +21,13 @@ struct SearchTask {
   std::vector<StateNoise> noise;        ///< of each state, as estimated from the record
   std::vector<StateNoise> seen;         ///< the same, whether it grows with the signal or not
   SampleNoise sample_noise;             ///< where it grows with the signal
-  std::optional<double> price;          ///< of a term
+  std::optional<double> penalty;        ///< of a term
   std::vector<CoefficientConstraint> constraints = {};
 };
 
 /// Samples of the first windows: half the support of a test function, which is the time in
-/// which a signal does what can be told from its noise; at least so many that initial states
-/// leave half of the samples.
+/// which a signal does what can be distinguished from its noise; at least so many that initial
+/// states leave half of the samples.
 Index first_window(const Dataset& data, int threads, const std::optional<Vector>& noise = {});
 
 /// What equations may have and have to satisfy.
@@ -48,7 +48,7 @@ struct WindowFit {
   std::vector<Index> subset;         ///< those in the model
   Matrix triangle;                   ///< of all candidates and the target
   double scale = 1.0;  ///< variance of the rows: 1 where the noise is known and the model right
-  double price = 0.0;
+  double penalty = 0.0;
   double misfit = 0.0;   ///< sum of squared weighted residuals per degree of freedom
   Index rows = 0;        ///< 0: the records are too short for windows
   bool settled = false;  ///< whether structure and path no longer change
@@ -64,7 +64,7 @@ struct WindowSearch {
   WindowRates rates;  ///< of the task's equations
   WindowedPath path;
   Vector sigma;  ///< of the noise of each state, as far as it is known
-  Vector floor;  ///< what sigma is at least where the noise cannot be told from the signal
+  Vector floor;  ///< least sigma where the noise cannot be distinguished from the signal
   Folding folding = Folding::Gram;  ///< as long as no Gram has failed
   Index most = kMostSamples;        ///< samples of the windows that are fitted, in all
   Index shortest = 0;               ///< samples of the first windows
@@ -93,7 +93,7 @@ void take_all_windows(const SearchTask& task, WindowSearch& search, const RunCon
 void finish(WindowSearch& search, const RunContext& context);
 
 /// For a model that is an approximation, which any term improves a little: terms leave as long
-/// as the rms of the residuals stays within 1 + slack of what it is. A price that was given
+/// as the rms of the residuals stays within 1 + slack of what it is. A penalty that was given
 /// stands, and all terms with it.
 void simplify(const SearchTask& task, WindowSearch& search, double slack,
               const RunContext& context);

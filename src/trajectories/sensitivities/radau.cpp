@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRoot = 2.4494897427831780982;  // of 6
 
-/// Facts of the method: errors are below this share of a state or of a thousandth of its
+/// Facts of the method: errors are below this fraction of a state or of a thousandth of its
 /// largest value, as are those of the explicit steps in its place; Newton's method leaves a
 /// thousandth.
 constexpr double kTolerance = 1e-8, kOfLargest = 1e-3, kNewton = 1e-3;
@@ -170,7 +170,7 @@ double RadauFlow::error(Rates& rates, double h, const Vector& x) {
   return size(off, h, x);
 }
 
-/// Root mean square of a change, in units of what is let pass: a share of the state, and the
+/// Root mean square of a change, in units of what is let pass: a fraction of the state, and the
 /// rounding of its rate.
 double RadauFlow::size(const Vector& change, double h, const Vector& x) const {
   constexpr double kRounding = 1e-15;

@@ -56,7 +56,7 @@ class StepBlock {
     state_ += (length_ / (6.0 * parts)).asDiagonal() * sum;
   }
 
-  /// Inputs, t and delayed variables at the share `s` of the steps.
+  /// Inputs, t and delayed variables at the fraction `s` of the steps.
   void set_driven(double s) {
     const std::array<double, 3> weight = parabolas(s);
     const double cubic = s * (s - 0.5) * (s - 1.0);

@@ -28,9 +28,10 @@ struct StepSlots {
     return nodes(grid.end(step), time) - nodes(grid.begin(step), time);
   }
 
-  /// Inputs, t or a delayed variable at a share of a step: the parabola through begin, middle
-  /// and end, and what makes it the cubic through the nearest samples.
-  /// @param weight of begin, middle and end; @param cubic s (s - 1/2) (s - 1) of the share s.
+  /// Inputs, t or a delayed variable at a fraction of a step: the parabola through begin,
+  /// middle and end, and what makes it the cubic through the nearest samples.
+  /// @param weight of begin, middle and end; @param cubic s (s - 1/2) (s - 1) of the fraction
+  /// s.
   double driven(Index step, Index column, const std::array<double, 3>& weight,
                 double cubic) const {
     const double* value = nodes.col(column).data() + grid.begin(step);
@@ -49,7 +50,7 @@ Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Ind
                      int parts);
 
 /// Parts of a step that leave an error of less than a tenth of each of several accuracies (an
-/// entry for each state), powers of two up to 32; a sample of the steps tells.
+/// entry for each state), powers of two up to 32; a sample of the steps decides.
 std::vector<int> parts_for(Rates& rates, const StepSlots& slots,
                            const std::vector<Vector>& accuracies);
 

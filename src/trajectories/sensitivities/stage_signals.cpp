@@ -36,8 +36,9 @@ DrivingSignals::DrivingSignals(const DrivingSamples& samples) : time_(samples.ti
   }
 }
 
-void DrivingSignals::at(const SpanOfTime& span, double share, double* signals, Index stride) {
-  const double t = span.begin + share * span.length;
+void DrivingSignals::at(const SpanOfTime& span, double fraction, double* signals,
+                        Index stride) {
+  const double t = span.begin + fraction * span.length;
   const auto write = [&](double value) {
     *signals = value;
     signals += stride;
@@ -46,7 +47,7 @@ void DrivingSignals::at(const SpanOfTime& span, double share, double* signals, I
   write(t);
   for (Delayed& delayed : delayed_) {
     const double from = span.begin - delayed.delay;
-    write(delayed.held ? delayed.signal.held_line(from, from + span.length).at(share)
+    write(delayed.held ? delayed.signal.held_line(from, from + span.length).at(fraction)
                        : delayed.signal(t - delayed.delay));
   }
 }

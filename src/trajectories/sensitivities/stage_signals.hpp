@@ -55,10 +55,10 @@ class DrivingSignals {
     return static_cast<Index>(inputs_.size() + delayed_.size()) + 1;
   }
 
-  /// Inputs, t and delayed variables at a share of a span: `size()` values, so far apart. Of a
-  /// delayed variable that is held, which jumps inside of spans, it is the line of least
+  /// Inputs, t and delayed variables at a fraction of a span: `size()` values, so far apart. Of
+  /// a delayed variable that is held, which jumps inside of spans, it is the line of least
   /// squares.
-  void at(const SpanOfTime& span, double share, double* signals, Index stride = 1);
+  void at(const SpanOfTime& span, double fraction, double* signals, Index stride = 1);
 
  private:
   struct Delayed {

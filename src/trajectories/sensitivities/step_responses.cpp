@@ -93,13 +93,13 @@ class StepPack {
   LACUNA_INLINE Index room() const { return m() * m() * kLane; }
   LACUNA_INLINE Index elements() const { return m() * m(); }
 
-  /// The slopes at a share of the steps.
-  LACUNA_INLINE void read_slope(double share, double* into) const {
+  /// The slopes at a fraction of the steps.
+  LACUNA_INLINE void read_slope(double fraction, double* into) const {
     const double* a[kLane];
     for (Index lane = 0; lane < kLane; ++lane) a[lane] = slope_of(lane);
     const Index count = elements();
-    if (share == 0.0 || share == 0.5 || share == 1.0) {
-      const Index skip = share == 0.0 ? 0 : share == 0.5 ? count : 2 * count;
+    if (fraction == 0.0 || fraction == 0.5 || fraction == 1.0) {
+      const Index skip = fraction == 0.0 ? 0 : fraction == 0.5 ? count : 2 * count;
       for (Index i = 0; i < m(); ++i)
         for (Index j = 0; j < m(); ++j) {
           const Index e = i + m() * j + skip;
@@ -108,7 +108,7 @@ class StepPack {
         }
       return;
     }
-    const Factors weight = parabolas(share);
+    const Factors weight = parabolas(fraction);
     for (Index i = 0; i < m(); ++i)
       for (Index j = 0; j < m(); ++j) {
         Pack value = {};
@@ -175,19 +175,19 @@ class StepPack {
   }
 
   /// The response of one part behind those of the parts before it.
-  LACUNA_INLINE void add_response(int part, const Factors& share, double*& response) {
+  LACUNA_INLINE void add_response(int part, const Factors& fraction, double*& response) {
     if (part > 0) carry(response);
     const Pack h = at<kLane>(length_).values / 6.0;
     for (Index e = 0; e < room(); e += kLane) {
-      const Pack own = h * (share[0] * at<kLane>(whole_ + e).values +
-                            share[1] * at<kLane>(later_ + e).values);
+      const Pack own = h * (fraction[0] * at<kLane>(whole_ + e).values +
+                            fraction[1] * at<kLane>(later_ + e).values);
       if (part == 0)
         at<kLane>(response + e).values = own;
       else
         at<kLane>(response + e).values += own;
     }
     for (Index i = 0; i < m(); ++i)
-      at<kLane>(response + i * (m() + 1) * kLane).values += h * share[2];
+      at<kLane>(response + i * (m() + 1) * kLane).values += h * fraction[2];
   }
 
   /// out = base + factor left right, with a left factor that is 0 where the slopes are.

@@ -13,10 +13,10 @@ Eigen::Map<const Matrix> slope_at(const Matrix& slopes, Index node, Index m) {
   return {slopes.col(node).data(), m, m};
 }
 
-/// The parabola through the slopes of a step at a share of it.
-Matrix slope_inside(const Matrix& slopes, const StepGrid& grid, Index step, double share,
+/// The parabola through the slopes of a step at a fraction of it.
+Matrix slope_inside(const Matrix& slopes, const StepGrid& grid, Index step, double fraction,
                     Index m) {
-  const std::array<double, 3> weight = parabolas(share);
+  const std::array<double, 3> weight = parabolas(fraction);
   return weight[0] * slope_at(slopes, grid.begin(step), m) +
          weight[1] * slope_at(slopes, grid.middle(step), m) +
          weight[2] * slope_at(slopes, grid.end(step), m);
@@ -32,9 +32,9 @@ Matrix carried_over(const Matrix& slopes, const StepGrid& grid, Index step, doub
   RadauSlopes rates;
   for (int part = 0; part < kParts; ++part) {
     for (std::size_t stage = 0; stage < 3; ++stage) {
-      const double share = (part + Radau::nodes()[stage]) / kParts;
-      const std::array<double, 3> weight = parabolas(share);
-      rates.jacobian[stage] = slope_inside(slopes, grid, step, share, m);
+      const double fraction = (part + Radau::nodes()[stage]) / kParts;
+      const std::array<double, 3> weight = parabolas(fraction);
+      rates.jacobian[stage] = slope_inside(slopes, grid, step, fraction, m);
       rates.forcing[stage] = Matrix::Zero(m, 4 * m);
       for (std::size_t q = 0; q < 3; ++q)
         rates.forcing[stage]
@@ -65,9 +65,9 @@ std::optional<Matrix> implicit_ends(Rates& rates, const StepSlots& slots,
   for (Index i = 0; i < slots.steps(); ++i) {
     const double length = slots.length(i);
     const auto drive = [&](double t, double* slot) {
-      const double share = t / length;
-      const std::array<double, 3> weight = parabolas(share);
-      const double cubic = share * (share - 0.5) * (share - 1.0);
+      const double fraction = t / length;
+      const std::array<double, 3> weight = parabolas(fraction);
+      const double cubic = fraction * (fraction - 0.5) * (fraction - 1.0);
       for (Index column = slots.states; column < slots.nodes.cols(); ++column)
         slot[column] = slots.driven(i, column, weight, cubic);
     };

@@ -17,7 +17,7 @@ namespace lacuna {
 /// any method; on a chaotic orbit of many Lyapunov times nothing reaches that.
 /// @param model at the true parameters; @param truth record of the true states, without noise.
 /// @param sigma noise of each state that the record has.
-/// @return P entries; infinite where the record says nothing.
+/// @return P entries; infinite where the record shows nothing.
 /// @throws ArgumentError when sigma does not fit; DataError as refine().
 /// @throws ArgumentError unless there is one positive sigma per state, and windows lie in the
 ///   record.

@@ -88,7 +88,7 @@ void check_options(const ParametrisedModel& model, const Dataset& data,
     throw ArgumentError("refine", "the bound of the robust loss is not positive",
                         "give a number of standard deviations, e.g. 1.345");
   if (options.window_samples && *options.window_samples < 2)
-    throw ArgumentError("refine", "windows of fewer than two samples say nothing",
+    throw ArgumentError("refine", "windows of fewer than two samples show nothing",
                         "give at least 2, or leave it out");
   if (options.states && (options.states->rows() != data.samples() ||
                          options.states->cols() != model.symbolic().dimension()))

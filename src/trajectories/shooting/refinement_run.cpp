@@ -19,25 +19,26 @@ namespace {
 /// Beyond this growth of errors in a window, initial states drown in rounding.
 constexpr double kLargestGrowth = 1e6;
 
-/// Noise below this share of a state's spread is rounding.
+/// Noise below this fraction of a state's spread is rounding.
 constexpr double kRoundingNoise = 1e-13;
 
-/// Residuals below this share are those of the integration, not of the model.
+/// Residuals below this fraction are those of the integration, not of the model.
 constexpr double kIntegrationNoise = 1e-9;
 
 /// A growth at which errors do not yet grow: a few times their size, as in damped oscillations.
 constexpr double kNoGrowth = 5.0;
 
-/// Longer windows that make standard errors smaller by less than this share are not worth it.
+/// Longer windows that make standard errors smaller by less than this fraction are not worth
+/// it.
 constexpr double kSmallGain = 0.01;
 
 /// Decreases of the cost, in units of the cost per degree of freedom, that end an iteration: a
 /// tenth of a standard error on the way, a ten-thousandth at the end.
 constexpr double kTolerance = 1e-2, kFinalTolerance = 1e-8;
 
-/// The same for a model that is not exact, as shares of the cost: beside correlated residuals
-/// smaller steps say nothing.
-constexpr double kCoarseShare = 1e-3, kFineShare = 1e-5;
+/// The same for a model that is not exact, as fractions of the cost: beside correlated
+/// residuals smaller steps say nothing.
+constexpr double kCoarseFraction = 1e-3, kFineFraction = 1e-5;
 
 constexpr Index kLags = 20;
 
@@ -249,7 +250,7 @@ double residual_count(const ShootingProblem& problem) {
 void search(const Task& task, const WindowLimits& limits, RefinementRun& run) {
   const ErrorGrowth growth = scaled_growth(task, run.fit.linear.transitions);
   const InexactWindows search{growth, growth_limit(task), limits.shortest,
-                              kCoarseShare * residual_count(task.problem),
+                              kCoarseFraction * residual_count(task.problem),
                               task.options.max_iterations};
   run.fit = search_windows(task.problem, run.fit, search, task.context);
   update_sigma(task, run.fit);
@@ -260,7 +261,7 @@ void polish(const Task& task, RefinementRun& run) {
   constexpr int kRounds = 4;
   ShootingProblem& problem = task.problem;
   const double tolerance =
-      has_structure(task, run.fit) ? kFineShare * residual_count(problem) : kFinalTolerance;
+      has_structure(task, run.fit) ? kFineFraction * residual_count(problem) : kFinalTolerance;
   for (int round = 0; round < kRounds; ++round) {
     const StepScheme scheme = problem.scheme();
     run.iterations += minimise_from(task, run.fit, run.fit.point.orbits.samples, tolerance);

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-/// Pivots below this share of the norm of their column are rounding.
+/// Pivots below this fraction of the norm of their column are rounding.
 constexpr double kRounding = 1e-12;
 
 void add_row(RowFold& fold, Index column, double value, double target) {

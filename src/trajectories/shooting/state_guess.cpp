@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-/// A divisor smaller than this share of its largest value says nothing about the quotient.
+/// A divisor smaller than this fraction of its largest value says nothing about the quotient.
 constexpr double kSmallDivisor = 1e-3;
 
 struct LocalFit {

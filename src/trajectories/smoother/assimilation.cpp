@@ -201,15 +201,15 @@ Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
   return measured;
 }
 
-std::optional<Assimilation> with_seen_noise(const Assimilation& fit) {
+std::optional<Assimilation> with_estimated_noise(const Assimilation& fit) {
   // A decision (docs/decisions.md).
-  constexpr double kShareOfSeenNoise = 0.3;
+  constexpr double kFractionOfEstimatedNoise = 0.3;
   Assimilation start = fit;
   bool raised = false;
-  for (Index k = 0; k < fit.seen_noise.size(); ++k) {
+  for (Index k = 0; k < fit.estimated_noise.size(); ++k) {
     auto& white = start.noise.measurement[static_cast<std::size_t>(k)];
-    if (!white || *white >= kShareOfSeenNoise * fit.seen_noise[k]) continue;
-    white = fit.seen_noise[k];
+    if (!white || *white >= kFractionOfEstimatedNoise * fit.estimated_noise[k]) continue;
+    white = fit.estimated_noise[k];
     raised = true;
   }
   return raised ? std::optional(std::move(start)) : std::nullopt;
@@ -217,7 +217,7 @@ std::optional<Assimilation> with_seen_noise(const Assimilation& fit) {
 
 Assimilation settled(Assimilation found, const Dataset& data,
                      const AssimilationOptions& options, const RunContext& context) {
-  const auto start = with_seen_noise(found);
+  const auto start = with_estimated_noise(found);
   if (!start) return found;
   Assimilation other = assimilate_from(found.model, data, *start, options, context);
   return other.deviance < found.deviance ? other : found;
@@ -228,8 +228,8 @@ Assimilation assimilate(const OdeModel& model, const BoundRecords& records,
   const auto& [data, channels, outliers, notes] = records;
   Assimilation start{model};
   start.omitted = outliers;
-  start.seen_noise = visible_noise(records);
-  start.noise = first_noise(model, data, start.seen_noise, options);
+  start.estimated_noise = visible_noise(records);
+  start.noise = first_noise(model, data, start.estimated_noise, options);
   for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
     const Matrix& states = data.trajectories[r].states;
     start.records.emplace_back();

@@ -25,7 +25,7 @@ Truncation::Truncation(double z) {
   shift = std::exp(-0.5 * z * z - kLogRootTwoPi - log_phi);
   // lambda + z cancels far below 0, where it is 1/|z| (1 - 2/z^2 ...)
   const double sum = z > kFarBelow ? shift + z : -1.0 / z * (1.0 - 2.0 / (z * z));
-  share = shift * sum;
+  fraction = shift * sum;
 }
 
 }  // namespace lacuna

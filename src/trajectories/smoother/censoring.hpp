@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a sample says that is known to be at least, or at most, so large.
+// What a sample shows that is known to be at least, or at most, so large.
 #pragma once
 
 namespace lacuna {
@@ -7,14 +7,14 @@ namespace lacuna {
 /// A normal variable of which only z > 0 is known, z = mean / deviation.
 ///
 /// With the standard normal density phi and distribution Phi: the probability is Phi(z), the
-/// mean moves by lambda deviations and the variance shrinks by the share delta,
+/// mean moves by lambda deviations and the variance shrinks by the fraction delta,
 ///   lambda = phi(z) / Phi(z), delta = lambda (lambda + z),
 /// the moments of the truncated normal distribution (Tobin, Econometrica 26 (1958); Johnson,
 /// Kotz and Balakrishnan, Continuous Univariate Distributions 1 (1994), Ch. 13.10).
 struct Truncation {
   double deviance = 0.0;  ///< -2 log Phi(z)
   double shift = 0.0;     ///< lambda
-  double share = 0.0;     ///< delta, 0 .. 1
+  double fraction = 0.0;  ///< delta, 0 .. 1
 
   explicit Truncation(double z);
 };

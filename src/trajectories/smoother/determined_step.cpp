@@ -22,7 +22,7 @@ Parts parts_of(const Vector& size, const std::vector<Index>& kept) {
   return parts;
 }
 
-/// What is left of the normal matrix of the sized unknowns when the others do what they like.
+/// The rest of the normal matrix of the sized unknowns when the others do what they like.
 Matrix schur_complement(const Matrix& normal, const Parts& parts) {
   const Matrix own = normal(parts.sized, parts.sized);
   if (parts.free.empty()) return own;
@@ -40,7 +40,7 @@ DeterminedStep determined_step(const Matrix& normal, const Vector& right, const 
   const Parts parts = parts_of(size, kept);
   const auto sized = static_cast<Index>(parts.sized.size());
   const Vector sizes = size(parts.sized);
-  // Relative changes, those of which the records tell least first.
+  // Relative changes, those of which the records determine least first.
   Matrix changes(sized, sized);
   Index held = 0;
   if (sized > 0) {

@@ -15,7 +15,7 @@ struct DeterminedStep {
 };
 
 /// Solves normal x change = right. Where some of the p unknowns have a size (not 0), directions
-/// in them of which the equations tell less than their size by three standard deviations -
+/// in them of which the equations determine less than their size by three standard deviations -
 /// whatever the other unknowns do - are held: eigenvectors of the Schur complement, scaled by
 /// the sizes, with eigenvalues below 1/9.
 /// @param size p entries: of each unknown with its sign, 0 where it is free to be anything.

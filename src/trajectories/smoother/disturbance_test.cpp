@@ -81,7 +81,7 @@ double total_disturbance(const Assimilation& fit, const Vector& rates) {
   return sum;
 }
 
-double share_closed(const Assimilation& before, const Assimilation& after) {
+double fraction_closed(const Assimilation& before, const Assimilation& after) {
   const Vector rates = rate_rms(before);
   const double had = total_disturbance(before, rates);
   return had > 0.0 ? std::clamp(1.0 - total_disturbance(after, rates) / had, 0.0, 1.0) : 1.0;

@@ -195,8 +195,8 @@ class KalmanStep {
       covariance_[k * shape.stride() + k] = variances_.start[k];
   }
 
-  /// Takes in what was measured (minus the path) on one channel as the mark of the sample says,
-  /// which is no outlier and not missing. The gain is left in gain().
+  /// Takes in what was measured (minus the path) on one channel as the mark of the sample
+  /// shows, which is no outlier and not missing. The gain is left in gain().
   LACUNA_INLINE Innovation update(Index channel, double measured, Mark mark = Mark::Value) {
     const Innovation whole = expect(channel, measured);
     const Innovation seen = is_clipped(mark) ? censored(whole, mark) : whole;
@@ -257,15 +257,15 @@ class KalmanStep {
   /// beyond the end of the channel: with z in deviations, a value of lambda/delta deviations
   /// and a variance of 1/delta of the whole.
   static Innovation censored(const Innovation& at_end, Mark mark) {
-    constexpr double kLeastShare = 1e-12;  // share of the variance: the model is far beyond
+    constexpr double kLeastFraction = 1e-12;  // of the variance: the model is far beyond
     const double side = mark == Mark::AtTop ? 1.0 : -1.0;
     const double deviation = std::sqrt(at_end.variance);
     const double z = -side * at_end.value / deviation;
     const Truncation known(z);
     const double slope = known.shift * z / at_end.variance;
-    if (known.share < kLeastShare)
+    if (known.fraction < kLeastFraction)
       return {0.0, std::numeric_limits<double>::infinity(), known.deviance, 1.0, slope};
-    return {side * known.shift / known.share * deviation, at_end.variance / known.share,
+    return {side * known.shift / known.fraction * deviation, at_end.variance / known.fraction,
             known.deviance, 1.0, slope};
   }
 

@@ -192,7 +192,7 @@ class Backward {
       if (colour >= map_.size) continue;
       const Index sum = m + map_.channels() + c;
       const double decay = first ? 0.0 : map_.decay[static_cast<std::size_t>(colour - m)];
-      const double renewed = 1.0 - decay * decay;  // share of its variance
+      const double renewed = 1.0 - decay * decay;  // fraction of its variance
       result_.found[sum] += renewed * adjoint_[colour] * adjoint_[colour];
       result_.expected[sum] += renewed * covariance_[colour * (shape_.stride() + 1)];
     }

@@ -77,8 +77,8 @@ TimingJitter timing_jitter(const Assimilation& fit) {
   const double square = inner / information;
   jitter.deviation = std::sqrt(square);
   jitter.sigma = inner / std::sqrt(information);
-  jitter.share = std::min(1.0, square * residuals.rate.rowwise().squaredNorm().maxCoeff() /
-                                   static_cast<double>(residuals.rate.cols()));
+  jitter.fraction = std::min(1.0, square * residuals.rate.rowwise().squaredNorm().maxCoeff() /
+                                      static_cast<double>(residuals.rate.cols()));
   return jitter;
 }
 

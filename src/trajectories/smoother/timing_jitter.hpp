@@ -9,10 +9,10 @@ namespace lacuna {
 struct TimingJitter {
   double deviation = 0.0;  ///< of a sample's time, time units; 0 where none is seen
   double sigma = 0.0;      ///< its significance, in standard deviations
-  double share = 0.0;      ///< largest share that it has in the variance of a channel's noise
+  double fraction = 0.0;  ///< largest fraction that it has in the variance of a channel's noise
 };
 
-/// A sample that is taken at another time than the record says is off by the state's rate
+/// A sample that is taken at another time than the record shows is off by the state's rate
 /// times the difference, in all channels together: with residuals e = measured - path, rates r
 /// of the path and noise of deviation s,
 ///   E e_j e_k = s_j^2 [j = k] + d^2 r_j r_k,

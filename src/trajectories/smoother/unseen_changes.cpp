@@ -13,10 +13,10 @@ namespace lacuna {
 namespace {
 
 constexpr Index kPoints = 200;  // many more than unknowns
-/// Singular values below this share of the largest are rounding.
+/// Singular values below this fraction of the largest are rounding.
 constexpr double kRankTolerance = 1e-7;
 /// Part of a null vector that is more than rounding.
-constexpr double kRoundingShare = 1e-5;
+constexpr double kRoundingFraction = 1e-5;
 
 /// Points of the records: states, inputs and t in rows.
 Matrix points_of(const Dataset& data, Index states) {
@@ -139,7 +139,7 @@ bool has_hidden(const Expression& term, const OdeModel& model,
   return false;
 }
 
-/// Rows of `directions`, one for each column, by which all of them are told: those of
+/// Rows of `directions`, one for each column, by which all of them are determined: those of
 /// coefficients by which a hidden state acts on one that is seen before others, then the
 /// largest.
 std::vector<Index> units_of(Matrix directions, const OdeModel& model,
@@ -147,7 +147,7 @@ std::vector<Index> units_of(Matrix directions, const OdeModel& model,
                             const std::vector<CoefficientPlace>& free) {
   // Of the largest: far from 0, so that elimination by it is exact. Any choice gives the same
   // model in other units.
-  constexpr double kShareOfLargest = 0.3;
+  constexpr double kFractionOfLargest = 0.3;
   std::vector<Index> units;
   while (static_cast<Index>(units.size()) < directions.cols()) {
     const Vector size = directions.rowwise().norm();
@@ -162,13 +162,13 @@ std::vector<Index> units_of(Matrix directions, const OdeModel& model,
           has_hidden(
               model.equations()[equation][static_cast<std::size_t>(term)].term.expression(),
               model, hidden);
-      if (!acts || size[j] < kShareOfLargest * largest || size[j] <= most) continue;
+      if (!acts || size[j] < kFractionOfLargest * largest || size[j] <= most) continue;
       best = j;
       most = size[j];
     }
     units.push_back(best);
-    const Vector told = directions.row(best).normalized().transpose();
-    directions -= (directions * told * told.transpose()).eval();
+    const Vector determined = directions.row(best).normalized().transpose();
+    directions -= (directions * determined * determined.transpose()).eval();
   }
   return units;
 }
@@ -178,7 +178,7 @@ Matrix changes_in(const Matrix& null, const Vector& scale,
                   const std::vector<std::size_t>& unknown, Index free) {
   const auto p = static_cast<Index>(unknown.size());
   const SingularValues own = singular_values(null.topRows(p));
-  const Index seen = (own.values.array() > kRoundingShare).count();
+  const Index seen = (own.values.array() > kRoundingFraction).count();
   Matrix result = Matrix::Zero(free, seen);
   if (seen == 0) return result;
   const Matrix relative = scale.head(p).asDiagonal() * own.left.leftCols(seen);

@@ -123,17 +123,18 @@ SubsetProblem problem_in(const Matrix& gram, std::vector<Index> chosen, Index ta
 /// Members of a problem in the order in which they leave, and from where on they are worth it.
 struct Elimination {
   std::vector<Index> order;
-  std::size_t worth = 0;  ///< the first that is worth the price
+  std::size_t worth = 0;  ///< the first that is worth the penalty
 };
 
-Elimination eliminated(const SubsetProblem& problem, double price, const RunContext& context) {
+Elimination eliminated(const SubsetProblem& problem, double penalty,
+                       const RunContext& context) {
   std::vector<Index> left(static_cast<std::size_t>(problem.columns()));
   std::iota(left.begin(), left.end(), Index{0});
   Elimination result;
   for (bool cheap = true; !left.empty();) {
     context.check_stop();
     Index worst = 0;
-    cheap = losses_of(fit_subset(problem, left)).minCoeff(&worst) < price && cheap;
+    cheap = losses_of(fit_subset(problem, left)).minCoeff(&worst) < penalty && cheap;
     if (cheap) result.worth = result.order.size() + 1;
     result.order.push_back(left[static_cast<std::size_t>(worst)]);
     left.erase(left.begin() + worst);
@@ -170,7 +171,7 @@ Matrix gram_of(const IntegralRows& rows, std::vector<Index> terms, Index target)
 ScreenedCandidates screen_equation(const SearchTask& task, const WindowSearch& search,
                                    Index equation, const IntegralRows& rows,
                                    const RunContext& context) {
-  // Facts of the search: of those near the price the right ones may be any.
+  // Facts of the search: of those near the penalty the right ones may be any.
   constexpr std::size_t kPlausibleOfWorth = 2, kPlausibleBeside = 4;
   const Index room = kMostColumns / task.equations.dimension();
   const Index taken = std::max<Index>(40, room);
@@ -188,9 +189,9 @@ ScreenedCandidates screen_equation(const SearchTask& task, const WindowSearch& s
   const double scale =
       std::max(1.0, order.left / (sigma * sigma) /
                         std::max(1.0, n - static_cast<double>(problem.columns())));
-  const double price = task.price.value_or(
-      parameter_price(n) + choice_price(static_cast<double>(task.candidates.size())));
-  const Elimination left = eliminated(problem, scale * price, context);
+  const double penalty = task.penalty.value_or(
+      parameter_penalty(n) + choice_penalty(static_cast<double>(task.candidates.size())));
+  const Elimination left = eliminated(problem, scale * penalty, context);
   const std::size_t size = left.order.size();
   const std::size_t plausible =
       std::min(size, std::max(kPlausibleOfWorth * (size - left.worth) + kPlausibleBeside,

@@ -15,7 +15,7 @@ bool is_wide(const SearchTask& task);
 
 /// What rows that are cheap say of the candidates.
 struct ScreenedCandidates {
-  std::vector<Coefficient> worth;      ///< those worth their price, increasing
+  std::vector<Coefficient> worth;      ///< those worth their penalty, increasing
   std::vector<Coefficient> plausible;  ///< those, and the next best: several times as many, or
                                        ///< as there is room for in 250
 };
@@ -30,7 +30,7 @@ struct ScreenedCandidates {
 /// orthogonal least squares, those of the model as it is first, and then left out, the one that
 /// is worth least first. Errors of the path bias this a little; the joint problem of the
 /// plausible columns decides. About the path of a fitted model the residuals are its own, so
-/// that what this finds worth its price is what the model lacks.
+/// that what this finds worth its penalty is what the model lacks.
 ScreenedCandidates screen_candidates(const SearchTask& task, WindowSearch& search,
                                      const RunContext& context);
 

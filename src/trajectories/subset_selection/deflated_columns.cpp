@@ -7,18 +7,18 @@ namespace lacuna {
 
 void DeflatedColumns::take(Index j) {
   const Vector direction = columns.col(j) / std::sqrt(sizes[j]);
-  const Eigen::RowVectorXd shares = direction.transpose() * columns;
-  columns.noalias() -= direction * shares;
+  const Eigen::RowVectorXd fractions = direction.transpose() * columns;
+  columns.noalias() -= direction * fractions;
   sizes = columns.leftCols(sizes.size()).colwise().squaredNorm();
   sizes[j] = 0.0;
 }
 
 Vector DeflatedColumns::gains() const {
   const Index q = sizes.size();
-  const Vector shares = columns.leftCols(q).transpose() * columns.col(q);
+  const Vector fractions = columns.leftCols(q).transpose() * columns.col(q);
   Vector result = Vector::Zero(q);
   for (Index j = 0; j < q; ++j)
-    if (is_new(j)) result[j] = shares[j] * shares[j] / sizes[j];
+    if (is_new(j)) result[j] = fractions[j] * fractions[j] / sizes[j];
   return result;
 }
 

@@ -7,8 +7,8 @@
 
 namespace lacuna {
 
-/// Share of a column that is not rounding.
-inline constexpr double kNewShare = 1e-9;
+/// Fraction of a column that is not rounding.
+inline constexpr double kNewFraction = 1e-9;
 
 /// All scaled columns without what a subset explains.
 struct DeflatedColumns {
@@ -16,7 +16,7 @@ struct DeflatedColumns {
   Vector sizes;    ///< squared norms, q
 
   /// Whether so much of a column is left that it is none of those taken out.
-  bool is_new(Index j) const { return sizes[j] > kNewShare * kNewShare; }
+  bool is_new(Index j) const { return sizes[j] > kNewFraction * kNewFraction; }
 
   /// Takes column j out of all others.
   void take(Index j);

@@ -22,7 +22,7 @@ std::vector<Coefficient> columns_of(const WindowFit& fit) {
   return columns;
 }
 
-/// How much the residuals may grow. Where they are what the record itself says of its noise
+/// How much the residuals may grow. Where they are what the record itself shows of its noise
 /// they are no errors of a solver, and the model is to stay at the noise; else as they like.
 double slack_of(const SearchTask& task, const WindowFit& fit) {
   // A decision (docs/decisions.md): so well the noise of a record is known.
@@ -82,12 +82,12 @@ class ColumnElimination {
   std::optional<Index> least_negligible() {
     const SubsetFit fit = fit_subset(problem_, members_);
     const Vector losses = losses_of(fit);
-    const Vector shares = effects_.shares(members_, solution_of(problem_, members_));
+    const Vector fractions = effects_.fractions(members_, solution_of(problem_, members_));
     std::optional<Index> least;
     for (Index i = 0; i < losses.size(); ++i) {
       const double growth = std::sqrt(1.0 + losses[i] / std::max(fit.residual, 1e-300));
-      if (!rule_.holds(shares[i], growth)) continue;
-      if (fit.residual + losses[i] > limit_ && shares[i] > NegligibleTerms::kResolution)
+      if (!rule_.holds(fractions[i], growth)) continue;
+      if (fit.residual + losses[i] > limit_ && fractions[i] > NegligibleTerms::kResolution)
         continue;
       const Index member = members_[static_cast<std::size_t>(i)];
       if (is_last(member) ||
@@ -98,7 +98,7 @@ class ColumnElimination {
     if (least)
       left_out_.push_back(
           {columns_[static_cast<std::size_t>(members_[static_cast<std::size_t>(*least)])],
-           shares[*least], rule_.effect_size});
+           fractions[*least], rule_.effect_size});
     return least;
   }
 
@@ -132,7 +132,7 @@ std::vector<LeftOut> eliminate(WindowSearch& search, const NegligibleTerms& rule
   }
   move_path(search.rates, elimination.linearised(), values, search.path, context);
   finish(search, context);
-  // What was left out on purpose is not held against the model.
+  // What was omitted on purpose does not count against the model.
   fit.sigma = found.sigma;
   for (Index k = 0; k < fit.sigma.size(); ++k)
     if (fit.rms[k] > found.rms[k] && found.rms[k] > 0.0)
@@ -149,7 +149,7 @@ std::vector<LeftOut> leave_out_negligible(const SearchTask& task, WindowSearch& 
                                           const RunContext& context) {
   constexpr int kRounds = 5;  // what is negligible beside terms that were not is seen later
   std::vector<LeftOut> all;
-  if (task.price || search.fit.subset.empty()) return all;
+  if (task.penalty || search.fit.subset.empty()) return all;
   const double slack = slack_of(task, search.fit);
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<LeftOut> more = eliminate(search, rule, slack, context);

@@ -44,18 +44,18 @@ std::optional<SearchTask> plain_task(const SearchTask& task, double strength,
        find_relations(task.data, {.strength = strength}, context, task.seen))
     for (Exponents& summand : highest_summands(relation, library.variables))
       leaders.push_back(std::move(summand));
-  const auto is_other_writing = [&](const Coefficient& column) {
+  const auto is_other_parametrisation = [&](const Coefficient& column) {
     const auto& exponents = library.terms[static_cast<std::size_t>(column.term)].exponents();
     return exponents && std::any_of(leaders.begin(), leaders.end(), [&](const auto& leader) {
              return divides(leader, *exponents);
            });
   };
-  if (std::none_of(task.candidates.begin(), task.candidates.end(), is_other_writing))
+  if (std::none_of(task.candidates.begin(), task.candidates.end(), is_other_parametrisation))
     return std::nullopt;
   SearchTask plain = task;
-  plain.candidates.erase(
-      std::remove_if(plain.candidates.begin(), plain.candidates.end(), is_other_writing),
-      plain.candidates.end());
+  plain.candidates.erase(std::remove_if(plain.candidates.begin(), plain.candidates.end(),
+                                        is_other_parametrisation),
+                         plain.candidates.end());
   return plain;
 }
 

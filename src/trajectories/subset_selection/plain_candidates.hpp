@@ -9,7 +9,7 @@ namespace lacuna {
 
 /// The task without candidates that a relation of the record writes in lower ones: multiples of
 /// the highest summands of sum_j c_j phi_j = value. On a circle x^3 + x y^2 is x, and what
-/// tells them apart is noise. Nothing where no candidate is one of them, or constraints name
+/// distinguishes them is noise. Nothing where no candidate is one of them, or constraints name
 /// terms.
 /// @param strength what summands of a relation vary by, in units of its scatter.
 std::optional<SearchTask> plain_task(const SearchTask& task, double strength,

@@ -7,14 +7,14 @@
 namespace lacuna {
 namespace {
 
-/// Shares of an orthonormal basis of what members i and (when it is another one) j release.
+/// Fractions of an orthonormal basis of what members i and (when it is another one) j release.
 Matrix released(const SubsetExchanges& all, Index i, Index j) {
-  Matrix result(i == j ? 1 : 2, all.shares.cols());
-  result.row(0) = all.shares.row(i);
+  Matrix result(i == j ? 1 : 2, all.fractions.cols());
+  result.row(0) = all.fractions.row(i);
   if (i == j) return result;
   const double common = all.directions.col(i).dot(all.directions.col(j));
-  const double rest = std::sqrt(std::max(kNewShare * kNewShare, 1.0 - common * common));
-  result.row(1) = (all.shares.row(j) - common * all.shares.row(i)) / rest;
+  const double rest = std::sqrt(std::max(kNewFraction * kNewFraction, 1.0 - common * common));
+  result.row(1) = (all.fractions.row(j) - common * all.fractions.row(i)) / rest;
   return result;
 }
 
@@ -27,7 +27,7 @@ SubsetExchanges exchanges_of(const SubsetProblem& problem, const std::vector<Ind
   result.directions =
       problem.scaled(Eigen::all, subset) * (found.inverse * found.inverse.transpose());
   result.directions.colwise().normalize();
-  result.shares = result.directions.transpose() * problem.scaled;
+  result.fractions = result.directions.transpose() * problem.scaled;
   const auto target = result.deflated.columns.col(q);
   result.products = result.deflated.columns.leftCols(q).transpose() * target;
   result.residual = target.squaredNorm();

@@ -12,7 +12,7 @@ namespace lacuna {
 /// span of the subset that are orthogonal to all its other members.
 struct SubsetExchanges {
   DeflatedColumns deflated;
-  Matrix shares;      ///< k x (q + 1): of each direction in every column; the target last
+  Matrix fractions;   ///< k x (q + 1): of each direction in every column; the target last
   Matrix directions;  ///< (q + 1) x k, unit
   Vector products;    ///< q: of the deflated columns with the deflated target
   double residual = 0.0;

@@ -18,7 +18,7 @@ using Columns = std::vector<Index>;
 /// What all steps of a search work on.
 struct Task {
   const SubsetProblem& problem;
-  double price;
+  double penalty;
   const RunContext& context;
 };
 
@@ -28,29 +28,31 @@ Columns sorted(Columns columns) {
 }
 
 /// Scores that differ by less are equal: a thousandth of a term, or rounding.
-double equality(double score, double price) { return 1e-9 * std::abs(score) + 1e-3 * price; }
+double equality(double score, double penalty) {
+  return 1e-9 * std::abs(score) + 1e-3 * penalty;
+}
 
 double score_of(const Task& task, const Columns& subset) {
   return fit_subset(task.problem, subset).residual +
-         task.price * static_cast<double>(subset.size());
+         task.penalty * static_cast<double>(subset.size());
 }
 
-/// Members are taken away while the worst is worth less than the price.
+/// Members are taken away while the worst is worth less than the penalty.
 Columns shrunk(const Task& task, Columns subset) {
   while (!subset.empty()) {
     task.context.check_stop();
     Index worst = 0;
-    if (!(losses_of(fit_subset(task.problem, subset)).minCoeff(&worst) < task.price)) break;
+    if (!(losses_of(fit_subset(task.problem, subset)).minCoeff(&worst) < task.penalty)) break;
     subset.erase(subset.begin() + worst);
   }
   return subset;
 }
 
-/// Columns are taken in while the best is worth more than the price.
+/// Columns are taken in while the best is worth more than the penalty.
 Columns extended(const Task& task, Columns subset) {
   DeflatedColumns deflated = deflate(task.problem, subset);
   Index best = 0;
-  for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > task.price * (1.0 + 1e-9);
+  for (Vector gain = deflated.gains(); gain.maxCoeff(&best) > task.penalty * (1.0 + 1e-9);
        gain = deflated.gains()) {
     if (std::find(subset.begin(), subset.end(), best) != subset.end()) break;
     task.context.check_stop();
@@ -71,7 +73,7 @@ Subset stepwise(const Task& task, const Columns& start) {
     if (subset.size() == before) return best;
     subset = shrunk(task, std::move(subset));
     const double now = score_of(task, subset);
-    if (!(now < best.score - equality(best.score, task.price))) return best;
+    if (!(now < best.score - equality(best.score, task.penalty))) return best;
     best = {sorted(subset), now};
   }
 }
@@ -79,11 +81,12 @@ Subset stepwise(const Task& task, const Columns& start) {
 /// A better subset, made of `from` by exchanging one member, or two of them, for the best other
 /// column; nothing where none is better.
 std::optional<Subset> exchanged(const Task& task, const Subset& from, Index together) {
-  const double least = equality(from.score, task.price);
+  const double least = equality(from.score, task.penalty);
   const auto k = static_cast<Index>(from.columns.size());
   if (k < together) return std::nullopt;
   const SubsetExchanges all = exchanges_of(task.problem, from.columns);
-  const double limit = from.score - least - task.price * static_cast<double>(k - together + 1);
+  const double limit =
+      from.score - least - task.penalty * static_cast<double>(k - together + 1);
   for (Index i = 0; i < k; ++i) {
     task.context.check_stop();
     for (Index j = together == 1 ? i : 0; j < (together == 1 ? i + 1 : i); ++j) {
@@ -121,8 +124,8 @@ Subset with_pairs_exchanged(const Task& task, Subset subset) {
   return subset;
 }
 
-/// All columns, the worst taken out one by one as long as it is worth less than the price. The
-/// inverse of A'A is downdated, which needs well separated columns.
+/// All columns, the worst taken out one by one as long as it is worth less than the penalty.
+/// The inverse of A'A is downdated, which needs well separated columns.
 Columns eliminated(const Task& task) {
   const Index q = task.problem.columns();
   Columns left(static_cast<std::size_t>(q));
@@ -137,7 +140,7 @@ Columns eliminated(const Task& task) {
     Index worst = 0;
     const double least = (h.head(size).array().square() / inverse.diagonal().head(size).array())
                              .minCoeff(&worst);
-    if (!(least < task.price)) break;
+    if (!(least < task.penalty)) break;
     const Vector column = inverse.col(worst).head(size);
     h.head(size) -= column * (h[worst] / column[worst]);
     inverse.topLeftCorner(size, size) -= column * (column / column[worst]).transpose();
@@ -154,10 +157,10 @@ Columns eliminated(const Task& task) {
 
 }  // namespace
 
-Subset best_subset(const SubsetProblem& problem, double price,
+Subset best_subset(const SubsetProblem& problem, double penalty,
                    const std::vector<std::vector<Index>>& starts, Exchange exchange,
                    const RunContext& context) {
-  const Task task{problem, price, context};
+  const Task task{problem, penalty, context};
   if (problem.columns() == 0) return {{}, score_of(task, {})};
   Subset best = stepwise(task, {});
   std::vector<Columns> seen;

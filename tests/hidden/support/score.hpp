@@ -10,7 +10,7 @@
 
 namespace lacuna::hidden {
 
-/// A diagnosis held against the truth.
+/// A diagnosis compared with the truth.
 struct Score {
   bool verdict = false;        ///< a verdict that the kind of the case allows
   bool equation = false;       ///< every hidden effect has an effect named in its equation

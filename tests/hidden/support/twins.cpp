@@ -11,14 +11,14 @@ namespace {
 
 /// The numbers of a heated body: its losses, how it is heated, and a store beside it.
 struct Body {
-  double loss, heating, exchange, pace, share;
+  double loss, heating, exchange, pace, fraction;
 
   explicit Body(Random& random)
       : loss(1.0 / random.uniform(20.0, 60.0)),
         heating(loss * random.uniform(5.0, 15.0)),
         exchange(loss * random.uniform(0.5, 3.0)),
         pace(loss * random.uniform(2.0, 10.0)),
-        share(random.uniform(0.1, 0.5)) {}
+        fraction(random.uniform(0.1, 0.5)) {}
 };
 
 SignalSpec heater_steps() {
@@ -83,8 +83,9 @@ std::string numbered(const std::string& name, std::uint64_t seed) {
 }
 
 /// How the store of a wall exchanges heat: with the surroundings too.
-Terms rates_of_store(const Body& body, double share) {
-  return {{"T", (1.0 - share) * body.pace}, {"Ta", share * body.pace}, {"Tw", -body.pace}};
+Terms rates_of_store(const Body& body, double fraction) {
+  return {
+      {"T", (1.0 - fraction) * body.pace}, {"Ta", fraction * body.pace}, {"Tw", -body.pace}};
 }
 
 HiddenCase body_with_store(const Body& body, bool is_wall, bool hides, Random& random,
@@ -93,7 +94,7 @@ HiddenCase body_with_store(const Body& body, bool is_wall, bool hides, Random& r
   CaseBuilder builder(numbered(is_wall ? "twin-wall" : "twin-second-store", seed),
                       "A heated body beside a store that nobody measures", plant);
   if (hides)
-    builder.hidden_states({{"Tw", rates_of_store(body, is_wall ? body.share : 0.0)}})
+    builder.hidden_states({{"Tw", rates_of_store(body, is_wall ? body.fraction : 0.0)}})
         .hide({"T", {"extra-state"}, {}, "Tw-T", body.exchange});
   misjudge_all(plant, "T", random, builder);
   builder.start(hides ? Vector{{15.0, 12.0}} : Vector{{15.0}},

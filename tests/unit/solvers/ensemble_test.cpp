@@ -37,7 +37,7 @@ TEST(Ensemble, FindsTheTermsWithTheCoefficientsOfAllRows) {
   }
 }
 
-TEST(Ensemble, ProbabilitiesAreSharesOfTheResamples) {
+TEST(Ensemble, ProbabilitiesAreFractionsOfTheResamples) {
   const LeastSquaresSystem system = testing::sparse_problem(100, 3.0, 0.0);
   EnsembleOptions options;
   options.bags = 8;

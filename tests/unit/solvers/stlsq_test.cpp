@@ -65,12 +65,12 @@ TEST(Stlsq, DoesNotDependOnHowDataAreWritten) {
     const auto system = testing::rewritten(rossler_10000().states, noisy, 2, r);
     const Index target = testing::new_target(2, r);
     const Regression fit = Stlsq().fit(system, system.subproblem(target, system.all_terms()));
-    return testing::shares(system, target, fit.active, fit.coefficients, r);
+    return testing::fractions(system, target, fit.active, fit.coefficients, r);
   };
   ASSERT_FALSE(testing::rewritings().empty());
   for (const auto& r : testing::rewritings()) {
     SCOPED_TRACE(r.name);
-    testing::expect_same_shares(fit_of({"same"}), fit_of(r), 1e-9);
+    testing::expect_same_fractions(fit_of({"same"}), fit_of(r), 1e-9);
   }
 }
 

@@ -14,7 +14,7 @@ namespace lacuna {
 /// How far a run has come.
 struct Progress {
   std::string_view activity;  ///< what is being done, e.g. "fitting dx/dt"
-  double fraction = 0.0;      ///< share of the activity that is done, 0..1
+  double fraction = 0.0;      ///< fraction of the activity that is done, 0..1
 };
 
 /// Processes that run the same program side by side, on one machine or on many, and divide the
@@ -27,14 +27,14 @@ class Team {
 
   /// Gives everybody the k numbers of one member; there are as many everywhere.
   /// @throws DataError when a member has failed.
-  virtual void share(std::span<double> numbers, int owner) const = 0;
+  virtual void broadcast(std::span<double> numbers, int owner) const = 0;
 };
 
 /// What a run is given besides data and options; passed down by const reference, owned by the
 /// caller, never stored by a stage.
 struct RunContext {
   std::stop_token stop{};                           ///< asks the run to end
-  std::function<void(const Progress&)> progress{};  ///< told how far it is; may be empty
+  std::function<void(const Progress&)> progress{};  ///< is given how far it is; may be empty
   int threads = 1;                                  ///< results do not depend on it
   std::uint64_t seed = 1;                           ///< of everything random in the run
   const Team* team = nullptr;                       ///< results do not depend on it
@@ -49,7 +49,7 @@ struct RunContext {
     return context;
   }
 
-  /// Tells the progress function, if there is one, and honours a stop request.
+  /// Informs the progress function, if there is one, and honours a stop request.
   /// @throws Cancelled when an end was asked for.
   void report(std::string_view activity, double fraction) const {
     check_stop();

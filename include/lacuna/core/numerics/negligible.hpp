@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// When a term that a fit can tell from nothing still does not belong to the model.
+/// When a term that a fit can distinguish from nothing still does not belong to the model.
 ///
 /// The numbers of a record are not only noisy: a solver that kept a tolerance has solved
 /// slightly other equations than it was given (Hairer, Lubich & Wanner, Geometric Numerical
@@ -35,7 +35,7 @@ struct NegligibleTerms {
   }
 
   /// The rule where residuals are no noise but a floor that does not average out: there a term
-  /// has to explain more than all that is left (r without it above sqrt(2) r), or a share of
+  /// has to explain more than all that is left (r without it above sqrt(2) r), or a fraction of
   /// the rate that such a floor does not reach.
   NegligibleTerms beside_a_floor() const {
     constexpr double kHalf = 1.41421356237309505, kCoarse = 10.0;
@@ -43,10 +43,11 @@ struct NegligibleTerms {
   }
 
   void describe(OptionVisitor& v) {
-    v.field({"effect_size", "",
-             "Share of its equation's rate (rms) that a term must be worth to be kept; 0: any.",
-             0.0, 1.0},
-            effect_size);
+    v.field(
+        {"effect_size", "",
+         "Fraction of its equation's rate (rms) that a term must be worth to be kept; 0: any.",
+         0.0, 1.0},
+        effect_size);
     v.field(
         {"decisive", "",
          "Growth of the residuals without a term from which on it is kept however small.", 1.0},

@@ -20,8 +20,8 @@ enum class Interpolation : Index {
 struct SpanLine {
   double mean = 0.0, slope = 0.0;  ///< mean + slope (2 share - 1)
 
-  /// The value at a share (0..1) of the span.
-  double at(double share) const noexcept { return mean + slope * (2.0 * share - 1.0); }
+  /// The value at a fraction (0..1) of the span.
+  double at(double fraction) const noexcept { return mean + slope * (2.0 * fraction - 1.0); }
 };
 
 /// One sampled quantity as a function of time: in each sampling interval a polynomial, in

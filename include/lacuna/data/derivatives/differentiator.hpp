@@ -32,7 +32,7 @@ class Differentiator : public StageInterface {
   Index fewest_samples() const { return do_fewest_samples(); }
 
   /// rms of what first derivatives of these records have of systematic error, one per state in
-  /// state units per time unit; nothing when the method cannot tell.
+  /// state units per time unit; nothing when the method cannot estimate it.
   std::optional<Vector> truncation_error(const Dataset& data) const {
     return do_truncation_error(data);
   }

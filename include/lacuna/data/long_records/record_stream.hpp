@@ -32,7 +32,7 @@ class RecordStream {
       Dataset&& data);  // NOLINT(google-explicit-constructor): as above, of a temporary
 
   /// Records that are read in pieces.
-  /// @param description all that a dataset says beside its records.
+  /// @param description all that a dataset has beside its records.
   RecordStream(Dataset description, std::vector<std::shared_ptr<const SampleSource>> records);
 
   /// The records, or the excerpt of long ones.

@@ -29,9 +29,9 @@ std::optional<Hold> hold_named(std::string_view name);
 /// instant the line is the mean.
 Interpolation interpolation_of(const std::optional<Hold>& hold);
 
-/// Whether samples show by themselves that a signal is held: more than this share of them are
-/// exactly as the one before, and the others are not.
+/// Whether samples show by themselves that a signal is held: more than this fraction of them
+/// are exactly as the one before, and the others are not.
 /// @param values n.
-bool shows_hold(const Eigen::Ref<const Vector>& values, double share = 0.5);
+bool shows_hold(const Eigen::Ref<const Vector>& values, double fraction = 0.5);
 
 }  // namespace lacuna

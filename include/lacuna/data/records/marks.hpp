@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// What a sample says of its state: the entries of Trajectory::marks.
+/// What a sample shows of its state: the entries of Trajectory::marks.
 enum class Mark {
   Value = 0,     ///< it is the state and noise
   Outlier = 1,   ///< nothing: the measurement failed
@@ -32,7 +32,7 @@ inline Mark mark_of(const Matrix& marks, Index sample, Index state) {
 /// Whether a sample is at an end of its channel.
 inline bool is_clipped(Mark mark) { return mark == Mark::AtTop || mark == Mark::AtBottom; }
 
-/// Whether a sample says anything: it is no outlier and not missing.
+/// Whether a sample shows anything: it is no outlier and not missing.
 inline bool says_something(Mark mark) { return mark == Mark::Value || is_clipped(mark); }
 
 /// The marks of a record, n x m also where there are none.
@@ -44,7 +44,7 @@ void set_mark(Trajectory& record, Index sample, Index state, Mark mark);
 
 /// States of a record with those of its samples that say nothing put on the straight line
 /// between the ones before and behind them, at the ends on the nearest. A column in which no
-/// sample says anything stays as it is.
+/// sample shows anything stays as it is.
 /// @param marks n x m or 0 x 0. Values that are not finite are as good as others.
 Matrix filled(Matrix states, const Matrix& marks);
 

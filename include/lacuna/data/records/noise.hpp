@@ -12,7 +12,7 @@ namespace lacuna {
 
 /// What the measurement noise of a state looks like.
 enum class NoiseKind {
-  None,       ///< none that can be told from the signal: `sigma` is an upper bound
+  None,       ///< none that can be distinguished from the signal: `sigma` is an upper bound
   White,      ///< the same at every spacing of samples
   Coloured,   ///< neighbouring samples have noise in common
   Quantised,  ///< values on a lattice, and no more noise than rounding to it makes
@@ -29,9 +29,9 @@ struct StateNoise {
   /// Spacing of the lattice on which the values lie, state units.
   std::optional<double> lattice = {};
 
-  double outliers = 0.0;  ///< share of samples that are not explained by noise of this sigma
+  double outliers = 0.0;  ///< fraction of samples that are not explained by noise of this sigma
   Index order = 0;        ///< of the differences that show white noise and no signal
-  double white = 0.0;     ///< what estimate_noise() has: 0 where no noise can be told
+  double white = 0.0;     ///< what estimate_noise() has: 0 where no noise can be estimated
 };
 
 /// Sizes of a state's differences of one order, with weights of norm 1: of white noise their
@@ -52,9 +52,9 @@ constexpr double kOutlyingDeviations = 6.0;
 ///   C(2k, k) sigma^2; with d_k the k-th difference, order k gives
 ///     sigma_k = median(|d_k|) / (0.6745 sqrt(C(2k, k))).
 ///   The order at which the estimate stops falling is taken; where it falls to the end, noise
-///   cannot be told from the signal and the least sigma_k is an upper bound. The median guards
-///   against outliers and fast stretches. Grids that are not uniform have divided differences
-///   with weights of the same norm.
+///   cannot be distinguished from the signal and the least sigma_k is an upper bound. The
+///   median guards against outliers and fast stretches. Grids that are not uniform have divided
+///   differences with weights of the same norm.
 /// - Values that are whole multiples of a step q have at least the noise q / sqrt(12).
 /// - The same estimate from every second and every fourth sample is larger when neighbours have
 ///   noise in common.
@@ -78,7 +78,8 @@ std::vector<Index> outlying_samples(const Trajectory& record, Index state, const
                                     double deviations = kOutlyingDeviations);
 
 /// Standard deviation of white measurement noise per state as by analyse_noise().
-/// @return m entries in the units of the states; 0 where no noise can be told from the signal.
+/// @return m entries in the units of the states; 0 where no noise can be distinguished from the
+/// signal.
 /// @throws ArgumentError as difference_sizes().
 Vector estimate_noise(const Dataset& data, int threads = 1);
 

@@ -15,7 +15,7 @@ struct Trajectory {
   Matrix states;       ///< n x m
   Matrix inputs;       ///< n x p; n x 0 without inputs
   Matrix derivatives;  ///< n x m, dx/dt at the samples; 0 x 0 when they are not known
-  Matrix marks = {};   ///< n x m, what each sample says of its state (Mark); 0 x 0: its value
+  Matrix marks = {};   ///< n x m, what each sample shows of its state (Mark); 0 x 0: its value
 
   /// Number of samples n.
   Index samples() const noexcept { return time.size(); }

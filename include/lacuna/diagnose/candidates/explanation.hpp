@@ -55,7 +55,7 @@ struct JointFitTask {
 };
 
 /// Fits a nominal model and effects to records with the shapes as they are, in few passes: good
-/// enough to tell which explanations are worth a full fit.
+/// enough to decide which explanations are worth a full fit.
 /// @param start the nominal model, perhaps with other effects, brought onto the same records;
 ///   where the fit starts.
 Explanation explain_roughly(const JointFitTask& task, const Assimilation& start,

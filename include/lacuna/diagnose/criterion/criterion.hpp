@@ -18,7 +18,7 @@ struct Evidence {
 /// Plug point: by what number explanations of the same records are compared; the least wins.
 ///
 /// value = deviance + penalty(parameters, samples, choices). A diagnosis
-/// computes the price of parameters nowhere else.
+/// computes the penalty for parameters nowhere else.
 class Criterion : public StageInterface {
  public:
   static constexpr std::string_view kKind = "criterion";

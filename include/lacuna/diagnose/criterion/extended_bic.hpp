@@ -9,7 +9,7 @@ namespace lacuna {
 struct ExtendedBicOptions {
   static constexpr StageInfo kInfo{
       "extended-bic",
-      "Bayesian information criterion with a price of choosing the best of many",
+      "Bayesian information criterion with a penalty for choosing the best of many",
       "Schwarz, Ann. Statist. 6 (1978); Chen and Chen, Biometrika 95 (2008)"};
   double choice = 1.0;  ///< gamma of Chen and Chen; 0: the plain criterion
   void describe(OptionVisitor& v);

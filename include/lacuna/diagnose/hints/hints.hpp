@@ -21,10 +21,10 @@ struct HintOptions {
   double round_factor = 0.02;
   double identity_factor = 2.0;
   double identity_match = 0.9;
-  double column_share = 0.5;
+  double column_fraction = 0.5;
   double column_own = 0.1;
   double column_rate = 0.05;
-  double told = 5.0;
+  double significance = 5.0;
   double feedback = 0.95;
   double samples_per_period = 8.0;
   double periods = 2.0;
@@ -34,8 +34,8 @@ struct HintOptions {
   void describe(OptionVisitor& visitor);
 };
 
-/// The hint that nothing moves, where each measured channel is white noise (HintOptions::told)
-/// or never changes; it needs no model.
+/// The hint that nothing moves, where each measured channel is white noise
+/// (HintOptions::significance) or never changes; it needs no model.
 std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options);
 
 /// A look at records before a model is diagnosed on them.
@@ -51,11 +51,11 @@ std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& op
 std::vector<Hint> look_at(const OdeModel& model, const BoundRecords& records,
                           const Dataset& unused, const HintOptions& options);
 
-/// A nominal coefficient and how large the records say that it is.
-struct SaidCoefficient {
+/// A nominal coefficient and how large it is by the records.
+struct EstimatedCoefficient {
   Index equation = 0;
   std::string term;
-  double ratio = 1.0;      ///< said over nominal
+  double ratio = 1.0;      ///< estimated over nominal
   double deviation = 0.0;  ///< standard error of the ratio
 };
 
@@ -63,6 +63,7 @@ struct SaidCoefficient {
 /// does what that slip would do, to HintOptions::round_factor of the logarithm (of 10 for a
 /// sign). Nothing is withheld: the fit has made up for it.
 std::optional<Hint> coefficient_hint(const OdeModel& model, const Dataset& data,
-                                     const SaidCoefficient& said, const HintOptions& options);
+                                     const EstimatedCoefficient& said,
+                                     const HintOptions& options);
 
 }  // namespace lacuna

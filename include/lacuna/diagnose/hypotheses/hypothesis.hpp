@@ -6,23 +6,25 @@
 #include <vector>
 
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
 namespace lacuna {
 
-/// The criterion decides, by so much at least over the best account so far, in its units.
+/// The criterion decides, by so much at least over the best composite model so far, in its
+/// units.
 struct ByCriterion {
   double lead = 0.0;
 };
 
-/// A rule decides: the account takes the place of the best one whatever the criterion says.
+/// A rule decides: the composite model takes the place of the best one whatever the criterion
+/// says.
 struct ByRule {
   std::string why;
 };
 
-/// An account that a hypothesis puts forward.
+/// A composite model that a hypothesis puts forward.
 struct Proposal {
-  Account account;
+  CompositeModel composite;
   /// Effects are sought on its baseline before it is judged, not only after it has won.
   bool search_first = false;
   std::variant<ByCriterion, ByRule> judged = ByCriterion();
@@ -30,12 +32,12 @@ struct Proposal {
 
 /// What a hypothesis has to say of records.
 struct Proposals {
-  std::vector<Proposal> accounts;
+  std::vector<Proposal> composites;
   std::vector<Rival> trail;  ///< what it looked at on the way
 };
 
 /// Plug point: one kind of explanation of why a model and records disagree. It proposes
-/// accounts of the records; all are fitted alike and judged by one criterion.
+/// composite models of the records; all are fitted alike and judged by one criterion.
 class Hypothesis : public StageInterface {
  public:
   static constexpr std::string_view kKind = "hypothesis";
@@ -45,7 +47,7 @@ class Hypothesis : public StageInterface {
     Effects,      ///< what is missing under given assumptions
     Revision,     ///< what else may be in the place of what was found
     Assumptions,  ///< what is assumed of the records; effects are sought again on top
-    Residual,     ///< what is left when nothing more gets a name
+    Residual,     ///< the residual when nothing more gets a name
   };
 
   Phase phase() const { return do_phase(); }  ///< when it is judged
@@ -53,9 +55,10 @@ class Hypothesis : public StageInterface {
   /// Among those of one phase the smaller number comes first; equal ones by name.
   int order() const { return do_order(); }
 
-  /// Accounts that rival the best so far. None where there is no reason to look for one.
+  /// Composite models that rival the best so far. None where there is no reason to look for
+  /// one.
   /// @throws Cancelled, and what fitting throws.
-  Proposals propose(const Problem& problem, const Account& best) const {
+  Proposals propose(const Problem& problem, const CompositeModel& best) const {
     problem.context.check_stop();
     return do_propose(problem, best);
   }
@@ -63,7 +66,7 @@ class Hypothesis : public StageInterface {
  private:
   virtual Phase do_phase() const = 0;
   virtual int do_order() const { return 0; }
-  virtual Proposals do_propose(const Problem& problem, const Account& best) const = 0;
+  virtual Proposals do_propose(const Problem& problem, const CompositeModel& best) const = 0;
 };
 
 /// The given hypotheses in the order in which they are judged.

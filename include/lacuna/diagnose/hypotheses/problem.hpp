@@ -72,13 +72,13 @@ inline constexpr Index kSpectralLines = 3;
 Baseline plain_baseline(const Problem& problem);
 
 /// A baseline whose free coefficients are fitted, from a model that is on the records with its
-/// nominal ones. Where the records do not tell the coefficients they are kept and that is
+/// nominal ones. Where the records do not determine the coefficients they are kept and that is
 /// noted.
 /// @param free coefficients that are fitted.
 Baseline fitted_baseline(const Problem& problem, Assimilation given,
                          std::vector<CoefficientPlace> free);
 
-/// Value of an explanation by the criterion, with all parameters and without the price of
+/// Value of an explanation by the criterion, with all parameters and without the penalty for
 /// choosing its effects.
 double criterion_of(const Problem& problem, const Baseline& base,
                     const Explanation& explanation);

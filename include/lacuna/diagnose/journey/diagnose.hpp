@@ -8,13 +8,12 @@
 namespace lacuna {
 
 /// Finds what a nominal model lacks: brings it onto the records, lets hypotheses propose
-/// accounts of the disagreement (effects one after another, an input that was not measured,
-/// noise with a memory, identities that do not hold), judges all by one criterion, and measures
-/// the gap that the best one leaves on records that were not used. These may lower the verdict
-/// or withdraw a name, and never choose one.
-/// Before that the records are looked at (look_at()): where a slip of units, signs or columns
-/// is the likelier cause, no effect is named, and where it keeps the model from the records the
-/// hint is all of the answer.
+/// composite models of the disagreement (effects one after another, an input that was not
+/// measured, noise with a memory, identities that do not hold), judges all by one criterion,
+/// and measures the gap that the best one leaves on records that were not used. These may lower
+/// the verdict or withdraw a name, and never choose one. Before that the records are looked at
+/// (look_at()): where a slip of units, signs or columns is the likelier cause, no effect is
+/// named, and where it keeps the model from the records the hint is all of the answer.
 /// @code
 ///   const OdeModel nominal = read_model("pendulum.ode");
 ///   const Diagnosis found = diagnose(nominal, read_dataset({"run.csv"}));

@@ -8,7 +8,7 @@
 
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "lacuna/diagnose/journey/gap.hpp"
 #include "lacuna/diagnose/journey/locate.hpp"
 #include "lacuna/model/equations/adequacy.hpp"
@@ -27,7 +27,7 @@ enum class Verdict {
 /// "no-discrepancy", "coefficients-only", "explained", "partly-explained", "unnamed-structure".
 std::string to_string(Verdict verdict);
 
-/// A nominal coefficient and what the records say of it.
+/// A nominal coefficient and what the records show of it.
 struct CoefficientChange {
   Index equation = 0;
   std::string term;
@@ -35,15 +35,15 @@ struct CoefficientChange {
   double estimated = 0.0;
   double deviation = 0.0;
   double sigma = 0.0;
-  /// Whether the records tell it; where states are hidden they may tell it with others only,
-  /// and its deviation is none.
+  /// Whether the records determine it; where states are hidden they may determine it with
+  /// others only, and its deviation is none.
   bool determined = true;
 
   /// 95 % confidence interval of the estimate.
   std::array<double, 2> ci95() const { return interval95(estimated, deviation); }
 };
 
-/// What is left over in the end.
+/// The residual structure in the end.
 struct Remaining {
   bool structure = false;
   double sigma = 0.0;
@@ -63,7 +63,7 @@ struct Diagnosis {
   OdeModel augmented;  ///< nominal model with fitted coefficients and effects
   NoiseModel noise;
   std::vector<Round> rounds;
-  std::vector<Rival> rivals;  ///< every account that was judged, in order
+  std::vector<Rival> rivals;  ///< every composite model that was judged, in order
   std::vector<std::string> notes;
   std::optional<Unnamed> unnamed = {};  ///< with the verdict UnnamedStructure
   std::vector<Hint> hints = {};         ///< what is odd about the records, and its remedy

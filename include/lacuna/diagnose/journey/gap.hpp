@@ -14,7 +14,7 @@ namespace lacuna {
 struct GapRecord {
   std::string source;
   Vector time;           ///< n
-  Matrix measured;       ///< n x m, nominal states; NaN where a sample says nothing
+  Matrix measured;       ///< n x m, nominal states; NaN where a sample shows nothing
   Matrix before, after;  ///< n x m: nominal and augmented model; NaN where there is no window
   Index begin = 0;       ///< first sample of the first window
   Index length = 0;      ///< samples of a window

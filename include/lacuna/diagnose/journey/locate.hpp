@@ -24,7 +24,7 @@ struct Disagreement {
   double rms = 0.0;          ///< rate that has to be added to keep the model on the records
   double noise_floor = 0.0;  ///< the rate that would be significant by one standard deviation
   double sigma = 0.0;
-  double share = 0.0;           ///< of all disagreement (drops of the deviance)
+  double fraction = 0.0;        ///< of all disagreement (drops of the deviance)
   double relative = 0.0;        ///< rms over that of the state's rate of change
   std::vector<Location> where;  ///< most significant first
 };

@@ -15,7 +15,7 @@ struct AttractorMeasure {
   std::string unit = {};
   double first = 0.0, second = 0.0;  ///< of a distance: within the records, between them
   double first_half = 0.0, second_half = 0.0;  ///< of their 95 % intervals
-  std::optional<bool> agree = {};              ///< nothing where it cannot be told
+  std::optional<bool> agree = {};              ///< nothing where it cannot be judged
   std::string note = {};                       ///< why not
 };
 
@@ -25,7 +25,7 @@ struct AttractorMeasure {
 /// - extents of each state, and the largest Lyapunov exponent (Rosenstein), agree where they
 ///   differ by no more than both intervals allow, sqrt(a^2 + b^2);
 /// - spectra and densities (Hellinger's distances) agree where blocks of different records are
-///   no farther apart than blocks of one record, as far as their scatter tells.
+///   no farther apart than blocks of one record, as far as their scatter shows.
 /// @throws ArgumentError when the states differ or records are too short for blocks; DataError
 ///   as check_number_range().
 std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b);

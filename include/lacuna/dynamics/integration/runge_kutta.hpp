@@ -18,7 +18,7 @@ struct StepControl {
   double absolute_tolerance = 1e-12;    ///< in the units of the states
   std::optional<double> max_step = {};  ///< time units
   int max_steps = 100000;               ///< per sampling interval; more is StepTooSmall
-  double along_jump = 1e-3;             ///< step on a jump of the rates; share of an interval
+  double along_jump = 1e-3;             ///< step on a jump of the rates, of an interval
 
   void describe(OptionVisitor& visitor);
 };

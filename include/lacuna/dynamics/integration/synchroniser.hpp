@@ -61,8 +61,8 @@ struct SyncResult {
   /// which slaves that begin elsewhere in them part (Pecora and Carroll, Phys. Rev. Lett.
   /// 64:821, 1990): ln(d_n / d_0) / (t_n - t_0) on the first trajectory, from a range of their
   /// path away, d_n their distance in the hidden states in these ranges, n the first sample at
-  /// which it is 1e-6 d_0, or the last. Below 0 the record tells these states. Infinite where a
-  /// slave from there does not get to the end.
+  /// which it is 1e-6 d_0, or the last. Below 0 the record determines these states. Infinite
+  /// where a slave from there does not get to the end.
   std::optional<double> conditional_exponent = {};
 
   IntegrationStatus status = IntegrationStatus::Completed;

@@ -24,7 +24,7 @@ Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed
 
 /// The same relative noise on all states: sigma_i = share times the standard deviation of state
 /// i.
-Dataset add_relative_noise(const Dataset& record, double share, std::uint64_t seed);
+Dataset add_relative_noise(const Dataset& record, double fraction, std::uint64_t seed);
 
 /// The states as an analogue-digital converter gives them: the nearest of 2^bits levels
 /// k 2 range / 2^bits, k = -2^(bits-1) .. 2^(bits-1) - 1, clipped at the ends.

@@ -28,7 +28,7 @@ struct MemoryState {
   std::string name;  ///< identifier, no variable of the model
   Expression rate;   ///< in variables, shape parameters and memory states
   Expression start;  ///< in variables and shape parameters, at the record's first sample
-  /// It is moved by white noise besides, as the records ask for: a free input. The coefficient
+  /// It is moved by white noise besides, as the records require: a free input. The coefficient
   /// in front of the form is 1 then and is not fitted.
   bool driven = false;
 };

@@ -19,8 +19,8 @@ struct NamingOptions {
 
   void describe(OptionVisitor& v) {
     v.field({"equal_slopes", "",
-             "Slopes that differ by no more than this share of the larger one are equal: what "
-             "is left of a slope inside a dead zone or beyond a limit.",
+             "Slopes that differ by no more than this fraction of the larger one are equal: "
+             "the rest of a slope inside a dead zone or beyond a limit.",
              0.0, 1.0},
             equal_slopes);
     v.field(
@@ -28,7 +28,7 @@ struct NamingOptions {
          "Slopes that differ by no more than so many standard errors are equal.", 0.0, 10.0},
         standard_errors);
     v.field({"standstill", "",
-             "A bend below this share of the largest speed is as good as a jump.", 0.0, 1.0},
+             "A bend below this fraction of the largest speed is as good as a jump.", 0.0, 1.0},
             standstill);
     v.field({"rim", "",
              "Quantile of a variable from which on (and from 1 less it down) what acts on one "
@@ -38,7 +38,7 @@ struct NamingOptions {
   }
 };
 
-/// A candidate with what the data say of it, and where it stands.
+/// A candidate with what the data show of it, and where it stands.
 struct FittedForm {
   const Candidate& candidate;
   const Vector& shapes;      ///< one value per shape parameter
@@ -53,7 +53,7 @@ struct FittedForm {
 enum class Precedence {
   Contextual,  ///< the place says it: the cube of a position in the equation of its velocity
   Plain,       ///< the default word for the form
-  Special,     ///< a reading of the same numbers that the data cannot tell from the plain one
+  Special,     ///< the same numbers in a reading as good as the plain one
 };
 
 /// What a row of the name table makes of a fitted form to which it applies.

@@ -14,7 +14,7 @@
 
 namespace lacuna {
 
-/// A line in the spectrum of what a model leaves over in an equation.
+/// A line in the spectrum of the residual of a model in an equation.
 struct SpectralLine {
   Index equation = 0;
   double frequency = 0.0;  ///< per time unit
@@ -45,7 +45,7 @@ struct VariableRange {
   /// often where it is used up: a level, a concentration.
   bool is_amount() const { return low >= -5.0 * noise && high > 0.0 && high > -5.0 * low; }
 
-  /// The value below which the share `level` (0..1) of the samples lies, interpolated.
+  /// The value below which the fraction `level` (0..1) of the samples lies, interpolated.
   double quantile(double level) const;
 };
 

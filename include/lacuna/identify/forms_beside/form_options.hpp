@@ -5,15 +5,16 @@
 
 namespace lacuna {
 
-/// By what forms that are no polynomials are sought, and when they are the answer. What half
-/// and double of each changes is in docs/decisions.md.
+/// By what functions that are no polynomials are sought, and when they are the answer. What
+/// half and double of each changes is in docs/decisions.md.
 struct FormOptions {
   static constexpr StageInfo kInfo{
-      "forms", "When forms that are no polynomials stand beside a library or in its place", ""};
+      "forms", "When functions that are no polynomials stand beside a library or in its place",
+      ""};
 
   double worth_asking = 1e-5;
   int most_forms = 3;
-  int fewest_numbers = 3;
+  int fewest_parameters = 3;
   double same = 0.1;
   double mostly_noise = 2.0;
   double significance = 4.0;

@@ -21,7 +21,7 @@ struct TrailEntry {
   std::string stage = {};  ///< who removed it: "filter abm", "pruner minor-terms"; "" when kept
   std::string quantity = {};  ///< what was looked at
   double value = 0.0;         ///< what it was (when kept: the coefficient)
-  double threshold = 0.0;     ///< what it was held against
+  double threshold = 0.0;     ///< what it was compared with
   int step = 0;               ///< in which step of the stage, from 1
 };
 

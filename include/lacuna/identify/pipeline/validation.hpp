@@ -12,9 +12,9 @@ namespace lacuna {
 /// What a model is worth on samples that it was not fitted to.
 enum class ValidationVerdict {
   FitsToNoise,    ///< predictions are off by no more than the noise of the samples
-  Approximation,  ///< by more than the noise, and by a small share of the motion
-  WrongLibrary,   ///< by a large share of the motion: the terms cannot describe the record
-  CannotTell,     ///< too few samples, no motion beyond the noise, or noise that is not known
+  Approximation,  ///< by more than the noise, and by a small fraction of the motion
+  WrongLibrary,   ///< by a large fraction of the motion: the terms cannot describe the record
+  Undecided,      ///< too few samples, no motion beyond the noise, or noise that is not known
 };
 
 /// "fits to noise", "approximation", "wrong library", "cannot tell".
@@ -28,7 +28,7 @@ struct PredictionError {
   double error = 0.0;  ///< r: sample minus prediction of the model
   double noise = 0.0;  ///< of the measurement; what the error of a true model would be (of a
                        ///< map: of any function of the sample before)
-  bool noise_seen = false;  ///< false: the samples show no noise, `noise` is an upper bound
+  bool noise_estimated = false;  ///< false: none shows, `noise` is an upper bound
   double motion = 0.0;   ///< r with all rates 0 that have to be found: what is to be explained
   double freedom = 0.0;  ///< samples less what the initial states take of them
 
@@ -36,7 +36,7 @@ struct PredictionError {
   double correlation = 0.0;
 
   /// Error beyond the noise over motion beyond the noise.
-  double share() const;
+  double fraction() const;
 };
 
 /// Predictions over windows of one length.
@@ -49,7 +49,7 @@ struct PredictionTest {
 
 /// How well a model predicts samples that it was not fitted to.
 struct Validation {
-  ValidationVerdict verdict = ValidationVerdict::CannotTell;
+  ValidationVerdict verdict = ValidationVerdict::Undecided;
   std::string sentence = {};              ///< the verdict with its numbers, for people
   std::vector<std::string> records = {};  ///< sources of the samples
   std::string time_unit = {};

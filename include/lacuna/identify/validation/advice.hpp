@@ -11,28 +11,28 @@
 
 namespace lacuna {
 
-/// Which forms are worth telling where a model does not fit.
+/// Which forms are worth reporting where a model does not fit.
 struct AdviceOptions {
-  static constexpr StageInfo kInfo{"advice", "Which forms are told where a model does not fit",
-                                   ""};
+  static constexpr StageInfo kInfo{"advice",
+                                   "Which forms are reported where a model does not fit", ""};
 
   double worth_asking = 1e-3;
-  double most_left = 0.7;
+  double most_residual = 0.7;
   int most_forms = 2;
   FormOptions search = {};  ///< how forms are sought; listed as `forms`
 
   void describe(OptionVisitor& v) {
-    v.field(
-        {"worth_asking", "",
-         "Residual as a share of the rate (rms) below which an equation is not asked what it "
-         "lacks.",
-         0.0, 1.0},
-        worth_asking);
-    v.field({"most_left", "",
-             "A form that leaves a larger share of the residual (rms) is not what is missing.",
+    v.field({"worth_asking", "",
+             "Residual as a fraction of the rate (rms) below which an equation is not asked "
+             "what it lacks.",
              0.0, 1.0},
-            most_left);
-    v.field({"most_forms", "", "Forms that are told for one equation at most.", 1.0, 20.0},
+            worth_asking);
+    v.field(
+        {"most_left", "",
+         "A form that leaves a larger fraction of the residual (rms) is not what is missing.",
+         0.0, 1.0},
+        most_residual);
+    v.field({"most_forms", "", "Forms that are reported for one equation at most.", 1.0, 20.0},
             most_forms);
   }
 };

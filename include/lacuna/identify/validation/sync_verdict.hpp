@@ -14,7 +14,7 @@ namespace lacuna {
 /// Whether a model holds on a record that drove it.
 struct SyncVerdict {
   bool holds = false;
-  bool told = true;                  ///< false: it is left open whether it holds
+  bool decided = true;               ///< false: it is left open whether it holds
   std::optional<double> until = {};  ///< time up to which it does, where it does not later
   std::optional<std::string> equation = {};  ///< state whose equation has to be helped most
   std::string sentence;                      ///< for people
@@ -48,7 +48,8 @@ struct SyncVerdictOptions {
 /// least
 ///   `least_held` of it, and is above in most pieces from there on.
 /// - Where states are hidden and slaves that begin elsewhere in them are not together, to a
-///   share `forgotten` of their distance, within a quarter of the record, there is no verdict.
+///   fraction `forgotten` of their distance, within a quarter of the record, there is no
+///   verdict.
 /// - Else the equation is named to which the coupling has to add the largest part of its own
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
 ///   With hidden states none is named: what one lacks, the coupling adds to another.

@@ -10,9 +10,9 @@ namespace lacuna {
 
 /// Whether a model fits samples to their noise.
 enum class Adequate {
-  Yes,     ///< nothing but noise is left
-  No,      ///< more is left
-  Untold,  ///< too few samples, no motion, or noise of which they show nothing
+  Yes,           ///< nothing but noise is left
+  No,            ///< more is left
+  Undetermined,  ///< too few samples, no motion, or noise of which they show nothing
 };
 
 /// "yes", "no", "untold".
@@ -21,7 +21,7 @@ std::string to_string(Adequate adequate);
 /// What was compared of one equation or channel, and what that says.
 struct AdequacyPart {
   std::string name;
-  Adequate fits = Adequate::Untold;
+  Adequate fits = Adequate::Undetermined;
   Index samples = 0;         ///< compared
   bool noise_known = false;  ///< the samples show their noise
 };
@@ -30,7 +30,7 @@ struct AdequacyPart {
 /// once for an answer; headline, verdict and sentences are made of it, so that none of them can
 /// say what another one denies.
 struct Adequacy {
-  Adequate fits = Adequate::Untold;  ///< as a whole
+  Adequate fits = Adequate::Undetermined;  ///< as a whole
   std::vector<AdequacyPart> parts = {};
 
   Index samples() const;  ///< compared, of all parts

@@ -26,10 +26,10 @@ struct Relation {
   double noise = 0.0;    ///< what the measurement noise makes of it
 };
 
-/// Which relations are told. What half and double of each changes is in docs/decisions.md.
+/// Which relations are reported. What half and double of each changes is in docs/decisions.md.
 struct RelationOptions {
   static constexpr StageInfo kInfo{"relations",
-                                   "Which relations that hold on the data are told", ""};
+                                   "Which relations that hold on the data are reported", ""};
 
   int most_terms = 4;
   double strength = 10.0;
@@ -47,7 +47,7 @@ struct RelationOptions {
 /// states 1; no products with states far from 0, far_variables()) of the measured states that
 /// vanish, up to a constant, at the noise level of the record (the approximately vanishing
 /// ideal: Heldt, Kreuzer, Pokutta & Poulisse, J. Symbolic Computation 44 (2009) 1566), shortest
-/// first. On such data the monomials of a relation and a constant cannot be told apart.
+/// first. On such data the monomials of a relation and a constant cannot be distinguished.
 ///
 /// For a set of monomials phi with the covariance C over the samples and N that of the noise in
 /// them, N = mean(J S J'), J = dphi/dx, S = diag(sigma^2), c is the eigenvector of C c = lambda
@@ -58,7 +58,7 @@ struct RelationOptions {
 ///   c_j sd(phi_j) >= strength * scatter   every summand counts,
 ///   c'(N - M) c >= c'M c, M_ij = tr(H_i S H_j S), H the Hessians   noise acts by the gradient.
 /// What contains a multiple of the leading monomial of a relation follows from it and is not
-/// told (Buchberger and Moeller's order).
+/// reported (Buchberger and Moeller's order).
 /// @param noise of the states, where it is known already (analyse_noise()).
 /// @throws DataError as check_dataset(); ArgumentError when known noise is not one per state.
 std::vector<Relation> find_relations(const Dataset& data, const RelationOptions& options = {},

@@ -14,9 +14,9 @@ namespace lacuna {
 struct Channel {
   bool measured = true;   ///< or else made from others
   StateNoise noise = {};  ///< what the samples show of it, and the step of a lattice
-  double repeats = 0.0;   ///< share of the values that are as the one before them
-  double missing = 0.0;   ///< share of the samples that say nothing: blank, or the last value
-  double at_top = 0.0, at_bottom = 0.0;  ///< share of the samples at an end of the channel
+  double repeats = 0.0;   ///< fraction of the values that are as the one before them
+  double missing = 0.0;  ///< fraction of the samples that say nothing: blank, or the last value
+  double at_top = 0.0, at_bottom = 0.0;  ///< fraction of the samples at an end of the channel
   Limits limits = {};                    ///< its ends, where samples are there
 };
 
@@ -35,13 +35,13 @@ struct ChannelOptions {
   double pile_up = 5.0;                   ///< see visible_limits()
 };
 
-/// Binds records to a model: model_view() and what the samples say of the measurement.
+/// Binds records to a model: model_view() and what the samples show of the measurement.
 /// @throws DataError as model_view() and check_dataset().
 BoundRecords bind(const OdeModel& model, const Dataset& data,
                   const Differentiator& differentiator);
 
-/// What the samples say of the measurement, for records that are in a model's variables already
-/// (joined ones, a part of others): ends of channels, repeated values, outliers.
+/// What the samples show of the measurement, for records that are in a model's variables
+/// already (joined ones, a part of others): ends of channels, repeated values, outliers.
 /// @throws DataError as check_dataset().
 BoundRecords observed(Dataset data, const ChannelOptions& options = {});
 

@@ -42,7 +42,7 @@ bool is_view(const OdeModel& model, const Dataset& data);
 /// @throws DataError naming the first one that is not there; model_view() puts them so.
 void check_is_view(const OdeModel& model, const Dataset& data);
 
-/// Whether no sample of any record says anything of a state.
+/// Whether no sample of any record shows anything of a state.
 bool is_hidden(const Dataset& data, Index state);
 
 /// Where hidden states begin as far as a model says so (OdeModel::initial()), or 0; m entries.

@@ -17,7 +17,7 @@ enum class HintKind {
   ClosedLoop,       ///< an input is nearly a function of the states
   Excitation,       ///< hardly any motion
   Sampling,         ///< too few samples in a period, too few periods
-  NotIdentifiable,  ///< coefficients that the records do not tell apart
+  NotIdentifiable,  ///< coefficients that the records do not distinguish
   DiscreteMap,      ///< samples follow from one another by a map, on no path in between
 };
 

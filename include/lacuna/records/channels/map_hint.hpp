@@ -24,7 +24,7 @@ struct MapHintOptions {
   void describe(OptionVisitor& visitor);
 };
 
-/// What the samples of records say of that.
+/// What the samples of records show of that.
 struct MapEvidence {
   /// Error of a sample as the mean of its two neighbours, over that with the neighbours of
   /// every other sample; the least of all states. 1/4 on a path that is well resolved, 1 where
@@ -36,14 +36,14 @@ struct MapEvidence {
   double remainder = 1.0;
   double linear_remainder = 1.0;  ///< the same of degree 1
 
-  /// Share of the samples at which the determinant of the polynomial's Jacobian by the states
-  /// is negative. The samples of an autonomous flow follow from one another by its flow map, of
-  /// which it is positive whatever the step is (Liouville).
+  /// Fraction of the samples at which the determinant of the polynomial's Jacobian by the
+  /// states is negative. The samples of an autonomous flow follow from one another by its flow
+  /// map, of which it is positive whatever the step is (Liouville).
   double reversed = 0.0;
 
   /// Mean of ln |dx[n+1]| / |dx[n]| over nearest pairs of samples that are farther apart than
   /// what the polynomial leaves, five times, and its standard error. 0 on a closed curve or a
-  /// torus, where the data do not say what the Jacobian is across.
+  /// torus, where the data do not show what the Jacobian is across.
   double divergence = 0.0;
   double divergence_error = 0.0;
 };

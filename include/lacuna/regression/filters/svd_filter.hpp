@@ -16,8 +16,8 @@ struct SvdFilterOptions {
 
   void describe(OptionVisitor& v) {
     v.field({"tolerance", "",
-             "Singular values of the unit-norm columns below this share of the largest count "
-             "as zero.",
+             "Singular values of the unit-norm columns below this fraction of the largest "
+             "count as zero.",
              0.0, 1.0},
             tolerance);
   }

@@ -24,9 +24,10 @@ struct CrossValidationOptions {
         {"standard_errors", "",
          "So many standard errors above the least prediction error are as good as it.", 0.0},
         standard_errors);
-    v.field({"resolution", "",
-             "Residuals below this share of |y| and of the terms count as rounding.", 0.0, 1.0},
-            resolution);
+    v.field(
+        {"resolution", "",
+         "Residuals below this fraction of |y| and of the terms count as rounding.", 0.0, 1.0},
+        resolution);
   }
 };
 
@@ -34,9 +35,9 @@ struct CrossValidationOptions {
 ///
 /// The rows are divided into B contiguous blocks. Each is left out once, with a gap to either
 /// side as long as the residuals of all terms are correlated (serial_correlation), at most half
-/// a block: neighbours in time would tell the block beforehand. In the other rows the terms
-/// leave one by one, the one whose loss raises the residual least first, and each set predicts
-/// the block, by least squares:
+/// a block: neighbours in time would determine the block beforehand. In the other rows the
+/// terms leave one by one, the one whose loss raises the residual least first, and each set
+/// predicts the block, by least squares:
 ///
 ///   e_bk = |y_b - Theta_b h_k|^2, h_k fitted with k terms to the rows outside of b and its
 ///   gaps.

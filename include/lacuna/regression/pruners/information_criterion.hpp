@@ -29,9 +29,10 @@ struct InformationCriterionOptions {
 
   void describe(OptionVisitor& v) {
     v.field({"criterion", "", "Which criterion is minimised."}, kCriteria, criterion);
-    v.field({"resolution", "",
-             "Residuals below this share of |y| and of the terms count as rounding.", 0.0, 1.0},
-            resolution);
+    v.field(
+        {"resolution", "",
+         "Residuals below this fraction of |y| and of the terms count as rounding.", 0.0, 1.0},
+        resolution);
   }
 };
 

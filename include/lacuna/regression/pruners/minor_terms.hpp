@@ -71,14 +71,15 @@ struct MinorTermsOptions {
              0.0},
             eta);
     v.field({"jump", "",
-             "jump: a jump of this share (logarithmic) of the largest one is the first that "
+             "jump: a jump of this fraction (logarithmic) of the largest one is the first that "
              "counts; 0: every growth beyond eta does.",
              0.0, 1.0},
             jump);
-    v.field({"resolution", "",
-             "relative: residuals below this share of |y| and of the terms count as rounding.",
-             0.0, 1.0},
-            resolution);
+    v.field(
+        {"resolution", "",
+         "relative: residuals below this fraction of |y| and of the terms count as rounding.",
+         0.0, 1.0},
+        resolution);
     negligible.describe(v);
   }
 };
@@ -96,8 +97,8 @@ struct MinorTermsOptions {
 /// terms can have fitted no more than that error, and of the noise each about one in n. Terms
 /// are dropped while
 ///   r_k^2 <= r^2 (1 + k ln(n) / n) + n T^2,   r = max(r_0, resolution),
-/// with Schwarz' price ln n of a term (Ann. Statist. 6:461-464, 1978), and then while they are
-/// negligible beside the rate (NegligibleTerms).
+/// with Schwarz' penalty ln n of a term (Ann. Statist. 6:461-464, 1978), and then while they
+/// are negligible beside the rate (NegligibleTerms).
 ///
 /// Stop by jump: noise gives r_0 and
 /// hardly more as spurious terms leave; the truncation error of finite differences, which

@@ -22,15 +22,15 @@ struct PathStep {
   Index terms = 0;        ///< terms of the equation with it
   bool in_model = false;  ///< whether the model found has it
   double gain = 0.0;      ///< by how much it lowers chi squared (sum of (residual / noise)^2)
-  double price = 0.0;     ///< the gain from which on a term is worth having
+  double penalty = 0.0;   ///< the gain from which on a term is worth having
 };
 
 /// A term that was worth too little to be kept, however significant.
 struct NegligibleTerm {
   Index equation = 0;
   std::string term;
-  double effect = 0.0;     ///< share of the equation's rate that it was worth
-  double threshold = 0.0;  ///< what it was held against
+  double effect = 0.0;     ///< fraction of the equation's rate that it was worth
+  double threshold = 0.0;  ///< what it was compared with
 };
 
 /// What a refiner is given.
@@ -38,7 +38,7 @@ struct RefinerTask {
   const Dataset& data;
   const TermLibrary& library;  ///< candidate terms of every equation
   const OdeModel& start;       ///< the model that the stages before found
-  /// Share of its derivatives that `start` leaves unexplained, rms, in the worst equation.
+  /// Fraction of its derivatives that `start` leaves unexplained, rms, in the worst equation.
   double unexplained = 1.0;
   /// Terms that each equation may have, by their numbers; empty: all of them.
   std::vector<TermSet> allowed = {};

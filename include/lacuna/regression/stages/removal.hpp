@@ -13,7 +13,7 @@ struct Removal {
   Index term = 0;          ///< number in the library
   std::string quantity;    ///< what was looked at: "smallest eigenvalue of E'E"
   double value = 0.0;      ///< what it was
-  double threshold = 0.0;  ///< what it was held against
+  double threshold = 0.0;  ///< what it was compared with
   int step = 0;            ///< in which step of the stage, from 1
 };
 

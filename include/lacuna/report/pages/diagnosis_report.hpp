@@ -8,10 +8,10 @@
 namespace lacuna {
 
 /// The answer for people, three to ten lines: verdict, each effect with numbers and units, what
-/// the coefficients say, the gap on records not used, what is left.
+/// the coefficients say, the gap on records not used, the residual.
 std::string format_text(const Diagnosis& diagnosis);
 
-/// Every account that was judged with the number or the rule that decided, for people.
+/// Every composite model that was judged with the number or the rule that decided, for people.
 std::string format_trail(const Diagnosis& diagnosis);
 
 /// JSON text of the format "lacuna.diagnosis/1".

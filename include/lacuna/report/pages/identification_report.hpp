@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// An identification and all that is told of it.
+/// An identification and all that is reported of it.
 struct IdentificationReport {
   IdentificationResult result;
   Pipeline pipeline;                    ///< what was used

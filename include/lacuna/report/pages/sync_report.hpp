@@ -9,7 +9,7 @@
 
 namespace lacuna {
 
-/// A synchronisation and what is needed to tell of it.
+/// A synchronisation and what is needed to report it.
 struct SyncReport {
   SyncResult result;
   std::vector<Quantity> states;  ///< of the model

@@ -22,13 +22,13 @@ struct FitOptions {
 };
 
 /// A number that was fitted.
-struct FittedNumber {
+struct FittedParameter {
   std::string name;       ///< "w: sin(th)" or the name of a parameter
   std::string unit = {};  ///< of a parameter
   double start = 0.0;     ///< as given
   double value = 0.0;     ///< the estimate
   std::optional<double> standard_error = {};
-  std::optional<std::array<double, 2>> ci95 = {};  ///< nothing where the records do not tell it
+  std::optional<std::array<double, 2>> ci95 = {};  ///< nothing where it is not determined
   std::optional<std::string> bound = {};           ///< "min" or "max" where it ended there
   std::vector<double> per_record = {};             ///< where each record has its own
 };
@@ -44,7 +44,7 @@ struct FittedStart {
   std::string state;
   double value = 0.0;
   bool fixed = false;
-  std::optional<double> standard_error = {};  ///< nothing where the record does not tell it
+  std::optional<double> standard_error = {};  ///< nothing where it is not determined
 };
 
 /// How a model meets one channel. What nothing was compared for is NaN.
@@ -85,7 +85,7 @@ struct FitRun {
 /// A model fitted to records.
 struct Fit {
   SystemModel model;  ///< with estimates and their intervals
-  std::vector<FittedNumber> numbers = {};
+  std::vector<FittedParameter> numbers = {};
   std::vector<FitCorrelation> correlations = {};       ///< above 0.9
   std::vector<std::vector<FittedStart>> initial = {};  ///< per record
   std::vector<std::string> records = {};

@@ -26,7 +26,7 @@ struct TrajectorySelectionOptions {
 
   Start start = Start::Nothing;
   bool second_opinion = false;
-  std::optional<double> price = {};
+  std::optional<double> penalty = {};
   double relation_strength = 3.0;
   NegligibleTerms negligible = {};
   GrowingNoise growing_noise = {};
@@ -43,7 +43,7 @@ struct TrajectorySelectionOptions {
          "Decrease of chi squared that a term must bring; ln(rows) + ln(candidates) when not "
          "given (extended information criterion, gamma = 1/2).",
          0.0},
-        price);
+        penalty);
     v.field(
         {"relation_strength", "",
          "Relations of the record whose summands vary by so many times their scatter put off "
@@ -57,25 +57,25 @@ struct TrajectorySelectionOptions {
 
 /// Structure and coefficients from the trajectories: the sparse regression
 ///
-///   min over S, h, initial states   sum ((y - x(t; h)) / sigma)^2 + price |S|
+///   min over S, h, initial states   sum ((y - x(t; h)) / sigma)^2 + penalty |S|
 ///
 /// by quasilinearisation in windows (see the architecture page). Windows begin at the time
 /// scale at which the signals sink into their noise and are doubled as long as the fit stays as
 /// good as it was and coefficients become better known. In each round all candidates of all
 /// equations are columns of one white least-squares problem, in which best_subset() chooses;
 /// the path about which it is linearised is then moved to the solution. The noise is estimated
-/// from the record; where it cannot be told from the signal it is what the fit leaves. Outliers
-/// are left out; short gaps are bridged; states that were not measured (`--embed`) follow from
-/// the others. Where a polynomial of the states is constant on the record (find_relations()),
-/// as on one orbit of an oscillator, the search is first done without multiples of its highest
-/// summands, which are other writings of lower terms, and then in all terms from there. A model
-/// that does not fit to the noise and breaks down in longer windows is an
-/// approximation, which any term improves a little: terms leave it, the least valuable first,
-/// as long as the rms of the residuals grows by no more than a tenth, unless a price is given.
-/// Terms that are significant and negligible (NegligibleTerms) leave before that.
-/// Models that do not fit to the noise are refitted by refine(). Does nothing with records that
-/// bring measured derivatives, nor, starting from a model, with records without noise of which
-/// it explains the derivatives to 1e-5 of them.
+/// from the record; where it cannot be distinguished from the signal it is what the fit leaves.
+/// Outliers are left out; short gaps are bridged; states that were not measured (`--embed`)
+/// follow from the others. Where a polynomial of the states is constant on the record
+/// (find_relations()), as on one orbit of an oscillator, the search is first done without
+/// multiples of its highest summands, which are other parametrisations of lower terms, and then
+/// in all terms from there. A model that does not fit to the noise and breaks down in longer
+/// windows is an approximation, which any term improves a little: terms leave it, the least
+/// valuable first, as long as the rms of the residuals grows by no more than a tenth, unless a
+/// penalty is given. Terms that are significant and negligible (NegligibleTerms) leave before
+/// that. Models that do not fit to the noise are refitted by refine(). Does nothing with
+/// records that bring measured derivatives, nor, starting from a model, with records without
+/// noise of which it explains the derivatives to 1e-5 of them.
 class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {
  public:
   using Configured::Configured;

@@ -31,7 +31,7 @@ struct LinearisedRecord {
   /// m x (n-1), or empty: spectral density that the disturbance of an equation has at least in
   /// each step. It is above 0 where an equation has a term that cannot be known (a delayed one
   /// that needs what was before the record, an input that jumps at an unknown instant); such a
-  /// step tells nothing of the noise model.
+  /// step determines nothing of the noise model.
   Matrix bridge = {};
   StepGrid grid = {};  ///< where these are: R = grid.rows(n), 2n-1 unless an input jumps
   Vector range = {};   ///< m: of the path, or of the whole path that this is a part of

@@ -50,9 +50,9 @@ struct AssimilationOptions {
   /// States that nobody measured (hidden_states()); empty: there are none.
   std::vector<bool> hidden = {};
   /// With hidden states: of the first so many free coefficients, directions of which the
-  /// records tell nothing are held.
+  /// records determine nothing are held.
   std::size_t held_among = 0;
-  /// held_among x h, orthonormal: relative changes of these that no record tells
+  /// held_among x h, orthonormal: relative changes of these that no record determines
   /// (UnseenChanges); empty: none.
   Matrix unseen = {};
   /// Free coefficients that are kept as they are, so that these changes do not happen.
@@ -71,8 +71,8 @@ struct Assimilation {
   std::vector<Matrix> measured = {};  ///< per record n x m
   std::vector<Matrix> omitted = {};   ///< per record n x m, or 0 x 0
   NoiseModel noise = {};
-  Vector least_noise = {};  ///< m: what white measurement noise cannot be less than
-  Vector seen_noise = {};   ///< m: what samples show of it against their neighbours; 0: nothing
+  Vector least_noise = {};        ///< m: what white measurement noise cannot be less than
+  Vector estimated_noise = {};    ///< m: of samples beside their neighbours; 0: none
   NoiseCurvature curvature = {};  ///< of the deviance over the noise model
   double deviance = 0.0;          ///< -2 log likelihood
   Index used = 0;                 ///< samples of all channels
@@ -80,7 +80,7 @@ struct Assimilation {
   std::vector<ChannelTerm> channel_terms = {};  ///< their coefficients are always fitted
   Matrix covariance = {};  ///< of the free coefficients, then of those of the channel terms
   /// As rows of `covariance` x h: relative changes of the coefficients of which the records
-  /// tell nothing, and which were held; 0 columns where every state is known.
+  /// determine nothing, and which were held; 0 columns where every state is known.
   Matrix held = {};
   std::vector<Index> units = {};  ///< of the coefficients: those that were kept as they are
 };
@@ -111,9 +111,10 @@ Matrix without_channel_terms(Matrix measured, const LinearisedRecord& record,
 /// A start with the noise that samples show, where an assimilation has much less. Beside
 /// disturbances that explain all, the noise shrinks to where the likelihood hardly depends on
 /// it, and stays there when they are gone.
-std::optional<Assimilation> with_seen_noise(const Assimilation& fit);
+std::optional<Assimilation> with_estimated_noise(const Assimilation& fit);
 
-/// An assimilation, or one that begins where it ended but with_seen_noise(), if that is better.
+/// An assimilation, or one that begins where it ended but with_estimated_noise(), if that is
+/// better.
 Assimilation settled(Assimilation found, const Dataset& data,
                      const AssimilationOptions& options, const RunContext& context);
 

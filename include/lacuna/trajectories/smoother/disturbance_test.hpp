@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// How much one equation leaves over: its disturbance.
+/// How large the residual of one equation is: its disturbance.
 struct EquationStructure {
   Index equation = 0;
   double drop = 0.0;      ///< of the deviance when the equation may be disturbed
@@ -31,9 +31,9 @@ Vector rate_rms(const Assimilation& fit);
 /// @param rates rms of the rate of change of each, as of rate_rms(); a state at rest counts 0.
 double total_disturbance(const Assimilation& fit, const Vector& rates);
 
-/// Share, 0..1, of what disturbs a fit that another one of the same states does without; all of
-/// nothing.
-double share_closed(const Assimilation& before, const Assimilation& after);
+/// Fraction, 0..1, of what disturbs a fit that another one of the same states does without; all
+/// of nothing.
+double fraction_closed(const Assimilation& before, const Assimilation& after);
 
 /// Smoothed disturbances along one record, (n-1) x m, state unit per time unit.
 Matrix disturbance_along(const Assimilation& fit, std::size_t record);

@@ -15,7 +15,7 @@ namespace {
 TEST(Parts, AreAllOnesOwnWithoutATeam) {
   std::vector<double> parts(5, 0.0);
   for_each_own_part(parts.size(), {}, [&](std::size_t i) { parts[i] += 1.0; });
-  share_parts(parts.size(), {}, [](std::size_t) -> std::span<double> {
+  exchange_parts(parts.size(), {}, [](std::size_t) -> std::span<double> {
     ADD_FAILURE() << "there is nobody to share with";
     return {};
   });
@@ -33,7 +33,7 @@ TEST(Parts, AreDividedAmongTheMembersAndSharedByAll) {
         parts[i] = static_cast<double>(i + 1);
         ++done[i];
       });
-      share_parts(count, context, [&](std::size_t i) { return std::span(&parts[i], 1); });
+      exchange_parts(count, context, [&](std::size_t i) { return std::span(&parts[i], 1); });
       EXPECT_EQ(parts, expected);
     });
     for (const auto& times : done) EXPECT_EQ(times, 1);
@@ -45,7 +45,7 @@ TEST(Parts, TextsAreSharedWhateverTheirLengths) {
   testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
     std::vector<std::string> texts(expected.size());
     for_each_own_part(texts.size(), context, [&](std::size_t i) { texts[i] = expected[i]; });
-    share_texts(texts, context);
+    exchange_texts(texts, context);
     EXPECT_EQ(texts, expected);
   });
 }

@@ -44,7 +44,7 @@ TEST(ByteStream, PartsOfAnySizeMakeUpTheFile) {
       ByteStream stream(file);
       EXPECT_EQ(stream.is_packed(), file == packed);
       EXPECT_EQ(read_in_parts(stream, size), text) << file << " by " << size;
-      EXPECT_EQ(stream.share(), 1.0);
+      EXPECT_EQ(stream.fraction(), 1.0);
     }
 }
 
@@ -75,13 +75,13 @@ TEST(ByteStream, KnowsHowFarItIs) {
   const TemporaryFolder folder;
   ByteStream stream(folder.write("a.txt", std::string(1000, 'x')));
   EXPECT_EQ(stream.file_size(), 1000U);
-  EXPECT_EQ(stream.share(), 0.0);
+  EXPECT_EQ(stream.fraction(), 0.0);
   std::string part(250, '\0');
   stream.read(part);
-  EXPECT_EQ(stream.share(), 0.25);
+  EXPECT_EQ(stream.fraction(), 0.25);
   ByteStream empty(folder.write("empty", ""));
   EXPECT_EQ(empty.read(part), 0U);
-  EXPECT_FALSE(empty.share());
+  EXPECT_FALSE(empty.fraction());
 }
 
 TEST(ByteStream, APipeIsReadToItsEnd) {
@@ -92,7 +92,7 @@ TEST(ByteStream, APipeIsReadToItsEnd) {
   ByteStream stream(path);
   EXPECT_EQ(read_in_parts(stream, 5000), text);
   EXPECT_FALSE(stream.file_size());
-  EXPECT_FALSE(stream.share());
+  EXPECT_FALSE(stream.fraction());
   writer.join();
 }
 

@@ -85,7 +85,7 @@ TEST(PivotedQr, ComplementIsOrthogonalToTheColumns) {
   EXPECT_LT((rest.transpose() * dependent()).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-TEST(PivotedQr, ShareOfTheLargestPivotSaysWhatIsDependent) {
+TEST(PivotedQr, FractionOfTheLargestPivotSaysWhatIsDependent) {
   Matrix a = Matrix::Identity(3, 2);
   a(1, 1) = 1e-6;
   EXPECT_EQ(PivotedQr(a).rank(), 2);

@@ -78,7 +78,7 @@ TEST(Hdf5, BlocksAreTheWhole) {
       for (; blocks->next(block); rows += block.values.rows())
         EXPECT_EQ(block.values, whole.values.middleRows(rows, block.values.rows())) << name;
       EXPECT_EQ(rows, whole.values.rows());
-      EXPECT_EQ(blocks->share(), 1.0);
+      EXPECT_EQ(blocks->fraction(), 1.0);
     }
 }
 

@@ -46,7 +46,7 @@ TEST(RowBlocks, SayWhatCannotBeReadInPieces) {
   refused("a.mat", mat, "save it with '-v7.3'");
 }
 
-TEST(RowBlocks, TakeAShareOfTheMemory) {
+TEST(RowBlocks, TakeAFractionOfTheMemory) {
   const BlockSizes small = block_sizes(1U << 24U), large = block_sizes(std::size_t{1} << 34U);
   EXPECT_EQ(small.block, std::size_t{1} << 19U);
   EXPECT_EQ(large.block, std::size_t{1} << 22U);

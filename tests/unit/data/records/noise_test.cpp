@@ -26,7 +26,7 @@ Vector signals(double t) {
 }
 
 /// @param noise standard deviation of white noise on every state.
-/// @param jitter of the times, as a share of the step.
+/// @param jitter of the times, as a fraction of the step.
 Trajectory record(double noise, double jitter, std::uint64_t seed) {
   Random random(seed);
   Trajectory trajectory;

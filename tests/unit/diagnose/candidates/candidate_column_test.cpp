@@ -29,7 +29,7 @@ TEST(CandidateColumn, MemoryFollowsItsEquation) {
   const LinearisedRecord record = step_record();
   const Matrix memory = memory_along(lag(0.5), tau, support::oscillator().variables(), record);
   ASSERT_EQ(memory.rows(), 3001);
-  // From 1 s to 1.5 s a first-order lag goes the share 1 - 1/e of what is left.
+  // From 1 s to 1.5 s a first-order lag goes the fraction 1 - 1/e of what is left.
   EXPECT_NEAR((1.0 - memory(150, 0)) / (1.0 - memory(100, 0)), std::exp(-1.0), 1e-3);
 }
 

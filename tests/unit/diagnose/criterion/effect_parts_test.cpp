@@ -79,7 +79,7 @@ TEST(EffectParts, CoefficientsMoveOutOfScale) {
   ASSERT_EQ(moved_from(0.09).size(), 1u);
   EXPECT_FALSE(moved_from(0.09)[0].changes_sign());
   EXPECT_TRUE(moved_from(0.11).empty());
-  EXPECT_TRUE(moved_from(-1.0, {.significance = 1e6}).empty()) << "not told from 0";
+  EXPECT_TRUE(moved_from(-1.0, {.significance = 1e6}).empty()) << "not distinguished from 0";
 }
 
 TEST(EffectParts, ExplanationsAreApartByWhatTheyAddAlongThePath) {
@@ -105,7 +105,7 @@ TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
   const double expected =
       static_cast<double>((slots.col(0).array() < -0.1 - 0.01 * deepest).count()) /
       static_cast<double>(slots.rows());
-  EXPECT_NEAR(acting_share(stop, fit, 0.01), expected, 1e-12);
+  EXPECT_NEAR(acting_fraction(stop, fit, 0.01), expected, 1e-12);
   EXPECT_GT(expected, 0.1);
   EXPECT_LT(expected, 0.9);
 }

@@ -19,14 +19,14 @@ support::Asked with_sensor(double offset, double gain) {
 
 TEST(BrokenIdentity, AGainIsTheIdentitysCoefficient) {
   const support::Asked asked = with_sensor(0.0, 1.25);
-  Account best = asked.bare();
+  CompositeModel best = asked.bare();
   best.findings = {{.name = "an assumption"}};
   const Proposals made = BrokenIdentity().propose(asked.problem(), best);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  EXPECT_EQ(made.accounts[0].account.findings.size(), 1u)
+  ASSERT_EQ(made.composites.size(), 1u);
+  EXPECT_EQ(made.composites[0].composite.findings.size(), 1u)
       << "what the baseline assumes already";
-  EXPECT_TRUE(made.accounts[0].search_first);
-  const Baseline& base = *made.accounts[0].account.base;
+  EXPECT_TRUE(made.composites[0].search_first);
+  const Baseline& base = *made.composites[0].composite.base;
   EXPECT_EQ(base.fit_options.free.size(), 4u) << "q, v, F and the identity's v";
   EXPECT_EQ(base.fit_options.free.back(), (CoefficientPlace{0, 0}));
   EXPECT_EQ(base.parameters, 1.0) << "the variance of its disturbance";
@@ -38,16 +38,16 @@ TEST(BrokenIdentity, AGainIsTheIdentitysCoefficient) {
 
 TEST(BrokenIdentity, WithoutReasonToDoubtItSaysHowFarTheNoiseIsInflated) {
   support::Asked asked = support::asked(support::nothing, 0.005);
-  const Account bare = asked.bare();
+  const CompositeModel bare = asked.bare();
   const Proposals made = BrokenIdentity().propose(asked.problem(), bare);
-  EXPECT_TRUE(made.accounts.empty());
+  EXPECT_TRUE(made.composites.empty());
   ASSERT_EQ(made.trail.size(), 1u);
   EXPECT_EQ(made.trail[0].quantity, "inflation of the noise");
   EXPECT_NEAR(made.trail[0].value, 1.0, 0.1) << "white noise is what neighbours show";
   EXPECT_EQ(made.trail[0].threshold, asked.options.decision.noise_inflation);
   asked.options.decision.noise_inflation = 0.5;
   const Proposals doubted = BrokenIdentity().propose(asked.problem(), bare);
-  EXPECT_TRUE(doubted.accounts.empty());
+  EXPECT_TRUE(doubted.composites.empty());
   ASSERT_EQ(doubted.trail.size(), 1u);
   EXPECT_EQ(doubted.trail[0].quantity, "equations disturbed") << "doubted, and found to hold";
 }
@@ -56,10 +56,10 @@ TEST(BrokenIdentity, OfAStateThatWasNotMeasuredAnIdentityIsTheDefinition) {
   Dataset data = with_sensor(0.0, 1.25).records.data;
   data.reconstructed = {false, true};
   const support::Asked asked{.records = observed(data)};
-  Account best = asked.bare();
+  CompositeModel best = asked.bare();
   ASSERT_FALSE(best.base->given.noise.measurement[1]);
   const Proposals made = BrokenIdentity().propose(asked.problem(), best);
-  EXPECT_TRUE(made.accounts.empty() && made.trail.empty());
+  EXPECT_TRUE(made.composites.empty() && made.trail.empty());
 }
 
 TEST(BrokenIdentity, AConstantThatNobodyMeasuredIsNotDoubted) {
@@ -75,11 +75,11 @@ TEST(BrokenIdentity, AConstantThatNobodyMeasuredIsNotDoubted) {
   states.col(2).setZero();
   support::Asked asked{.records = observed(data), .nominal = nominal};
   asked.options.decision.noise_inflation = 0.5;
-  const Account bare = asked.bare();
+  const CompositeModel bare = asked.bare();
   EXPECT_EQ(bare.base->fitted.noise.disturbance[2], 0.0) << "a constant";
   EXPECT_NEAR(bare.base->fitted.records[0].path(700, 2), 0.3, 0.02);
   const Proposals made = BrokenIdentity().propose(asked.problem(), bare);
-  EXPECT_TRUE(made.accounts.empty());
+  EXPECT_TRUE(made.composites.empty());
 }
 
 }  // namespace

@@ -28,49 +28,49 @@ support::Asked with_memory() {
 
 TEST(ColouredNoise, FindsDeviationAndTimeOfTheNoise) {
   const support::Asked asked = with_memory();
-  Account best = asked.bare();
+  CompositeModel best = asked.bare();
   best.named = {{.equation = 1, .name = "a guess"}};  // what has a name may be noise
   best.findings = {{.name = "an assumption"}};
   const Proposals made = ColouredNoiseHypothesis().propose(asked.problem(), best);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts.front().account;
-  EXPECT_EQ(account.hypothesis, "coloured-noise");
-  EXPECT_EQ(account.findings.size(), 1u) << "what its baseline assumes already";
-  const auto& found = account.base->fitted.noise.coloured[0];
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites.front().composite;
+  EXPECT_EQ(composite.hypothesis, "coloured-noise");
+  EXPECT_EQ(composite.findings.size(), 1u) << "what its baseline assumes already";
+  const auto& found = composite.base->fitted.noise.coloured[0];
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->deviation, 0.1, 0.035);
   EXPECT_GT(found->time, 0.3);
   EXPECT_LT(found->time, 1.2);
-  EXPECT_NEAR(*account.base->fitted.noise.measurement[0], 0.01, 0.003);
-  EXPECT_EQ(account.base->parameters, 4.0) << "deviation and time of two channels";
-  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+  EXPECT_NEAR(*composite.base->fitted.noise.measurement[0], 0.01, 0.003);
+  EXPECT_EQ(composite.base->parameters, 4.0) << "deviation and time of two channels";
+  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
 }
 
 TEST(ColouredNoise, IsNotAskedForWhereNothingIsLeft) {
   const support::Asked asked = support::asked(support::nothing);
   const Proposals made = ColouredNoiseHypothesis().propose(asked.problem(), asked.bare());
-  EXPECT_TRUE(made.accounts.empty() && made.trail.empty());
+  EXPECT_TRUE(made.composites.empty() && made.trail.empty());
 }
 
 TEST(ColouredNoise, DeclinesWithItsNumberWhereTheDynamicsExplainMore) {
   const support::Asked asked = support::asked(support::ripple);
   const Problem problem = asked.problem();
-  const Account bare = asked.bare();
-  EXPECT_EQ(ColouredNoiseHypothesis().propose(problem, bare).accounts.size(), 1u)
-      << "it is judged against the best account, not against none";
-  Account best = bare;
+  const CompositeModel bare = asked.bare();
+  EXPECT_EQ(ColouredNoiseHypothesis().propose(problem, bare).composites.size(), 1u)
+      << "it is judged against the best composite model, not against none";
+  CompositeModel best = bare;
   best.explanation = explain_on(problem, *best.base, best.base->fitted,
                                 {{support::plain_candidate("sin(6*q)"), Vector(0), 0.0, 0.0}});
   best.named = {{.equation = 1, .name = "ripple"}};
   const Proposals made = ColouredNoiseHypothesis().propose(problem, best);
-  EXPECT_TRUE(made.accounts.empty());
+  EXPECT_TRUE(made.composites.empty());
   ASSERT_EQ(made.trail.size(), 1u);
   EXPECT_FALSE(made.trail[0].taken);
   EXPECT_GT(made.trail[0].value, made.trail[0].threshold);
   EXPECT_DOUBLE_EQ(made.trail[0].threshold, asked.options.criterion->value(evidence_of(best)));
 }
 
-TEST(ColouredNoise, ChannelsAreToldFromTheShareThatIsAsked) {
+TEST(ColouredNoise, ChannelsAreToldFromTheFractionThatIsAsked) {
   NoiseModel noise;
   noise.measurement = {0.1, 0.2};
   noise.coloured = {ColouredNoise{0.04, 3.0}, ColouredNoise{0.15, 4.0}};

@@ -80,22 +80,22 @@ TEST(InputHolds, AnInputThatStandsStillHasNone) {
 
 TEST(InputHolds, AreNotDoubtedWithoutEffects) {
   const support::Asked asked{.records = observed(support::held_record(Hold::Zero, 2e-3))};
-  Account account = asked.bare();
-  account.left = {{.equation = 1, .sigma = 10.0, .relative = 0.1}};
-  EXPECT_TRUE(rival_holds(asked.problem(), {{0, Hold::Smooth, 0.1}}, account).empty());
+  CompositeModel composite = asked.bare();
+  composite.left = {{.equation = 1, .sigma = 10.0, .relative = 0.1}};
+  EXPECT_TRUE(rival_holds(asked.problem(), {{0, Hold::Smooth, 0.1}}, composite).empty());
 }
 
 /// Dry friction beside a force that is held.
 class HoldsBesideFriction : public ::testing::Test {
  protected:
   /// The friction that is found under a hold.
-  Account account_under(Hold hold, const std::string& friction = "tanh(v/0.01)") {
+  CompositeModel composite_under(Hold hold, const std::string& friction = "tanh(v/0.01)") {
     asked_.nominal = asked_.nominal.with_holds({hold});
-    Account account = asked_.bare();
-    account.explanation =
-        explain_on(asked_.problem(), *account.base, account.base->fitted,
+    CompositeModel composite = asked_.bare();
+    composite.explanation =
+        explain_on(asked_.problem(), *composite.base, composite.base->fitted,
                    {{support::plain_candidate(friction), Vector(0), -0.3, 0.0}});
-    return account;
+    return composite;
   }
 
   support::Asked asked_{
@@ -105,8 +105,8 @@ class HoldsBesideFriction : public ::testing::Test {
 
 TEST_F(HoldsBesideFriction, AreJudgedAnew) {
   const auto rivals_under = [&](Hold hold) {
-    const Account account = account_under(hold);
-    return rival_holds(asked_.problem(), {{0, Hold::Linear, 1e9}}, account);
+    const CompositeModel composite = composite_under(hold);
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, 1e9}}, composite);
   };
   const auto rivals = rivals_under(Hold::Smooth);
   ASSERT_FALSE(rivals.empty()) << "the held force fits better";
@@ -116,11 +116,11 @@ TEST_F(HoldsBesideFriction, AreJudgedAnew) {
 
 /// With a friction that is not quite the true one.
 TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
-  const Account account = account_under(Hold::Zero, "tanh(v/0.03)");
-  const double explained = account.base->fitted.deviance - account.explanation.fit.deviance;
+  const CompositeModel composite = composite_under(Hold::Zero, "tanh(v/0.03)");
+  const double explained = composite.base->fitted.deviance - composite.explanation.fit.deviance;
   ASSERT_GT(explained, 100.0);
   const auto rivals_with = [&](double lead) {
-    return rival_holds(asked_.problem(), {{0, Hold::Linear, lead}}, account);
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, lead}}, composite);
   };
   ASSERT_EQ(rivals_with(0.99 * explained).size(), 1u);
   EXPECT_EQ(rivals_with(0.99 * explained).front().inputs()[0].hold, Hold::Linear);
@@ -128,8 +128,8 @@ TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
 }
 
 TEST_F(HoldsBesideFriction, AreSettledWhereNothingDisturbsTheModel) {
-  const Account account = account_under(Hold::Zero);
-  EXPECT_TRUE(rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, account).empty());
+  const CompositeModel composite = composite_under(Hold::Zero);
+  EXPECT_TRUE(rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite).empty());
 }
 
 }  // namespace

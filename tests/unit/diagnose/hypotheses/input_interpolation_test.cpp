@@ -21,8 +21,8 @@ Dataset seldom(Dataset data, Index each = 10) {
     const Vector force = record.inputs.col(0);
     for (Index i = 0; i < force.size(); ++i) {
       const Index knot = i - i % each, next = std::min<Index>(knot + each, force.size() - 1);
-      const double share = static_cast<double>(i - knot) / static_cast<double>(each);
-      record.inputs(i, 0) = (1.0 - share) * force[knot] + share * force[next];
+      const double fraction = static_cast<double>(i - knot) / static_cast<double>(each);
+      record.inputs(i, 0) = (1.0 - fraction) * force[knot] + fraction * force[next];
     }
   }
   return data;
@@ -32,14 +32,14 @@ TEST(InputInterpolation, PutsTheInputOnTheCurveThroughWhatWasRecorded) {
   const Dataset smooth = support::hidden_record(support::nothing, 1e-3);
   const support::Asked asked{.records = observed(seldom(smooth))};
   ASSERT_TRUE(is_interpolated(asked.records.data, 0));
-  const Account best = asked.bare();
+  const CompositeModel best = asked.bare();
   ASSERT_TRUE(leaves_structure(best, asked.options.decision)) << "the error of the lines";
-  const auto accounts = InputInterpolation{}.propose(asked.problem(), best).accounts;
-  ASSERT_EQ(accounts.size(), 1u);
-  const Account& account = accounts[0].account;
-  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
-  ASSERT_EQ(account.base->notes.size(), 1u);
-  const Trajectory other = account.base->correct(seldom(smooth)).trajectories[0];
+  const auto composites = InputInterpolation{}.propose(asked.problem(), best).composites;
+  ASSERT_EQ(composites.size(), 1u);
+  const CompositeModel& composite = composites[0].composite;
+  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
+  ASSERT_EQ(composite.base->notes.size(), 1u);
+  const Trajectory other = composite.base->correct(seldom(smooth)).trajectories[0];
   const auto error = [&](const Trajectory& record) {
     return (record.inputs - smooth.trajectories[0].inputs).cwiseAbs().maxCoeff();
   };
@@ -50,7 +50,7 @@ TEST(InputInterpolation, NothingIsProposedOfInputsThatWereRecordedOften) {
   const support::Asked asked{.records =
                                  observed(support::hidden_record(support::dry_friction, 1e-3))};
   ASSERT_FALSE(is_interpolated(asked.records.data, 0));
-  EXPECT_TRUE(InputInterpolation{}.propose(asked.problem(), asked.bare()).accounts.empty());
+  EXPECT_TRUE(InputInterpolation{}.propose(asked.problem(), asked.bare()).composites.empty());
 }
 
 TEST(InputInterpolation, LinesDoNotJump) {

@@ -29,20 +29,20 @@ Dataset late_force(Dataset data, double late) {
 support::Asked asked_of(const Dataset& data) { return {.records = observed(data)}; }
 
 std::vector<Proposal> moved_ahead_in(const support::Asked& asked) {
-  return InputSkew{}.propose(asked.problem(), asked.bare()).accounts;
+  return InputSkew{}.propose(asked.problem(), asked.bare()).composites;
 }
 
 class LateForce : public ::testing::TestWithParam<double> {};
 
 TEST_P(LateForce, IsMovedAhead) {
   const double late = GetParam();
-  const auto accounts = moved_ahead_in(
+  const auto composites = moved_ahead_in(
       asked_of(late_force(support::hidden_record(support::nothing, 2e-3), late)));
-  ASSERT_EQ(accounts.size(), 1u);
-  EXPECT_TRUE(accounts[0].search_first);
-  const Account& account = accounts[0].account;
-  ASSERT_EQ(account.findings.size(), 1u);
-  const NamedEffect& found = account.findings[0];
+  ASSERT_EQ(composites.size(), 1u);
+  EXPECT_TRUE(composites[0].search_first);
+  const CompositeModel& composite = composites[0].composite;
+  ASSERT_EQ(composite.findings.size(), 1u);
+  const NamedEffect& found = composite.findings[0];
   EXPECT_EQ(found.name, "channel-skew");
   EXPECT_EQ(found.equation, 1);
   EXPECT_NEAR(found.parameters.at(0).value, late, 1e-3);
@@ -51,9 +51,10 @@ TEST_P(LateForce, IsMovedAhead) {
   EXPECT_LT(std::abs(found.coefficient - late), 4.0 * found.deviation + 1e-4);
   EXPECT_LT(found.deviation, 1e-3);
   EXPECT_GT(found.gap_closed, 0.99);
-  EXPECT_FALSE(leaves_structure(account, DecisionOptions{}));
+  EXPECT_FALSE(leaves_structure(composite, DecisionOptions{}));
   // Other records are moved alike.
-  const Dataset other = account.base->correct(support::hidden_record(support::nothing, 0.0, 4));
+  const Dataset other =
+      composite.base->correct(support::hidden_record(support::nothing, 0.0, 4));
   const Dataset ahead =
       late_force(support::hidden_record(support::nothing, 0.0, 4), -found.parameters[0].value);
   const Index inner = other.trajectories[0].time.size() - 20;
@@ -83,9 +84,9 @@ TEST(InputSkew, TheStandardErrorIsTheScatterOfTheTime) {
   double scatter = 0.0, said = 0.0;
   for (int draw = 0; draw < kDraws; ++draw) {
     const Dataset data = support::hidden_record(support::nothing, 1e-2, 100 + draw);
-    const auto accounts = moved_ahead_in(asked_of(late_force(data, 0.05)));
-    ASSERT_EQ(accounts.size(), 1u);
-    const NamedParameter& lead = accounts[0].account.findings.at(0).parameters.at(0);
+    const auto composites = moved_ahead_in(asked_of(late_force(data, 0.05)));
+    ASSERT_EQ(composites.size(), 1u);
+    const NamedParameter& lead = composites[0].composite.findings.at(0).parameters.at(0);
     scatter += std::pow(lead.value - 0.05, 2) / kDraws;
     said += std::pow(lead.deviation.value(), 2) / kDraws;
   }
@@ -110,11 +111,11 @@ TEST(InputSkew, HeldInputsAreLateByWholeSteps) {
   record.inputs.col(0).tail(n) = before;
   support::Asked asked = asked_of(data);
   asked.nominal = asked.nominal.with_holds({Hold::Zero});
-  const auto accounts = moved_ahead_in(asked);
-  ASSERT_EQ(accounts.size(), 1u);
-  const Account& account = accounts[0].account;
-  EXPECT_NEAR(account.findings.at(0).parameters.at(0).value, 0.06, 1e-9);
-  const Vector moved = account.base->correct(data).trajectories[0].inputs.col(0);
+  const auto composites = moved_ahead_in(asked);
+  ASSERT_EQ(composites.size(), 1u);
+  const CompositeModel& composite = composites[0].composite;
+  EXPECT_NEAR(composite.findings.at(0).parameters.at(0).value, 0.06, 1e-9);
+  const Vector moved = composite.base->correct(data).trajectories[0].inputs.col(0);
   EXPECT_EQ(moved.head(n), record.inputs.col(0).tail(n));
 }
 

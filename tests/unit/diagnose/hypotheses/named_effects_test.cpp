@@ -14,76 +14,77 @@ support::Asked asked_of(const support::Hidden& hidden) {
   return support::asked(hidden, 0.01, support::own_effects());
 }
 
-TEST(NamedEffects, TheAccountHasTheEffectOnTopOfItsBaseline) {
+TEST(NamedEffects, TheCompositeHasTheEffectOnTopOfItsBaseline) {
   const support::Asked asked = asked_of(support::dry_friction);
   const auto base = asked.baseline();
-  const SearchedAccount found = searched(asked.problem(), base, asked.options.effects);
-  EXPECT_EQ(found.account.base, base);
-  ASSERT_EQ(found.account.named.size(), 1u);
-  EXPECT_EQ(found.account.named[0].name, "dry");
-  EXPECT_NEAR(found.account.named[0].coefficient, -0.3, 0.02);
-  EXPECT_FALSE(leaves_structure(found.account, asked.options.decision));
-  EXPECT_FALSE(found.account.refitted) << "nothing is left over";
+  const SearchedComposite found = searched(asked.problem(), base, asked.options.effects);
+  EXPECT_EQ(found.composite.base, base);
+  ASSERT_EQ(found.composite.named.size(), 1u);
+  EXPECT_EQ(found.composite.named[0].name, "dry");
+  EXPECT_NEAR(found.composite.named[0].coefficient, -0.3, 0.02);
+  EXPECT_FALSE(leaves_structure(found.composite, asked.options.decision));
+  EXPECT_FALSE(found.composite.refitted) << "no residual structure is there";
   EXPECT_FALSE(found.rivals.empty());
 }
 
 TEST(NamedEffects, AProposalKeepsWhatTheAssumptionsFoundAndIsLeftToTheCriterion) {
   const support::Asked asked = asked_of(support::dry_friction);
-  Account best = asked.bare();
+  CompositeModel best = asked.bare();
   best.findings = {{.name = "an assumption"}};
   best.notes = {"a note"};
   const Proposals made = NamedEffects().propose(asked.problem(), best);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Proposal& proposal = made.accounts[0];
-  EXPECT_EQ(proposal.account.findings[0].name, "an assumption");
-  EXPECT_EQ(proposal.account.notes, best.notes);
+  ASSERT_EQ(made.composites.size(), 1u);
+  const Proposal& proposal = made.composites[0];
+  EXPECT_EQ(proposal.composite.findings[0].name, "an assumption");
+  EXPECT_EQ(proposal.composite.notes, best.notes);
   EXPECT_TRUE(std::holds_alternative<ByCriterion>(proposal.judged));
-  EXPECT_LT(asked.options.criterion->value(evidence_of(proposal.account)),
+  EXPECT_LT(asked.options.criterion->value(evidence_of(proposal.composite)),
             asked.options.criterion->value(evidence_of(best)));
 }
 
-TEST(NamedEffects, OfACompleteModelItsAccountIsNoBetterThanTheBareOne) {
+TEST(NamedEffects, OfACompleteModelItsCompositeIsNoBetterThanTheBareOne) {
   const support::Asked asked = asked_of(support::nothing);
-  const Account bare = asked.bare();
+  const CompositeModel bare = asked.bare();
   const Proposals made = NamedEffects().propose(asked.problem(), bare);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  EXPECT_TRUE(made.accounts[0].account.named.empty());
-  EXPECT_EQ(asked.options.criterion->value(evidence_of(made.accounts[0].account)),
+  ASSERT_EQ(made.composites.size(), 1u);
+  EXPECT_TRUE(made.composites[0].composite.named.empty());
+  EXPECT_EQ(asked.options.criterion->value(evidence_of(made.composites[0].composite)),
             asked.options.criterion->value(evidence_of(bare)));
 }
 
 TEST(NamedEffects, OnlyTheEffectsThatAreGivenAreTried) {
   const support::Asked asked = asked_of(support::dry_friction);
-  const SearchedAccount found = searched(asked.problem(), asked.baseline(),
-                                         {support::FormEffect<support::kCubic>("q^3")});
-  for (const NamedEffect& named : found.account.named) EXPECT_EQ(named.name, "cubic");
-  EXPECT_TRUE(leaves_structure(found.account, asked.options.decision));
+  const SearchedComposite found = searched(asked.problem(), asked.baseline(),
+                                           {support::FormEffect<support::kCubic>("q^3")});
+  for (const NamedEffect& named : found.composite.named) EXPECT_EQ(named.name, "cubic");
+  EXPECT_TRUE(leaves_structure(found.composite, asked.options.decision));
 }
 
-/// The account that a form with a shape was chosen first, which does a little of dry friction.
-Account wrong_choice(const support::Asked& asked) {
+/// The composite model that a form with a shape was chosen first, which does a little of dry
+/// friction.
+CompositeModel wrong_choice(const support::Asked& asked) {
   Candidate special = support::plain_candidate("v*abs(v)/(s+abs(v))");
   special.shapes = {{"s", "m/s", 0.1, 10.0, false}};
   special.starts = {Vector::Constant(1, 1.0)};
-  Account account = asked.bare();
-  account.explanation = explain_on(asked.problem(), *account.base, account.base->fitted,
-                                   {{special, special.starts.front(), -0.1, 0.0}});
-  account.named = {{.equation = 1, .name = "special"}};
-  account.left = test_disturbances(account.explanation.fit, asked.context);
-  return account;
+  CompositeModel composite = asked.bare();
+  composite.explanation = explain_on(asked.problem(), *composite.base, composite.base->fitted,
+                                     {{special, special.starts.front(), -0.1, 0.0}});
+  composite.named = {{.equation = 1, .name = "special"}};
+  composite.left = test_disturbances(composite.explanation.fit, asked.context);
+  return composite;
 }
 
 TEST(OtherChoices, TakeThePlaceOfAFirstChoiceThatLeavesSomething) {
   const support::Asked asked = asked_of(support::dry_friction);
-  Account first = wrong_choice(asked);
+  CompositeModel first = wrong_choice(asked);
   first.notes = {"a note"};
-  ASSERT_TRUE(is_anything_left(first.left, asked.options.decision));
+  ASSERT_TRUE(has_residual_structure(first.left, asked.options.decision));
   const Proposals made = OtherChoices().propose(asked.problem(), first);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Proposal& proposal = made.accounts[0];
-  ASSERT_EQ(proposal.account.named.size(), 1u);
-  EXPECT_EQ(proposal.account.named[0].name, "dry");
-  EXPECT_EQ(proposal.account.notes, first.notes);
+  ASSERT_EQ(made.composites.size(), 1u);
+  const Proposal& proposal = made.composites[0];
+  ASSERT_EQ(proposal.composite.named.size(), 1u);
+  EXPECT_EQ(proposal.composite.named[0].name, "dry");
+  EXPECT_EQ(proposal.composite.notes, first.notes);
   EXPECT_EQ(std::get<ByCriterion>(proposal.judged).lead, -asked.options.decision.undecided)
       << "it has fewer parameters";
   EXPECT_FALSE(made.trail.empty());
@@ -91,28 +92,28 @@ TEST(OtherChoices, TakeThePlaceOfAFirstChoiceThatLeavesSomething) {
 
 TEST(OtherChoices, DoNotTakeThePlaceOfWhatLeavesLessInWindows) {
   support::Asked asked = asked_of(support::dry_friction);
-  Account first = wrong_choice(asked);
+  CompositeModel first = wrong_choice(asked);
   std::vector<FittedEffect> both = first.explanation.effects;
   both.push_back({support::plain_candidate("sign(v)"), Vector(0), -0.3, 0.0});
   first.explanation =
       explain_on(asked.problem(), *first.base, first.base->fitted, std::move(both));
   first.explanation.fit.deviance += 2e4;  // as if it were worse from sample to sample
-  EXPECT_EQ(OtherChoices().propose(asked.problem(), first).accounts.size(), 1u)
+  EXPECT_EQ(OtherChoices().propose(asked.problem(), first).composites.size(), 1u)
       << "dry friction, which leaves as little";
   asked.options.effects = {support::FormEffect<support::kCubic>("q^3")};
-  EXPECT_TRUE(OtherChoices().propose(asked.problem(), first).accounts.empty())
+  EXPECT_TRUE(OtherChoices().propose(asked.problem(), first).composites.empty())
       << "a cubic spring, which leaves more";
 }
 
 TEST(OtherChoices, AreNotSoughtWhereNothingIsLeftOrNoFormIsSpecial) {
   const support::Asked asked = asked_of(support::dry_friction);
-  Account first = wrong_choice(asked);
-  Account done = first;
+  CompositeModel first = wrong_choice(asked);
+  CompositeModel done = first;
   done.left.clear();
-  EXPECT_TRUE(OtherChoices().propose(asked.problem(), done).accounts.empty());
+  EXPECT_TRUE(OtherChoices().propose(asked.problem(), done).composites.empty());
   first.explanation.effects[0].candidate.shapes.clear();
   const Proposals plain = OtherChoices().propose(asked.problem(), first);
-  EXPECT_TRUE(plain.accounts.empty() && plain.trail.empty());
+  EXPECT_TRUE(plain.composites.empty() && plain.trail.empty());
 }
 
 }  // namespace

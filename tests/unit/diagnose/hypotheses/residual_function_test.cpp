@@ -11,41 +11,41 @@
 namespace lacuna {
 namespace {
 
-Proposals proposed(const support::Asked& asked, const Account& best) {
+Proposals proposed(const support::Asked& asked, const CompositeModel& best) {
   return ResidualFunction().propose(asked.problem(), best);
 }
 
 TEST(ResidualFunction, SaysOfWhichVariableTheStructureIsAFunction) {
   const support::Asked asked = support::asked(support::ripple);
   const Proposals made = proposed(asked, asked.bare());
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts[0].account;
-  ASSERT_TRUE(account.unnamed);
-  EXPECT_EQ(account.unnamed->variables, std::vector<std::string>{"q"});
-  EXPECT_EQ(account.unnamed->equation, 1);
-  EXPECT_FALSE(account.unnamed->memory || account.unnamed->periodic);
-  EXPECT_GT(account.unnamed->explained, 0.9);
-  EXPECT_FALSE(account.unnamed->filled);
-  EXPECT_TRUE(account.explanation.effects.empty()) << "it only describes";
-  EXPECT_EQ(std::get<ByRule>(made.accounts[0].judged).why,
-            "describes what is left; explains nothing");
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  ASSERT_TRUE(composite.unnamed);
+  EXPECT_EQ(composite.unnamed->variables, std::vector<std::string>{"q"});
+  EXPECT_EQ(composite.unnamed->equation, 1);
+  EXPECT_FALSE(composite.unnamed->memory || composite.unnamed->periodic);
+  EXPECT_GT(composite.unnamed->explained, 0.9);
+  EXPECT_FALSE(composite.unnamed->filled);
+  EXPECT_TRUE(composite.explanation.effects.empty()) << "it only describes";
+  EXPECT_EQ(std::get<ByRule>(made.composites[0].judged).why,
+            "describes the residual; explains nothing");
 }
 
 TEST(ResidualFunction, StandsInTheModelWhenAsked) {
   support::Asked asked = support::asked(support::ripple);
   asked.options.fill_gap = true;
-  const Account bare = asked.bare();
+  const CompositeModel bare = asked.bare();
   const Proposals made = proposed(asked, bare);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts[0].account;
-  EXPECT_TRUE(account.unnamed->filled);
-  EXPECT_TRUE(account.named.empty());
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  EXPECT_TRUE(composite.unnamed->filled);
+  EXPECT_TRUE(composite.named.empty());
   // The sum of the splines with the part of q in the nominal term is what is hidden.
-  const LinearisedRecord& record = account.explanation.fit.records[0];
+  const LinearisedRecord& record = composite.explanation.fit.records[0];
   const Variables variables = asked.nominal.variables();
-  const double more = account.explanation.fit.model.coefficient(1, "q") + 4.0;
+  const double more = composite.explanation.fit.model.coefficient(1, "q") + 4.0;
   Vector sum = more * evaluate_on(record, variables, parse_expression("q"));
-  for (const FittedEffect& effect : account.explanation.effects)
+  for (const FittedEffect& effect : composite.explanation.effects)
     sum += effect.coefficient * evaluate_on(record, variables, effect.candidate.form);
   const Vector hidden = evaluate_on(record, variables, parse_expression("1.5*sin(6*q)"));
   EXPECT_LT((sum - hidden).squaredNorm(), 0.02 * hidden.squaredNorm());
@@ -55,23 +55,23 @@ TEST(ResidualFunction, ALineOfTheSpectrumIsPeriodic) {
   const support::Asked asked =
       support::asked([](double t, double, double) { return 0.5 * std::sin(5.0 * t); });
   const Proposals made = proposed(asked, asked.bare());
-  ASSERT_EQ(made.accounts.size(), 1u);
-  EXPECT_TRUE(made.accounts[0].account.unnamed->periodic);
-  EXPECT_FALSE(made.accounts[0].account.unnamed->memory);
+  ASSERT_EQ(made.composites.size(), 1u);
+  EXPECT_TRUE(made.composites[0].composite.unnamed->periodic);
+  EXPECT_FALSE(made.composites[0].composite.unnamed->memory);
 }
 
 TEST(ResidualFunction, IsNotAskedForWhereNothingIsSubstantial) {
   support::Asked asked = support::asked(support::ripple);
-  const Account bare = asked.bare();
+  const CompositeModel bare = asked.bare();
   asked.options.decision.significance = 1.01 * bare.left.front().sigma;
-  EXPECT_TRUE(proposed(asked, bare).accounts.empty());
+  EXPECT_TRUE(proposed(asked, bare).composites.empty());
   const support::Asked complete = support::asked(support::nothing);
-  EXPECT_TRUE(proposed(complete, complete.bare()).accounts.empty());
+  EXPECT_TRUE(proposed(complete, complete.bare()).composites.empty());
 }
 
 /// Dry friction as it is named, beside which 0.3 q v is left.
-Account friction_named(const support::Asked& asked) {
-  Account best = asked.bare();
+CompositeModel friction_named(const support::Asked& asked) {
+  CompositeModel best = asked.bare();
   best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted,
                                 {{support::plain_candidate("sign(v)"), Vector(0), 0.0, 0.0}});
   best.named = {{.equation = 1, .name = "dry"}};
@@ -83,18 +83,18 @@ TEST(ResidualFunction, PolynomialsFillWhatNamedEffectsLeave) {
   support::Asked asked = support::asked(
       [](double t, double q, double v) { return support::dry_friction(t, q, v) + 0.3 * q * v; },
       0.002);
-  const Account best = friction_named(asked);
-  EXPECT_TRUE(proposed(asked, best).accounts.empty()) << "only when asked";
+  const CompositeModel best = friction_named(asked);
+  EXPECT_TRUE(proposed(asked, best).composites.empty()) << "only when asked";
   asked.options.fill_gap = true;
   const Proposals made = proposed(asked, best);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts[0].account;
-  EXPECT_NEAR(account.explanation.fit.model.coefficient(1, "q*v"), 0.3, 0.02);
-  EXPECT_NEAR(account.explanation.fit.model.coefficient(1, "sign(v)"), -0.3, 0.02);
-  EXPECT_EQ(account.named.size(), 1u) << "the name stays";
-  for (const FittedEffect& effect : account.explanation.effects)
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "q*v"), 0.3, 0.02);
+  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "sign(v)"), -0.3, 0.02);
+  EXPECT_EQ(composite.named.size(), 1u) << "the name stays";
+  for (const FittedEffect& effect : composite.explanation.effects)
     EXPECT_GE(std::abs(effect.coefficient), 3.0 * effect.deviation);
-  EXPECT_LT(evidence_of(account).deviance, evidence_of(best).deviance);
+  EXPECT_LT(evidence_of(composite).deviance, evidence_of(best).deviance);
 }
 
 }  // namespace

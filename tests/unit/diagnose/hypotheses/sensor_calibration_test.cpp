@@ -29,14 +29,14 @@ Proposals proposed(const support::Asked& asked) {
 void expect_fault(const support::Asked& asked, const std::string& name, Index state,
                   double coefficient, double tolerance) {
   const Proposals made = proposed(asked);
-  ASSERT_EQ(made.accounts.size(), 1u) << name;
-  const Account& account = made.accounts[0].account;
-  ASSERT_EQ(account.named.size(), 1u);
-  EXPECT_EQ(account.named[0].name, name);
-  EXPECT_EQ(account.named[0].equation, state);
-  EXPECT_NEAR(account.named[0].coefficient, coefficient, tolerance);
-  EXPECT_EQ(account.base->fit_options.free.size(), 0u) << "the model is as given";
-  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+  ASSERT_EQ(made.composites.size(), 1u) << name;
+  const CompositeModel& composite = made.composites[0].composite;
+  ASSERT_EQ(composite.named.size(), 1u);
+  EXPECT_EQ(composite.named[0].name, name);
+  EXPECT_EQ(composite.named[0].equation, state);
+  EXPECT_NEAR(composite.named[0].coefficient, coefficient, tolerance);
+  EXPECT_EQ(composite.base->fit_options.free.size(), 0u) << "the model is as given";
+  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
 }
 
 TEST(SensorCalibration, FindsGainOffsetAndDrift) {
@@ -66,9 +66,9 @@ TEST(SensorCalibration, FindsAFilterOfTheSensor) {
   const support::Asked asked{.records = observed(data)};
   expect_fault(asked, "sensor-lag", 1, 1.0, 0.05);
   const Proposals made = proposed(asked);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  ASSERT_EQ(made.accounts[0].account.named[0].parameters.size(), 1u);
-  EXPECT_NEAR(made.accounts[0].account.named[0].parameters[0].value, tau, 0.01);
+  ASSERT_EQ(made.composites.size(), 1u);
+  ASSERT_EQ(made.composites[0].composite.named[0].parameters.size(), 1u);
+  EXPECT_NEAR(made.composites[0].composite.named[0].parameters[0].value, tau, 0.01);
 }
 
 TEST(SensorCalibration, FindsCurvesAndWhatAChannelPicksUp) {
@@ -86,17 +86,17 @@ TEST(SensorCalibration, FindsCurvesAndWhatAChannelPicksUp) {
 
 TEST(SensorCalibration, HasNothingToSayOfAGoodModel) {
   const Proposals made = proposed(support::asked(support::nothing, 0.005));
-  EXPECT_TRUE(made.accounts.empty());
+  EXPECT_TRUE(made.composites.empty());
 }
 
 TEST(SensorCalibration, WhatLeavesStructureIsNoSensor) {
-  EXPECT_TRUE(proposed(support::asked(support::ripple, 0.005)).accounts.empty());
+  EXPECT_TRUE(proposed(support::asked(support::ripple, 0.005)).composites.empty());
 }
 
 TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
   support::Asked asked = support::asked([](double, double, double) { return 0.4; }, 0.005);
-  Account best = asked.bare();
-  // the best account so far has the force
+  CompositeModel best = asked.bare();
+  // the best composite model so far has the force
   Candidate force{.form = Expression::number(1.0),
                   .argument = Expression::number(1.0),
                   .starts = {Vector()},
@@ -105,14 +105,14 @@ TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
       explain_on(asked.problem(), *best.base, best.base->fitted, {{force, Vector(), 0.4, 0.0}});
   best.named = {{.equation = 1, .name = "constant-offset", .probability = 0.9}};
   const Proposals made = SensorCalibration().propose(asked.problem(), best);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts[0].account;
-  EXPECT_TRUE(std::holds_alternative<ByRule>(made.accounts[0].judged));
-  EXPECT_EQ(account.doubts.size(), 1u) << "neither is told from the other";
-  ASSERT_EQ(account.named.size(), 1u);
-  EXPECT_EQ(account.named[0].name, "constant-offset") << "the dynamics lead";
-  ASSERT_FALSE(account.named[0].alternatives.empty());
-  EXPECT_EQ(account.named[0].alternatives[0].name, "sensor-offset");
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  EXPECT_TRUE(std::holds_alternative<ByRule>(made.composites[0].judged));
+  EXPECT_EQ(composite.doubts.size(), 1u) << "neither is distinguished from the other";
+  ASSERT_EQ(composite.named.size(), 1u);
+  EXPECT_EQ(composite.named[0].name, "constant-offset") << "the dynamics lead";
+  ASSERT_FALSE(composite.named[0].alternatives.empty());
+  EXPECT_EQ(composite.named[0].alternatives[0].name, "sensor-offset");
 }
 
 /// Dry friction seen by a channel that picks up the position.
@@ -123,9 +123,10 @@ support::Asked friction_and_crosstalk() {
   return {.records = observed(data)};
 }
 
-/// An account with effects of dv/dt without shapes, each named as its form.
-Account with_effects(const support::Asked& asked, const std::vector<std::string>& forms) {
-  Account best = asked.bare();
+/// A composite model with effects of dv/dt without shapes, each named as its form.
+CompositeModel with_effects(const support::Asked& asked,
+                            const std::vector<std::string>& forms) {
+  CompositeModel best = asked.bare();
   std::vector<FittedEffect> effects;
   for (const std::string& form : forms) {
     effects.push_back({support::plain_candidate(form), Vector(), 0.0, 0.0});
@@ -140,30 +141,30 @@ TEST(SensorCalibration, StandsBesideAnEffectInThePlaceOfAllOthers) {
   const support::Asked asked = friction_and_crosstalk();
   const Proposals made = SensorCalibration().propose(
       asked.problem(), with_effects(asked, {"q^3", "sign(v)", "F^2"}));
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts[0].account;
-  ASSERT_EQ(account.named.size(), 2u);
-  EXPECT_EQ(account.named[0].name, "sensor-offset");
-  EXPECT_EQ(account.named[0].place, Place::Channel);
-  EXPECT_NEAR(account.named[0].coefficient, 0.1, 0.01);
-  EXPECT_EQ(account.named[1].name, "sign(v)");
-  EXPECT_NEAR(account.named[1].coefficient, -0.3, 0.01);
-  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  ASSERT_EQ(composite.named.size(), 2u);
+  EXPECT_EQ(composite.named[0].name, "sensor-offset");
+  EXPECT_EQ(composite.named[0].place, Place::Channel);
+  EXPECT_NEAR(composite.named[0].coefficient, 0.1, 0.01);
+  EXPECT_EQ(composite.named[1].name, "sign(v)");
+  EXPECT_NEAR(composite.named[1].coefficient, -0.3, 0.01);
+  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
 }
 
 TEST(SensorCalibration, StandsBesideNothingThatIsNotNamed) {
   const support::Asked asked = friction_and_crosstalk();
   EXPECT_TRUE(SensorCalibration()
                   .propose(asked.problem(), with_effects(asked, {"q^3", "F^2"}))
-                  .accounts.empty());
+                  .composites.empty());
 }
 
 TEST(SensorCalibration, AddsMoreThanSamplesAreRounded) {
   support::Asked asked = with_sensor(0, [](double q, double) { return q - 0.1; });
   asked.records.channels[0].noise.lattice = 0.34;  // rounded by 0.098 rms
-  EXPECT_EQ(proposed(asked).accounts.size(), 1u);
+  EXPECT_EQ(proposed(asked).composites.size(), 1u);
   asked.records.channels[0].noise.lattice = 0.36;  // by 0.104
-  EXPECT_TRUE(proposed(asked).accounts.empty());
+  EXPECT_TRUE(proposed(asked).composites.empty());
 }
 
 TEST(SensorCalibration, TriesWhatEffectsSayOfChannels) {
@@ -174,9 +175,9 @@ TEST(SensorCalibration, TriesWhatEffectsSayOfChannels) {
   states.col(0).tail(n) = before.col(0).head(n);  // the position comes three samples late
   asked.options.effects = {FamilyEffect<kChannelSkew>()};
   const Proposals made = proposed(asked);
-  ASSERT_EQ(made.accounts.size(), 1u);
-  EXPECT_EQ(made.accounts[0].account.named[0].name, "channel-skew");
-  EXPECT_EQ(made.accounts[0].account.named[0].equation, 0);
+  ASSERT_EQ(made.composites.size(), 1u);
+  EXPECT_EQ(made.composites[0].composite.named[0].name, "channel-skew");
+  EXPECT_EQ(made.composites[0].composite.named[0].equation, 0);
 }
 
 }  // namespace

@@ -23,9 +23,10 @@ class Skew final : public Configured<Effect, EffectOptions<kSkew>> {
   }
 };
 
-/// An account of records with dry friction that blames the sensor of v and leaves structure.
-Account with_fault(const support::Asked& asked) {
-  Account best = asked.bare();
+/// A composite model of records with dry friction that blames the sensor of v and leaves
+/// structure.
+CompositeModel with_fault(const support::Asked& asked) {
+  CompositeModel best = asked.bare();
   const Candidate skew = Skew().candidates(best.base->scope, 1).front();
   best.explanation =
       explain_on(asked.problem(), *best.base, best.base->fitted, {{skew, Vector(0), 0.0, 0.0}});
@@ -44,34 +45,34 @@ support::Asked friction() {
 TEST(SensorFault, DynamicsThatExplainMostTakeItsPlace) {
   const support::Asked asked = friction();
   const Proposals made = SensorFault().propose(asked.problem(), with_fault(asked));
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts[0].account;
-  EXPECT_EQ(account.hypothesis, "sensor-fault");
-  ASSERT_EQ(account.named.size(), 1u);
-  EXPECT_EQ(account.named[0].name, "dry");
-  EXPECT_TRUE(account.explanation.fit.channel_terms.empty());
-  EXPECT_EQ(account.rounds.front().tried, 7) << "the rounds before come first";
-  EXPECT_TRUE(std::holds_alternative<ByRule>(made.accounts[0].judged));
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  EXPECT_EQ(composite.hypothesis, "sensor-fault");
+  ASSERT_EQ(composite.named.size(), 1u);
+  EXPECT_EQ(composite.named[0].name, "dry");
+  EXPECT_TRUE(composite.explanation.fit.channel_terms.empty());
+  EXPECT_EQ(composite.rounds.front().tried, 7) << "the rounds before come first";
+  EXPECT_TRUE(std::holds_alternative<ByRule>(made.composites[0].judged));
 }
 
 TEST(SensorFault, StaysWhereTheDynamicsDoNotExplainMost) {
   support::Asked asked = friction();
   asked.options.effects = {Skew()};
   const Proposals made = SensorFault().propose(asked.problem(), with_fault(asked));
-  EXPECT_TRUE(made.accounts.empty());
+  EXPECT_TRUE(made.composites.empty());
   ASSERT_EQ(made.trail.size(), 1u);
   EXPECT_FALSE(made.trail[0].taken);
-  EXPECT_EQ(made.trail[0].account, "effects of the dynamics alone");
+  EXPECT_EQ(made.trail[0].composite, "effects of the dynamics alone");
 }
 
 TEST(SensorFault, IsNotAskedForWithoutAFaultOrWithoutStructure) {
   support::Asked asked = friction();
   const Proposals without = SensorFault().propose(asked.problem(), asked.bare());
-  EXPECT_TRUE(without.accounts.empty() && without.trail.empty());
-  const Account fault = with_fault(asked);
+  EXPECT_TRUE(without.composites.empty() && without.trail.empty());
+  const CompositeModel fault = with_fault(asked);
   asked.options.decision.significance = 10.0;  // more than the 9 that are left
   const Proposals explained = SensorFault().propose(asked.problem(), fault);
-  EXPECT_TRUE(explained.accounts.empty() && explained.trail.empty());
+  EXPECT_TRUE(explained.composites.empty() && explained.trail.empty());
 }
 
 }  // namespace

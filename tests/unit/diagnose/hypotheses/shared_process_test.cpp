@@ -11,7 +11,7 @@ namespace {
 TEST(SharedProcess, HasNothingToSayWhereEveryStateIsMeasured) {
   const support::Asked asked = support::asked(support::ripple);
   const Proposals made = SharedProcess().propose(asked.problem(), asked.bare());
-  EXPECT_TRUE(made.accounts.empty());
+  EXPECT_TRUE(made.composites.empty());
   EXPECT_TRUE(made.trail.empty());
 }
 
@@ -19,9 +19,9 @@ TEST(SharedProcess, NeedsTwoEquationsThatShareATerm) {
   const support::Asked asked = support::asked(support::ripple);
   Baseline base = *asked.baseline();
   base.fit_options.hidden = {false, true};  // the oscillator's equations have no term in common
-  const Account bare =
-      bare_account(asked.problem(), "bare", std::make_shared<const Baseline>(std::move(base)));
-  EXPECT_TRUE(SharedProcess().propose(asked.problem(), bare).accounts.empty());
+  const CompositeModel bare = bare_composite(asked.problem(), "bare",
+                                             std::make_shared<const Baseline>(std::move(base)));
+  EXPECT_TRUE(SharedProcess().propose(asked.problem(), bare).composites.empty());
 }
 
 }  // namespace

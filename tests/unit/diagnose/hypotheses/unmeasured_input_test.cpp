@@ -27,8 +27,8 @@ double gusts(double t, double, double) {
     return drawn;
   }();
   const auto before = static_cast<std::size_t>(t / kStep);
-  const double share = t / kStep - static_cast<double>(before);
-  return (1.0 - share) * values[before] + share * values[before + 1];
+  const double fraction = t / kStep - static_cast<double>(before);
+  return (1.0 - fraction) * values[before] + fraction * values[before + 1];
 }
 
 support::Asked asked_with(const support::Hidden& hidden) {
@@ -38,17 +38,17 @@ support::Asked asked_with(const support::Hidden& hidden) {
 TEST(UnmeasuredInput, RecoversSizeAndMemory) {
   const support::Asked asked = asked_with(gusts);
   const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
-  ASSERT_EQ(made.accounts.size(), 1u);
-  const Account& account = made.accounts[0].account;
-  ASSERT_EQ(account.named.size(), 1u);
-  const NamedEffect& named = account.named[0];
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  ASSERT_EQ(composite.named.size(), 1u);
+  const NamedEffect& named = composite.named[0];
   EXPECT_EQ(named.name, "unmeasured-input");
   EXPECT_EQ(named.equation, 1);
   EXPECT_EQ(named.coefficient, 1.0) << "its size is that of what moves it";
-  const double memory = account.explanation.effects[0].shapes[0];
+  const double memory = composite.explanation.effects[0].shapes[0];
   EXPECT_GT(memory, 0.4 * kTime) << "30 s hold fifteen independent values";
   EXPECT_LT(memory, 2.5 * kTime);
-  const LinearisedRecord& record = account.explanation.fit.records[0];
+  const LinearisedRecord& record = composite.explanation.fit.records[0];
   double error = 0.0, size = 0.0;
   for (Index i = 0; i < record.samples(); ++i) {
     const double input = gusts(record.time[i], 0.0, 0.0);
@@ -56,32 +56,33 @@ TEST(UnmeasuredInput, RecoversSizeAndMemory) {
     size += input * input;
   }
   EXPECT_LT(error, 0.05 * size) << "the input itself, sample by sample";
-  EXPECT_FALSE(leaves_structure(account, asked.options.decision));
+  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
 }
 
 TEST(UnmeasuredInput, AFunctionOfTheStateTakesTheNamesAndGetsNone) {
   const support::Asked asked = asked_with(support::ripple);
   const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
-  for (const Proposal& proposal : made.accounts) {
-    EXPECT_TRUE(proposal.account.named.empty());
+  for (const Proposal& proposal : made.composites) {
+    EXPECT_TRUE(proposal.composite.named.empty());
     EXPECT_NE(std::get<ByRule>(proposal.judged).why.find("is no input"), std::string::npos);
   }
-  EXPECT_EQ(made.accounts.size() + made.trail.size(), 1u);
+  EXPECT_EQ(made.composites.size() + made.trail.size(), 1u);
 }
 
 TEST(UnmeasuredInput, IsNotAskedForWhereNothingIsLeftOrNoEffectProposesIt) {
   const support::Asked complete = asked_with(support::nothing);
-  EXPECT_TRUE(UnmeasuredInput().propose(complete.problem(), complete.bare()).accounts.empty());
+  EXPECT_TRUE(
+      UnmeasuredInput().propose(complete.problem(), complete.bare()).composites.empty());
   support::Asked without = asked_with(gusts);
   without.options.effects = {FamilyEffect<kQuadraticDrag>{}};
-  EXPECT_TRUE(UnmeasuredInput().propose(without.problem(), without.bare()).accounts.empty());
+  EXPECT_TRUE(UnmeasuredInput().propose(without.problem(), without.bare()).composites.empty());
 }
 
 TEST(UnmeasuredInput, ThresholdsDecideWhetherItIsEvident) {
   support::Asked asked = asked_with(gusts);
-  const Account bare = asked.bare();
+  const CompositeModel bare = asked.bare();
   asked.options.decision.undecided = 1e6;  // no evidence is enough
-  EXPECT_TRUE(UnmeasuredInput().propose(asked.problem(), bare).accounts.empty());
+  EXPECT_TRUE(UnmeasuredInput().propose(asked.problem(), bare).composites.empty());
 }
 
 }  // namespace

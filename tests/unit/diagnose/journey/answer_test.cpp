@@ -19,9 +19,9 @@ Gap gap(double before, double after) {
 
 class Answer : public ::testing::Test {
  protected:
-  /// The account that names a form in dv/dt, with structure of a significance left.
-  Account account(const std::string& form, double left = 0.0) const {
-    Account made = asked_.bare();
+  /// The composite model that names a form in dv/dt, with structure of a significance left.
+  CompositeModel composite(const std::string& form, double left = 0.0) const {
+    CompositeModel made = asked_.bare();
     const Candidate candidate = support::plain_candidate(form);
     made.explanation.effects = {{candidate, Vector(0), -0.3, 0.01}};
     made.named = {{.equation = 1, .name = "dry"}};
@@ -29,100 +29,101 @@ class Answer : public ::testing::Test {
     made.left = {{1, 10.0, left, 1.0, 0.5}};
     return made;
   }
-  Account nameless(double left) const {
-    Account made = asked_.bare();
+  CompositeModel nameless(double left) const {
+    CompositeModel made = asked_.bare();
     made.left = {{1, 10.0, left, 1.0, 0.5}};
     return made;
   }
-  Hearing heard(const Account& judged, const std::optional<Gap>& other) const {
-    return hear_other_records(asked_.problem(), judged, other);
+  HoldoutEvaluation evaluated(const CompositeModel& judged,
+                              const std::optional<Gap>& other) const {
+    return evaluate_holdout(asked_.problem(), judged, other);
   }
-  Diagnosis answer(Account judged, const Hearing& hearing = {}) const {
-    return make_answer(asked_.problem(), {std::move(judged)}, {}, hearing);
+  Diagnosis answer(CompositeModel judged, const HoldoutEvaluation& evaluation = {}) const {
+    return make_answer(asked_.problem(), {std::move(judged)}, {}, evaluation);
   }
 
   support::Asked asked_ = support::asked(support::nothing);
 };
 
 TEST_F(Answer, OtherRecordsConfirmLowerOrRefuteNames) {
-  const Account friction = account("sign(v)");
-  EXPECT_TRUE(heard(friction, gap(10.0, 1.5)).note.empty());
-  const Hearing little = heard(friction, gap(10.0, 9.0));
+  const CompositeModel friction = composite("sign(v)");
+  EXPECT_TRUE(evaluated(friction, gap(10.0, 1.5)).note.empty());
+  const HoldoutEvaluation little = evaluated(friction, gap(10.0, 9.0));
   EXPECT_TRUE(little.lower && !little.withdraw);
-  const Hearing refuted = heard(friction, gap(10.0, 11.0));
+  const HoldoutEvaluation refuted = evaluated(friction, gap(10.0, 11.0));
   EXPECT_TRUE(refuted.withdraw);
   EXPECT_EQ(refuted.note.substr(0, 13), "with dry in v");
 }
 
 TEST_F(Answer, WithoutAGapOnOtherRecordsNothingConfirmsNames) {
-  const Hearing silent = heard(account("sign(v)"), std::nullopt);
+  const HoldoutEvaluation silent = evaluated(composite("sign(v)"), std::nullopt);
   EXPECT_TRUE(silent.lower && !silent.withdraw);
   EXPECT_FALSE(silent.note.empty());
-  EXPECT_EQ(answer(account("sign(v)"), silent).verdict, Verdict::PartlyExplained);
-  EXPECT_FALSE(heard(nameless(0.0), std::nullopt).lower);
+  EXPECT_EQ(answer(composite("sign(v)"), silent).verdict, Verdict::PartlyExplained);
+  EXPECT_FALSE(evaluated(nameless(0.0), std::nullopt).lower);
 }
 
 TEST_F(Answer, OtherRecordsHearAssumptionsLikeNames) {
-  Account late = nameless(0.0);
+  CompositeModel late = nameless(0.0);
   late.findings = {{.equation = 1, .name = "late"}};
-  EXPECT_FALSE(heard(late, gap(10.0, 1.5)).lower);
-  const Hearing little = heard(late, gap(10.0, 9.0));
+  EXPECT_FALSE(evaluated(late, gap(10.0, 1.5)).lower);
+  const HoldoutEvaluation little = evaluated(late, gap(10.0, 9.0));
   EXPECT_TRUE(little.lower && !little.withdraw);
-  const Hearing refuted = heard(late, gap(10.0, 11.0));
+  const HoldoutEvaluation refuted = evaluated(late, gap(10.0, 11.0));
   EXPECT_TRUE(refuted.withdraw);
   EXPECT_EQ(refuted.note.substr(0, 14), "with late in v");
 }
 
 TEST_F(Answer, AFormInTwoEquationsHasToHoldOnOtherRecords) {
-  Account shared = account("sign(v)");
+  CompositeModel shared = composite("sign(v)");
   Gap open = gap(10.0, 1.8);
   open.above_floor = 5.0;
-  EXPECT_FALSE(heard(shared, open).withdraw);
+  EXPECT_FALSE(evaluated(shared, open).withdraw);
   shared.hypothesis = "shared-process";
-  EXPECT_TRUE(heard(shared, open).withdraw);
-  EXPECT_FALSE(heard(shared, gap(10.0, 1.2)).withdraw);
+  EXPECT_TRUE(evaluated(shared, open).withdraw);
+  EXPECT_FALSE(evaluated(shared, gap(10.0, 1.2)).withdraw);
 }
 
 TEST_F(Answer, ThresholdsDecideWhatOtherRecordsSay) {
-  const Account friction = account("sign(v)");
+  const CompositeModel friction = composite("sign(v)");
   asked_.options.decision.negligible = 0.2;
-  EXPECT_FALSE(heard(friction, gap(10.0, 11.0)).withdraw) << "a tenth more is none";
+  EXPECT_FALSE(evaluated(friction, gap(10.0, 11.0)).withdraw) << "a tenth more is none";
   asked_.options.decision = {};
   // (100 - 40) / (100 - 1) of the square above the floor goes.
-  EXPECT_FALSE(heard(friction, gap(10.0, std::sqrt(40.0))).lower);
+  EXPECT_FALSE(evaluated(friction, gap(10.0, std::sqrt(40.0))).lower);
   asked_.options.decision.major = 0.7;
-  EXPECT_TRUE(heard(friction, gap(10.0, std::sqrt(40.0))).lower);
+  EXPECT_TRUE(evaluated(friction, gap(10.0, std::sqrt(40.0))).lower);
 }
 
 TEST_F(Answer, SamplesThatRepeatNeedMoreThanALittle) {
-  Account friction = account("sign(v)");
+  CompositeModel friction = composite("sign(v)");
   Baseline base = *friction.base;
   BoundRecords coarse = *base.records;
   for (Channel& channel : coarse.channels) channel.repeats = 0.9;
   ASSERT_TRUE(mostly_repeats(coarse));
   base.records = std::make_shared<const BoundRecords>(coarse);
   friction.base = std::make_shared<const Baseline>(base);
-  EXPECT_TRUE(heard(friction, gap(10.0, 9.0)).withdraw);
-  EXPECT_FALSE(heard(friction, gap(10.0, 1.5)).withdraw);
+  EXPECT_TRUE(evaluated(friction, gap(10.0, 9.0)).withdraw);
+  EXPECT_FALSE(evaluated(friction, gap(10.0, 1.5)).withdraw);
 }
 
 TEST_F(Answer, WhatNeedNotComeAgainIsNotAskedForIt) {
-  EXPECT_FALSE(heard(account("sin(5*t)"), gap(10.0, 11.0)).withdraw);
-  Account driven = account("u");
+  EXPECT_FALSE(evaluated(composite("sin(5*t)"), gap(10.0, 11.0)).withdraw);
+  CompositeModel driven = composite("u");
   driven.explanation.effects[0].candidate.memory = {
       {"u", parse_expression("-u"), parse_expression("0"), true}};
-  EXPECT_FALSE(heard(driven, gap(10.0, 11.0)).withdraw);
-  EXPECT_FALSE(heard(nameless(0.0), gap(10.0, 11.0)).withdraw) << "there is no name";
-  EXPECT_TRUE(heard(account("sin(5*t)"), std::nullopt).lower) << "nothing was compared";
+  EXPECT_FALSE(evaluated(driven, gap(10.0, 11.0)).withdraw);
+  EXPECT_FALSE(evaluated(nameless(0.0), gap(10.0, 11.0)).withdraw) << "there is no name";
+  EXPECT_TRUE(evaluated(composite("sin(5*t)"), std::nullopt).lower) << "nothing was compared";
 }
 
 TEST_F(Answer, TheVerdictIsNamesAndWhatIsLeft) {
-  EXPECT_EQ(answer(account("sign(v)")).verdict, Verdict::Explained);
-  EXPECT_EQ(answer(account("sign(v)", 5.0)).verdict, Verdict::PartlyExplained);
+  EXPECT_EQ(answer(composite("sign(v)")).verdict, Verdict::Explained);
+  EXPECT_EQ(answer(composite("sign(v)", 5.0)).verdict, Verdict::PartlyExplained);
   EXPECT_EQ(answer(nameless(5.0)).verdict, Verdict::UnnamedStructure);
   EXPECT_EQ(answer(nameless(0.0)).verdict, Verdict::NoDiscrepancy);
   asked_.options.decision.significance = 6.0;
-  EXPECT_EQ(answer(account("sign(v)", 5.0)).verdict, Verdict::Explained);
+  EXPECT_EQ(answer(composite("sign(v)", 5.0)).verdict, Verdict::Explained);
   EXPECT_EQ(answer(nameless(5.0)).verdict, Verdict::NoDiscrepancy);
 }
 
@@ -134,16 +135,16 @@ TEST_F(Answer, CoefficientsAreOffFromBothThresholdsOn) {
 }
 
 TEST_F(Answer, AHearingLowersTheVerdictAndIsNoted) {
-  const Diagnosis lowered = answer(account("sign(v)"), {false, true, "a note"});
+  const Diagnosis lowered = answer(composite("sign(v)"), {false, true, "a note"});
   EXPECT_EQ(lowered.verdict, Verdict::PartlyExplained);
   EXPECT_TRUE(lowered.remaining.structure);
   EXPECT_EQ(lowered.notes.back(), "a note");
 }
 
 TEST_F(Answer, WhatIsLeftAndTheAssumptionsStandInTheAnswer) {
-  Account judged = account("sign(v)", 5.0);
+  CompositeModel judged = composite("sign(v)", 5.0);
   judged.findings = {{.equation = 0, .name = "an assumption"}};
-  judged.notes = {"of the account"};
+  judged.notes = {"of the composite model"};
   judged.left.push_back({0, 1.0, 1.0, 1.0, 1.0});
   const Diagnosis result = answer(judged);
   ASSERT_EQ(result.effects.size(), 2u);
@@ -151,7 +152,7 @@ TEST_F(Answer, WhatIsLeftAndTheAssumptionsStandInTheAnswer) {
   EXPECT_EQ(result.effects[1].name, "an assumption") << "findings come behind the effects";
   EXPECT_EQ(result.remaining.equations, std::vector<Index>{1});
   EXPECT_EQ(result.remaining.sigma, 5.0);
-  EXPECT_EQ(result.notes.back(), "of the account");
+  EXPECT_EQ(result.notes.back(), "of the composite model");
 }
 
 TEST_F(Answer, AModelWithoutDiscrepancyStaysAsItWas) {
@@ -160,7 +161,7 @@ TEST_F(Answer, AModelWithoutDiscrepancyStaysAsItWas) {
 }
 
 TEST_F(Answer, WindowsWithoutASolutionAndNoiseWithAMemoryAreNoted) {
-  Account judged = nameless(0.0);
+  CompositeModel judged = nameless(0.0);
   judged.explanation.fit.noise.coloured[0] = ColouredNoise{0.05, 2.0};
   Gap other = gap(2.0, 1.0);
   other.diverged = 3;

@@ -340,8 +340,8 @@ double gusts(double t, double, double) {
     return drawn;
   }();
   const auto before = static_cast<std::size_t>(2.0 * t);
-  const double share = 2.0 * t - static_cast<double>(before);
-  return (1.0 - share) * values[before] + share * values[before + 1];
+  const double fraction = 2.0 * t - static_cast<double>(before);
+  return (1.0 - fraction) * values[before] + fraction * values[before + 1];
 }
 
 Diagnosis with_free_input(const support::Hidden& hidden, bool fill) {

@@ -64,7 +64,7 @@ class SamplingTime final : public Configured<Hypothesis, NoOptions<kSamplingTime
  private:
   Phase do_phase() const override { return Phase::Assumptions; }
 
-  Proposals do_propose(const Problem& problem, const Account& best) const override {
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override {
     const std::vector<Matrix>& omitted = best.base->given.omitted;
     const auto on = [&](const Dataset& data) {
       return assimilate(problem.nominal, as_measured(data, omitted), AssimilationOptions{},
@@ -85,10 +85,10 @@ class SamplingTime final : public Configured<Hypothesis, NoOptions<kSamplingTime
     Baseline base = fitted_baseline(same, on(corrected.data), {});
     base.parameters = 1.0;
     base.correct = [likeliest](const Dataset& data) { return with_clock(data, likeliest); };
-    Account account =
-        bare_account(same, "sampling-time", std::make_shared<const Baseline>(std::move(base)));
-    account.findings.push_back({.name = "sampling-time", .coefficient = likeliest});
-    return {{{std::move(account)}}, {}};
+    CompositeModel composite = bare_composite(
+        same, "sampling-time", std::make_shared<const Baseline>(std::move(base)));
+    composite.findings.push_back({.name = "sampling-time", .coefficient = likeliest});
+    return {{{std::move(composite)}}, {}};
   }
 };
 

@@ -82,7 +82,7 @@ TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
   EXPECT_TRUE(found.notes.empty());
   ASSERT_EQ(found.judged.best.named.size(), 1u);
   EXPECT_EQ(found.judged.best.named[0].name, "lag");
-  EXPECT_FALSE(is_anything_left(found.judged.best.left, asked.options.decision));
+  EXPECT_FALSE(has_residual_structure(found.judged.best.left, asked.options.decision));
   EXPECT_EQ(found.judged.trail.front().hypothesis, "input-hold");
 }
 
@@ -90,7 +90,7 @@ TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {
   const support::Asked asked{.records =
                                  observed(support::hidden_record(support::nothing, 0.01))};
   const DecisionOptions& decision = asked.options.decision;
-  Account one = asked.bare(), three = one, two_and_a_rest = one;
+  CompositeModel one = asked.bare(), three = one, two_and_a_rest = one;
   one.named.resize(1);
   three.named.resize(3);
   two_and_a_rest.named.resize(2);

@@ -20,7 +20,7 @@ class DevianceOnly final : public Configured<Criterion, NoOptions<kDevianceOnly>
   double do_penalty(const Evidence&) const override { return 0.0; }
 };
 
-/// Proposes the best account with another deviance, and notes that it was asked.
+/// Proposes the best composite model with another deviance, and notes that it was asked.
 template <const StageInfo& Info>
 class Claims final : public Configured<Hypothesis, NoOptions<Info>> {
  public:
@@ -29,13 +29,13 @@ class Claims final : public Configured<Hypothesis, NoOptions<Info>> {
 
  private:
   Phase do_phase() const override { return phase_; }
-  Proposals do_propose(const Problem&, const Account& best) const override {
+  Proposals do_propose(const Problem&, const CompositeModel& best) const override {
     Proposal proposal{best};
-    proposal.account.hypothesis = Info.name;
-    proposal.account.explanation.fit.deviance -= gain_;
-    proposal.account.notes.push_back(std::string(Info.name));
+    proposal.composite.hypothesis = Info.name;
+    proposal.composite.explanation.fit.deviance -= gain_;
+    proposal.composite.notes.push_back(std::string(Info.name));
     if (phase_ == Phase::Assumptions)
-      proposal.account.findings.push_back({.name = std::string(Info.name)});
+      proposal.composite.findings.push_back({.name = std::string(Info.name)});
     if (rule_) proposal.judged = *rule_;
     return {{std::move(proposal)},
             {{std::string(Info.name), "declined", {}, false, "reason", 1.0, 2.0}}};
@@ -49,7 +49,7 @@ class Journey : public ::testing::Test {
  protected:
   Judged judged(Phase phase, const std::vector<Stage<Hypothesis>>& hypotheses) {
     const Problem problem{nominal_, records_, options_, context_};
-    Account bare = bare_account(problem, "bare", base(problem));
+    CompositeModel bare = bare_composite(problem, "bare", base(problem));
     return judge_phase(problem, in_order(hypotheses), phase, {std::move(bare)});
   }
 
@@ -68,7 +68,7 @@ TEST_F(Journey, TheCriterionDecides) {
   const Judged result = judged(Phase::Effects, {Claims<kFirst>(Phase::Effects, 5.0),
                                                 Claims<kSecond>(Phase::Effects, -1.0)});
   EXPECT_EQ(result.best.hypothesis, "first");
-  ASSERT_EQ(result.trail.size(), 4u);  // each declines one account and puts one forward
+  ASSERT_EQ(result.trail.size(), 4u);  // each declines one composite model and puts one forward
   EXPECT_TRUE(result.trail[1].taken);
   EXPECT_FALSE(result.trail[3].taken);
   EXPECT_EQ(result.trail[3].quantity, "deviance-only");
@@ -115,10 +115,10 @@ TEST_F(Journey, AnAssumptionThatDoesAsWellIsADoubt) {
 
 TEST_F(Journey, NamesThatDoNotExplainMostAreWithdrawn) {
   const Problem problem{nominal_, records_, options_, context_};
-  Account account = bare_account(problem, "bare", base(problem));
-  account.named.push_back({.equation = 1, .name = "dry"});
-  account.left = {{1, 100.0, 9.0, 1.0, 0.5}};
-  const Judged settled = settle_account(problem, {}, {account});
+  CompositeModel composite = bare_composite(problem, "bare", base(problem));
+  composite.named.push_back({.equation = 1, .name = "dry"});
+  composite.left = {{1, 100.0, 9.0, 1.0, 0.5}};
+  const Judged settled = settle_composite(problem, {}, {composite});
   EXPECT_TRUE(settled.best.named.empty());
   ASSERT_EQ(settled.trail.size(), 1u);
   EXPECT_FALSE(settled.trail[0].taken);
@@ -128,14 +128,15 @@ TEST_F(Journey, WhatOtherRecordsRefuteGoesNamesFirst) {
   const Problem problem{nominal_, records_, options_, context_};
   Baseline assumed = *base(problem);
   assumed.parameters = 1.0;
-  Account account = bare_account(problem, "second", std::make_shared<const Baseline>(assumed));
-  account.named = {{.equation = 1, .name = "dry"}};
-  account.findings = {{.equation = 1, .name = "late"}};
-  const Account nameless = without_claims(problem, account);
+  CompositeModel composite =
+      bare_composite(problem, "second", std::make_shared<const Baseline>(assumed));
+  composite.named = {{.equation = 1, .name = "dry"}};
+  composite.findings = {{.equation = 1, .name = "late"}};
+  const CompositeModel nameless = without_claims(problem, composite);
   EXPECT_TRUE(nameless.named.empty());
   EXPECT_EQ(nameless.findings.size(), 1u);
   EXPECT_EQ(nameless.base->parameters, 1.0) << "on the same assumption";
-  const Account plain = without_claims(problem, nameless);
+  const CompositeModel plain = without_claims(problem, nameless);
   EXPECT_TRUE(plain.findings.empty());
   EXPECT_EQ(plain.base->parameters, 0.0);
 }

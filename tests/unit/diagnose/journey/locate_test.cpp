@@ -18,7 +18,7 @@ TEST(Locate, FindsTheRegionOfAStop) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].equation, 1);
   EXPECT_GT(found[0].sigma, 5.0);
-  EXPECT_NEAR(found[0].share, 1.0, 1e-9);
+  EXPECT_NEAR(found[0].fraction, 1.0, 1e-9);
   EXPECT_EQ(found[0].where[0].variable, "q");
 }
 

@@ -22,8 +22,8 @@ Gap gap_of(double after, double above) {
 
 class Reservations : public ::testing::Test {
  protected:
-  Account account(const FittedEffect& effect) const {
-    Account made = asked_.bare();
+  CompositeModel composite(const FittedEffect& effect) const {
+    CompositeModel made = asked_.bare();
     made.explanation.effects = {effect};
     made.named = {{.equation = 1, .name = "stop"}};
     made.explanation.fit.noise.disturbance.setZero();  // it explains all there is
@@ -32,7 +32,7 @@ class Reservations : public ::testing::Test {
   FittedEffect stop(double edge) const {
     return {support::stop_candidate(0.0), Vector::Constant(1, edge), -3.0, 0.01};
   }
-  std::vector<std::string> said(const Account& judged,
+  std::vector<std::string> said(const CompositeModel& judged,
                                 const std::optional<Gap>& other = {}) const {
     return reservations(asked_.problem(), judged, other);
   }
@@ -44,25 +44,25 @@ class Reservations : public ::testing::Test {
 };
 
 TEST_F(Reservations, NoneWhereNamesAndNumbersAreAsTheyShouldBe) {
-  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.4, 9.0)).empty());
+  EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(1.4, 9.0)).empty());
   EXPECT_TRUE(speaks_of(said(asked_.bare(), gap_of(5.0, 9.0)), "5 times its noise floor"))
       << "something acts there that the records that were used do not show";
 }
 
 TEST_F(Reservations, TheGapStaysOpenByMoreThanChance) {
   EXPECT_TRUE(
-      speaks_of(said(account(stop(-0.1)), gap_of(1.6, 4.0)), "1.6 times its noise floor"));
-  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 2.0)).empty());
-  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(2.9, 0.0)).empty());
-  EXPECT_TRUE(speaks_of(said(account(stop(-0.1)), gap_of(3.1, 0.0)), "3.1 times its noise"))
+      speaks_of(said(composite(stop(-0.1)), gap_of(1.6, 4.0)), "1.6 times its noise floor"));
+  EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(1.6, 2.0)).empty());
+  EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(2.9, 0.0)).empty());
+  EXPECT_TRUE(speaks_of(said(composite(stop(-0.1)), gap_of(3.1, 0.0)), "3.1 times its noise"))
       << "a scatter that is as large hides no gap of three deviations of the noise";
   asked_.options.decision.explained_gap = 2.0;
-  EXPECT_TRUE(said(account(stop(-0.1)), gap_of(1.6, 4.0)).empty());
+  EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(1.6, 4.0)).empty());
 }
 
 TEST_F(Reservations, NamesWithWhichTheModelIsDisturbedAsBeforeAreSaid) {
   asked_ = support::asked(support::ripple);  // the stop stands for nothing of it
-  Account judged = account(stop(-0.1));
+  CompositeModel judged = composite(stop(-0.1));
   EXPECT_TRUE(said(judged).empty());
   judged.explanation.fit.noise.disturbance = 0.98 * judged.base->fitted.noise.disturbance;
   EXPECT_TRUE(speaks_of(said(judged), "only 4 %"));
@@ -73,13 +73,13 @@ TEST_F(Reservations, NamesWithWhichTheModelIsDisturbedAsBeforeAreSaid) {
 TEST_F(Reservations, AShapeOnItsBoundIsSaid) {
   FittedEffect effect = stop(-0.1);
   effect.candidate.shapes[0].low = -0.1;
-  EXPECT_TRUE(speaks_of(said(account(effect)), "sits on its bound: edge"));
+  EXPECT_TRUE(speaks_of(said(composite(effect)), "sits on its bound: edge"));
   effect.candidate.shapes[0].low = -0.11;
-  EXPECT_TRUE(said(account(effect)).empty());
+  EXPECT_TRUE(said(composite(effect)).empty());
 }
 
 TEST_F(Reservations, TermsThatCancelAreSaid) {
-  Account judged = account(stop(-0.1));
+  CompositeModel judged = composite(stop(-0.1));
   judged.explanation.effects.push_back(judged.explanation.effects[0]);
   judged.explanation.effects[1].coefficient *= -1.01;
   judged.named.push_back(judged.named[0]);
@@ -89,7 +89,7 @@ TEST_F(Reservations, TermsThatCancelAreSaid) {
 }
 
 TEST_F(Reservations, CoefficientsOfAnotherSignOrSizeAreSaid) {
-  const Account judged = account(stop(-0.1));
+  const CompositeModel judged = composite(stop(-0.1));
   OdeModel given = asked_.nominal;
   std::vector<Equation> equations = given.equations();
   for (WeightedTerm& summand : equations[1])
@@ -102,18 +102,18 @@ TEST_F(Reservations, CoefficientsOfAnotherSignOrSizeAreSaid) {
 }
 
 TEST_F(Reservations, AnEffectOfFewSamplesIsSaid) {
-  const Account bare = asked_.bare();
+  const CompositeModel bare = asked_.bare();
   Vector q = bare.explanation.fit.records[0].slots.col(0);
   std::sort(q.begin(), q.end());
   FittedEffect rare = stop(q[q.size() / 200]);  // half a per cent lies below
   rare.candidate.shapes[0].low = -10.0;
-  EXPECT_TRUE(speaks_of(said(account(rare)), "of the samples only"));
+  EXPECT_TRUE(speaks_of(said(composite(rare)), "of the samples only"));
   asked_.options.decision.acting = 0.0;
-  EXPECT_TRUE(said(account(rare)).empty());
+  EXPECT_TRUE(said(composite(rare)).empty());
 }
 
 TEST_F(Reservations, OneChannelDoesNotConfirmTwoEffectsBesideAHiddenState) {
-  Account two = account(stop(-0.1));
+  CompositeModel two = composite(stop(-0.1));
   two.named.push_back({.equation = 0, .name = "another"});
   two.explanation.effects.push_back(stop(-0.1));
   EXPECT_TRUE(said(two).empty()) << "every state is measured";

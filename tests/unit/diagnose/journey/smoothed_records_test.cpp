@@ -38,7 +38,7 @@ TEST(SmoothedRecords, TheModelTellsWhatTheNoiseDoesNotShow) {
 TEST(SmoothedRecords, SamplesThatShareNoiseAndTheEndsAreMissing) {
   const Smoothing smoothing{{Kind::CentredMean, 9}, true};
   const support::Asked asked = smoothed_by(smoothing);
-  const BoundRecords sharp = sharpened(smoothing, asked.records);
+  const BoundRecords sharp = preprocessed(smoothing, asked.records);
   const Trajectory& record = sharp.data.trajectories[0];
   const Index memory = memory_of(smoothing.filter);
   EXPECT_EQ(mark_of(record.marks, 3, 0), Mark::Missing);
@@ -70,7 +70,7 @@ TEST(SmoothedRecords, ThatAreNotWholeSayNothing) {
   support::Asked uneven = smoothed_by(smoothing);
   uneven.records.data.trajectories[0].time[50] += 0.3 * median_step(uneven.records.data);
   EXPECT_FALSE(smoothing_of(uneven.problem()).has_value());
-  const Dataset same = sharpened(smoothing, uneven.records.data);
+  const Dataset same = preprocessed(smoothing, uneven.records.data);
   EXPECT_EQ(same.trajectories[0].states, uneven.records.data.trajectories[0].states);
 }
 

@@ -51,7 +51,7 @@ std::optional<SmoothingFilter> seen(const Matrix& states, const SmoothingOptions
   record.states = states;
   record.inputs = Matrix(states.rows(), 0);
   data.trajectories = {record};
-  return seen_filter(data, measured, 10.0, options);
+  return estimated_filter(data, measured, 10.0, options);
 }
 
 TEST(SmoothingFilter, MeansAreThoseOfTheSamplesThatTheySay) {

@@ -25,10 +25,10 @@ std::string quantity(const EffectSize& size, const Explanation& explanation,
 
 class EffectSizes : public testing::Test {
  protected:
-  /// The baseline with another share of the variance of its disturbance.
-  Explanation leaving(double share) const {
+  /// The baseline with another fraction of the variance of its disturbance.
+  Explanation leaving(double fraction) const {
     Explanation made{{{candidate_, Vector(0), 1.0, 0.1}}, base_->fitted};
-    made.fit.noise.disturbance[1] *= std::sqrt(share);
+    made.fit.noise.disturbance[1] *= std::sqrt(fraction);
     return made;
   }
   /// What the records are made of, brought onto them: nothing lasts in its windows.
@@ -63,14 +63,14 @@ TEST_F(EffectSizes, TheGapOfWhatTheRecordsAreMadeOfIsTheNoise) {
   EXPECT_GT(left, 0.0);
 }
 
-TEST_F(EffectSizes, CountsByTheSharesThatAreAsked) {
+TEST_F(EffectSizes, CountsByTheFractionsThatAreAsked) {
   const EffectSize size(problem_, *base_);
   EXPECT_TRUE(counts(size, leaving(1.0), leaving(0.4))) << "most goes";
-  EXPECT_EQ(quantity(size, leaving(1.0), leaving(0.95)), "share of what is left that goes");
+  EXPECT_EQ(quantity(size, leaving(1.0), leaving(0.95)), "fraction of the residual that goes");
   EXPECT_EQ(quantity(size, leaving(1.0), leaving(0.7)),
-            "share of the nominal model's squared gap that goes");
+            "fraction of the nominal model's squared gap that goes");
   EXPECT_EQ(quantity(size, leaving(0.04), leaving(0.032)),
-            "share of the nominal model's disturbance that goes");
+            "fraction of the nominal model's disturbance that goes");
   Explanation lasting = leaving(0.26);
   lasting.fit = complete();
   const Vector noise = base_->fitted.noise.disturbance;

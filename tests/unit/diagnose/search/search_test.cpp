@@ -56,7 +56,7 @@ TEST_F(Search, WhatOthersHaveFittedChangesNothing) {
   }
 }
 
-TEST_F(Search, SharesOfTheDisturbanceThatGoAddUpToMostOfIt) {
+TEST_F(Search, FractionsOfTheDisturbanceThatGoAddUpToMostOfIt) {
   double sum = 0.0;
   for (const NamedEffect& named : found(dry_and_cubic).named) sum += named.gap_closed;
   EXPECT_GT(sum, 0.9);
@@ -127,7 +127,7 @@ TEST_F(Search, TheTrailSaysWhatWasTaken) {
   const FoundEffects effects = found(dry);
   ASSERT_FALSE(effects.rivals.empty());
   EXPECT_TRUE(effects.rivals[0].taken);
-  EXPECT_EQ(effects.rivals[0].account, "dry in dv/dt: sign(v)");
+  EXPECT_EQ(effects.rivals[0].composite, "dry in dv/dt: sign(v)");
   EXPECT_EQ(effects.rivals[0].hypothesis, "named-effects");
 }
 

@@ -19,7 +19,7 @@ std::string bodies(const std::string& on_first, const std::string& on_second) {
          on_first + "\ndw2/dt = 4*d-0.3*w2" + on_second + "\n";
 }
 
-/// 800 samples of 40 s with white noise, a share of each channel's standard deviation.
+/// 800 samples of 40 s with white noise, a fraction of each channel's standard deviation.
 Dataset record_of(const OdeModel& truth, double noise) {
   const Vector time = sample_times(0.0, 0.05, 800);
   const Matrix force = 2.0 * (support::grey_box_inputs(time, 1).array() - 1.0);

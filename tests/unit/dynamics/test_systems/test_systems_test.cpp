@@ -26,10 +26,10 @@ Vector extents(const Matrix& states) {
   return (states.colwise().maxCoeff() - states.colwise().minCoeff()).transpose();
 }
 
-void expect_extents(const std::string& name, const Vector& expected, double share) {
+void expect_extents(const std::string& name, const Vector& expected, double fraction) {
   const Vector found = extents(orbit(name, 1000.0, 100.0));
   for (Index k = 0; k < expected.size(); ++k)
-    EXPECT_NEAR(found[k], expected[k], share * expected[k]) << name << ", state " << k;
+    EXPECT_NEAR(found[k], expected[k], fraction * expected[k]) << name << ", state " << k;
 }
 
 TEST(TestSystems, AreOrderedAndComplete) {
@@ -64,10 +64,10 @@ TEST(TestSystems, UsualStepResolvesTheMotion) {
     const Matrix states = orbit(system.name, 200.0, 50.0);
     const Matrix steps =
         states.bottomRows(states.rows() - 1) - states.topRows(states.rows() - 1);
-    const Vector share =
+    const Vector fraction =
         (steps.cwiseAbs().colwise().maxCoeff().array() / extents(states).transpose().array())
             .transpose();
-    EXPECT_LT(share.maxCoeff(), 0.35) << system.name;
+    EXPECT_LT(fraction.maxCoeff(), 0.35) << system.name;
   }
 }
 

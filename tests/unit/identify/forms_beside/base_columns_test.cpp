@@ -29,11 +29,11 @@ TEST(BaseColumns, OneColumnMoreLeavesWhatLeastSquaresLeaves) {
   const Matrix columns = noise(40, 5, 1);
   const Vector target = noise(40, 1, 2), more = noise(40, 1, 3);
   const BaseColumns base(columns, target);
-  EXPECT_NEAR(base.left(), squares_left(columns, target), 1e-12);
-  EXPECT_NEAR(base.left_with(more), squares_left(joined(columns, more), target), 1e-12);
+  EXPECT_NEAR(base.left(), residual_squares(columns, target), 1e-12);
+  EXPECT_NEAR(base.left_with(more), residual_squares(joined(columns, more), target), 1e-12);
   EXPECT_NEAR(base.left_with(columns.col(2)), base.left(), 1e-12);
-  EXPECT_NEAR(BaseColumns(Matrix(40, 0), target).left_with(more), squares_left(more, target),
-              1e-12);
+  EXPECT_NEAR(BaseColumns(Matrix(40, 0), target).left_with(more),
+              residual_squares(more, target), 1e-12);
 }
 
 TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {
@@ -46,7 +46,7 @@ TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {
       for (Index c = 0; c < 5; ++c)
         if (c != i && c != j) kept.push_back(c);
       const Matrix few = columns(Eigen::all, kept);
-      least = std::min(least, squares_left(joined(few, more), target));
+      least = std::min(least, residual_squares(joined(few, more), target));
     }
   EXPECT_NEAR(BaseColumns(columns, target).left_without_two(more), least, 1e-10);
 }
@@ -56,7 +56,7 @@ TEST(BaseColumns, DependentColumnsCountOnceAndWhatIsNotFiniteIsNoColumn) {
   const Vector target = noise(40, 1, 8);
   Vector more = noise(40, 1, 9);
   const BaseColumns base(joined(columns, columns.col(0)), target);
-  EXPECT_NEAR(base.left_with(more), squares_left(joined(columns, more), target), 1e-12);
+  EXPECT_NEAR(base.left_with(more), residual_squares(joined(columns, more), target), 1e-12);
   more[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isinf(base.left_with(more)));
 }

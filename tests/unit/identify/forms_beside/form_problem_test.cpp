@@ -36,14 +36,14 @@ TEST(FormProblem, LinearTermsAreTheConstantAndTheVariables) {
   ASSERT_EQ(terms.size(), 2u);
   EXPECT_EQ(terms[0].name(), "1");
   EXPECT_EQ(terms[1].name(), "x");
-  EXPECT_LT(problem.left({0, terms, {}}), problem.noise_left(0) * 1e6);
+  EXPECT_LT(problem.left({0, terms, {}}), problem.residual_noise(0) * 1e6);
 }
 
 TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
   const FormProblem clean(decay(), Vector::Zero(1), {});
-  EXPECT_NEAR(clean.same_as(1.0, clean.noise_left(0)), 1.21, 1e-12);
+  EXPECT_NEAR(clean.same_as(1.0, clean.residual_noise(0)), 1.21, 1e-12);
   const FormProblem noisy(decay(), Vector::Constant(1, 0.1), {});
-  const double noise = noisy.noise_left(0);
+  const double noise = noisy.residual_noise(0);
   const auto rows = static_cast<double>(noisy.rows());
   EXPECT_NEAR(noise, 0.01 * rows, 1e-6 * noise);
   EXPECT_NEAR(noisy.same_as(noise, noise), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
@@ -56,10 +56,10 @@ TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
   const auto rows = static_cast<double>(problem.rows());
   const Limit unknown = problem.limit_of(constant);
   EXPECT_NEAR(unknown.left, 1.21 * left, 1e-9 * left);
-  EXPECT_EQ(unknown.price, 0.0);
+  EXPECT_EQ(unknown.penalty, 0.0);
   const Limit noise = problem.limit_of(constant, Remainder::Noise);
   EXPECT_NEAR(noise.left, left * (1.0 + 2.0 * std::log(rows) / rows), 1e-9 * left);
-  EXPECT_NEAR(noise.price, std::log(rows) / rows * left, 1e-9 * left);
+  EXPECT_NEAR(noise.penalty, std::log(rows) / rows * left, 1e-9 * left);
 }
 
 TEST(FormProblem, ColumnsThatAreKeptAreThoseOfTheTerms) {
@@ -87,7 +87,7 @@ TEST(FormProblem, RatesStartsBesideEachEquation) {
 TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   const EquationForms all{0, problem.linear_terms(), {}};
-  const double limit = 1e6 * problem.noise_left(0);
+  const double limit = 1e6 * problem.residual_noise(0);
   const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, {limit, 0.0, 2});
   EXPECT_LE(thin.left, limit);
   ASSERT_EQ(thin.equation.terms.size(), 1u);
@@ -132,13 +132,13 @@ TEST(FormProblem, ThinnedDropsWhatCostsLeast) {
 TEST(FormProblem, ChoosesTheTermsThatAFormNeeds) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   const EquationForms all{0, {problem.linear_terms()[0]}, {}};
-  const double limit = 1e6 * problem.noise_left(0);
+  const double limit = 1e6 * problem.residual_noise(0);
   const Trial few = problem.chosen(all, {form_of_x("2*x"), Vector()}, {limit, 0.0, 2});
   EXPECT_TRUE(few.equation.terms.empty());
   EXPECT_LE(few.left, limit);
 }
 
-TEST(Limit, ANumberLessMayCostItsPrice) {
+TEST(Limit, ANumberLessMayCostItsPenalty) {
   const Limit limit{10.0, 2.0, 5};
   EquationForms equation;
   equation.forms.push_back({form_of_x("sin(x)"), Vector::Ones(2)});

@@ -54,19 +54,19 @@ TEST(FormRows, GiveTheValuesAtTheSamples) {
   EXPECT_NEAR(values(17, 0), 4.0, 1e-12);
 }
 
-TEST(SquaresLeft, AreThoseOfLeastSquares) {
+TEST(ResidualSquares, AreThoseOfLeastSquares) {
   Matrix columns(5, 2);
   columns << 1, 2, 0, 1, 3, 1, 1, 1, 2, 0;
   Vector target(5);
   target << 1, 0, 2, -1, 3;
   const Vector h = (columns.transpose() * columns).inverse() * columns.transpose() * target;
-  EXPECT_NEAR(squares_left(columns, target), (target - columns * h).squaredNorm(), 1e-12);
-  EXPECT_NEAR(squares_left(Matrix(5, 0), target), target.squaredNorm(), 1e-12);
+  EXPECT_NEAR(residual_squares(columns, target), (target - columns * h).squaredNorm(), 1e-12);
+  EXPECT_NEAR(residual_squares(Matrix(5, 0), target), target.squaredNorm(), 1e-12);
   Matrix twice(5, 3);
   twice << columns, columns.col(0);
-  EXPECT_NEAR(squares_left(twice, target), squares_left(columns, target), 1e-12);
+  EXPECT_NEAR(residual_squares(twice, target), residual_squares(columns, target), 1e-12);
   columns(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isinf(squares_left(columns, target)));
+  EXPECT_TRUE(std::isinf(residual_squares(columns, target)));
 }
 
 }  // namespace

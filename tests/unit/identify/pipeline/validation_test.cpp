@@ -6,29 +6,29 @@
 namespace lacuna {
 namespace {
 
-double share_of(double error, double noise, bool seen, double motion) {
-  return PredictionError{"x", error, noise, seen, motion, 100.0, 0.0}.share();
+double fraction_of(double error, double noise, bool seen, double motion) {
+  return PredictionError{"x", error, noise, seen, motion, 100.0, 0.0}.fraction();
 }
 
-TEST(PredictionError, ShareIsBeyondTheNoise) {
-  EXPECT_DOUBLE_EQ(share_of(5.0, 3.0, true, 5.0), 1.0);
-  EXPECT_DOUBLE_EQ(share_of(5.0, 4.0, true, std::sqrt(16.0 + 144.0)), 3.0 / 12.0);
-  EXPECT_DOUBLE_EQ(share_of(2.0, 3.0, true, 5.0), 0.0);
+TEST(PredictionError, FractionIsBeyondTheNoise) {
+  EXPECT_DOUBLE_EQ(fraction_of(5.0, 3.0, true, 5.0), 1.0);
+  EXPECT_DOUBLE_EQ(fraction_of(5.0, 4.0, true, std::sqrt(16.0 + 144.0)), 3.0 / 12.0);
+  EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, true, 5.0), 0.0);
 }
 
 TEST(PredictionError, WhatDoesNotMoveIsComparedWithItsNoise) {
-  EXPECT_DOUBLE_EQ(share_of(5.0, 3.0, true, 3.0), 4.0 / 3.0);
+  EXPECT_DOUBLE_EQ(fraction_of(5.0, 3.0, true, 3.0), 4.0 / 3.0);
 }
 
 TEST(PredictionError, NoiseThatIsNotSeenIsNotTakenOff) {
-  EXPECT_DOUBLE_EQ(share_of(2.0, 3.0, false, 4.0), 0.5);
+  EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, false, 4.0), 0.5);
 }
 
 TEST(ValidationVerdict, HasTheNamesOfTheAnswer) {
   EXPECT_EQ(to_string(ValidationVerdict::FitsToNoise), "fits to noise");
   EXPECT_EQ(to_string(ValidationVerdict::Approximation), "approximation");
   EXPECT_EQ(to_string(ValidationVerdict::WrongLibrary), "wrong library");
-  EXPECT_EQ(to_string(ValidationVerdict::CannotTell), "cannot tell");
+  EXPECT_EQ(to_string(ValidationVerdict::Undecided), "cannot tell");
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(HeldBlocks, HoldAWindowUnlessThatLeavesFewerThanEight) {
   EXPECT_EQ(held_blocks(counted({800}), 800).front().count, 100);
 }
 
-TEST(HeldBlocks, TheirNumberAndShareAreOptions) {
+TEST(HeldBlocks, TheirNumberAndFractionAreOptions) {
   EXPECT_EQ(held_blocks(counted({2000}), 30, {.held_every = 2}).size(), 10U);
   EXPECT_EQ(held_blocks(counted({2000}), 30, {.blocks = 40}).front().count, 50);
   EXPECT_EQ(held_blocks(counted({800}), 800, {.fewest_blocks = 4}).front().count, 200);

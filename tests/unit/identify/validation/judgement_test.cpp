@@ -78,7 +78,7 @@ TEST(Judgement, TheOptionsAreWhatDecides) {
   EXPECT_EQ(with({}, 0.0112, 0.25), ValidationVerdict::Approximation);
   EXPECT_EQ(with({.structure = 4.0}, 0.0112, 0.25), ValidationVerdict::FitsToNoise);
   EXPECT_EQ(with({.resolution = 0.02}, 0.013, 0.0), ValidationVerdict::FitsToNoise);
-  EXPECT_EQ(with({.wrong_share = 0.005}, 0.013, 0.0), ValidationVerdict::WrongLibrary);
+  EXPECT_EQ(with({.wrong_fraction = 0.005}, 0.013, 0.0), ValidationVerdict::WrongLibrary);
 }
 
 TEST(Judgement, WithoutNoiseErrorsThatDoNotAddUpAreNotOfTheModel) {
@@ -96,7 +96,7 @@ TEST(Judgement, WithoutNoiseErrorsThatDoNotAddUpAreNotOfTheModel) {
 TEST(Judgement, NoiseThatIsNotKnownCannotBeHeldAgainstAModel) {
   const PredictionError fine = error_of(1e-9, 1e-10, false, 0.01);
   const Validation validation = judged(fine, error_of(0.02, 0.03, false, 1.0));
-  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided);
   EXPECT_THAT(validation.sentence, HasSubstr("they do not show"));
   EXPECT_EQ(judged(fine, error_of(0.2, 0.03, false, 1.0)).verdict,
             ValidationVerdict::WrongLibrary);
@@ -104,13 +104,13 @@ TEST(Judgement, NoiseThatIsNotKnownCannotBeHeldAgainstAModel) {
 
 TEST(Judgement, NothingFitsWhatDoesNotMove) {
   const PredictionError still = error_of(0.01, 0.01, true, 0.0101);
-  EXPECT_EQ(judged(still, still).verdict, ValidationVerdict::CannotTell);
+  EXPECT_EQ(judged(still, still).verdict, ValidationVerdict::Undecided);
 }
 
 TEST(Judgement, FewSamplesTellNothing) {
   const PredictionError few = error_of(0.01, 0.01, true, 1.0, 4.0);
   const Validation validation = judged(few, few);
-  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided);
   EXPECT_THAT(validation.sentence, HasSubstr("samples"));
 }
 
@@ -140,7 +140,7 @@ TEST(Judgement, WhatWasFittedProvesNothing) {
   Validation validation;
   validation.one_step = {0.01, 200, 0, {fine}};
   judge({}, validation);
-  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell);
+  EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided);
   validation.one_step.states[0].error = 0.5;
   judge({}, validation);
   EXPECT_EQ(validation.verdict, ValidationVerdict::WrongLibrary);
@@ -166,7 +166,7 @@ TEST(Judgement, TheAdequacyIsTheVerdictByStates) {
   ASSERT_EQ(validation.adequacy.parts.size(), 3u);
   EXPECT_EQ(validation.adequacy.parts[0].fits, Adequate::Yes);
   EXPECT_EQ(validation.adequacy.parts[1].fits, Adequate::No);
-  EXPECT_EQ(validation.adequacy.parts[2].fits, Adequate::Untold) << "it does not move";
+  EXPECT_EQ(validation.adequacy.parts[2].fits, Adequate::Undetermined) << "it does not move";
   EXPECT_EQ(validation.adequacy.samples(), 1500);
 
   validation.windows = {1.0, 20, 0, {fine, still}};

@@ -41,7 +41,7 @@ TEST(MapPredictions, AnExactModelLeavesNothing) {
   EXPECT_EQ(test.lost, 0);
   ASSERT_EQ(test.states.size(), 1u);
   EXPECT_LT(test.states[0].error, 1e-12);
-  EXPECT_TRUE(test.states[0].noise_seen);
+  EXPECT_TRUE(test.states[0].noise_estimated);
   EXPECT_NEAR(test.states[0].freedom, 397.0 / 3.0, 1e-9);
   const Vector x = data.trajectories[0].states.col(0).tail(397);
   EXPECT_NEAR(test.states[0].motion, std::sqrt((x.array() - x.mean()).square().mean()), 1e-9);
@@ -55,7 +55,7 @@ TEST(MapPredictions, NoiseIsThatOfTheDisturbance) {
   for (const PredictionError& state : test.states) {
     EXPECT_NEAR(state.error, 2e-3, 2e-4);
     EXPECT_NEAR(state.noise, 2e-3, 2e-4);
-    EXPECT_TRUE(state.noise_seen);
+    EXPECT_TRUE(state.noise_estimated);
   }
 }
 
@@ -78,7 +78,7 @@ TEST(MapPredictions, NoiseIsNotSeenWhereNoNeighbourIsNear) {
   const PredictionTest test = predict_map(parse_ode(text, "test"), data, whole(data), 1);
   ASSERT_EQ(test.states.size(), 8u);
   for (const PredictionError& state : test.states)
-    EXPECT_FALSE(state.noise_seen) << state.state;
+    EXPECT_FALSE(state.noise_estimated) << state.state;
 }
 
 TEST(MapPredictions, OrbitsWithoutABoundAreLost) {
@@ -113,7 +113,7 @@ TEST(MapPredictions, NoiseOfTheMeasurementIsNotTakenForStructure) {
     const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 2000, {.measured = noise});
     const Validation right = validated_map(data, {"1", "x", "y", "x^2"});
     EXPECT_TRUE(right.verdict == ValidationVerdict::FitsToNoise ||
-                right.verdict == ValidationVerdict::CannotTell)
+                right.verdict == ValidationVerdict::Undecided)
         << noise << " " << right.sentence;
     const Validation wrong = validated_map(data, {"1", "x", "y"});
     EXPECT_EQ(wrong.verdict, ValidationVerdict::WrongLibrary) << wrong.sentence;
@@ -130,7 +130,7 @@ TEST(MapPredictions, ABoundOfTheNoiseHasTheSlopesOfTheMap) {
   strict.noise_slack = 0.0;
   strict.scatter = 0.0;
   const PredictionError state = predict_map(off, data, whole(data), 1, strict).states[0];
-  EXPECT_FALSE(state.noise_seen);
+  EXPECT_FALSE(state.noise_estimated);
   EXPECT_NEAR(state.error, std::sqrt(1.0 + 0.4 * 0.4), 0.05);
   EXPECT_NEAR(state.noise, std::sqrt(1.25), 0.06);
 }
@@ -145,7 +145,7 @@ TEST(MapPredictions, SlopesOfSeveralStepsAreAProduct) {
   strict.noise_slack = 0.0;
   strict.scatter = 0.0;
   const PredictionError state = predict_map(off, data, whole(data), 2, strict).states[0];
-  EXPECT_FALSE(state.noise_seen);
+  EXPECT_FALSE(state.noise_estimated);
   EXPECT_NEAR(state.error, std::sqrt(1.49 + std::pow(0.245 * 1.7, 2)), 0.05);
   EXPECT_NEAR(state.noise, std::sqrt(1.49 * (1.0 + std::pow(0.7, 4))), 0.06);
 }
@@ -163,7 +163,7 @@ TEST(MapPredictions, ACubicApproximatesASine) {
 TEST(MapPredictions, FewSamplesTellNothing) {
   const Validation validation =
       validated_map(orbit_of_map(logistic, Vector{{0.3}}, 60), {"x", "x^2"});
-  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell) << validation.sentence;
+  EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided) << validation.sentence;
 }
 
 TEST(MapPredictions, OtherRecordsAreJudgedByTheModelAsItIs) {

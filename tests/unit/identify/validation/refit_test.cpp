@@ -19,11 +19,11 @@ Dataset lorenz_samples(double noise, Index samples) {
   return data;
 }
 
-/// The model with all its coefficients off by a share.
-OdeModel disturbed(const OdeModel& model, double share) {
+/// The model with all its coefficients off by a fraction.
+OdeModel disturbed(const OdeModel& model, double fraction) {
   std::vector<Equation> equations = model.equations();
   for (Equation& equation : equations)
-    for (WeightedTerm& summand : equation) summand.coefficient *= 1.0 + share;
+    for (WeightedTerm& summand : equation) summand.coefficient *= 1.0 + fraction;
   return model.with_equations(std::move(equations));
 }
 

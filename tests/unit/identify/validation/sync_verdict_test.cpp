@@ -155,8 +155,8 @@ TEST(SyncVerdict, AHiddenStateThatTheRecordDoesNotTellLeavesNoVerdict) {
   const Dataset data = position_only();
   const SyncVerdict found = judge(model, data, synchronise(model, data, Rk4{}));
   EXPECT_FALSE(found.holds);
-  EXPECT_FALSE(found.told);
-  EXPECT_THAT(found.sentence, HasSubstr("Cannot tell"));
+  EXPECT_FALSE(found.decided);
+  EXPECT_THAT(found.sentence, HasSubstr("Undecided"));
 }
 
 TEST(SyncVerdict, ALostSlaveDoesNotHold) {
@@ -193,7 +193,7 @@ TEST(SyncVerdict, WhereNothingMovesThereIsNone) {
   slave.noise = slave.response = Vector::Zero(2);
   slave.settled = true;
   const SyncVerdict found = judge(damped_oscillator(1.0), still, slave);
-  EXPECT_FALSE(found.told);
+  EXPECT_FALSE(found.decided);
   EXPECT_FALSE(found.holds);
   EXPECT_THAT(found.sentence, HasSubstr("nothing that is measured moves"));
 }
@@ -206,9 +206,9 @@ TEST(SyncVerdict, BesidePredictionsThatSayOtherwiseItIsOpen) {
   EXPECT_TRUE(beside(yes, holds).holds);
   EXPECT_TRUE(beside(open, holds).holds);
   EXPECT_FALSE(beside(no, holds).holds);
-  EXPECT_FALSE(beside(no, holds).told);
-  EXPECT_THAT(beside(no, holds).sentence, HasSubstr("Cannot tell"));
-  EXPECT_FALSE(beside(yes, off).told);
+  EXPECT_FALSE(beside(no, holds).decided);
+  EXPECT_THAT(beside(no, holds).sentence, HasSubstr("Undecided"));
+  EXPECT_FALSE(beside(yes, off).decided);
   EXPECT_FALSE(beside(yes, off).equation);
   EXPECT_EQ(beside(no, off).sentence, off.sentence);
   EXPECT_EQ(beside(yes, later).sentence, later.sentence);

@@ -52,18 +52,19 @@ TEST(TakeIn, WhatPredictionsSayStandsForWhatResidualsSaid) {
 
 TEST(TakeIn, WhatPredictionsDoNotTellIsNoClaimBesideTheirVerdict) {
   IdentificationResult result = sample_result();
-  take_in(said(ValidationVerdict::FitsToNoise, Adequate::Yes, Adequate::Yes, Adequate::Untold),
+  take_in(said(ValidationVerdict::FitsToNoise, Adequate::Yes, Adequate::Yes,
+               Adequate::Undetermined),
           kData, result);
   EXPECT_EQ(result.fit[1].fits_to_noise, std::nullopt);
   EXPECT_THAT(result.warnings, ElementsAre("first", "last"));
 
   result = sample_result();
-  take_in(
-      said(ValidationVerdict::CannotTell, Adequate::Untold, Adequate::Untold, Adequate::Untold),
-      kData, result);
+  take_in(said(ValidationVerdict::Undecided, Adequate::Undetermined, Adequate::Undetermined,
+               Adequate::Undetermined),
+          kData, result);
   EXPECT_EQ(result.fit[0].fits_to_noise, true) << "the residuals' word, beside a known noise";
   EXPECT_EQ(result.fit[1].fits_to_noise, false);
-  EXPECT_EQ(result.adequacy.fits, Adequate::Untold);
+  EXPECT_EQ(result.adequacy.fits, Adequate::Undetermined);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(Validate, NumbersAreThoseOfTheDefinition) {
   for (const PredictionError& state : validation.windows.states) {
     EXPECT_GT(state.motion, state.noise);
     EXPECT_GT(state.freedom, 500.0);
-    largest = std::max(largest, state.share());
+    largest = std::max(largest, state.fraction());
   }
   EXPECT_GT(largest, 0.1);
   EXPECT_GT(validation.windows.horizon, 0.3);
@@ -82,7 +82,7 @@ TEST(Validate, OtherRecordsAreJudgedByTheModelAsItIs) {
       0.01);
   const Validation wrong = validate({found, data, pipeline, other});
   EXPECT_NE(wrong.verdict, ValidationVerdict::FitsToNoise) << wrong.sentence;
-  EXPECT_NE(wrong.verdict, ValidationVerdict::CannotTell) << wrong.sentence;
+  EXPECT_NE(wrong.verdict, ValidationVerdict::Undecided) << wrong.sentence;
   EXPECT_THROW(validate({found, data, pipeline, data}), DataError) << "none that was not used";
 }
 
@@ -93,7 +93,7 @@ TEST(Validate, AShortRecordTellsNothing) {
   Dataset few = lorenz_record(0.01, 1500, 9);
   few.trajectories[0] = rows_of(few.trajectories[0], 100, 5);
   const Validation validation = validate({found, data, pipeline, few});
-  EXPECT_EQ(validation.verdict, ValidationVerdict::CannotTell) << validation.sentence;
+  EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided) << validation.sentence;
 }
 
 TEST(Validate, AnEmbeddedRecordIsJudgedByWhatWasMeasured) {

@@ -22,7 +22,7 @@ TEST(ValidationOptions, ReachTheVerdict) {
     return validate({found, data, pipeline}, options).verdict;
   };
   EXPECT_EQ(verdict({}), ValidationVerdict::FitsToNoise);
-  EXPECT_EQ(verdict({.least_freedom = 100000}), ValidationVerdict::CannotTell);
+  EXPECT_EQ(verdict({.least_freedom = 100000}), ValidationVerdict::Undecided);
 }
 
 TEST(ValidationOptions, NoMoreSamplesAreUsedThanATestNeeds) {

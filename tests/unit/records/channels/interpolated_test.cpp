@@ -32,8 +32,9 @@ Vector on_lines(const Vector& values, Index each, double first = 0.0) {
     const auto at = [&](double sample) {
       return values[std::clamp<Index>(std::lround(sample), 0, values.size() - 1)];
     };
-    const double share = place - std::floor(place);
-    result[i] = (1.0 - share) * at(before) + share * at(before + static_cast<double>(each));
+    const double fraction = place - std::floor(place);
+    result[i] =
+        (1.0 - fraction) * at(before) + fraction * at(before + static_cast<double>(each));
   }
   return result;
 }

@@ -24,9 +24,9 @@ TEST(SequentialThresholding, KeptTermsAreAboveTheThresholdAndRemovedOnesWereBelo
   const SequentialThresholding pruner({.threshold = 0.3});
   const PruneResult result = pruner.prune(system, 2, system.all_terms(), Ols());
   const Regression fit = Ols().fit(system, system.subproblem(2, result.kept));
-  for (const auto& [name, share] :
-       testing::shares(system, 2, fit.active, fit.coefficients, {"same"}))
-    EXPECT_GE(std::abs(share), 0.3) << name;
+  for (const auto& [name, fraction] :
+       testing::fractions(system, 2, fit.active, fit.coefficients, {"same"}))
+    EXPECT_GE(std::abs(fraction), 0.3) << name;
   EXPECT_FALSE(result.removed.empty());
   for (const Removal& gone : result.removed) EXPECT_LT(gone.value, 0.3);
 }

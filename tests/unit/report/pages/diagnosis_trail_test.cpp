@@ -14,13 +14,13 @@ Diagnosis with_rivals(std::vector<Rival> rivals) {
   return diagnosis;
 }
 
-TEST(DiagnosisTrail, EachAccountHasItsNumberOrItsRule) {
+TEST(DiagnosisTrail, EachCompositeHasItsNumberOrItsRule) {
   const std::string text = format_trail(with_rivals(
       {{"named-effects", "dry in dv/dt: sign(v)", 790.0, true, "significance", 12.5, 3.0},
        {"coloured-noise", "noise with a memory", 812.25, false, "extended-bic", 812.25, 790.0},
        {"unmeasured-input", "nothing is missing", {}, true, "criterion", 1.0, 2.0, "a rule"}}));
   EXPECT_EQ(text,
-            "Accounts of the records, in the order in which they were judged:\n"
+            "Composite models of the records, in the order in which they were judged:\n"
             "  + named-effects     dry in dv/dt: sign(v)\n"
             "      significance 12.5 against 3\n"
             "  - coloured-noise    noise with a memory\n"
@@ -30,9 +30,9 @@ TEST(DiagnosisTrail, EachAccountHasItsNumberOrItsRule) {
             "(+ taken over what was best before, - not taken)\n");
 }
 
-TEST(DiagnosisTrail, WithoutAccountsItSaysWhatItWouldShow) {
+TEST(DiagnosisTrail, WithoutCompositesItSaysWhatItWouldShow) {
   EXPECT_EQ(format_trail(with_rivals({})),
-            "Accounts of the records, in the order in which they were judged:\n"
+            "Composite models of the records, in the order in which they were judged:\n"
             "(+ taken over what was best before, - not taken)\n");
 }
 

@@ -70,7 +70,7 @@ TEST(Pages, IdentificationBeginsWithItsVerdict) {
   EXPECT_EQ(support::first_fault(html), "");
   EXPECT_THAT(html, HasSubstr("Predictions of samples held out"));
   EXPECT_THAT(html, HasSubstr("try sin(x)"));
-  EXPECT_THAT(html, HasSubstr("cannot be told apart"));
+  EXPECT_THAT(html, HasSubstr("cannot be distinguished"));
   report.result.validation->verdict = ValidationVerdict::WrongLibrary;
   EXPECT_EQ(identification_page(report, oscillation()).tone, Tone::Bad);
   report.result.validation->verdict = ValidationVerdict::FitsToNoise;
@@ -118,7 +118,7 @@ TEST(Pages, DiagnosisShowsWhatItShould) {
                                                         {"where_v", 1}}));
   const std::string html = format_html(page);
   EXPECT_EQ(support::first_fault(html), "");
-  EXPECT_THAT(html, HasSubstr("+ 20")) << "how much worse the second account is";
+  EXPECT_THAT(html, HasSubstr("+ 20")) << "how much worse the second composite model is";
   EXPECT_THAT(html, HasSubstr("frequency 0.291 1/s"));
   EXPECT_THAT(html, HasSubstr("a note."));
   EXPECT_THAT(html, HasSubstr("inflation 1 against 1.3"));

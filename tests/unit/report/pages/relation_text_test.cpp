@@ -18,7 +18,7 @@ TEST(RelationText, ReadsLikeAnEquation) {
 
 TEST(RelationText, SaysWhatCannotBeToldApart) {
   EXPECT_EQ(relation_sentence({{{"S", 1.0, 0.0}, {"I", 1.0, 0.001}}, 1.0, 0.01, 0.01}),
-            "S + I = 1 +- 0.01 on these data: S, I and a constant cannot be told apart");
+            "S + I = 1 +- 0.01 on these data: S, I and a constant cannot be distinguished");
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace {
 using testing::expect_error;
 using ::testing::HasSubstr;
 
-const FittedNumber& number(const Fit& found, const std::string& name) {
-  for (const FittedNumber& one : found.numbers)
+const FittedParameter& number(const Fit& found, const std::string& name) {
+  for (const FittedParameter& one : found.numbers)
     if (one.name == name) return one;
   throw std::out_of_range(name);
 }
@@ -54,7 +54,7 @@ TEST(Fit, FindsTheNumbersOfAModelWithAHiddenState) {
   EXPECT_TRUE(found.converged);
   EXPECT_TRUE(found.combinations.empty());
   for (const Parameter& parameter : truth.parameters()) {
-    const FittedNumber& one = number(found, parameter.name);
+    const FittedParameter& one = number(found, parameter.name);
     ASSERT_TRUE(one.standard_error) << parameter.name;
     EXPECT_LT(std::abs(one.value - parameter.value), 4.0 * *one.standard_error);
     EXPECT_LT(*one.standard_error, 0.05 * parameter.value);
@@ -155,8 +155,8 @@ TEST(Fit, AStateThatNothingShowsIsNamed) {
   const Fit found = fit(system, data, {});
   std::string all;
   for (const FitCombination& one : found.combinations) all += one.message + "\n";
-  EXPECT_THAT(all, HasSubstr("the state z cannot be told from what is measured"));
-  EXPECT_THAT(all, HasSubstr("z: z: the records say nothing of it"));
+  EXPECT_THAT(all, HasSubstr("the state z cannot be determined from what is measured"));
+  EXPECT_THAT(all, HasSubstr("z: z: the records do not determine it"));
   EXPECT_FALSE(number(found, "z: x").ci95);
   EXPECT_TRUE(number(found, "x: x").ci95);
   EXPECT_EQ(number(found, "z: z").value, -2.0) << "as it was";
@@ -188,7 +188,7 @@ TEST(Fit, ParametersPerRecordAreGivenForEach) {
                         {.start = (Vector(2) << 0.3, 0.1).finished(), .step = 0.1, .seed = 3})
           .trajectories[0]);
   const Fit found = fit(parse_ode_system(text, "t.ode"), data, {});
-  const FittedNumber& k4 = number(found, "k4");
+  const FittedParameter& k4 = number(found, "k4");
   ASSERT_EQ(k4.per_record.size(), 2u);
   EXPECT_NEAR(k4.per_record[0], 0.4, 0.02);
   EXPECT_NEAR(k4.per_record[1], 0.6, 0.03);
@@ -236,7 +236,7 @@ TEST(Fit, IntervalsEndWhereRangesDo) {
   const SystemModel system =
       parse_ode_system("param k = 0.1 in 0.0999..0.1001\ndx/dt = -k*x\ny = x\n", "d.ode");
   const Fit found = fit(system, decay_record(), {});
-  const FittedNumber& k = number(found, "k");
+  const FittedParameter& k = number(found, "k");
   if (!k.bound) {
     ASSERT_TRUE(k.ci95);
     EXPECT_GE((*k.ci95)[0], 0.0999);
@@ -248,7 +248,7 @@ TEST(Fit, IntervalsEndWhereRangesDo) {
     const Dataset record = support::grey_box(
         parse_ode("dx/dt = -0.1*x\ny = x\n", "d.ode"),
         {.start = Vector::Constant(1, 1.0), .step = 0.1, .samples = 100, .seed = seed});
-    const FittedNumber one = number(fit(wide, record, {}), "k");
+    const FittedParameter one = number(fit(wide, record, {}), "k");
     if (one.ci95) {
       EXPECT_LE((*one.ci95)[1], 0.1005) << seed;
       EXPECT_LE(one.value, (*one.ci95)[1]) << seed;
@@ -263,7 +263,7 @@ TEST(Fit, ANumberOfWhichTheRecordsSayNothingHasNoInterval) {
   EXPECT_FALSE(number(found, "b").ci95);
   EXPECT_TRUE(number(found, "k").ci95);
   ASSERT_EQ(found.combinations.size(), 1u);
-  EXPECT_THAT(found.combinations[0].message, HasSubstr("b: the records say nothing of it"));
+  EXPECT_THAT(found.combinations[0].message, HasSubstr("b: the records do not determine it"));
   const SystemModel alone =
       parse_ode_system("param b = 1.02\ndx/dt = -0.1*x + 1e-12*b\ny = x\n", "d.ode");
   EXPECT_FALSE(number(fit(alone, decay_record(), {}), "b").ci95)

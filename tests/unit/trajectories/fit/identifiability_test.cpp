@@ -73,7 +73,7 @@ TEST(Identifiability, TheScaleOfAHiddenStateGivesTwoProducts) {
 TEST(Identifiability, WhatHasNoInfluenceIsNamedAlone) {
   const Vector values = (Vector(2) << 3.0, 2.0).finished();
   EXPECT_THAT(said((Matrix(1, 2) << 1.0, 0.0).finished(), values, {"a", "b"}),
-              ::testing::ElementsAre("b: the records say nothing of it"));
+              ::testing::ElementsAre("b: the records do not determine it"));
 }
 
 TEST(Identifiability, WhatIsSeenIsNotNamed) {

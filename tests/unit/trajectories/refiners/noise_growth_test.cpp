@@ -10,8 +10,8 @@
 namespace lacuna {
 namespace {
 
-/// Growth from 1 to 100 with noise sqrt(floor^2 + (share x)^2).
-Dataset growing(double floor, double share, Index samples, std::uint64_t seed) {
+/// Growth from 1 to 100 with noise sqrt(floor^2 + (fraction x)^2).
+Dataset growing(double floor, double fraction, Index samples, std::uint64_t seed) {
   Random random(seed);
   Dataset data;
   data.states = {{"x", ""}};
@@ -21,7 +21,7 @@ Dataset growing(double floor, double share, Index samples, std::uint64_t seed) {
   record.inputs.resize(samples, 0);
   for (Index i = 0; i < samples; ++i) {
     const double x = 100.0 / (1.0 + 99.0 * std::exp(-record.time[i]));
-    const double deviation = std::sqrt(floor * floor + share * share * x * x);
+    const double deviation = std::sqrt(floor * floor + fraction * fraction * x * x);
     record.states(i, 0) = x + deviation * random.normal();
   }
   return data;
@@ -32,11 +32,11 @@ SampleNoise noise_of(const Dataset& data, const GrowingNoise& rule = {}) {
   return noise_of_samples(data, Vector::Constant(1, noise[0].sigma), noise, rule);
 }
 
-TEST(NoiseGrowth, IsFoundWithItsShare) {
+TEST(NoiseGrowth, IsFoundWithItsFraction) {
   for (const Index samples : {256, 512, 4096}) {
     const SampleNoise noise = noise_of(growing(0.0, 0.05, samples, 1));
     ASSERT_TRUE(noise.growth[0].has_value()) << samples;
-    EXPECT_NEAR(noise.growth[0]->share, 0.05, 0.01) << samples;
+    EXPECT_NEAR(noise.growth[0]->fraction, 0.05, 0.01) << samples;
     const Matrix& deviations = noise.deviations[0];
     EXPECT_NEAR(deviations(samples - 5, 0), 5.0, 1.0);
     EXPECT_LT(deviations(4, 0), 0.2);
@@ -48,13 +48,13 @@ TEST(NoiseGrowth, KnowsAFloor) {
   const SampleNoise noise = noise_of(growing(1.0, 0.05, 4096, 2));
   ASSERT_TRUE(noise.growth[0].has_value());
   EXPECT_NEAR(noise.growth[0]->floor, 1.0, 0.2);
-  EXPECT_NEAR(noise.growth[0]->share, 0.05, 0.01);
+  EXPECT_NEAR(noise.growth[0]->fraction, 0.05, 0.01);
   EXPECT_NEAR(noise.growth[0]->at(20.0), std::sqrt(2.0), 0.3);
 }
 
 TEST(NoiseGrowth, TheRuleDecides) {
   const Dataset data = growing(0.0, 0.05, 512, 1);
-  EXPECT_FALSE(noise_of(data, {.least_share = 0.1}).growth[0].has_value());
+  EXPECT_FALSE(noise_of(data, {.least_fraction = 0.1}).growth[0].has_value());
   EXPECT_FALSE(noise_of(data, {.significance = 1e3}).growth[0].has_value());
   EXPECT_FALSE(noise_of(data, {.unit_variance = 0.5}).growth[0].has_value());
 }

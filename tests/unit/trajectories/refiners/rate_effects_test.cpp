@@ -41,7 +41,7 @@ TEST(RateEffects, AreWhatTheOtherTermsCannotSay) {
   const RateEffects effects(search, columns);
 
   const Vector h = Eigen::Vector3d(-1.0, -2.0, 2.0);
-  const Vector shares = effects.shares({0, 2, 3}, h);
+  const Vector fractions = effects.fractions({0, 2, 3}, h);
   const std::string names[] = {"x", "x^2*y", "y"};
   Matrix theta(values_of("x", search).size(), 3);
   for (Index i = 0; i < 3; ++i) theta.col(i) = values_of(names[i], search);
@@ -51,10 +51,10 @@ TEST(RateEffects, AreWhatTheOtherTermsCannotSay) {
     others << theta.col((i + 1) % 3), theta.col((i + 2) % 3);
     const Vector left =
         theta.col(i) - others * others.colPivHouseholderQr().solve(Vector(theta.col(i)));
-    EXPECT_NEAR(shares[i], std::abs(h[i]) * left.norm() / rate, 1e-9);
+    EXPECT_NEAR(fractions[i], std::abs(h[i]) * left.norm() / rate, 1e-9);
   }
   // Alone in its equation a term is the whole rate.
-  EXPECT_NEAR(effects.shares({1}, Vector::Constant(1, 0.7))[0], 1.0, 1e-12);
+  EXPECT_NEAR(effects.fractions({1}, Vector::Constant(1, 0.7))[0], 1.0, 1e-12);
 }
 
 }  // namespace

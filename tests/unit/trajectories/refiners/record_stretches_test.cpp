@@ -45,7 +45,7 @@ TEST(RecordStretches, HoldEightWindows) {
   EXPECT_EQ(part.trajectories[0].samples(), 400);
 }
 
-TEST(RecordStretches, RecordsHaveTheirShare) {
+TEST(RecordStretches, RecordsHaveTheirFraction) {
   const Dataset part = record_stretches(records_of({30000, 10000, 150}), 1600, 10);
   EXPECT_EQ(part.trajectories.size(), 17U);  // 12, 4, and a short one as it is
   EXPECT_EQ(part.trajectories.back().samples(), 150);

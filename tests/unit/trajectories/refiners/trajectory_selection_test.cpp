@@ -96,7 +96,7 @@ TEST(TrajectorySelection, PathHoldsTheTermsAndWhatWouldBeNext) {
       search(noisy_record("lorenz", 2000, 0.01, 6), test_system("lorenz").model);
   Index members = 0;
   for (const PathStep& step : found.path) {
-    EXPECT_EQ(step.in_model, step.gain > step.price) << step.term;
+    EXPECT_EQ(step.in_model, step.gain > step.penalty) << step.term;
     members += step.in_model;
   }
   EXPECT_EQ(members, 7);
@@ -192,11 +192,11 @@ TEST(TrajectorySelection, ApproximationsKeepOnlyTermsThatTakeMuchAway) {
   const OdeModel start = empty_model(data);
   const TermLibrary cubic = Monomials{{.max_degree = 3}}.library(start.variables());
   const RefinedModel few = TrajectorySelection{}.refine({data, cubic, start});
-  const RefinedModel many = TrajectorySelection{{.price = 12.0}}.refine({data, cubic, start});
+  const RefinedModel many = TrajectorySelection{{.penalty = 12.0}}.refine({data, cubic, start});
   EXPECT_FALSE(few.fits_to_noise[0].value_or(true));
   EXPECT_LT(terms_of(few), terms_of(many)) << to_text(few.model, 4) << to_text(many.model, 4);
   for (const PathStep& step : few.path) {
-    const double least = step.in_model ? step.price : 0.0;
+    const double least = step.in_model ? step.penalty : 0.0;
     EXPECT_GE(step.gain, least) << step.term;
   }
 }

@@ -21,11 +21,11 @@ const RunContext kNoLimits;
 
 /// A search among cubic monomials.
 struct SearchCase {
-  SearchCase(const OdeModel& model, const Dataset& record, std::optional<double> price = {},
+  SearchCase(const OdeModel& model, const Dataset& record, std::optional<double> penalty = {},
              int degree = 3)
       : data(record),
         library(Monomials{{.max_degree = degree}}.library(model.variables())),
-        task(search_task(data, {library}, analyse_noise(data), {.price = price})),
+        task(search_task(data, {library}, analyse_noise(data), {.penalty = penalty})),
         search(begun(task, prepared_search(task),
                      Matrix::Zero(data.state_count(), library.size()), kNoLimits)) {}
 
@@ -105,12 +105,12 @@ TEST(WindowSearch, ChoosesTheBestSubsetOfItsTriangle) {
   SearchCase c(model, noisy_record("van-der-pol", 300, 0.05, 2));
   ASSERT_TRUE(c.search.fit.rows > 0);
   const WindowFit& fit = c.search.fit;
-  EXPECT_NEAR(fit.price,
+  EXPECT_NEAR(fit.penalty,
               std::log(static_cast<double>(fit.rows)) +
                   std::log(static_cast<double>(fit.columns.size())),
               1e-12);
   const SubsetProblem again = subset_problem(fit.triangle / std::sqrt(fit.scale));
-  EXPECT_EQ(best_subset(again, fit.price, {}, Exchange::Pairs).columns, fit.subset);
+  EXPECT_EQ(best_subset(again, fit.penalty, {}, Exchange::Pairs).columns, fit.subset);
 }
 
 TEST(WindowSearch, LongerWindowsThatFitWorseAreGivenUp) {
@@ -166,11 +166,11 @@ TEST(WindowSearch, SimplifyingTakesTermsAwayAsFarAsTheSlackGoes) {
             1.05 * 4.0 * fit_subset(problem, all).residual);
 }
 
-TEST(WindowSearch, APriceThatWasGivenStandsWithAllItsTerms) {
+TEST(WindowSearch, APenaltyThatWasGivenStandsWithAllItsTerms) {
   const OdeModel& model = test_system("van-der-pol").model;
   SearchCase c(model, noisy_record("van-der-pol", 400, 0.02, 1), 25.0);
   ASSERT_TRUE(c.search.fit.rows > 0);
-  EXPECT_EQ(c.search.fit.price, 25.0);
+  EXPECT_EQ(c.search.fit.penalty, 25.0);
   const std::vector<Index> all = c.search.fit.subset;
   simplify(c.task, c.search, 1e9, kNoLimits);
   EXPECT_EQ(c.search.fit.subset, all);

@@ -18,7 +18,7 @@ Matrix slopes_of(double from, double h) {
   return slopes;
 }
 
-/// d' = A d + share of e, in many small steps of the midpoint rule.
+/// d' = A d + fraction of e, in many small steps of the midpoint rule.
 Vector integrated(Vector d, double from, double h, const std::function<Vector(double)>& rate) {
   constexpr int kParts = 20000;
   Matrix a(2, 2);

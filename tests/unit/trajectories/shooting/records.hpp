@@ -23,9 +23,10 @@ inline Dataset noisy_record(const std::string& name, Index n, double noise,
 }
 
 /// The parametrisation with values off by so much, alternately up and down.
-inline ParametrisedModel perturbed(const ParametrisedModel& model, double share) {
+inline ParametrisedModel perturbed(const ParametrisedModel& model, double fraction) {
   Vector values = model.values();
-  for (Index i = 0; i < values.size(); ++i) values[i] *= 1.0 + (i % 2 == 0 ? share : -share);
+  for (Index i = 0; i < values.size(); ++i)
+    values[i] *= 1.0 + (i % 2 == 0 ? fraction : -fraction);
   return model.with_values(values);
 }
 

@@ -60,10 +60,11 @@ TEST(Assimilation, KeepsWhatTheModelSaysBesideItsEquations) {
 
 TEST(Assimilation, TakesTheNoiseThatTheRecordsCarry) {
   BoundRecords records = as_measured(softer_spring());
-  EXPECT_EQ(assimilate(support::oscillator(), records, {}, RunContext{}).seen_noise,
+  EXPECT_EQ(assimilate(support::oscillator(), records, {}, RunContext{}).estimated_noise,
             visible_noise(records));
   records.channels[1].noise.white = 0.5;
-  EXPECT_EQ(assimilate(support::oscillator(), records, {}, RunContext{}).seen_noise[1], 0.5);
+  EXPECT_EQ(assimilate(support::oscillator(), records, {}, RunContext{}).estimated_noise[1],
+            0.5);
 }
 
 TEST(Assimilation, FindsCoefficientsAndNoise) {
@@ -96,9 +97,9 @@ TEST(Assimilation, MissingTermsAppearAsDisturbance) {
 
 TEST(Assimilation, NoiseThatHasShrunkComesBack) {
   Assimilation fit = fitted(softer_spring());
-  EXPECT_FALSE(with_seen_noise(fit).has_value());
+  EXPECT_FALSE(with_estimated_noise(fit).has_value());
   fit.noise.measurement[1] = 1e-6;
-  const auto again = with_seen_noise(fit);
+  const auto again = with_estimated_noise(fit);
   ASSERT_TRUE(again.has_value());
   EXPECT_NEAR(*again->noise.measurement[1], 0.02, 0.004);
   EXPECT_EQ(again->noise.measurement[0], fit.noise.measurement[0]);
@@ -110,7 +111,7 @@ TEST(Assimilation, ValuesOnALatticeShowTheirNoise) {
     value = 0.1 * std::round(10.0 * value);
   const Assimilation fit = fitted(data);
   for (Index k = 0; k < 2; ++k) {
-    EXPECT_NEAR(fit.seen_noise[k], 0.1 / std::sqrt(12.0), 1e-6);
+    EXPECT_NEAR(fit.estimated_noise[k], 0.1 / std::sqrt(12.0), 1e-6);
     EXPECT_NEAR(*fit.noise.measurement[static_cast<std::size_t>(k)], 0.03, 0.006);
   }
 }

@@ -34,7 +34,7 @@ TEST(Truncation, HasTheMomentsOfTheTruncatedNormal) {
     const Moments exact(z);
     EXPECT_NEAR(known.deviance, -2.0 * std::log(exact.probability), 1e-5) << z;
     EXPECT_NEAR(z + known.shift, exact.mean, 1e-5) << z;
-    EXPECT_NEAR(1.0 - known.share, exact.variance, 1e-5) << z;
+    EXPECT_NEAR(1.0 - known.fraction, exact.variance, 1e-5) << z;
   }
 }
 
@@ -43,15 +43,15 @@ TEST(Truncation, GoesOnSmoothlyFarBelow) {
     const Truncation here(z * (1.0 - 1e-9)), there(z * (1.0 + 1e-9));
     EXPECT_NEAR(there.deviance / here.deviance, 1.0, 1e-7);
     EXPECT_NEAR(there.shift / here.shift, 1.0, 1e-6);
-    EXPECT_NEAR(there.share / here.share, 1.0, 1e-4);
-    EXPECT_LT(here.share, 1.0);
+    EXPECT_NEAR(there.fraction / here.fraction, 1.0, 1e-4);
+    EXPECT_LT(here.fraction, 1.0);
   }
 }
 
 TEST(Truncation, SaysNothingFarAbove) {
   const Truncation known(40.0);
   EXPECT_EQ(known.deviance, 0.0);
-  EXPECT_NEAR(known.share, 0.0, 1e-300);
+  EXPECT_NEAR(known.fraction, 0.0, 1e-300);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(DeterminedStep, WhatIsKeptDoesNotMove) {
   const Problem problem = problem_of(100.0 * rows, 100.0 * rows * Vector{{0.0, -0.4}});
   const DeterminedStep step =
       determined_step(problem.normal, problem.right, Vector::Ones(2), {1});
-  EXPECT_EQ(step.held.cols(), 0) << "kept is not held by what the records do not tell";
+  EXPECT_EQ(step.held.cols(), 0) << "kept is not held by what the records do not determine";
   EXPECT_NEAR(step.change[0], 0.4, 1e-12);
   EXPECT_EQ(step.change[1], 0.0);
   EXPECT_EQ(step.covariance(1, 1), 0.0);

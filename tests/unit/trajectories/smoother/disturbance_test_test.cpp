@@ -43,15 +43,15 @@ TEST(Structure, TheTotalCountsEveryEquationInUnitsOfItsRate) {
   EXPECT_NEAR(total_disturbance(fit, Vector{{0.0, 3.0}}), 0.04, 1e-15) << "a state at rest";
 }
 
-TEST(Structure, TheShareThatIsClosedLiesBetweenNoneAndAll) {
+TEST(Structure, TheFractionThatIsClosedLiesBetweenNoneAndAll) {
   Assimilation before = support::assimilated(support::hidden_record(support::nothing, 0.01));
   Assimilation after = before;
   before.noise.disturbance = Vector{{0.0, 0.6}};
   after.noise.disturbance = Vector{{0.0, 0.3}};
-  EXPECT_NEAR(share_closed(before, after), 0.75, 1e-12);
-  EXPECT_EQ(share_closed(after, before), 0.0) << "more than before";
+  EXPECT_NEAR(fraction_closed(before, after), 0.75, 1e-12);
+  EXPECT_EQ(fraction_closed(after, before), 0.0) << "more than before";
   before.noise.disturbance.setZero();
-  EXPECT_EQ(share_closed(before, after), 1.0) << "of nothing";
+  EXPECT_EQ(fraction_closed(before, after), 1.0) << "of nothing";
 }
 
 /// The case as if a model had been brought onto it.

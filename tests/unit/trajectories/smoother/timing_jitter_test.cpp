@@ -33,7 +33,7 @@ TEST(TimingJitter, IsHowFarTheTimesScatter) {
     const TimingJitter found = timing_jitter(support::assimilated(scattered(0.01, shared)));
     EXPECT_NEAR(found.deviation, shared ? 0.01 : 0.008, 0.002);
     EXPECT_GT(found.sigma, 5.0);
-    EXPECT_GT(found.share, 0.5);
+    EXPECT_GT(found.fraction, 0.5);
   }
 }
 

@@ -79,7 +79,7 @@ TEST(UnseenChanges, AnEdgeShowsTheScaleWhereItIsKnown) {
 }
 
 TEST(UnseenChanges, AnEffectShowsWhatMixesStates) {
-  // z may have a scale and a share of x; a term in z^2 would become one in x z as well.
+  // z may have a scale and a fraction of x; a term in z^2 would become one in x z as well.
   const std::string linear = "input u\ndx/dt = 0.8*z - x\ndz/dt = 0.5*u + 0.4*x - 0.3*z";
   const OdeModel nominal = parse_ode(linear + "\n", "test");
   const OdeModel square = parse_ode(linear + " - 0.1*z^2\n", "test");

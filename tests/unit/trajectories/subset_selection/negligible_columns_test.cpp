@@ -17,12 +17,12 @@ const RunContext kContext;
 
 /// A search in a record of Lorenz' equations as fixed steps of order 4 give it.
 struct Searched {
-  explicit Searched(std::optional<double> price = {})
+  explicit Searched(std::optional<double> penalty = {})
       : data(record_of(test_system("lorenz").model, Rk4{}, test_system("lorenz").start, 0.01,
                        1200)),
         library(Monomials{{.max_degree = 2}}.library(data_variables())) {
     for (Trajectory& record : data.trajectories) record.derivatives = Matrix();
-    task.emplace(search_task(data, {library}, analyse_noise(data), {.price = price}));
+    task.emplace(search_task(data, {library}, analyse_noise(data), {.penalty = penalty}));
     search.emplace(
         begun(*task, prepared_search(*task), Matrix::Zero(3, library.size()), kContext));
     while (grow(*task, *search, kContext)) {
@@ -59,14 +59,14 @@ TEST(NegligibleColumns, WhatASolversErrorLooksLikeLeaves) {
     EXPECT_LT(out.effect, 1e-4);
     EXPECT_EQ(c.search->fit.coefficients(out.column.equation, out.column.term), 0.0);
   }
-  // What was left out on purpose is not held against the model.
+  // What was left out on purpose does not count against the model.
   const WindowFit& fit = c.search->fit;
   for (Index k = 0; k < 3; ++k)
     EXPECT_LE(fit.rms[k] / fit.sigma[k], before[k] / c.search->sigma[k] * 1.0001);
   EXPECT_NEAR(fit.coefficients(1, 1), 28.0, 1e-3);
 }
 
-TEST(NegligibleColumns, StayWhereTheSizeIsZeroOrAPriceWasGiven) {
+TEST(NegligibleColumns, StayWhereTheSizeIsZeroOrAPenaltyWasGiven) {
   Searched free;
   const std::set<std::string> names = free.names();
   EXPECT_TRUE(

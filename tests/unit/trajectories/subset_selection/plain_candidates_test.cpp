@@ -13,14 +13,14 @@
 namespace lacuna {
 namespace {
 
-/// n samples of one orbit, 97 to a turn, with white noise of a share of its spread.
-Dataset noisy_orbit(Index n, double share, std::uint64_t seed) {
+/// n samples of one orbit, 97 to a turn, with white noise of a fraction of its spread.
+Dataset noisy_orbit(Index n, double fraction, std::uint64_t seed) {
   Dataset data;
   data.states = {{"x", "m"}, {"v", "m/s"}};
   data.trajectories = {oscillation(n, 0.0, 0.0324)};
   Matrix& states = data.trajectories[0].states;
   data.trajectories[0].inputs.resize(n, 0);
-  const Vector sigma = share * spread(states);
+  const Vector sigma = fraction * spread(states);
   Random random(seed);
   for (Index k = 0; k < 2; ++k)
     for (Index i = 0; i < n; ++i) states(i, k) += sigma[k] * random.normal();

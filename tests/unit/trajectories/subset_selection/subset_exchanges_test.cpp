@@ -69,9 +69,9 @@ TEST(SubsetExchanges, DirectionsAreThoseThatOnlyOneMemberHas) {
     EXPECT_NEAR(exchanges.directions.col(i).norm(), 1.0, 1e-12);
     for (Index j = 0; j < 3; ++j) {
       if (i == j) continue;
-      const double share = exchanges.directions.col(i).dot(
+      const double fraction = exchanges.directions.col(i).dot(
           problem.scaled.col(subset[static_cast<std::size_t>(j)]));
-      EXPECT_NEAR(share, 0.0, 1e-10) << i << j;
+      EXPECT_NEAR(fraction, 0.0, 1e-10) << i << j;
     }
   }
   EXPECT_NEAR(exchanges.residual, fit_subset(problem, subset).residual, 1e-9);

@@ -42,14 +42,14 @@ TEST(SubsetSearch, DependentAndEmptyColumnsAreNotAdded) {
 }
 
 /// Score of the best of all subsets of so few columns.
-double best_of_all(const SubsetProblem& problem, double price) {
+double best_of_all(const SubsetProblem& problem, double penalty) {
   double best = fit_subset(problem, {}).residual;
   for (unsigned mask = 1; mask < (1U << problem.columns()); ++mask) {
     std::vector<Index> subset;
     for (Index j = 0; j < problem.columns(); ++j)
       if (mask >> j & 1U) subset.push_back(j);
     best = std::min(best, fit_subset(problem, subset).residual +
-                              price * static_cast<double>(subset.size()));
+                              penalty * static_cast<double>(subset.size()));
   }
   return best;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/account.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 namespace lacuna {
 namespace {
 
-/// An account of nothing, with an effect that has one shape.
-Account made_by_hand() {
+/// A composite model of nothing, with an effect that has one shape.
+CompositeModel made_by_hand() {
   const Assimilation fit{.model = support::oscillator()};
   Baseline base{{}, fit, fit, {}, support::oscillator_scope()};
   base.fit_options.free = {{1, 0}, {1, 1}};
@@ -24,12 +24,12 @@ Account made_by_hand() {
           {}};
 }
 
-TEST(Account, EvidenceCountsEveryParameterAndEveryChoice) {
-  Account account = made_by_hand();
-  account.explanation.fit.deviance = 100.0;
-  account.explanation.fit.used = 50;
-  account.named = {{.tried = 20}, {.tried = 0}};
-  const Evidence evidence = evidence_of(account);
+TEST(CompositeModel, EvidenceCountsEveryParameterAndEveryChoice) {
+  CompositeModel composite = made_by_hand();
+  composite.explanation.fit.deviance = 100.0;
+  composite.explanation.fit.used = 50;
+  composite.named = {{.tried = 20}, {.tried = 0}};
+  const Evidence evidence = evidence_of(composite);
   EXPECT_EQ(evidence.deviance, 100.0);
   EXPECT_EQ(evidence.parameters, 8.0) << "2 coefficients, 4 assumptions, a form with a shape";
   EXPECT_EQ(evidence.samples, 50.0);
@@ -38,7 +38,7 @@ TEST(Account, EvidenceCountsEveryParameterAndEveryChoice) {
                    100.0 + 8.0 * std::log(50.0) + 2.0 * std::log(20.0));
 }
 
-TEST(Account, StructureIsSubstantialFromBothThresholdsOn) {
+TEST(CompositeModel, StructureIsSubstantialFromBothThresholdsOn) {
   const EquationStructure structure{.sigma = 3.5, .relative = 0.01};
   DecisionOptions decision;
   EXPECT_TRUE(is_substantial(structure, decision));
@@ -49,15 +49,15 @@ TEST(Account, StructureIsSubstantialFromBothThresholdsOn) {
   EXPECT_FALSE(is_substantial(structure, decision));
   decision = {.effect_size = 0.011};
   EXPECT_FALSE(is_substantial(structure, decision));
-  Account account = made_by_hand();
-  account.left = {{.sigma = 1.0, .relative = 1.0}, structure};
-  EXPECT_TRUE(leaves_structure(account, {})) << "one equation is enough";
-  EXPECT_FALSE(leaves_structure(account, decision));
+  CompositeModel composite = made_by_hand();
+  composite.left = {{.sigma = 1.0, .relative = 1.0}, structure};
+  EXPECT_TRUE(leaves_structure(composite, {})) << "one equation is enough";
+  EXPECT_FALSE(leaves_structure(composite, decision));
 }
 
-TEST(Account, TheBareOneIsTheBaselineWithWhatItLeaves) {
+TEST(CompositeModel, TheBareOneIsTheBaselineWithWhatItLeaves) {
   const support::Asked asked = support::asked(support::ripple);
-  const Account bare = asked.bare();
+  const CompositeModel bare = asked.bare();
   EXPECT_TRUE(bare.named.empty() && bare.explanation.effects.empty());
   EXPECT_EQ(bare.explanation.fit.deviance, bare.base->fitted.deviance);
   EXPECT_TRUE(leaves_structure(bare, asked.options.decision));
@@ -65,20 +65,20 @@ TEST(Account, TheBareOneIsTheBaselineWithWhatItLeaves) {
   EXPECT_FALSE(leaves_structure(support::asked(support::nothing).bare(), {}));
 }
 
-TEST(Account, MostIsTheShareOfTheVarianceThatIsAsked) {
+TEST(CompositeModel, MostIsTheFractionOfTheVarianceThatIsAsked) {
   support::Asked asked = support::asked(support::ripple);
-  Account account = asked.bare();
-  account.explanation.fit.noise.disturbance *= std::sqrt(0.45);
-  EXPECT_FALSE(closes_most(account, asked.problem())) << "nothing is named";
-  account.named = {{.equation = 1, .name = "something"}};
-  EXPECT_TRUE(closes_most(account, asked.problem())) << "0.55 of the variance go";
+  CompositeModel composite = asked.bare();
+  composite.explanation.fit.noise.disturbance *= std::sqrt(0.45);
+  EXPECT_FALSE(closes_most(composite, asked.problem())) << "nothing is named";
+  composite.named = {{.equation = 1, .name = "something"}};
+  EXPECT_TRUE(closes_most(composite, asked.problem())) << "0.55 of the variance go";
   asked.options.decision.major = 0.6;
-  EXPECT_FALSE(closes_most(account, asked.problem()));
+  EXPECT_FALSE(closes_most(composite, asked.problem()));
   asked.options.decision.minor = 1.1;
-  EXPECT_TRUE(closes_most(account, asked.problem())) << "the gap in windows is as it was";
+  EXPECT_TRUE(closes_most(composite, asked.problem())) << "the gap in windows is as it was";
 }
 
-TEST(Account, NumbersOfTheFitComeIntoTheNames) {
+TEST(CompositeModel, NumbersOfTheFitComeIntoTheNames) {
   FittedEffect effect{support::stop_candidate(0.0), Vector::Constant(1, 0.25), -2.0, 0.125,
                       Vector::Constant(1, 0.5)};
   std::vector<NamedEffect> named = {{.parameters = {{"edge", "m", 0.0, {}}}}};

@@ -40,7 +40,7 @@ struct NamedEffect {
   double deviation = 0.0;    ///< standard error of the coefficient
   std::vector<NamedParameter> parameters = {};
   double sigma = 0.0;
-  double gap_closed = 0.0;    ///< share of the disturbance's variance that goes with it
+  double gap_closed = 0.0;    ///< fraction of the disturbance's variance that goes with it
   double contribution = 0.0;  ///< rms of its rate over that of the state's rate
   double probability = 0.0;
   Index tried = 1;  ///< candidates and shapes that it was the best of
@@ -62,33 +62,33 @@ struct Round {
 struct Unnamed {
   Index equation = 0;
   std::vector<std::string> variables;  ///< of which it is a function, as far as one is found
-  double explained = 0.0;  ///< share of the disturbance's variance that goes with the curve
-  bool memory = false;     ///< earlier values of the variables tell more than present ones
+  double explained = 0.0;  ///< fraction of the disturbance's variance that goes with the curve
+  bool memory = false;     ///< earlier values of the variables determine more than present ones
   bool periodic = false;   ///< a few lines of the spectrum make up most of it
   bool filled = false;     ///< a black-box function stands in the augmented model
 };
 
-/// An account that was judged and what became of it: an entry of the trail.
+/// A composite model that was judged and what became of it: an entry of the trail.
 struct Rival {
   std::string hypothesis;                ///< registered name: "coloured-noise"
-  std::string account;                   ///< what it says: "dw/dt: sign(w)"
+  std::string composite;                 ///< what it says: "dw/dt: sign(w)"
   std::optional<double> criterion = {};  ///< its number; nothing where it was not fitted
   bool taken = false;
   std::string quantity = {};  ///< what was looked at: "extended-bic", "inflation of the noise"
   double value = 0.0;         ///< what it was
-  double threshold = 0.0;     ///< what it was held against
+  double threshold = 0.0;     ///< what it was compared with
   std::string rule = {};      ///< what decided whatever the number; empty: the number did
 };
 
 /// One explanation of the records as a whole: what is assumed of them, the effects on top, and
-/// what is left over.
-struct Account {
+/// the residual structure.
+struct CompositeModel {
   std::string hypothesis;  ///< that proposed it
   std::shared_ptr<const Baseline> base;
   Explanation explanation;         ///< effects on top of the baseline
   std::vector<NamedEffect> named;  ///< one for each effect of the explanation, or none
   std::vector<Round> rounds = {};  ///< how they were found
-  std::vector<EquationStructure> left = {};  ///< what they leave over
+  std::vector<EquationStructure> left = {};  ///< their residual structure
   std::optional<Explanation> refitted = {};  ///< with coefficients that hold over windows
   std::vector<NamedEffect> findings = {};    ///< what the assumptions themselves are called
   std::optional<Unnamed> unnamed = {};       ///< what can be said of what has no name
@@ -96,32 +96,32 @@ struct Account {
   std::vector<std::string> doubts = {};      ///< what explains the records as well elsewhere
 };
 
-/// The account of a baseline that nothing is missing.
-Account bare_account(const Problem& problem, std::string hypothesis,
-                     std::shared_ptr<const Baseline> base);
+/// The composite model of a baseline that nothing is missing.
+CompositeModel bare_composite(const Problem& problem, std::string hypothesis,
+                              std::shared_ptr<const Baseline> base);
 
-/// What an account shows for itself and took: free coefficients, parameters of the baseline, of
-/// the effects, and the number of candidates each effect was the best of.
-Evidence evidence_of(const Account& account);
+/// What a composite model shows for itself and took: free coefficients, parameters of the
+/// baseline, of the effects, and the number of candidates each effect was the best of.
+Evidence evidence_of(const CompositeModel& composite);
 
-/// Whether what an equation leaves over is significant and of the size of an effect.
+/// Whether the residual of an equation is significant and of the size of an effect.
 bool is_substantial(const EquationStructure& structure, const DecisionOptions& decision);
 
 /// Whether some equation has substantial structure left.
-bool leaves_structure(const Account& account, const DecisionOptions& decision);
+bool leaves_structure(const CompositeModel& composite, const DecisionOptions& decision);
 
 /// Whether anything significant is left, be it a minor part of an effect: special forms that
 /// stand for another thing leave that much.
-bool is_anything_left(const std::vector<EquationStructure>& left,
-                      const DecisionOptions& decision);
+bool has_residual_structure(const std::vector<EquationStructure>& left,
+                            const DecisionOptions& decision);
 
 /// Whether the effects take away most of the variance of the disturbances, or show the motion;
 /// less is no explanation.
-bool closes_most(const Account& account, const Problem& problem);
+bool closes_most(const CompositeModel& composite, const Problem& problem);
 
 /// Whether the effects leave no more than a minor part of the square of the gap in windows:
 /// what lasts is theirs, whatever happens within a step.
-bool shows_the_motion(const Account& account, const Problem& problem);
+bool shows_the_motion(const CompositeModel& composite, const Problem& problem);
 
 /// Numbers of a fit into the names of its effects.
 void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named);

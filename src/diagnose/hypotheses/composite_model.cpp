@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
+
+#include "core/statistics/information.hpp"
+#include "diagnose/search/effect_size.hpp"
+
+namespace lacuna {
+namespace {
+
+/// What it took to choose the effects.
+double log_choices(const std::vector<NamedEffect>& named) {
+  double sum = 0.0;
+  for (const NamedEffect& effect : named)
+    sum += choice_penalty(static_cast<double>(effect.tried));
+  return sum;
+}
+
+}  // namespace
+
+CompositeModel bare_composite(const Problem& problem, std::string hypothesis,
+                              std::shared_ptr<const Baseline> base) {
+  Explanation nothing{{}, base->fitted};
+  std::vector<EquationStructure> left = test_disturbances(nothing.fit, problem.context);
+  return {.hypothesis = std::move(hypothesis),
+          .base = std::move(base),
+          .explanation = std::move(nothing),
+          .named = {},
+          .left = std::move(left)};
+}
+
+Evidence evidence_of(const CompositeModel& composite) {
+  const Explanation& explanation = composite.explanation;
+  return {explanation.fit.deviance,
+          static_cast<double>(composite.base->fit_options.free.size()) +
+              composite.base->parameters + static_cast<double>(explanation.parameters()),
+          static_cast<double>(explanation.fit.used), log_choices(composite.named)};
+}
+
+bool is_substantial(const EquationStructure& structure, const DecisionOptions& decision) {
+  return structure.sigma >= decision.significance && structure.relative >= decision.effect_size;
+}
+
+bool leaves_structure(const CompositeModel& composite, const DecisionOptions& decision) {
+  return std::any_of(composite.left.begin(), composite.left.end(),
+                     [&](const auto& left) { return is_substantial(left, decision); });
+}
+
+bool has_residual_structure(const std::vector<EquationStructure>& left,
+                            const DecisionOptions& decision) {
+  DecisionOptions smaller = decision;
+  smaller.effect_size *= decision.minor;
+  return std::any_of(left.begin(), left.end(),
+                     [&](const auto& one) { return is_substantial(one, smaller); });
+}
+
+bool closes_most(const CompositeModel& composite, const Problem& problem) {
+  if (composite.named.empty()) return false;
+  const Assimilation& base = composite.base->fitted;
+  const Vector rates = rate_rms(base);
+  const double before = total_disturbance(base, rates);
+  const double after = total_disturbance(composite.explanation.fit, rates);
+  return after < (1.0 - problem.options.decision.major) * before ||
+         shows_the_motion(composite, problem);
+}
+
+bool shows_the_motion(const CompositeModel& composite, const Problem& problem) {
+  if (composite.named.empty()) return false;
+  const Explanation& explanation =
+      composite.refitted ? *composite.refitted : composite.explanation;
+  return EffectSize(problem, *composite.base).gap(explanation.fit) <
+         problem.options.decision.minor;
+}
+
+}  // namespace lacuna
