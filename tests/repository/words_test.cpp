@@ -11,7 +11,8 @@
 namespace lacuna::repository {
 namespace {
 
-const std::vector<std::string> kReadPlaces = {"docs"};
+const std::vector<std::string> kReadPlaces = {"docs",  "src",  "include",  "effects", "solvers",
+                                              "bases", "apps", "examples", "python"};
 
 std::vector<std::string> lines_beside_this(const std::string& name) {
   return read_lines(std::filesystem::path(LACUNA_SOURCE_DIR) / "tests/repository" / name);
