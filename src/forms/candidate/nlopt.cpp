@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <exception>
 #include <limits>
 #include <nlopt.hpp>
 #include <vector>
@@ -15,12 +16,19 @@ struct Best {
   Vector point;
   double least = std::numeric_limits<double>::infinity();
   int evaluations = 0;
+  std::exception_ptr failure = nullptr;  ///< of the function: NLopt passes on none but its own
 };
 
 double evaluated(const std::vector<double>& at, std::vector<double>&, void* data) {
   Best& best = *static_cast<Best*>(data);
   const Vector point = Eigen::Map<const Vector>(at.data(), static_cast<Index>(at.size()));
-  const double value = best.function(point);
+  double value = 0.0;
+  try {
+    value = best.function(point);
+  } catch (...) {
+    best.failure = std::current_exception();
+    throw nlopt::forced_stop();
+  }
   ++best.evaluations;
   if (value < best.least) {
     best.least = value;
@@ -30,10 +38,14 @@ double evaluated(const std::vector<double>& at, std::vector<double>&, void* data
 }
 
 nlopt::opt method(Best& best, const SimplexSettings& settings) {
+  // A decision: of three parameters Sbplx is far from the least value after the evaluations that
+  // a search has (40 for each), of one and two nearer than Nelder and Mead's method
+  // (benchmarks/kernels/search_benchmark.cpp).
+  constexpr unsigned kSizeOfSbplx = 2;
   // A fact of the method: steps below this change no shape that is printed.
   constexpr double kLeastStep = 1e-7;
   const auto size = static_cast<unsigned>(best.point.size());
-  nlopt::opt method(size == 1 ? nlopt::LN_SBPLX : nlopt::LN_NELDERMEAD, size);
+  nlopt::opt method(size <= kSizeOfSbplx ? nlopt::LN_SBPLX : nlopt::LN_NELDERMEAD, size);
   method.set_min_objective(evaluated, &best);
   method.set_lower_bounds(0.0);
   method.set_upper_bounds(1.0);
@@ -54,7 +66,7 @@ bool is_on_a_face(const Vector& point) {
 
 Vector least_in_cube(FunctionRef<double(const Vector&)> function, const Vector& start,
                      const SimplexSettings& settings) {
-  Best best{function, start.cwiseMax(0.0).cwiseMin(1.0)};
+  Best best{.function = function, .point = start.cwiseMax(0.0).cwiseMin(1.0)};
   for (;;) {
     const double before = best.least;
     nlopt::opt search = method(best, settings);
@@ -65,6 +77,8 @@ Vector least_in_cube(FunctionRef<double(const Vector&)> function, const Vector& 
       search.optimize(at, least);
     } catch (const nlopt::roundoff_limited&) {
       // An outcome like any other: `best` has the point.
+    } catch (const nlopt::forced_stop&) {
+      std::rethrow_exception(best.failure);
     }
     const bool improved = best.least < before - settings.unnoticed;
     if (!is_on_a_face(best.point) || !improved || best.evaluations >= settings.evaluations)

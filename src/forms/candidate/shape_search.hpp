@@ -7,7 +7,7 @@
 namespace lacuna {
 
 /// Where the function is least, starting from a point in [0,1]^d; never worse than the start.
-/// By NLopt: Sbplx for one parameter, Nelder and Mead's method in a box for several, set up
+/// By NLopt: Sbplx for one or two parameters, Nelder and Mead's method in a box for more, set up
 /// again where it has ended on a face, as long as that helps. nelder_mead() where lacuna is
 /// built without NLopt.
 /// @param function is called with points of the cube only; its exceptions end the search.
