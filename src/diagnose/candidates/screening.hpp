@@ -50,7 +50,7 @@ class Screening {
   /// Best of the starting points.
   ScreenedCandidate at_starts(const Candidate& candidate) const;
 
-  /// Searches the shapes from where they are (Nelder and Mead, Computer J. 7 (1965)).
+  /// Searches the shapes from where they are (least_in_cube()).
   void polish(ScreenedCandidate& screened) const;
 
   /// What stands for the assimilation.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/numerics/qr.hpp"
-#include "nelder_mead.hpp"
 #include "shape_scale.hpp"
+#include "shape_search.hpp"
 
 namespace lacuna {
 namespace {
@@ -88,8 +88,8 @@ bool nests(const Candidate& general, const Candidate& special, const Vector& val
   // A fact of the search, for each shape.
   constexpr int kEvaluations = 40;
   const int budget = kEvaluations * static_cast<int>(general.shapes.size());
-  return left(nelder_mead(left, *best,
-                          {.unnoticed = kFractionNotFollowed, .evaluations = budget})) <=
+  return left(least_in_cube(left, *best,
+                            {.unnoticed = kFractionNotFollowed, .evaluations = budget})) <=
          kFractionNotFollowed;
 }
 

@@ -10,8 +10,8 @@
 #include "core/base/parallel.hpp"
 #include "core/numerics/qr.hpp"
 #include "core/statistics/information.hpp"
-#include "forms/candidate/nelder_mead.hpp"
 #include "forms/candidate/shape_scale.hpp"
+#include "forms/candidate/shape_search.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
@@ -267,7 +267,7 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
   if (form.shapes.size() == 0) return base.left_with(rows_.columns({form.expression()}).col(0));
   const Vector start = scale.unit(form.shapes);
   const int most = evaluations * static_cast<int>(start.size() * start.size());
-  return std::exp(left(nelder_mead(left, start, {0.03, 1e-7, most})));
+  return std::exp(left(least_in_cube(left, start, {0.03, 1e-7, most})));
 }
 
 Matrix FormProblem::rated(const std::vector<Beside>& equations,

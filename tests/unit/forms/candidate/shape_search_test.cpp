@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "forms/candidate/shape_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+const SimplexSettings kSearch{.reach = 0.05, .unnoticed = 1e-9, .evaluations = 1000};
+
+TEST(ShapeSearch, FindsTheLeastValueOfKnownFunctions) {
+  const auto bend = [](const Vector& x) { return std::abs(x[0] - 0.25); };
+  EXPECT_NEAR(least_in_cube(bend, Vector::Constant(1, 0.9), kSearch)[0], 0.25, 1e-6);
+  const auto valley = [](const Vector& x) {
+    return std::pow(0.6 - x[0], 2) + 100.0 * std::pow(x[1] - x[0] * x[0], 2);
+  };
+  EXPECT_LT((least_in_cube(valley, Vector{{0.3, 0.6}}, kSearch) - Vector{{0.6, 0.36}}).norm(),
+            1e-3);
+}
+
+TEST(ShapeSearch, StaysInTheCubeAndFindsWhatLiesOnItsFaces) {
+  double least = 1.0, most = 0.0;
+  const auto slope = [&](const Vector& x) {
+    least = std::min(least, x.minCoeff());
+    most = std::max(most, x.maxCoeff());
+    return x[0] + std::pow(x[1] - 0.5, 2) - 2.0 * x[2];
+  };
+  // Rounding may leave a start beside the cube.
+  const Vector start{{0.4, 0.99, 1.0 + 1e-15}};
+  const Vector found = least_in_cube(slope, start, kSearch);
+  EXPECT_LT((found - Vector{{0.0, 0.5, 1.0}}).cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_GE(least, 0.0);
+  EXPECT_LE(most, 1.0);
+}
+
+TEST(ShapeSearch, LeavesAFaceThatItHasCollapsedOnto) {
+  const auto hook = [](const Vector& x) {
+    const double away = std::abs(x[1] - 0.8);
+    return away > 0.02 ? 10.0 + away - 0.1 * x[0] : std::abs(x[0] - 0.2);
+  };
+  const Vector found = least_in_cube(hook, Vector{{0.98, 0.1}}, kSearch);
+  EXPECT_NEAR(found[0], 0.2, 1e-4);
+  EXPECT_LT(std::abs(found[1] - 0.8), 0.021);
+}
+
+TEST(ShapeSearch, IsNeverWorseThanItsStart) {
+  const auto ragged = [](const Vector& x) { return std::sin(40.0 * x[0]) + x[0]; };
+  for (double start = 0.0; start <= 1.0; start += 0.125)
+    EXPECT_LE(ragged(least_in_cube(ragged, Vector::Constant(1, start), kSearch)),
+              ragged(Vector::Constant(1, start)));
+  const auto nowhere = [](const Vector&) { return std::numeric_limits<double>::quiet_NaN(); };
+  EXPECT_EQ(least_in_cube(nowhere, Vector::Constant(1, 0.5), kSearch)[0], 0.5);
+}
+
+TEST(ShapeSearch, EndsWithTheEvaluationsThatItMayMakeAndWithExceptions) {
+  int count = 0;
+  const auto counted = [&](const Vector& x) {
+    ++count;
+    return std::sin(9.0 * x[0]) * std::cos(7.0 * x[1]);
+  };
+  least_in_cube(counted, Vector{{0.4, 0.6}}, {.reach = 0.05, .evaluations = 30});
+  EXPECT_GE(count, 20);
+  EXPECT_LE(count, 34);
+  const auto stopped = [](const Vector&) -> double { throw std::domain_error("stop"); };
+  EXPECT_THROW(least_in_cube(stopped, Vector::Constant(2, 0.5), kSearch), std::domain_error);
+}
+
+/// Profiles of one parameter, smooth and with bends; what is missed of the least value at most,
+/// and the evaluations of all searches.
+struct Effort {
+  double missed = 0.0;
+  int evaluations = 0;
+};
+
+template <class Search>
+Effort effort_of(Search search) {
+  Effort effort;
+  const SimplexSettings settings{.reach = 0.05, .unnoticed = 0.01, .evaluations = 40};
+  for (double centre = 0.05; centre < 1.0; centre += 0.1)
+    for (double start = 0.1; start < 1.0; start += 0.2)
+      for (const double power : {1.0, 2.0}) {
+        const auto profile = [&](const Vector& x) {
+          ++effort.evaluations;
+          return 1e3 * std::pow(std::abs(x[0] - centre), power);
+        };
+        const Vector found = search(profile, Vector::Constant(1, start), settings);
+        effort.missed =
+            std::max(effort.missed, 1e3 * std::pow(std::abs(found[0] - centre), power));
+      }
+  return effort;
+}
+
+TEST(ShapeSearch, ByNloptOfOneParameterIsNearerThanTheOwnMethod) {
+  const Effort own = effort_of(nelder_mead), by_nlopt = effort_of(least_in_cube);
+  if (!searches_by_nlopt()) {
+    EXPECT_EQ(by_nlopt.evaluations, own.evaluations);
+    return;
+  }
+  EXPECT_LT(by_nlopt.missed, 0.5 * own.missed);
+  EXPECT_LT(by_nlopt.evaluations, 1.5 * own.evaluations);
+}
+}  // namespace
+}  // namespace lacuna
