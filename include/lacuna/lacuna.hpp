@@ -10,6 +10,7 @@
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/core/numerics/negligible.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"

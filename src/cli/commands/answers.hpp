@@ -31,6 +31,7 @@ struct IdentifyRequest {
   std::optional<int> degree = {}, hidden = {};
   std::vector<std::string> assignments = {}, equations = {}, added = {}, constraints = {};
   bool discrete = false;
+  Thoroughness effort = Thoroughness::Normal;
   std::string integrator = "rk4";
   std::uint64_t memory = 0;                        ///< bytes; 0: as much as there is
   std::optional<Stage<Basis>> basis = {};          ///< in no registry, for that of the pipeline
@@ -61,6 +62,7 @@ struct DiagnoseRequest {
   std::optional<std::string> config = {};
   std::optional<int> max_effects = {};
   bool fill_gap = false;
+  Thoroughness effort = Thoroughness::Normal;
   std::vector<Stage<Effect>> own_effects = {};  ///< in no registry, beside those of `effects`
 };
 

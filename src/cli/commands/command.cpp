@@ -8,6 +8,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <thread>
 
 #include "core/base/utf8.hpp"
@@ -23,6 +24,11 @@ namespace lacuna::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Clock = std::chrono::steady_clock;
+
+/// Seconds: what a clock shows of a run, and what it can count.
+constexpr double kShortestLimit = 1e-3, kLongestLimit = 1e9;
 
 /// Digits and nothing else, as strtoull takes "-1" for 2^64 - 1. @return what is wrong.
 std::string check_seed(const std::string& text) {
@@ -96,8 +102,27 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
       ->capture_default_str();
 }
 
+void declare_effort_options(CLI::App& app, RunOptions& options) {
+  static const std::map<std::string, Thoroughness> kEfforts{{"quick", Thoroughness::Quick},
+                                                            {"normal", Thoroughness::Normal},
+                                                            {"full", Thoroughness::Full}};
+  app.add_option("--effort", options.effort,
+                 "quick: only what an answer needs; normal: all stages, as far as something "
+                 "can be gained; full: all to their end [default: normal]")
+      ->transform(CLI::CheckedTransformer(kEfforts).description(""))
+      ->type_name("quick|normal|full");
+  app.add_option("--time-limit", options.time_limit,
+                 "Seconds after which the run ends with the answer that it has by then and names "
+                 "the stages left out")
+      ->check(CLI::Range(kShortestLimit, kLongestLimit))
+      ->type_name("S");
+}
+
 RunContext make_context(const Session& session, const RunOptions& options) {
   RunContext context;
+  if (options.time_limit)
+    context.deadline = session.begin + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(*options.time_limit));
   context.stop = session.stop;
   context.threads = options.threads;
   context.seed = options.seed;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -10,6 +11,7 @@
 
 #include "lacuna/cli/commands/cli.hpp"
 #include "lacuna/core/base/run_context.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/model/equations/system_model.hpp"
 
 namespace lacuna::cli {
@@ -21,6 +23,8 @@ struct Session {
   std::stop_token stop;
   std::string command_line = {};  ///< as a shell would take it, for reports
   const Team* team = nullptr;     ///< processes among which the work is divided
+  /// When the command began, from which a time limit counts.
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
 };
 
 /// A declared subcommand and what it does when it is chosen; gives the exit status.
@@ -47,10 +51,15 @@ struct RunOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   std::uint64_t max_memory = 0;  ///< bytes
+  std::optional<double> time_limit;  ///< seconds, of commands that can end early
+  Thoroughness effort = Thoroughness::Normal;
   std::string progress = "auto";
 };
 
 void declare_run_options(CLI::App& app, RunOptions& options);
+
+/// Options of a command that can give an answer with some of its stages left out.
+void declare_effort_options(CLI::App& app, RunOptions& options);
 
 /// An option that is a size in memory: 300MB, 4G or a number of bytes.
 void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,

@@ -56,6 +56,13 @@ CoefficientPrior parse_tolerance(const OdeModel& model, const std::string& text)
                     "name a term of the nominal model");
 }
 
+/// The request with the effort of the run.
+DiagnoseRequest request_of(const DiagnoseArguments& options) {
+  DiagnoseRequest request = options;
+  request.effort = options.run.effort;
+  return request;
+}
+
 DiagnosisOptions make_options(const Registry& registry, const OdeModel& model,
                               const DiagnoseRequest& options) {
   Configuration configuration;
@@ -79,6 +86,7 @@ DiagnosisOptions make_options(const Registry& registry, const OdeModel& model,
   }
   if (options.max_effects) result.decision.max_effects = *options.max_effects;
   result.fill_gap = result.fill_gap || options.fill_gap;
+  result.effort = options.effort;
   return result;
 }
 
@@ -115,7 +123,8 @@ FleetAnswer answer_of(const std::string& file, const OdeModel& model,
         options.limits);
     return fleet_answer(
         file,
-        diagnose(model, data, {}, make_options(session.registry, model, options), context));
+        diagnose(model, data, {},
+                 make_options(session.registry, model, request_of(options)), context));
   } catch (const Error& error) {
     return fleet_failure(file, error.what());
   }
@@ -152,7 +161,7 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
   if (options.each) return diagnose_each(session, options);
   if (session.team != nullptr && session.team->rank() != 0) return 0;  // nothing is divided
   const DiagnoseAnswer found =
-      answer(session.registry, options, make_context(session, options.run).alone());
+      answer(session.registry, request_of(options), make_context(session, options.run).alone());
   const Diagnosis& diagnosis = found.diagnosis;
   finish_progress(session, options.run);
   if (options.model_out)
@@ -238,6 +247,7 @@ Command declare_diagnose(CLI::App& root) {
   // Candidates are fitted side by side; all cores are in use unless set otherwise.
   options->run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   declare_run_options(*app, options->run);
+  declare_effort_options(*app, options->run);
   return {app,
           [options](const Session& session) { return diagnose_command(session, *options); }};
 }

@@ -107,6 +107,7 @@ IdentificationTask task_of(const Registry& registry, const IdentifyRequest& requ
       .effects = registry.make_all<Effect>(),
       .integrator = registry.make<Integrator>(request.integrator),
       .options = identification_options(configuration, registry)};
+  task.options.effort = request.effort;
   if (!request.held_out.empty())
     task.held_out = [&request](const OdeModel& model) {
       return records_for(model, request.held_out, common_roles(request.data),
@@ -191,7 +192,9 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
   const RunContext context = make_context(session, options.run);
-  const IdentifyAnswer found = answer(session.registry, options, context);
+  IdentifyRequest request = options;
+  request.effort = options.run.effort;
+  const IdentifyAnswer found = answer(session.registry, request, context);
   if (!context.leads()) return 0;
   finish_progress(session, options.run);
   write_results(session, options, found);
@@ -241,6 +244,7 @@ Command declare_identify(CLI::App& root) {
                       "those that are no .npy by way of a file in $TMPDIR [default: all are "
                       "read into memory]");
   declare_run_options(*app, options->run);
+  declare_effort_options(*app, options->run);
   return {app,
           [options](const Session& session) { return identify_command(session, *options); }};
 }

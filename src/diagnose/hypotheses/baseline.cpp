@@ -66,7 +66,7 @@ Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assim
 Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
                            const Assimilation& given, const AssimilationOptions& options,
                            const RunContext& context) {
-  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const RunContext quiet = context.beside_others();
   const auto fit_from = [&](const Assimilation& start) {
     return settled(assimilate_from(nominal, data, start, options, quiet), data, options, quiet);
   };

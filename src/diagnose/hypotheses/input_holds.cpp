@@ -125,6 +125,15 @@ void note_trial(const std::vector<TriedHold>& tried, Hold taken, const std::stri
 
 }  // namespace
 
+ChosenHolds shown_holds(const Problem& problem) {
+  Holds holds;
+  for (const Quantity& input : problem.nominal.inputs())
+    holds.push_back(input.hold ? input.hold
+                               : shown_hold(problem.records.data,
+                                            static_cast<Index>(holds.size())));
+  return {problem.nominal.with_holds(holds)};
+}
+
 ChosenHolds choose_holds(const Problem& problem) {
   const auto& [nominal, records, options, context, memory] = problem;
   ChosenHolds chosen{nominal};

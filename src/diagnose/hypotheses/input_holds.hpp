@@ -31,6 +31,9 @@ struct ChosenHolds {
 /// smooth input looks like an effect of the dynamics.
 ChosenHolds choose_holds(const Problem& problem);
 
+/// The same by what the samples show by themselves, without comparing.
+ChosenHolds shown_holds(const Problem& problem);
+
 /// Models with another hold of an open input under which effects should be sought anew. None
 /// without effects; else those under which the effects that were found fit decidedly better. A
 /// wrong hold makes effects necessary that the right one does without, so also

@@ -14,10 +14,29 @@ namespace lacuna {
 
 namespace {
 
+/// What else the records allow, as far as there is time to ask.
+std::vector<std::string> rivals_in_time(const EffectSearch& search, const FoundEffects& found) {
+  try {
+    return rivals_elsewhere(search, found);
+  } catch (const OutOfTime&) {
+    return {};
+  }
+}
+
+/// An explanation whose coefficients hold over windows, where there is time for it.
+std::optional<Explanation> refitted_in_time(const EffectSearch& search,
+                                            const CompositeModel& composite) {
+  try {
+    return refit_over_windows(search.problem, *composite.base, composite.explanation);
+  } catch (const OutOfTime&) {
+    return std::nullopt;
+  }
+}
+
 SearchedComposite composite_of(const EffectSearch& search, std::shared_ptr<const Baseline> base,
                                FoundEffects found) {
   const Problem& problem = search.problem;
-  std::vector<std::string> doubts = rivals_elsewhere(search, found);
+  std::vector<std::string> doubts = rivals_in_time(search, found);
   SearchedComposite result{{.hypothesis = std::string(kNamedEffects.name),
                             .base = std::move(base),
                             .explanation = std::move(found.explanation),
@@ -28,7 +47,7 @@ SearchedComposite composite_of(const EffectSearch& search, std::shared_ptr<const
   CompositeModel& composite = result.composite;
   composite.doubts = std::move(doubts);
   if (!composite.named.empty() && leaves_structure(composite, problem.options.decision))
-    composite.refitted = refit_over_windows(problem, *composite.base, composite.explanation);
+    composite.refitted = refitted_in_time(search, composite);
   return result;
 }
 

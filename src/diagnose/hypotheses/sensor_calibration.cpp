@@ -140,7 +140,7 @@ std::vector<std::optional<Explanation>> explain_all(const Problem& problem,
                                                     const Baseline& given,
                                                     const std::vector<Start>& starts) {
   const RunContext& context = problem.context;
-  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const RunContext quiet = context.beside_others();
   const Problem alone{problem.nominal, problem.records, problem.options, quiet};
   std::vector<std::optional<Explanation>> found(starts.size());
   parallel_for(starts.size(), context.threads, [&](std::size_t i) {

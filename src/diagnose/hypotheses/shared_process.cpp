@@ -239,7 +239,7 @@ FittedPair best_in(const Problem& problem, const Baseline& base,
                    const std::vector<Beginning>& begins, Index tried) {
   // A fact of the search.
   constexpr std::size_t kFittedExactly = 4;
-  const RunContext quiet{problem.context.stop, {}, 1, problem.context.seed};
+  const RunContext quiet = problem.context.beside_others();
   const JointFitTask task{base.records->data, problem.nominal, base.fit_options, quiet};
   const Explanation none{{}, base.fitted};
   std::vector<std::pair<const Beginning*, const Pair*>> list;

@@ -46,7 +46,7 @@ std::pair<Vector, double> likeliest(const Search& search, const Candidate& candi
                                     const std::vector<Vector>& memories) {
   const auto& [nominal, records, options, context, memory] = search.problem;
   context.report("fitting an input that was not measured", 0.0);
-  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const RunContext quiet = context.beside_others();
   const Problem alone{nominal, records, options, quiet};
   std::vector<double> deviance(memories.size());
   parallel_for(memories.size(), context.threads, [&](std::size_t i) {

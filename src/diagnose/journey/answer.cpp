@@ -188,7 +188,10 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
       .rounds = std::move(best.rounds),
       .rivals = std::move(judged.trail),
       .notes = base.notes,
-      .unnamed = std::move(best.unnamed)};
+      .unnamed = std::move(best.unnamed),
+      .hints = {},
+      .adequacy = {},
+      .stages = std::move(judged.stages)};
   std::move(best.findings.begin(), best.findings.end(), std::back_inserter(result.effects));
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
   result.remaining.structure = result.remaining.structure || evaluation.lower ||

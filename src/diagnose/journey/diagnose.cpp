@@ -2,6 +2,7 @@
 // The journey: records -> baseline -> composite models -> the best of them -> gap -> answer.
 #include "lacuna/diagnose/journey/diagnose.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -112,15 +113,39 @@ struct EvaluatedComposite {
   std::vector<std::string> withdrawn = {};  ///< what was, and why
 };
 
+/// Enters whether there was time to measure the gap. @return it, or nothing.
+std::optional<Gap> gap_in_time(const Problem& problem, const CompositeModel& composite,
+                               const BoundRecords& check, std::vector<StageDone>& stages) {
+  std::erase_if(stages, [](const StageDone& stage) { return stage.name == kGapStage; });
+  std::optional<Gap> gap;
+  run_stage(stages, kGapStage, [&] { gap = gap_of(problem, composite, check); });
+  return gap;
+}
+
+/// What is named before all was judged that may stand in its place is no whole explanation.
+void doubt_what_is_left_out(EvaluatedComposite& evaluated) {
+  const CompositeModel& best = evaluated.judged.best;
+  if (left_out_line(evaluated.judged.stages).empty()) return;
+  if (!best.named.empty() || !best.findings.empty()) evaluated.evaluation.lower = true;
+}
+
+/// @param problem without a deadline. @param context with it.
 EvaluatedComposite evaluated_on(const BoundRecords& check, const Problem& problem,
+                                const RunContext& context,
                                 const std::vector<Stage<Hypothesis>>& hypotheses,
                                 Judged judged) {
+  const Problem hurried{problem.nominal, problem.records, problem.options, context,
+                        problem.memory};
   EvaluatedComposite evaluated{settle_composite(problem, hypotheses, std::move(judged)), {}};
   for (;;) {
-    evaluated.gap = gap_of(problem, evaluated.judged.best, check);
+    evaluated.gap =
+        gap_in_time(hurried, evaluated.judged.best, check, evaluated.judged.stages);
     evaluated.evaluation = evaluate_holdout(problem, evaluated.judged.best, evaluated.gap);
     if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
-    if (!evaluated.evaluation.withdraw) return evaluated;
+    if (!evaluated.evaluation.withdraw) {
+      doubt_what_is_left_out(evaluated);
+      return evaluated;
+    }
     evaluated.withdrawn.push_back(evaluated.evaluation.note);
     evaluated.judged.best = without_claims(problem, evaluated.judged.best);
     evaluated.judged = settle_composite(problem, hypotheses, std::move(evaluated.judged));
@@ -193,6 +218,19 @@ Dataset in_variables_of(const OdeModel& model, const Dataset& records) {
                                  : model_view(model, records, FiniteDifferences{});
 }
 
+/// A context whose search ends early enough for what has to come behind it.
+RunContext with_time_for_an_answer(const RunContext& context) {
+  // A fact of cost: errors, gap and places of disagreement take the rest.
+  constexpr double kFractionOfSearch = 0.6;
+  RunContext searching = context;
+  if (!context.deadline) return searching;
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> left = *context.deadline - now;
+  searching.deadline = now + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                 kFractionOfSearch * left);
+  return searching;
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -218,19 +256,25 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
-  preprocess(known, options, context, records);
+  preprocess(known, options, context.unhurried(), records);
 
-  const Problem given{known, records.find, options, context};
+  const RunContext searching = with_time_for_an_answer(context);
+  const Problem given{known, records.find, options, searching};
   JudgedModel inputs = judge_holds(given, hypotheses);
-  const Problem problem{*inputs.model, records.find, options, context, given.memory};
-  EvaluatedComposite evaluated =
-      evaluated_on(records.check, problem, hypotheses, std::move(inputs.judged));
+  const RunContext unhurried = context.unhurried();
+  const Problem problem{*inputs.model, records.find, options, unhurried, given.memory};
+  const bool whole = left_out_line(inputs.judged.stages).empty();
+  EvaluatedComposite evaluated = evaluated_on(
+      records.check, problem, context, whole ? hypotheses : std::vector<Stage<Hypothesis>>(),
+      std::move(inputs.judged));
   Diagnosis diagnosis = make_answer(problem, std::move(evaluated.judged),
                                     std::move(evaluated.gap), evaluated.evaluation);
   diagnosis.notes.insert(diagnosis.notes.end(), evaluated.withdrawn.begin(),
                          evaluated.withdrawn.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), inputs.notes.begin(), inputs.notes.end());
   diagnosis.notes.insert(diagnosis.notes.begin(), records.notes.begin(), records.notes.end());
+  if (const std::string line = left_out_line(diagnosis.stages); !line.empty())
+    diagnosis.notes.push_back(line);
   diagnosis.hints.insert(diagnosis.hints.begin(), std::make_move_iterator(hints.begin()),
                          std::make_move_iterator(hints.end()));
   add_coefficient_hints(problem, diagnosis);

@@ -11,15 +11,27 @@ namespace {
 
 using Hypotheses = std::vector<Stage<Hypothesis>>;
 
-JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& hypotheses) {
+/// @param fitting the context in which the nominal model is brought onto the records.
+JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& hypotheses,
+                        const RunContext& fitting) {
   auto nominal = std::make_shared<const OdeModel>(std::move(model));
   const Problem problem{*nominal, asked.records, asked.options, asked.context, asked.memory};
-  Judged judged = first_composite(problem, hypotheses, plain_baseline(problem));
+  const Problem needed{*nominal, asked.records, asked.options, fitting, asked.memory};
+  Judged judged = first_composite(problem, hypotheses, plain_baseline(needed));
   return {std::move(nominal), std::move(judged)};
 }
 
 double criterion_of(const Problem& problem, const CompositeModel& composite) {
   return problem.options.criterion->value(evidence_of(composite));
+}
+
+/// How inputs go on between samples; where there is no time to compare, as they look.
+ChosenHolds chosen_in_time(const Problem& problem) {
+  try {
+    return choose_holds(problem);
+  } catch (const OutOfTime&) {
+    return shown_holds(problem);
+  }
 }
 
 }  // namespace
@@ -29,17 +41,20 @@ bool is_less_plain(const CompositeModel& one, const CompositeModel& other,
   return one.named.size() > other.named.size() && !leaves_structure(other, decision);
 }
 
-JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
-  ChosenHolds chosen = choose_holds(problem);
-  JudgedModel best = judged_with(problem, std::move(chosen.model), hypotheses);
+namespace {
+
+/// Judges the model under other holds of its inputs than those of the best so far.
+void judge_rival_holds(const Problem& problem, const Hypotheses& hypotheses,
+                       const std::vector<OpenInput>& open, JudgedModel& best,
+                       std::vector<Rival>& trail) {
   const Problem first{*best.model, problem.records, problem.options, problem.context,
                       problem.memory};
-  std::vector<Rival> trail = std::move(chosen.trail);
-  for (OdeModel& model : rival_holds(first, chosen.open, best.judged.best)) {
-    JudgedModel other = judged_with(problem, std::move(model), hypotheses);
+  for (OdeModel& model : rival_holds(first, open, best.judged.best)) {
+    JudgedModel other = judged_with(problem, std::move(model), hypotheses, problem.context);
+    if (problem.context.is_late()) return;  // it was not judged to its end
     const double value = criterion_of(problem, other.judged.best);
     const double least = criterion_of(problem, best.judged.best);
-    const std::vector<std::string> notes = notes_on_holds(*other.model, chosen.open);
+    const std::vector<std::string> notes = notes_on_holds(*other.model, open);
     const bool more =
         is_less_plain(other.judged.best, best.judged.best, problem.options.decision);
     const bool taken = value < least && !more;
@@ -47,7 +62,25 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
         {"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value, taken,
          std::string(problem.options.criterion->info().name), value, least,
          value < least && more ? "more effects, and with fewer nothing is left" : ""});
-    if (taken) best = std::move(other);
+    if (!taken) continue;
+    other.judged.stages = std::move(best.judged.stages);
+    best = std::move(other);
+  }
+}
+
+}  // namespace
+
+JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
+  ChosenHolds chosen = chosen_in_time(problem);
+  JudgedModel best = judged_with(problem, std::move(chosen.model), hypotheses,
+                                 problem.context.unhurried());
+  std::vector<Rival> trail = std::move(chosen.trail);
+  if (!chosen.open.empty()) {
+    std::vector<StageDone> stages = best.judged.stages;
+    run_part(problem, stages, kInputsStage, [&] {
+      judge_rival_holds(problem, hypotheses, chosen.open, best, trail);
+    });
+    best.judged.stages = std::move(stages);
   }
   const Problem held{*best.model, problem.records, problem.options, problem.context,
                      problem.memory};

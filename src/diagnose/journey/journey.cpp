@@ -123,21 +123,29 @@ CompositeModel with_claims(const Problem& problem, CompositeModel composite,
 
 Judged judge_phase(const Problem& problem, const Hypotheses& hypotheses, Phase phase,
                    Judged so_far) {
-  for (const Stage<Hypothesis>& hypothesis : hypotheses) {
-    if (hypothesis->phase() != phase) continue;
-    Proposals proposals = hypothesis->propose(problem, so_far.best);
-    append(so_far.trail, std::move(proposals.trail));
-    for (Proposal& proposal : proposals.composites)
-      judge(problem, hypotheses, phase, std::move(proposal), so_far);
+  try {
+    for (const Stage<Hypothesis>& hypothesis : hypotheses) {
+      if (hypothesis->phase() != phase) continue;
+      Proposals proposals = hypothesis->propose(problem, so_far.best);
+      append(so_far.trail, std::move(proposals.trail));
+      for (Proposal& proposal : proposals.composites)
+        judge(problem, hypotheses, phase, std::move(proposal), so_far);
+    }
+  } catch (const OutOfTime&) {
+    // What has been judged by now stands; the caller sees that the context is late.
   }
   return so_far;
 }
 
 Judged first_composite(const Problem& problem, const Hypotheses& hypotheses, Baseline base) {
-  CompositeModel bare = bare_composite(problem, "coefficients-only",
+  const RunContext unhurried = problem.context.unhurried();
+  CompositeModel bare = bare_composite(alone(problem, unhurried), "coefficients-only",
                                        std::make_shared<const Baseline>(std::move(base)));
   const double value = problem.options.criterion->value(evidence_of(bare));
-  Judged best = judge_phase(problem, hypotheses, Phase::Effects, {std::move(bare)});
+  Judged best{std::move(bare), {}, {{kCoefficientsStage}}};
+  best = judge_phase(problem, hypotheses, Phase::Effects, std::move(best));
+  const bool late = problem.context.is_late();
+  best.stages.push_back({kEffectsStage, !late, late ? kTimeIsUp : ""});
   best.trail.insert(best.trail.begin(),
                     {"coefficients-only", "nothing is missing", value,
                      best.best.hypothesis == "coefficients-only",
@@ -146,8 +154,13 @@ Judged first_composite(const Problem& problem, const Hypotheses& hypotheses, Bas
 }
 
 Judged choose_composite(const Problem& problem, const Hypotheses& hypotheses, Judged first) {
-  return judge_phase(problem, hypotheses, Phase::Assumptions,
-                     judge_phase(problem, hypotheses, Phase::Revision, std::move(first)));
+  Judged all = std::move(first);
+  for (const auto& [phase, name] : {std::pair{Phase::Revision, kOtherChoicesStage},
+                                    {Phase::Assumptions, kAssumptionsStage}})
+    run_part(problem, all.stages, name, [&, phase = phase] {
+      all = judge_phase(problem, hypotheses, phase, std::move(all));
+    });
+  return all;
 }
 
 Judged settle_composite(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {

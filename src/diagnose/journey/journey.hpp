@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/diagnose/hypotheses/hypothesis.hpp"
 
 namespace lacuna {
@@ -12,14 +13,40 @@ namespace lacuna {
 struct Judged {
   CompositeModel best;
   std::vector<Rival> trail = {};
+  std::vector<StageDone> stages = {};  ///< what was done to come to it
 };
 
-/// Hypotheses of one phase in order, each against the best composite model so far.
+/// Names in Diagnosis::stages.
+inline constexpr const char* kCoefficientsStage = "coefficients";
+inline constexpr const char* kEffectsStage = "effects";
+inline constexpr const char* kInputsStage = "inputs between samples";
+inline constexpr const char* kOtherChoicesStage = "other choices of effects";
+inline constexpr const char* kAssumptionsStage = "other assumptions about the records";
+inline constexpr const char* kGapStage = "gap on other records";
+
+/// Runs a stage of a diagnosis. What a deadline ends in the middle keeps what it has found, and
+/// counts as left out; a quick run leaves out all stages but those that find effects.
+template <class Work>
+void run_part(const Problem& problem, std::vector<StageDone>& stages, const char* name,
+              Work work) {
+  if (problem.options.effort == Thoroughness::Quick) {
+    stages.push_back({name, false, kIsQuick});
+    return;
+  }
+  run_stage(stages, name, [&] {
+    work();
+    if (problem.context.is_late()) throw OutOfTime();
+  });
+}
+
+/// Hypotheses of one phase in order, each against the best composite model so far. The deadline
+/// ends it between proposals.
 /// @param hypotheses as in_order() has them.
 Judged judge_phase(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
                    Hypothesis::Phase phase, Judged so_far);
 
 /// The composite model of what is missing that comes first, under the plain assumptions.
+/// @param base fitted whatever the deadline.
 Judged first_composite(const Problem& problem, const std::vector<Stage<Hypothesis>>& hypotheses,
                        Baseline base);
 

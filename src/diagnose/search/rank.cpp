@@ -222,7 +222,7 @@ RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current
   const auto tried = static_cast<double>(shortened.screened);
   const std::vector<Listed>& list = shortened.candidates;
   context.report("fitting candidates", 0.0);
-  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const RunContext quiet = context.beside_others();
   const Problem problem = alone(search.problem, quiet);
   RoughRanking rough{fitted_in_parallel(list.size(), context.threads, [&](std::size_t i) {
     const ScreenedCandidate& one = list[i].screened;
@@ -252,7 +252,7 @@ std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explana
                                        double tried) {
   const RunContext& context = search.problem.context;
   context.report("fitting candidates exactly", 0.0);
-  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const RunContext quiet = context.beside_others();
   const Problem problem = alone(search.problem, quiet);
   std::vector<RankedEffect> fitted =
       fitted_in_parallel(rough.exact, context.threads, [&](std::size_t i) {

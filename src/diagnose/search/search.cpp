@@ -152,7 +152,7 @@ void compare_again(const EffectSearch& search, std::size_t e, FoundEffects& foun
   });
   std::vector<std::optional<Explanation>> fits(plainer.size());
   const RunContext& context = search.problem.context;
-  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const RunContext quiet = context.beside_others();
   const Problem problem = alone(search.problem, quiet);
   const EffectSearch each{problem, search.base, search.effects};
   parallel_for(fits.size(), context.threads,
@@ -274,6 +274,17 @@ bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& f
   return round.accepted;
 }
 
+/// add_one(); what a deadline ends in the middle of a round is as it was before it.
+bool add_in_time(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+  FoundEffects before = found;
+  try {
+    return add_one(search, size, found);
+  } catch (const OutOfTime&) {
+    found = std::move(before);
+    throw;
+  }
+}
+
 bool is_left_in(const std::vector<EquationStructure>& left, const DecisionOptions& decision,
                 std::optional<Index> equation = {}) {
   return std::any_of(left.begin(), left.end(), [&](const EquationStructure& structure) {
@@ -335,12 +346,17 @@ void settle_names(const EffectSearch& search, FoundEffects& found) {
 FoundEffects search_effects(const EffectSearch& search) {
   const EffectSize size(search.problem, search.base);
   FoundEffects found{{{}, search.base.fitted}};
-  do {
-    found.left = test_disturbances(found.explanation.fit, search.problem.context);
-  } while (may_go_on(search, found) && add_one(search, size, found));
-  prefer_plain(search, size, found);
-  if (agree_on_forms(search, found))
-    found.left = test_disturbances(found.explanation.fit, search.problem.context);
+  try {
+    do {
+      found.left = test_disturbances(found.explanation.fit, search.problem.context);
+    } while (may_go_on(search, found) && add_in_time(search, size, found));
+    prefer_plain(search, size, found);
+    if (agree_on_forms(search, found))
+      found.left = test_disturbances(found.explanation.fit, search.problem.context);
+  } catch (const OutOfTime&) {
+    found.left =
+        test_disturbances(found.explanation.fit, search.problem.context.unhurried());
+  }
   settle_names(search, found);
   update_numbers(found.explanation, found.named);
   return found;

@@ -8,6 +8,7 @@
 
 #include "data/records/known_noise.hpp"
 #include "lacuna/bases/expressions.hpp"
+#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
 #include "refined_shapes.hpp"
 
 namespace lacuna {
@@ -38,6 +39,17 @@ std::vector<std::string> with_forms(const TermLibrary& library,
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
+}
+
+/// A pipeline whose refiner does not fit the coefficients of what does not fit again.
+Pipeline without_refit(Pipeline pipeline) {
+  if (const auto* selection =
+          dynamic_cast<const TrajectorySelection*>(pipeline.refiner.shared().get())) {
+    TrajectorySelectionOptions options = selection->options();
+    options.refit = false;
+    pipeline.refiner = TrajectorySelection{options};
+  }
+  return pipeline;
 }
 
 }  // namespace
@@ -91,13 +103,20 @@ IdentificationResult ExtendedPipeline::identified(
   Pipeline extended = pipeline_;
   extended.basis =
       Expressions{{.terms = with_forms(library_, search_.shared_forms(equations))}};
-  return identify(records_, extended, context_);
+  return refined_in_time(extended);
+}
+
+IdentificationResult ExtendedPipeline::refined_in_time(const Pipeline& pipeline) const {
+  IdentificationResult result = identify(records_, pipeline, context_);
+  context_.check_stop();  // what was not refined is no model to compare with one that was
+  return result;
 }
 
 Extension ExtendedPipeline::settled(
     std::vector<EquationForms> equations,
     const std::vector<std::vector<Candidate>>& candidates) const {
-  IdentificationResult alone = identified_as(equations);
+  // What leaves more than the library is not worth a refit, which changes no misfit.
+  IdentificationResult alone = identified_as(equations, reaches_the_noise(alone_));
   if (is_worse(alone)) return {std::move(alone), std::move(equations)};
   const std::vector<Vector> coefficients = coefficients_of(alone.model, equations);
   equations = refined_shapes(alone.model, std::move(equations), records_, context_);
@@ -119,8 +138,8 @@ Extension ExtendedPipeline::settled(
 }
 
 IdentificationResult ExtendedPipeline::identified_as(
-    const std::vector<EquationForms>& equations) const {
-  Pipeline extended = pipeline_;
+    const std::vector<EquationForms>& equations, bool roughly) const {
+  Pipeline extended = roughly ? without_refit(pipeline_) : pipeline_;
   for (const EquationForms& equation : equations) {
     if (equation.forms.empty()) continue;
     const auto state = static_cast<std::size_t>(equation.equation);
@@ -130,7 +149,7 @@ IdentificationResult ExtendedPipeline::identified_as(
       terms.terms.push_back(form.expression().to_string());
     extended.equations.push_back(std::move(terms));
   }
-  return identify(records_, extended, context_);
+  return refined_in_time(extended);
 }
 
 bool ExtendedPipeline::is_worse(const IdentificationResult& model) const {

@@ -47,8 +47,13 @@ class ExtendedPipeline {
                     const std::vector<std::vector<Candidate>>& candidates) const;
 
  private:
+  /// What a pipeline makes of the records. @throws OutOfTime where it could not be refined.
+  IdentificationResult refined_in_time(const Pipeline& pipeline) const;
+
   /// With no other terms than these in equations that have forms.
-  IdentificationResult identified_as(const std::vector<EquationForms>& equations) const;
+  /// @param roughly without the refit of a model that does not fit to the noise.
+  IdentificationResult identified_as(const std::vector<EquationForms>& equations,
+                                     bool roughly = false) const;
 
   /// Whether the library reaches the noise and a model leaves more by what fitting its shapes
   /// to the trajectories does not take away: in the rows they were fitted already.

@@ -206,15 +206,22 @@ IdentificationResult identify_with_forms(const RecordStream& records, const Pipe
                                          const FormOptions& options,
                                          const RunContext& context) {
   IdentificationResult alone = identify(records, pipeline, context);
-  if (!context.leads() || leaves_nothing(alone, options.worth_asking) ||
-      !pipeline.equations.empty())
-    return alone;
-  const RunContext leader = context.alone();
-  const ExtendedPipeline extended(records, pipeline, options, alone, leader);
+  if (!context.leads()) return alone;
+  return with_forms_beside(records, pipeline, effects, std::move(alone), options,
+                           context.alone());
+}
+
+IdentificationResult with_forms_beside(const RecordStream& records, const Pipeline& pipeline,
+                                       const std::vector<Stage<Effect>>& effects,
+                                       IdentificationResult alone, const FormOptions& options,
+                                       const RunContext& context) {
+  if (leaves_nothing(alone, options.worth_asking) || !pipeline.equations.empty()) return alone;
+  context.check_stop();
+  const ExtendedPipeline extended(records, pipeline, options, alone, context);
   if (!has_rows_for_forms(extended)) return alone;
   const Dataset& data = records.excerpt();
   const auto candidates = candidates_for(extended, data, effects, alone);
-  const FormsTask task{extended, candidates, data, options, leader};
+  const FormsTask task{extended, candidates, data, options, context};
   Extension with = with_forms_beside(task, alone);
   if (!is_better(task, with, alone)) return alone;
   if (with.has_forms()) with.result.library_alone = std::move(alone.model);

@@ -17,9 +17,18 @@ namespace lacuna {
 /// as it is.
 /// A team divides the run without forms; its leader looks for them.
 /// @throws as identify().
+/// A run without forms comes first, and with_forms_beside() goes on from it.
 IdentificationResult identify_with_forms(const RecordStream& records, const Pipeline& pipeline,
                                          const std::vector<Stage<Effect>>& effects,
                                          const FormOptions& options = {},
                                          const RunContext& context = {});
+
+/// The second half of it, which goes on from what the library gives.
+/// @param alone of identify() with the same pipeline on the same records.
+/// @throws as identify(); OutOfTime past the deadline.
+IdentificationResult with_forms_beside(const RecordStream& records, const Pipeline& pipeline,
+                                       const std::vector<Stage<Effect>>& effects,
+                                       IdentificationResult alone, const FormOptions& options,
+                                       const RunContext& context);
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/identify/journey/identify_records.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "centred_library.hpp"
@@ -16,19 +17,53 @@ namespace {
 
 constexpr const char* kHiddenName = "h1";
 
+bool is_quick(const IdentificationTask& task) {
+  return task.options.effort == Thoroughness::Quick;
+}
+
+/// A stage that a quick run leaves out.
+template <class Work>
+void run_unless_quick(const IdentificationTask& task, IdentificationResult& result,
+                      const char* name, Work work) {
+  if (is_quick(task))
+    result.stages.push_back({name, false, kIsQuick});
+  else
+    run_stage(result.stages, name, work);
+}
+
+/// Forms beside the library, where it is short of them.
+void add_forms(const RecordStream& records, const IdentificationTask& task,
+               IdentificationResult& result, const RunContext& context) {
+  std::vector<StageDone> stages = result.stages;
+  run_unless_quick(task, result, kFormsStage, [&] {
+    result = with_forms_beside(records, task.pipeline, task.effects, result, task.options.forms,
+                               context);
+  });
+  stages.push_back(result.stages.back());
+  result.stages = std::move(stages);
+}
+
+/// A task whose searches go as far as its effort asks for.
+IdentificationTask with_effort(IdentificationTask task) {
+  if (task.options.effort != Thoroughness::Full) return task;
+  for (FormOptions* forms : {&task.options.forms, &task.options.advice.search})
+    forms->hopeless = std::numeric_limits<double>::infinity();
+  return task;
+}
+
 Identification find_equations(RecordStream records, const IdentificationTask& task,
                               const RunContext& context) {
   const Pipeline& pipeline = task.pipeline;
   if (task.measured == Measured::AllButOne) {
     HiddenIdentification found = identify_hidden(*records.in_memory(), pipeline,
                                                  *differentiator_of(*pipeline.formulation),
-                                                 kHiddenName, context.alone());
+                                                 kHiddenName, context.alone().unhurried());
+    found.result.stages = {{kEquationsStage}, {kTrajectoriesStage}};
     return {std::move(found.data), std::move(found.result)};
   }
-  IdentificationResult result =
-      task.library == LibraryScope::AsGiven
-          ? identify(records, pipeline, context)
-          : identify_with_forms(records, pipeline, task.effects, task.options.forms, context);
+  IdentificationResult result = identify(records, pipeline, context);
+  if (task.library == LibraryScope::Extended && context.leads())
+    add_forms(records, task, result, context.alone());
   return {std::move(records), std::move(result)};
 }
 
@@ -65,6 +100,11 @@ std::optional<Dataset> held_out_records(const IdentificationTask& task, const Od
   return records;
 }
 
+bool falls_short(const Validation& validation) {
+  return validation.verdict == ValidationVerdict::Approximation ||
+         validation.verdict == ValidationVerdict::WrongLibrary;
+}
+
 /// Judges a model on samples that it was not fitted to, and looks for what else the data hold.
 /// @throws DataError where they are too few for that.
 void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out,
@@ -73,15 +113,21 @@ void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out
   const bool is_map = found.model.is_map();
   const Dataset& data = is_map ? *records.in_memory() : records.excerpt();
   const KnownNoise noise = is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
-  Validation validation = validate({found, data, task.pipeline, std::move(held_out), noise},
-                                   task.options.validation, context);
-  const bool lacks = validation.verdict == ValidationVerdict::Approximation ||
-                     validation.verdict == ValidationVerdict::WrongLibrary;
-  if (lacks && !is_map)
-    validation.advice = advice_for({found, data, task.effects, white_noise(*noise)},
-                                   task.options.advice, context);
-  take_in(std::move(validation), data, found);
-  if (!is_map) found.relations = find_relations(data, task.options.relations, context, noise);
+  std::optional<Validation> validation;
+  run_stage(found.stages, kValidationStage, [&] {
+    validation = validate({found, data, task.pipeline, std::move(held_out), noise},
+                          task.options.validation, context);
+  });
+  if (validation && falls_short(*validation) && !is_map)
+    run_unless_quick(task, found, kAdviceStage, [&] {
+      validation->advice = advice_for({found, data, task.effects, white_noise(*noise)},
+                                      task.options.advice, context);
+    });
+  if (validation) take_in(*std::move(validation), data, found);
+  if (!is_map)
+    run_unless_quick(task, found, kRelationsStage, [&] {
+      found.relations = find_relations(data, task.options.relations, context, noise);
+    });
 }
 
 /// What is odd about the records, ahead of all other warnings.
@@ -97,7 +143,7 @@ void warn_of_records(const IdentificationTask& task, IdentificationResult& found
 
 Identification identify_records(RecordStream records, const IdentificationTask& given,
                                 const RunContext& context) {
-  IdentificationTask task = given;
+  IdentificationTask task = with_effort(given);
   std::vector<std::string> centred;
   if (task.measured == Measured::AllStates)
     task.pipeline = with_centred_library(task.pipeline, records.excerpt(), centred);
@@ -116,7 +162,10 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
     result.warnings.push_back(std::string("not validated: ") + error.what());
   }
   try {
-    if (!is_map) found.verification = verify(task, result, found.records, alone);
+    if (!is_map)
+      run_stage(result.stages, kSynchronisationStage, [&] {
+        found.verification = verify(task, result, found.records, alone);
+      });
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
   }

@@ -20,7 +20,8 @@ namespace {
 struct Run {
   const Dataset& data;
   const Pipeline& pipeline;
-  const RunContext& context;
+  const RunContext& context;   ///< of what every answer needs
+  const RunContext& refining;  ///< with the deadline
   const TermLibrary& library;
   const LeastSquaresSystem& system;
   const FilterResult& filtered;
@@ -265,8 +266,8 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
   RunContext silent = run.context;
   silent.progress = nullptr;
   silent.threads = 1;
-  const Run each{run.data,     run.pipeline, silent,        run.library, run.system,
-                 run.filtered, run.noise,    run.libraries, run.analysed};
+  const Run each{run.data,   run.pipeline, silent,    run.refining,  run.library,
+                 run.system, run.filtered, run.noise, run.libraries, run.analysed};
   std::mutex reporting;
   std::size_t done = 0;
   parallel_for(states, run.context.threads, [&](std::size_t k) {
@@ -294,7 +295,7 @@ double farthest(const IdentificationResult& result) {
 void refine_result(const Run& run, IdentificationResult& result) {
   IdentificationResult refined = result;
   if (apply_refiner(*run.pipeline.refiner, {run.data, run.analysed}, run.libraries, refined,
-                    run.context.alone())) {
+                    run.refining.alone())) {
     measure_residuals(run, refined);
     // Beyond 1 no model says more. Twice that, for a model has noise in its terms too.
     constexpr double kWorseThanNone = 2.0;
@@ -310,6 +311,11 @@ void refine_result(const Run& run, IdentificationResult& result) {
     result.warnings = std::move(refined.warnings);
   }
   judge_fits(result);
+}
+
+/// Refines a result as long as there is time. @return whether there was.
+bool refine_in_time(const Run& run, IdentificationResult& result) {
+  return run_stage(result.stages, kTrajectoriesStage, [&] { refine_result(run, result); });
 }
 
 /// What the stages before the refiner have to warn of that is so in the model.
@@ -344,7 +350,8 @@ IdentificationResult run_equations(const Run& run) {
   satisfy_constraints(run.system, run.libraries, result);
   if (!run.libraries.constraints.empty()) measure_residuals(run, result);
   note_noise_floors(run, result);
-  if (run.context.leads()) refine_result(run, result);
+  result.stages.push_back({kEquationsStage});
+  if (run.context.leads() && !refine_in_time(run, result)) judge_fits(result);
   std::vector<std::string> first = warnings_of(std::move(outcomes), result.model);
   append(first, std::move(result.warnings));
   result.warnings = std::move(first);
@@ -363,6 +370,7 @@ std::string excerpt_note(const RecordStream& records) {
 
 IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,
                               const RunContext& context) {
+  const RunContext first = context.unhurried();
   const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
   const Dataset& data =
       is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
@@ -371,7 +379,7 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
   const EquationLibraries libraries =
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
   const TermLibrary& library = libraries.library;
-  context.report("reading rows", 0.0);
+  first.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
   if (is_map && pipeline.energy_preserving)
     throw ConfigError("constraint energy-preserving",
@@ -381,13 +389,13 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
       is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
   const Vector noise = is_map ? Vector() : white_noise(*analysed);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
-  const LeastSquaresSystem system = fitted.formulation->assemble(records, library, context);
-  context.report("filtering terms", 0.0);
-  const FilterResult filtered = fitted.filter->filter(system, context);
+  const LeastSquaresSystem system = fitted.formulation->assemble(records, library, first);
+  first.report("filtering terms", 0.0);
+  const FilterResult filtered = fitted.filter->filter(system, first);
   IdentificationResult result = run_equations(
-      {data, fitted, context, library, system, filtered, noise, libraries, analysed});
+      {data, fitted, first, context, library, system, filtered, noise, libraries, analysed});
   if (records.is_long() && !is_map) result.warnings.push_back(excerpt_note(records));
-  context.report("fitting equations", 1.0);
+  first.report("fitting equations", 1.0);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "diagnosis_sentences.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
+#include "report/json/stages_json.hpp"
 
 namespace lacuna {
 namespace {
@@ -173,6 +174,8 @@ std::string format_json(const Diagnosis& diagnosis) {
   json["noise"] = noise_json(diagnosis);
   json["rounds"] = rounds_json(diagnosis);
   json["rivals"] = rivals_json(diagnosis);
+  json["stages"] = stages_json(diagnosis.stages);
+  json["answer_from"] = answer_from(diagnosis.stages);
   json["notes"] = diagnosis.notes;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,6 +7,7 @@
 #include "relation_text.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/stage_json.hpp"
+#include "report/json/stages_json.hpp"
 #include "report/json/sync_json.hpp"
 
 namespace lacuna {
@@ -129,6 +130,8 @@ std::string format_json(const IdentificationReport& report) {
       result.validation ? validation_to_json(*result.validation) : Json(nullptr);
   json["relations"] = list_to_json(result.relations, relation_to_json);
   json["sync"] = report.sync ? sync_to_json(*report.sync) : Json(nullptr);
+  json["stages"] = stages_json(result.stages);
+  json["answer_from"] = answer_from(result.stages);
   json["warnings"] = result.warnings;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -155,6 +155,8 @@ std::string format_text(const IdentificationReport& report, bool full) {
     if (!fit.identity) out << trail_of(result, fit.equation);
   out << next_terms(result);
   if (report.sync) out << "\n" << format_text(*report.sync);
+  if (const std::string line = left_out_line(result.stages); !line.empty())
+    out << "\nStages\n  " << line << "\n";
   if (!result.warnings.empty()) out << "\nWarnings\n";
   for (const std::string& warning : result.warnings) out << "  " << warning << "\n";
   return out.str();

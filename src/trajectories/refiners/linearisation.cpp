@@ -44,6 +44,7 @@ Index fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk&
   SensitivityRows rows;
   Index count = 0;
   for (std::size_t w = chunk.first; w < chunk.last; ++w) {
+    context.check_stop();
     const SampleWindow& window = path.windows[w];
     const PathRecord& record = path.records[window.record];
     rates.evaluate(record, window);

@@ -212,6 +212,7 @@ bool fits_to_noise(const RefinedModel& model) {
 struct Searches {
   WindowSearch first;
   std::optional<WindowSearch> second;  ///< as long as the two do not agree
+  bool is_cut = false;                 ///< by the deadline: longer windows were not tried
 };
 
 bool have_same_terms(const WindowFit& one, const WindowFit& other) {
@@ -250,7 +251,28 @@ WindowSearch begun_at(const SearchTask& task, const std::optional<SearchTask>& p
   return is_simpler(other.fit, found.fit) ? other : found;
 }
 
-/// Searches to the end. The first one's fit has no rows when the records are too short.
+/// Searches in longer and longer windows, to the end.
+/// @param settled what is found in the longest windows by now.
+void search_longer(const SearchTask& task, Searches searches, Searches& settled,
+                   const RunContext& context) {
+  for (bool grows = true; grows;) {
+    drop_when_agreed(searches);
+    grows = grow(task, searches.first, context);
+    if (searches.second && grow(task, *searches.second, context)) grows = true;
+    settled = searches;
+  }
+  drop_when_agreed(searches);
+  take_all_windows(task, searches.first, context);
+  if (searches.second) take_all_windows(task, *searches.second, context);
+  drop_when_agreed(searches);
+  settled = searches;
+  finish(searches.first, context);
+  if (searches.second) finish(*searches.second, context);
+  settled = std::move(searches);
+}
+
+/// Searches to the end, or to the deadline. The first one's fit has no rows when the records
+/// are too short.
 Searches search_windows(const SearchTask& task, const Matrix& start,
                         const TrajectorySelectionOptions& options, const RunContext& context) {
   const WindowSearch prepared = prepared_search(task, context);
@@ -265,17 +287,11 @@ Searches search_windows(const SearchTask& task, const Matrix& start,
     searches.second.reset();
   }
   if (searches.first.fit.rows == 0) return searches;
-  for (bool grows = true; grows;) {
-    drop_when_agreed(searches);
-    grows = grow(task, searches.first, context);
-    if (searches.second && grow(task, *searches.second, context)) grows = true;
+  try {
+    search_longer(task, searches, searches, context);
+  } catch (const OutOfTime&) {
+    searches.is_cut = true;
   }
-  drop_when_agreed(searches);
-  take_all_windows(task, searches.first, context);
-  if (searches.second) take_all_windows(task, *searches.second, context);
-  drop_when_agreed(searches);
-  finish(searches.first, context);
-  if (searches.second) finish(*searches.second, context);
   return searches;
 }
 
@@ -316,6 +332,22 @@ void note_negligible(const std::vector<LeftOut>& left_out, const TermLibrary& li
          out.effect, out.threshold});
 }
 
+/// The model of the stages before; where it needs no fit there is nothing to warn of.
+RefinedModel as_it_was(RefinedModel same, bool needs_no_fit) {
+  if (needs_no_fit) same.message.clear();
+  return same;
+}
+
+/// The model that a search has when its time is over.
+RefinedModel as_far_as_it_came(const RefinerTask& task, const SearchTask& search,
+                               const WindowFit& fit) {
+  RefinedModel result = Outcome(task, fit, search.noise).make();
+  result.notes.push_back("refined in windows of " + std::to_string(fit.samples) +
+                         " samples when the time was over: longer ones may determine terms and "
+                         "coefficients better");
+  return result;
+}
+
 }  // namespace
 
 RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
@@ -332,18 +364,16 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
       known_or_analysed(is_whole ? task.noise : std::nullopt, data, context.threads);
   RefinedModel same{.model = task.start, .usable = false};
   same.message = reason_to_leave(task, noise, from_model);
-  if (!same.message.empty()) {
-    if (from_model) same.message.clear();  // the model stands as it is: nothing to warn of
-    return same;
-  }
+  if (!same.message.empty()) return as_it_was(std::move(same), from_model);
   Matrix start = coefficients_of(task.start, task.library);
   if (!from_model) start.setZero();
   const SearchTask search =
       search_task(std::move(data), {task.library, task.allowed, task.constraints}, noise,
                   options(), context.threads);
-  auto [found, other] = search_windows(search, start, options(), context);
+  auto [found, other, is_cut] = search_windows(search, start, options(), context);
   same.message = "no windows of the record could be fitted";
   if (!is_usable(found.fit)) return same;
+  if (is_cut) return as_far_as_it_came(task, search, found.fit);
   std::vector<LeftOut> left_out =
       leave_out_negligible(search, found, options().negligible, context);
   if (other) {
@@ -367,7 +397,7 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   }
   if (from_model && start.isZero())
     result.notes.push_back("the stages before found no term; the search began from nothing");
-  if (!is_noise && task.constraints.empty())
+  if (!is_noise && options().refit && task.constraints.empty())
     if (std::optional<OdeModel> model =
             is_long ? refitted(result.model, search.data, white_noise(search.seen), context)
                     : refitted(result.model, task.data, white_noise_of(task), context))

@@ -44,12 +44,29 @@ void drop_others(WindowFit& fit) {
   fit.subset = present_columns(fit);
 }
 
+/// Samples that are fitted in all.
+Index most_samples(const SearchTask& task) {
+  // A fact of cost.
+  constexpr Index kMostValues = 200000;
+  return std::min(kMostSamples, kMostValues / task.equations.dimension());
+}
+
+/// Samples of windows that a choice takes: among few candidates no fewer than eight windows.
+Index samples_in_windows(const SearchTask& task, const WindowSearch& search, Index samples) {
+  // A fact of the statistic: fewer windows do not stand for a record.
+  constexpr Index kFewestWindows = 8;
+  return is_wide(task) ? search.most
+                       : std::min(most_samples(task),
+                                  std::max(search.most, kFewestWindows * samples));
+}
+
 /// Fits windows of so many samples.
 void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coefficients,
                  Index samples, const RunContext& context) {
   // A fact of the search: bounds the work where noise and steps take turns.
   constexpr int kPasses = 5;
-  search.path.windows = windows_of(search.path.records, samples, search.most);
+  search.path.windows = windows_of(search.path.records, samples,
+                                   samples_in_windows(task, search, samples));
   search.fit = WindowFit();
   search.fit.coefficients = coefficients;
   search.fit.samples = samples;
@@ -66,21 +83,16 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
   mask_beyond(search.path, kOutlyingDeviations * std::sqrt(std::max(1.0, search.fit.misfit)));
 }
 
-/// Samples that are fitted in all.
-Index most_samples(const SearchTask& task) {
-  // A fact of cost.
-  constexpr Index kMostValues = 200000;
-  return std::min(kMostSamples, kMostValues / task.equations.dimension());
-}
-
-/// Samples that a choice among many candidates takes: four for each candidate of an equation,
-/// and values enough to distinguish terms from noise.
+/// Samples that a choice takes: four for each candidate of an equation, and values enough to
+/// distinguish terms from noise; more where candidates are few. What is chosen is fitted to all
+/// of them in the end, where terms may still come and go (take_all_windows()).
 Index samples_of_a_choice(const SearchTask& task) {
   // Facts of cost and of the statistic.
-  constexpr Index kValuesOfAChoice = 30000, kSamplesOfACandidate = 4;
+  constexpr Index kValuesOfAChoice = 30000, kSamplesOfACandidate = 4, kSamplesAmongFew = 4000;
+  const Index enough = std::max(kValuesOfAChoice / task.equations.dimension(),
+                                kSamplesOfACandidate * task.equations.library.size());
   return std::min(most_samples(task),
-                  std::max(kValuesOfAChoice / task.equations.dimension(),
-                           kSamplesOfACandidate * task.equations.library.size()));
+                  is_wide(task) ? enough : std::max(enough, kSamplesAmongFew));
 }
 
 /// Whether longer windows fit no worse: by four standard deviations of chi squared. In windows
@@ -174,7 +186,7 @@ WindowSearch prepared_search(const SearchTask& task, const RunContext& context) 
           .path = std::move(path),
           .sigma = task.sample_noise.rms,
           .floor = rounding_floor(task.data),
-          .most = is_wide(task) ? samples_of_a_choice(task) : most_samples(task),
+          .most = samples_of_a_choice(task),
           .shortest = std::min(first_window(task.data, context.threads, white_noise(task.seen)),
                                longest_record(task.data).samples()),
           .constraints = task.constraints};
@@ -201,7 +213,9 @@ bool grow(const SearchTask& task, WindowSearch& search, const RunContext& contex
 }
 
 void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context) {
-  if (search.most >= std::min(most_samples(task), task.data.samples())) return;
+  if (samples_in_windows(task, search, search.fit.samples) >=
+      std::min(most_samples(task), task.data.samples()))
+    return;
   WindowSearch all = search;
   all.most = most_samples(task);
   fit_windows(task, all, search.fit.coefficients, search.fit.samples, context);
@@ -211,7 +225,6 @@ void take_all_windows(const SearchTask& task, WindowSearch& search, const RunCon
 
 /// A path that moves by a thousandth of sigma leaves the coefficients where they are.
 void finish(WindowSearch& search, const RunContext& context) {
-  search.path.windows = windows_of(search.path.records, search.fit.samples, search.most);
   settle(search, {.move = 1e-3, .iterations = 8}, context);
   summarise(search);
 }

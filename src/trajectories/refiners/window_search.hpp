@@ -85,8 +85,8 @@ WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& 
 /// fit is then as it was.
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context);
 
-/// Fits a wide problem, which is searched in as many windows as its candidates ask for, in as
-/// many as there are: weak terms show in these. The fit stays as it was where that is worse.
+/// Fits in as many windows as there are what was chosen in as many as the candidates ask for:
+/// weak terms show in these. The fit stays as it was where that is worse.
 void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context);
 
 /// The last iterations, after which coefficients no longer change.

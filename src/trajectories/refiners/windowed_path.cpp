@@ -29,11 +29,14 @@ std::vector<SampleWindow> windows_of(const std::vector<PathRecord>& records, Ind
   for (const PathRecord& record : records) all += record.samples.samples();
   const Index every = (all + most - 1) / most;
   std::vector<SampleWindow> windows;
+  Index behind = 0;  // windows since the last one that was taken, counted through all records
   for (std::size_t r = 0; r < records.size(); ++r) {
     const Index n = records[r].samples.samples();
     const Index count = std::max<Index>(1, n / samples);
-    for (Index w = 0; w < count; w += every)
-      windows.push_back({r, w * n / count, (w + 1) * n / count - w * n / count});
+    for (Index w = 0; w < count; ++w) {
+      if (behind++ % every == 0)
+        windows.push_back({r, w * n / count, (w + 1) * n / count - w * n / count});
+    }
   }
   return windows;
 }

@@ -122,7 +122,7 @@ Assimilation assimilate_from_starts(const OdeModel& model, const BoundRecords& r
   const Vector given = given_begin(model);
   const Dataset first = with_hidden_paths(model, records.data, options.hidden, given);
   const std::vector<Vector> begins = hidden_begins(first, options.hidden, given);
-  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const RunContext quiet = context.beside_others();
   std::vector<std::optional<Assimilation>> fits(begins.size());
   parallel_for(begins.size(), context.threads, [&](std::size_t i) {
     BoundRecords begun = records;  // the noise of what is measured is the same

@@ -68,4 +68,11 @@ class Cancelled : public std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
+/// Thrown inside the library when the run context's deadline has passed. Whoever has an answer
+/// by then catches it and notes what is missing; to all others it is an end like any.
+class OutOfTime : public Cancelled {
+ public:
+  const char* what() const noexcept override { return "out of time"; }
+};
+
 }  // namespace lacuna

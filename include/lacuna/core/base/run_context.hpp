@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string_view>
@@ -39,6 +41,9 @@ struct RunContext {
   std::uint64_t seed = 1;                           ///< of everything random in the run
   const Team* team = nullptr;                       ///< results do not depend on it
 
+  /// When the run has to end with the answer that it has by then; none: it takes its time.
+  std::optional<std::chrono::steady_clock::time_point> deadline{};
+
   /// Whether this process makes the result: alone, or the first of its team.
   bool leads() const { return team == nullptr || team->rank() == 0; }
 
@@ -49,16 +54,37 @@ struct RunContext {
     return context;
   }
 
+  /// The same without a deadline, for what every answer needs.
+  RunContext unhurried() const {
+    RunContext context = *this;
+    context.deadline.reset();
+    return context;
+  }
+
+  /// The same for one of several calls side by side: one thread, and no progress.
+  RunContext beside_others() const {
+    RunContext context = alone();
+    context.progress = nullptr;
+    context.threads = 1;
+    return context;
+  }
+
+  /// Whether the deadline has passed.
+  bool is_late() const {
+    return deadline && std::chrono::steady_clock::now() >= *deadline;
+  }
+
   /// Informs the progress function, if there is one, and honours a stop request.
-  /// @throws Cancelled when an end was asked for.
+  /// @throws Cancelled when an end was asked for; OutOfTime past the deadline.
   void report(std::string_view activity, double fraction) const {
     check_stop();
     if (progress) progress(Progress{activity, fraction});
   }
 
-  /// @throws Cancelled when an end was asked for.
+  /// @throws Cancelled when an end was asked for; OutOfTime past the deadline.
   void check_stop() const {
     if (stop.stop_requested()) throw Cancelled();
+    if (is_late()) throw OutOfTime();
   }
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
 #include "lacuna/diagnose/criterion/options.hpp"
@@ -29,6 +30,7 @@ struct DiagnosisOptions {
   Stage<Criterion> criterion = ExtendedBic{};  ///< by which they are judged
   DecisionOptions decision = {};               ///< thresholds
   bool fill_gap = false;  ///< structure without a name gets a black-box residual function
+  Thoroughness effort = Thoroughness::Normal;  ///< see diagnose()
 };
 
 /// What searches have come to, so that no other one does the same again.

@@ -14,6 +14,9 @@ namespace lacuna {
 /// the verdict or withdraw a name, and never choose one. Before that the records are looked at
 /// (look_at()): where a slip of units, signs or columns is the likelier cause, no effect is
 /// named, and where it keeps the model from the records the hint is all of the answer.
+/// Past the deadline of the context, and with DiagnosisOptions::effort quick, the answer is the
+/// best composite model that was judged by then; `stages` names those that were left out, and
+/// what is named is not "explained" where something that may stand in its place was not judged.
 /// @code
 ///   const OdeModel nominal = read_model("pendulum.ode");
 ///   const Diagnosis found = diagnose(nominal, read_dataset({"run.csv"}));

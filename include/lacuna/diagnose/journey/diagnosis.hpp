@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/diagnose/hypotheses/composite_model.hpp"
@@ -68,6 +69,7 @@ struct Diagnosis {
   std::optional<Unnamed> unnamed = {};  ///< with the verdict UnnamedStructure
   std::vector<Hint> hints = {};         ///< what is odd about the records, and its remedy
   Adequacy adequacy = {};  ///< of the augmented model, by equations of measured states
+  std::vector<StageDone> stages = {};  ///< done, in order, and left out
 };
 
 }  // namespace lacuna

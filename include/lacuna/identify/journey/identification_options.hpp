@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/identify/forms_beside/form_options.hpp"
 #include "lacuna/identify/validation/advice.hpp"
 #include "lacuna/identify/validation/sync_verdict.hpp"
@@ -12,6 +13,7 @@ namespace lacuna {
 
 /// What identify_records() decides besides its pipeline.
 struct IdentificationOptions {
+  Thoroughness effort = Thoroughness::Normal;  ///< see identify_records()
   FormOptions forms;
   ValidationOptions validation;
   RelationOptions relations;

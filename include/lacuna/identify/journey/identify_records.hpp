@@ -54,10 +54,20 @@ struct Identification {
   std::optional<Verification> verification = {};  ///< none of a map, or with a warning
 };
 
+/// Names in IdentificationResult::stages besides those of identify().
+inline constexpr const char* kFormsStage = "forms";
+inline constexpr const char* kValidationStage = "validation";
+inline constexpr const char* kAdviceStage = "advice";
+inline constexpr const char* kRelationsStage = "relations";
+inline constexpr const char* kSynchronisationStage = "synchronisation";
+
 /// The whole of identify: the pipeline finds equations, basis functions of effects enter where
 /// the library is short of them, the model is driven by the record, judged on samples that it
 /// was not fitted to, and what it lacks is looked for. What cannot be done for want of samples
 /// is a warning of the result.
+/// Each stage leaves a whole answer. Past the deadline of the context those that are left do not
+/// come, and with IdentificationOptions::effort quick neither do forms, advice and relations:
+/// `stages` of the result lists them.
 /// A team divides the first run; members that do not lead get the equations alone.
 /// @param records states n x m and inputs n x p of each record, in their units.
 /// @throws DataError, ArgumentError, ConfigError as identify(), identify_hidden(); Cancelled.

@@ -50,13 +50,18 @@ struct Pipeline {
   bool energy_preserving = false;  ///< see energy_preserving(); terms do not enter
 };
 
+/// Names in IdentificationResult::stages: regression and elimination, and the refiner.
+inline constexpr const char* kEquationsStage = "equations";
+inline constexpr const char* kTrajectoriesStage = "trajectories";
+
 /// Identifies one equation per state: basis -> formulation -> filter, then per equation
 /// pruner (refitting with the regressor) and a final fit. An equation the dataset knows as an
 /// identity (Dataset::rate_of) is taken over with coefficient 1. The refiner then fits the
 /// model to the trajectories and may change its structure. Coefficients
 /// satisfy the constraints; those of absent terms are 0. Of long records all samples determine
 /// the terms, an excerpt the rest.
-/// In a team only the leader's result is refined.
+/// In a team only the leader's result is refined. A deadline ends the refinement: the model is
+/// that of the regression then, and `stages` has that.
 /// @param records a Dataset, or records that are read in pieces.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.
 IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,

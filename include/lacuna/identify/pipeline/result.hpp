@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/identify/pipeline/validation.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
@@ -70,6 +71,8 @@ struct IdentificationResult {
   Adequacy adequacy = {};
   /// Polynomials that are constant on the data, where they were looked for.
   std::vector<Relation> relations = {};
+  /// Stages that were done to come to this, in order, and those that were left out.
+  std::vector<StageDone> stages = {};
 };
 
 }  // namespace lacuna

@@ -28,6 +28,7 @@ struct TrajectorySelectionOptions {
   bool second_opinion = false;
   std::optional<double> penalty = {};
   double relation_strength = 3.0;
+  bool refit = true;
   NegligibleTerms negligible = {};
   GrowingNoise growing_noise = {};
 
@@ -50,6 +51,10 @@ struct TrajectorySelectionOptions {
          "the terms that they write in lower ones.",
          0.0},
         relation_strength);
+    v.field({"refit", "",
+             "Whether coefficients of a model that does not fit to the noise are fitted again by "
+             "multiple shooting, which does not change how well it fits."},
+            refit);
     negligible.describe(v);
     growing_noise.describe(v);
   }
@@ -73,7 +78,8 @@ struct TrajectorySelectionOptions {
 /// windows is an approximation, which any term improves a little: terms leave it, the least
 /// valuable first, as long as the rms of the residuals grows by no more than a tenth, unless a
 /// penalty is given. Terms that are significant and negligible (NegligibleTerms) leave before
-/// that. Models that do not fit to the noise are refitted by refine(). Does nothing with
+/// that. Models that do not fit to the noise are refitted by refine(), unless `refit` is false.
+/// Past the deadline the model is that of the longest windows by then. Does nothing with
 /// records that bring measured derivatives, nor, starting from a model, with records without
 /// noise of which it explains the derivatives to 1e-5 of them.
 class TrajectorySelection final : public Configured<Refiner, TrajectorySelectionOptions> {

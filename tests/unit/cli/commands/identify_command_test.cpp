@@ -65,6 +65,23 @@ TEST(IdentifyCommand, SavesTheModelItShows) {
   EXPECT_EQ(run_command({"sync", model, records.rossler()}).status, 0);
 }
 
+TEST(IdentifyCommand, ATimeLimitGivesAWholeAnswerThatSaysWhatItLacks) {
+  const Records records;
+  const auto limited = run_identify({records.rossler(), "--time-limit", "0.001"});
+  EXPECT_EQ(limited["answer_from"], "equations");
+  EXPECT_EQ(limited["stages"].back()["why"], "the time limit came first");
+  EXPECT_TRUE(limited["sync"].is_null());
+  const auto text = run_command({"identify", records.rossler(), "--time-limit", "0.001"});
+  EXPECT_THAT(text.out, HasSubstr("left out: "));
+  const auto quick = run_identify({records.rossler(), "--effort", "quick"});
+  EXPECT_EQ(quick["answer_from"], "synchronisation");
+  for (const char* wrong : {"0", "-1", "x", "nan"})
+    expect_failure(run_command({"identify", records.rossler(), "--time-limit", wrong}), 2,
+                   {"--time-limit"});
+  expect_failure(run_command({"identify", records.rossler(), "--effort", "slow"}), 2,
+                 {"--effort"});
+}
+
 TEST(IdentifyCommand, SameInputSameBytesWhateverTheThreads) {
   const Records records;
   const auto once = run_command({"identify", records.rossler(), "--json", "-"});

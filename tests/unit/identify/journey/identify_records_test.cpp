@@ -66,5 +66,44 @@ TEST(IdentifyRecords, JudgesByRecordsThatItIsGiven) {
   EXPECT_TRUE(found.result.validation->given);
 }
 
+const StageDone* stage_of(const IdentificationResult& result, const std::string& name) {
+  const auto found = std::find_if(result.stages.begin(), result.stages.end(),
+                                  [&](const StageDone& stage) { return stage.name == name; });
+  return found == result.stages.end() ? nullptr : &*found;
+}
+
+TEST(IdentifyRecords, PastTheDeadlineTheModelIsThatOfTheRegression) {
+  RunContext context;
+  context.deadline = std::chrono::steady_clock::now();
+  const Identification found = identify_records(pendulum(0.001), {}, context);
+  EXPECT_TRUE(has_term(found.result.model, 0, "w")) << to_text(found.result.model, 5);
+  EXPECT_EQ(answer_from(found.result.stages), kEquationsStage);
+  for (const char* name : {kTrajectoriesStage, kFormsStage, kValidationStage, kRelationsStage,
+                           kSynchronisationStage}) {
+    ASSERT_TRUE(stage_of(found.result, name)) << name;
+    EXPECT_EQ(stage_of(found.result, name)->why, kTimeIsUp) << name;
+  }
+  EXPECT_FALSE(found.verification);
+  EXPECT_FALSE(found.result.validation);
+}
+
+TEST(IdentifyRecords, AQuickRunLeavesOutFormsAndRelations) {
+  IdentificationTask task;
+  task.options.effort = Thoroughness::Quick;
+  const Identification found = identify_records(pendulum(0.001), task);
+  EXPECT_FALSE(has_term(found.result.model, 1, "sin(th)"));
+  EXPECT_EQ(stage_of(found.result, kFormsStage)->why, kIsQuick);
+  EXPECT_EQ(stage_of(found.result, kRelationsStage)->why, kIsQuick);
+  EXPECT_TRUE(stage_of(found.result, kValidationStage)->done);
+  EXPECT_TRUE(found.verification);
+}
+
+TEST(IdentifyRecords, AWholeRunSaysThatAllStagesWereDone) {
+  const Identification found = identify_records(pendulum(0.001));
+  EXPECT_EQ(left_out_line(found.result.stages), "");
+  EXPECT_EQ(answer_from(found.result.stages), kSynchronisationStage);
+  EXPECT_TRUE(stage_of(found.result, kFormsStage)->done);
+}
+
 }  // namespace
 }  // namespace lacuna

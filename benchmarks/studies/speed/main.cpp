@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Time to the first and to the final answer of everyday questions. Usage:
+// study_speed [OUTPUT_FOLDER] [PART_OF_A_NAME] [REPEATS] [DATA_FOLDER] [quick|normal|full|limit]
+//             (default build/studies/speed, all, 1, $LACUNA_DATA, all of them)
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+#include "core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "questions.hpp"
+#include "support/parallel.hpp"
+#include "support/settings.hpp"
+#include "support/table.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLimit = 1.0;  // seconds of a run with a time limit
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// CPU time of all threads, seconds.
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+/// Of the process so far, MB.
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// A reply and what it took.
+struct Timed {
+  Reply reply;
+  double wall = 0.0, cpu = 0.0;  ///< seconds
+};
+
+Timed timed(const Question& question, Thoroughness effort, std::optional<double> limit) {
+  RunContext context;
+  context.threads = static_cast<int>(cores());
+  const auto begin = Clock::now();
+  if (limit)
+    context.deadline =
+        begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*limit));
+  const double before = cpu_seconds();
+  Timed result;
+  try {
+    result.reply = question.ask(effort, context);
+  } catch (const std::exception& error) {
+    result.reply.answer = error.what();
+  }
+  result.wall = std::chrono::duration<double>(Clock::now() - begin).count();
+  result.cpu = cpu_seconds() - before;
+  return result;
+}
+
+/// The run with the median CPU time of so many.
+Timed median_of(const Question& question, Thoroughness effort, std::optional<double> limit,
+                std::size_t repeats) {
+  std::vector<Timed> runs;
+  for (std::size_t k = 0; k < repeats; ++k) runs.push_back(timed(question, effort, limit));
+  std::sort(runs.begin(), runs.end(),
+            [](const Timed& a, const Timed& b) { return a.cpu < b.cpu; });
+  return runs[runs.size() / 2];
+}
+
+/// CPU seconds of what does not change with the library's searches: 2e6 steps of Lorenz' system.
+double calibration() {
+  constexpr Index kSamples = 500000;
+  constexpr double kStep = 0.01;
+  const TestSystem& lorenz = test_system("lorenz");
+  const double before = cpu_seconds();
+  record_of(lorenz.model, Rk4{}, lorenz.start, kStep, kSamples);
+  return cpu_seconds() - before;
+}
+
+struct Way {
+  std::string name;
+  Thoroughness effort;
+  std::optional<double> limit;
+};
+
+std::vector<Way> ways_of(const std::string& wanted) {
+  std::vector<Way> ways;
+  for (const Way& way : {Way{"quick", Thoroughness::Quick, {}},
+                         Way{"normal", Thoroughness::Normal, {}},
+                         Way{"full", Thoroughness::Full, {}},
+                         Way{"limit", Thoroughness::Normal, kLimit}})
+    if (wanted.empty() || wanted.find(way.name) != std::string::npos) ways.push_back(way);
+  return ways;
+}
+
+int run(const StudyArguments& arguments) {
+  const char* given = std::getenv("LACUNA_DATA");
+  const std::string data = arguments.at(3, given != nullptr ? given : "");
+  const std::size_t repeats = std::max<std::size_t>(1, arguments.count_at(2, 1));
+  const double kernel = calibration();
+  ResultTable table{{"question", "samples", "way", "wall s", "CPU s", "CPU / kernel", "peak MB",
+                     "left out", "answer"},
+                    {}};
+  for (const QuestionMaker& maker : everyday_questions(data)) {
+    if (maker.name.find(arguments.at(1)) == std::string::npos) continue;
+    const Question question = maker.make();
+    for (const Way& way : ways_of(arguments.at(4))) {
+      const Timed one = median_of(question, way.effort, way.limit, repeats);
+      table.rows.push_back({question.name, question.size, way.name, format_number(one.wall, 3),
+                            format_number(one.cpu, 3), format_number(one.cpu / kernel, 3),
+                            format_number(peak_memory(), 3), one.reply.left_out,
+                            one.reply.answer});
+      std::cerr << join(table.rows.back(), " | ") << std::endl;
+    }
+  }
+  write_results(arguments.folder_at(0), "speed", table.csv(),
+                "# Everyday questions\n\n" + machine_description() + ", " + today() +
+                    "; calibration kernel (2e6 evaluations of Lorenz' system by steps of "
+                    "Runge and Kutta) " +
+                    format_number(kernel, 3) +
+                    " s. Medians of " + std::to_string(repeats) +
+                    ".\n`quick` is the first answer, `normal` the final one, `full` what a run "
+                    "that looks everywhere takes, `limit` a run of at most " +
+                    format_number(kLimit) + " s.\nCommand: `study_speed FOLDER '' " +
+                    std::to_string(repeats) + "`\n\n" + table.markdown());
+  return 0;
+}
+
+}  // namespace
+}  // namespace lacuna::benchmarks
+
+int main(int argc, char** argv) {
+  return lacuna::benchmarks::study_main(
+      {"speed", "[OUTPUT_FOLDER] [PART_OF_A_NAME] [REPEATS] [DATA_FOLDER] [WAYS]",
+       lacuna::benchmarks::run},
+      argc, argv);
+}
