@@ -27,6 +27,18 @@ inline const char* robertson_text() {
 /// Robertson's reactions (1966), the standard stiff problem: rates 0.04, 1e4 and 3e7.
 inline OdeModel robertson() { return parse_ode(robertson_text(), "robertson"); }
 
+/// Adds noise of a fraction of the spread of each state.
+inline void add_noise(double noise, std::uint64_t seed, Dataset& data) {
+  Random random(seed);
+  Matrix& states = data.trajectories.front().states;
+  for (Index k = 0; k < states.cols() && noise > 0.0; ++k) {
+    const Vector centred = states.col(k).array() - states.col(k).mean();
+    const double sigma =
+        noise * centred.norm() / std::sqrt(static_cast<double>(centred.size()));
+    for (double& value : states.col(k)) value += sigma * random.normal();
+  }
+}
+
 /// What CVODE makes of a model at the given times, with noise of a fraction of each spread.
 inline Dataset stiff_data(const OdeModel& model, const Vector& start, const Vector& times,
                           const Matrix& inputs, double noise, std::uint64_t seed = 1) {
@@ -42,14 +54,8 @@ inline Dataset stiff_data(const OdeModel& model, const Vector& start, const Vect
   } else {
     record.states = simulate(model, Cvode(), start, times).states;
   }
-  Random random(seed);
-  for (Index k = 0; k < record.states.cols() && noise > 0.0; ++k) {
-    const Vector centred = record.states.col(k).array() - record.states.col(k).mean();
-    const double sigma =
-        noise * centred.norm() / std::sqrt(static_cast<double>(centred.size()));
-    for (double& value : record.states.col(k)) value += sigma * random.normal();
-  }
   data.trajectories = {record};
+  add_noise(noise, seed, data);
   return data;
 }
 
@@ -79,12 +85,32 @@ inline const char* gate_text() {
          "dv/dt = a*(1 - u - v)\ndw/dt = b*(v - w)\n";
 }
 
-/// A gate that follows its input in 5 ns and charges a capacitor in 1 ms, every 10 us.
+/// The states of the gate from one sample to the next, u held: v = 1 - u + (v0 - 1 + u)
+/// exp(-a t), and w from it by the variation of constants.
+inline Vector gate_after(const Vector& state, double input, double time) {
+  const double a = 2e8, b = 1000.0, rest = 1.0 - input, off = state[0] - rest;
+  const double charge = b * off / (b - a);
+  return Vector{{rest + off * std::exp(-a * time),
+                 rest + charge * std::exp(-a * time) +
+                     (state[1] - rest - charge) * std::exp(-b * time)}};
+}
+
+/// A gate that follows its input in 5 ns and charges a capacitor in 1 ms, every 10 us; in
+/// closed form.
 inline StiffRecord gate(double noise = 0.0, const std::string& text = gate_text()) {
   const Vector times = sample_times(0.0, 1e-5, 400);
-  Matrix input(times.size(), 1);
-  for (Index i = 0; i < times.size(); ++i) input(i, 0) = i / 40 % 2 == 0 ? 0.0 : 1.0;
-  return {text, stiff_data(parse_ode(text, "gate"), Vector{{1.0, 0.0}}, times, input, noise)};
+  Matrix input(times.size(), 1), states(times.size(), 2);
+  Vector state{{1.0, 0.0}};
+  for (Index i = 0; i < times.size(); ++i) {
+    input(i, 0) = i / 40 % 2 == 0 ? 0.0 : 1.0;
+    states.row(i) = state.transpose();
+    state = gate_after(state, input(i, 0), 1e-5);
+  }
+  const OdeModel model = parse_ode(text, "gate");
+  Dataset data{"s", model.states(), model.inputs(), {}, {}};
+  data.trajectories = {{"stiff", times, states, input, Matrix()}};
+  add_noise(noise, 1, data);
+  return {text, data};
 }
 
 }  // namespace lacuna::support

@@ -47,7 +47,8 @@ Draw draw_of(const StructurePair& pair, std::uint64_t number) {
   const auto fitted = [&](const SystemModel& system) {
     RunContext context;
     context.seed = number;
-    return fit(system, model_view(system.model(), columns, FiniteDifferences{}), {}, {}, context);
+    const Dataset view = model_view(system.model(), columns, FiniteDifferences{});
+    return fit(system, view, {}, {}, context);
   };
   const Fit a = fitted(right), b = fitted(wrong);
   return {static_cast<int>(a.adequacy.fits), static_cast<int>(b.adequacy.fits),
@@ -62,12 +63,12 @@ struct Counts {
     constexpr double kApart = 10.0;  // likelihood ratio from which structures count as apart
     ++draws;
     refused += draw.right == static_cast<int>(Adequate::No) ? 1 : 0;
-    untold += draw.right == static_cast<int>(Adequate::Untold) ? 1 : 0;
+    untold += draw.right == static_cast<int>(Adequate::Undetermined) ? 1 : 0;
     ratio += draw.likelihood_ratio;
     if (draw.likelihood_ratio <= std::log(kApart)) return;
     ++apart;
     adequate += draw.wrong == static_cast<int>(Adequate::Yes) ? 1 : 0;
-    unclear += draw.wrong == static_cast<int>(Adequate::Untold) ? 1 : 0;
+    unclear += draw.wrong == static_cast<int>(Adequate::Undetermined) ? 1 : 0;
   }
 
   std::vector<std::string> row(const std::string& name) const {
@@ -86,8 +87,8 @@ struct Counts {
 };
 
 ResultTable table_of(const std::vector<StructurePair>& pairs, const Finished<Draw>& finished) {
-  ResultTable table{{"structure", "draws", "right refused %", "right untold %",
-                     "mean log ratio", "wrong apart", "wrong adequate %", "wrong untold %"},
+  ResultTable table{{"structure", "draws", "right refused %", "right undetermined %",
+                     "mean log ratio", "wrong apart", "wrong adequate %", "wrong undetermined %"},
                     {}};
   Counts all;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -113,10 +114,10 @@ int run(const StudyArguments& arguments) {
   if (!finished) return 0;
   const ResultTable table = table_of(pairs, *finished);
   write_results(arguments.folder_at(0), "adequacy", table.csv(),
-                "# Adequacy of right and wrong structures\n\nOne record of 40 samples with white "
-                "noise of 3 % of each output's standard deviation, fitted by the structure\nthat "
-                "made it and by one that lacks something. refused: called inadequate at the "
-                "stated level of 5 %. apart: draws in\nwhich the likelihood of the right "
+                "# Adequacy of right and wrong structures\n\nOne record of 40 samples with "
+                "white noise of 3 % of each output's standard deviation, fitted by the "
+                "structure\nthat made it and by one that lacks something. refused: called "
+                "inadequate at the stated level of 5 %. apart: draws in\nwhich the likelihood of the right "
                 "structure is more than 10 times that of the wrong one.\n\n" +
                     table.markdown() + "\n" + finished->origin.machine + ", " +
                     finished->origin.day + ".\n");

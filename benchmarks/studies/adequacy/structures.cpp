@@ -31,8 +31,8 @@ std::vector<StructurePair> of_decays() {
        0.2},
       {"cooling with radiation",
        "param h = 0.05 in 0..5\nparam r = 0.3 in 0..5\ndT/dt = -h*(T-1) - r*(T^4-1)\n"
-       "fixed dT/dt: T\nfixed dT/dt: T^4\ny = T\n",
-       "param h = 0.5 in 0..5\ndT/dt = -h*(T-1)\nfixed dT/dt: T\ny = T\n",
+       "y = T\n",
+       "param h = 0.5 in 0..5\ndT/dt = -h*(T-1)\ny = T\n",
        {2.0},
        0.1}};
 }

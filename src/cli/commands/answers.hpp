@@ -19,6 +19,7 @@
 #include "lacuna/report/pages/identification_report.hpp"
 #include "lacuna/report/pages/sync_report.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
+#include "lacuna/trajectories/fit/rivals.hpp"
 #include "report/pages/data_summary.hpp"
 
 namespace lacuna::cli {
@@ -86,6 +87,10 @@ struct FitRequest {
 
 /// @throws what read_records() and fit() throw.
 Fit answer(const FitRequest& request, const RunContext& context);
+
+/// The same records fitted by several models, in the order given.
+std::vector<NamedFit> answers(const FitRequest& request, const std::vector<std::string>& models,
+                              const RunContext& context);
 
 struct SyncRequest {
   ModelSource model = {};

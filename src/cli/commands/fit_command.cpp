@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "answers.hpp"
@@ -9,6 +11,7 @@
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/report/pages/fit_report.hpp"
+#include "lacuna/report/pages/rivals_report.hpp"
 #include "records/channels/shown_holds.hpp"
 #include "report/pages/pages.hpp"
 #include "report_options.hpp"
@@ -25,13 +28,13 @@ struct FitArguments : FitRequest {
   ReportOptions report;
 };
 
-/// A sample that one channel lacks says something of the others.
+/// A sample that one channel lacks says something of the others, and a row without any value
+/// that the model passes its time. The model is carried on from one row to the next, however
+/// far they are apart.
 Dataset read(const OdeModel& model, const RecordSources& sources, const FitRequest& request) {
   ColumnRoles roles = common_roles(request.data);
-  roles.blanks = Blanks::Mark;
-  return usable_records(records_for(model, sources, roles, FiniteDifferences{}),
-                        {.shortest_record = 4})
-      .data;
+  roles.blanks = Blanks::Keep;
+  return join_across_gaps(records_for(model, sources, roles, FiniteDifferences{}));
 }
 
 /// The system with the holds of its inputs as given, and as the samples show them.
@@ -42,12 +45,51 @@ SystemModel with_all_holds(const SystemModel& system, const OdeModel& plain) {
   return {system.symbolic().with_holds(holds), system.parameters()};
 }
 
-int fit_command(const Session& session, const FitArguments& options) {
+/// Whether a file is a model by its ending; no record has one of these.
+bool is_rival(const std::string& path) {
+  const std::filesystem::path ending = std::filesystem::path(path).extension();
+  return ending == ".ode" || ending == ".json";
+}
+
+/// Models among the data: rivals of the first.
+std::vector<std::string> take_models(FitArguments& options) {
+  std::vector<std::string> models{options.model.path};
+  std::erase_if(options.data.paths, [&](const std::string& path) {
+    if (is_rival(path)) models.push_back(path);
+    return is_rival(path);
+  });
+  if (options.data.paths.empty())
+    throw ConfigError("DATA", "only models are given", "give files of records behind them");
+  return models;
+}
+
+int compare_models(const Session& session, const FitArguments& options,
+                   const std::vector<std::string>& models) {
+  const std::vector<NamedFit> fits =
+      answers(options, models, make_context(session, options.run));
+  finish_progress(session, options.run);
+  const RivalComparison comparison = compare_fits(fits);
+  const auto best = std::find_if(fits.begin(), fits.end(), [&](const NamedFit& one) {
+    return one.name == comparison.rivals.front().name;
+  });
+  if (options.model_out)
+    write_output(session, *options.model_out,
+                 format_model_for(*options.model_out, best->fit.model));
+  if (options.json) write_output(session, *options.json, format_json(comparison));
+  write_report(session, options.report, [&] { return fit_page(best->fit); });
+  if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
+    show(session, format_text(comparison));
+  return best->fit.converged ? 0 : 1;
+}
+
+int fit_command(const Session& session, FitArguments options) {
   std::vector<std::string> files = files_read(options.data, options.held_out.paths);
   files.push_back(options.model.path);
   check_outputs(files,
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
+  const std::vector<std::string> models = take_models(options);
+  if (models.size() > 1) return compare_models(session, options, models);
   const Fit found = answer(options, make_context(session, options.run));
   finish_progress(session, options.run);
   if (options.model_out)
@@ -73,13 +115,26 @@ Fit answer(const FitRequest& request, const RunContext& context) {
   return fit(held, data, held_out, request.fit, context);
 }
 
+std::vector<NamedFit> answers(const FitRequest& request, const std::vector<std::string>& models,
+                              const RunContext& context) {
+  std::vector<NamedFit> fits;
+  for (const std::string& model : models) {
+    FitRequest one = request;
+    one.model.path = model;
+    fits.push_back({model, answer(one, context)});
+  }
+  return fits;
+}
+
 Command declare_fit(CLI::App& root) {
   auto options = std::make_shared<FitArguments>();
   CLI::App* app = root.add_subcommand(
       "fit", "Estimate the numbers of a model of known structure, hidden states too");
   app->add_option("MODEL", options->model.path, "Model file, or the name of a test system")
       ->required();
-  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+  app->add_option("DATA", options->data.paths,
+                  "Files (text, .gz, .npy) or quoted patterns; further models (.ode, .json) "
+                  "among them are compared with the first")
       ->required();
   app->add_option("--holdout", options->held_out.paths, "Records to check the fit on")
       ->type_name("DATA");
@@ -88,6 +143,10 @@ Command declare_fit(CLI::App& root) {
                   "First samples of a held-out record, which give its initial state")
       ->check(CLI::Range(Index{1}, kMostSamples))
       ->capture_default_str();
+  app->add_option("--start-time", options->fit.start_time,
+                  "Time at which records begin and initial values hold, before the first "
+                  "sample")
+      ->type_name("T");
   app->add_option("--ahead", options->fit.prediction,
                   "Samples ahead of the error of prediction")
       ->check(CLI::Range(Index{1}, kMostSamples))
@@ -96,6 +155,8 @@ Command declare_fit(CLI::App& root) {
                   "Other starts, at most, where residuals stay above the noise")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
+  app->add_flag("--profile", options->fit.profile,
+                "Profiles of the likelihood of every number, however long it takes");
   app->add_option("--model-out", options->model_out, "Write the fitted model")
       ->type_name("FILE|-");
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")

@@ -41,6 +41,23 @@ Vector parse_start(const OdeModel& model, const std::string& text) {
   return start;
 }
 
+/// The initial values that the model itself has.
+Vector initial_values(const OdeModel& model) {
+  Vector start(model.dimension());
+  std::vector<std::string> without;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const auto& initial = model.initial()[static_cast<std::size_t>(k)];
+    if (initial)
+      start[k] = initial->value;
+    else
+      without.push_back(model.states()[static_cast<std::size_t>(k)].name);
+  }
+  if (!without.empty())
+    throw ConfigError("--x0", "the model has no initial value of " + join(without, ", "),
+                      "give --x0 with one number per state, or `initial` in the model");
+  return start;
+}
+
 /// @param usual step where none is given.
 Vector parse_times(const SimulateRequest& options, double usual) {
   if (options.times) return *options.times;
@@ -101,7 +118,8 @@ Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
 
 Run run(const OdeModel& model, const Integrator& integrator, const SimulateRequest& options,
         const RunContext& context) {
-  const Vector start = parse_start(model, options.x0);
+  const Vector start =
+      options.x0.empty() ? initial_values(model) : parse_start(model, options.x0);
   constexpr double kStepOfMaps = 1.0, kNone = 0.0;  // by definition; to be given
   const Vector times = parse_times(options, model.is_map() ? kStepOfMaps : kNone);
   if (model.inputs().empty())
@@ -206,9 +224,9 @@ int simulate_command(const Session& session, const SimulateArguments& options) {
 void declare_options(CLI::App& app, SimulateArguments& options) {
   app.add_option("MODEL", options.model.path, "Model file, or the name of a test system")
       ->required();
-  app.add_option("--x0", options.x0, "Start: one number per state, in the order of the model")
-      ->type_name("v1,v2,...")
-      ->required();
+  app.add_option("--x0", options.x0,
+                 "Start: one number per state, in the order of the model; else its `initial`")
+      ->type_name("v1,v2,...");
   app.add_option("--t-start", options.t_start, "First time, in the model's time unit")
       ->capture_default_str();
   app.add_option("--t-end", options.t_end, "Last time, in the model's time unit")->required();

@@ -256,7 +256,7 @@ Trajectory take_record(const Table& table, const ColumnIndices& columns,
 Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   const ColumnIndices columns = find_columns(given, roles);
   std::optional<FilledTable> filled;
-  if (roles.blanks == Blanks::Mark) filled = fill_blanks(given, columns.states);
+  if (roles.blanks != Blanks::Cut) filled = fill_blanks(given, columns.states);
   std::optional<Table> common;
   if (!filled) common = common_rows(given, columns.used());
   const Table& table = filled ? filled->table : common ? *common : given;
@@ -267,7 +267,7 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   for (const Index i : columns.inputs) data.inputs.push_back(variable_of(table, i, data.notes));
   if (columns.time_unit) data.time_unit = *columns.time_unit;
   if (roles.time_unit) data.time_unit = *roles.time_unit;
-  const Records records = split_records(table, columns);
+  const Records records = split_records(table, columns, roles.blanks == Blanks::Keep);
   append(data.notes, records.notes);
   for (std::size_t i = 0; i < records.ranges.size(); ++i) {
     const TableRows& rows = records.ranges[i];

@@ -220,13 +220,15 @@ Index missing_end(const Rows& rows, Index row, Index last) {
 }
 
 /// Cuts rows of one number where values are missing and time jumps.
-std::vector<TableRows> cut(const Rows& rows, NumberedRows part, NoteList& notes) {
+std::vector<TableRows> cut(const Rows& rows, NumberedRows part, bool jumps_stay,
+                           NoteList& notes) {
   std::vector<TableRows> ranges;
   const auto add = [&](Index begin, Index end) {
     if (end - begin >= 2) ranges.push_back({begin, end - begin, begin - part.begin});
     if (end - begin == 1) notes.add(single_row_note(rows, begin));
   };
-  const std::optional<double> threshold = threshold_of(rows, part);
+  const std::optional<double> threshold =
+      jumps_stay ? std::nullopt : threshold_of(rows, part);
   Index begin = part.begin;
   for (Index row = part.begin; row < part.end; ++row) {
     if (rows.is_missing(row)) {
@@ -259,7 +261,7 @@ std::optional<double> gap_threshold(std::vector<double> steps) {
   return std::nullopt;
 }
 
-Records split_records(const Table& table, const ColumnIndices& columns) {
+Records split_records(const Table& table, const ColumnIndices& columns, bool jumps_stay) {
   const Rows rows = with_missing(table, columns);
   check_numbers(rows);
   const std::vector<NumberedRows> numbered = numbered_rows(rows);
@@ -267,7 +269,7 @@ Records split_records(const Table& table, const ColumnIndices& columns) {
   std::vector<TableRows> ranges;
   for (const NumberedRows part : numbered) {
     check_time(rows, part);
-    const std::vector<TableRows> cuts = cut(rows, part, notes);
+    const std::vector<TableRows> cuts = cut(rows, part, jumps_stay, notes);
     ranges.insert(ranges.end(), cuts.begin(), cuts.end());
   }
   if (numbered.size() > 1)

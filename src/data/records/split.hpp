@@ -28,9 +28,11 @@ std::optional<double> gap_threshold(std::vector<double> steps);
 /// Cuts a table at missing values, at jumps in time (see gap_threshold) and where the number in
 /// the trajectory column changes; columns without a role do not count. A row that is left alone
 /// between two cuts is dropped, which is noted.
+/// @param jumps_stay whether time may jump within a record.
 /// @throws DataError naming file, line and column for an infinite value, time that goes
 /// backwards
 ///   or stands still, or when no record of two rows is left.
-Records split_records(const Table& table, const ColumnIndices& columns);
+Records split_records(const Table& table, const ColumnIndices& columns,
+                      bool jumps_stay = false);
 
 }  // namespace lacuna

@@ -34,20 +34,6 @@ PageSection numbers_section(const Fit& fit) {
                          bullets(sentences)};
 }
 
-std::string headline_of(const Fit& fit) {
-  if (!fit.converged) return "The fit did not converge.";
-  switch (fit.adequacy.fits) {
-    case Adequate::Yes:
-      return "The parameters are estimated, and the residuals are noise.";
-    case Adequate::No:
-      return "The parameters are estimated; the residuals have structure.";
-    case Adequate::Undetermined:
-      break;
-  }
-  return "The parameters are estimated; the samples are too few to show whether the residuals "
-         "are noise.";
-}
-
 }  // namespace
 
 Page fit_page(const Fit& fit) {
@@ -61,10 +47,11 @@ Page fit_page(const Fit& fit) {
                           "free run, rmse " + format_number(quality.rmse, 4) +
                               (quality.unit.empty() ? "" : " " + quality.unit)});
   }
-  page.headline = headline_of(fit);
-  page.tone = !fit.converged                       ? Tone::Bad
-              : fit.adequacy.fits == Adequate::Yes ? Tone::Good
-                                                   : Tone::Doubtful;
+  const FitStanding standing = standing_of(fit);
+  page.headline = sentence_of(standing);
+  page.tone = !standing.converged   ? Tone::Bad
+              : standing.is_sound() ? Tone::Good
+                                    : Tone::Doubtful;
   page.findings = fit.notes;
   page.equations = equations_mathml(fit.model.model());
   page.sections.push_back(numbers_section(fit));

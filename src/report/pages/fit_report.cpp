@@ -24,6 +24,12 @@ Json optional_json(const std::optional<Value>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+Json numbers_or_null(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number_json(value));
+  return list;
+}
+
 Json numbers_json(const Fit& fit) {
   Json list = Json::array();
   for (const FittedParameter& number : fit.numbers) {
@@ -33,8 +39,13 @@ Json numbers_json(const Fit& fit) {
                {"value", number_json(number.value)},
                {"stderr", optional_json(number.standard_error)},
                {"ci95", optional_json(number.ci95)}};
+    if (number.at_least) entry["at_least"] = number_json(*number.at_least);
+    if (number.at_most) entry["at_most"] = number_json(*number.at_most);
     if (number.bound) entry["bound"] = *number.bound;
-    if (!number.per_record.empty()) entry["per_record"] = number.per_record;
+    if (!number.per_record.empty()) {
+      entry["per_record"] = numbers_or_null(number.per_record);
+      entry["per_record_stderr"] = numbers_or_null(number.per_record_errors);
+    }
     list.push_back(std::move(entry));
   }
   return list;
@@ -56,10 +67,12 @@ Json initial_json(const Fit& fit) {
   return records;
 }
 
-Json numbers_or_null(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(number_json(value));
-  return list;
+/// Whether residuals are noise, on what evidence.
+Json residuals_json(const FitQuality& quality) {
+  return {{"noise", to_string(quality.residuals)},
+          {"p_value", quality.chance},
+          {"power", quality.power},
+          {"shown_by", quality.sign}};
 }
 
 Json quality_json(const std::vector<FitQuality>& channels, Index ahead) {
@@ -77,7 +90,18 @@ Json quality_json(const std::vector<FitQuality>& channels, Index ahead) {
                       {"samples", quality.predicted},
                       {"rmse", number_json(quality.prediction)}}},
                     {"white", quality.white},
-                    {"structure_sigma", number_json(quality.structure)}});
+                    {"structure_sigma", number_json(quality.structure)},
+                    {"residuals", residuals_json(quality)}});
+  return list;
+}
+
+Json profiles_json(const Fit& fit) {
+  Json list = Json::array();
+  for (const FitProfile& profile : fit.profiles)
+    list.push_back({{"name", profile.name},
+                    {"values", profile.values},
+                    {"deviance", profile.deviance},
+                    {"limit", profile.limit}});
   return list;
 }
 
@@ -112,8 +136,20 @@ std::size_t name_width(const Fit& fit) {
   return width;
 }
 
+/// "at least 3, no upper limit"; empty for a number without a limit on one side.
+std::string limit_text(const FittedParameter& number) {
+  if (number.at_least)
+    return "at least " + format_number(*number.at_least, 3) + ", no upper limit";
+  if (number.at_most)
+    return "at most " + format_number(*number.at_most, 3) + ", no lower limit";
+  return "";
+}
+
 std::string interval_text(const FittedParameter& number) {
-  if (number.bound) return "at the " + *number.bound + " of its range";
+  const std::string limit = limit_text(number);
+  if (number.bound)
+    return "at the " + *number.bound + " of its range" + (limit.empty() ? "" : ", " + limit);
+  if (!limit.empty()) return "not determined: " + limit;
   if (!number.per_record.empty()) return "own in each record";
   if (!number.ci95) return "not determined by itself";
   const auto [low, high] = *number.ci95;
@@ -137,6 +173,15 @@ void write_numbers(const Fit& fit, std::ostringstream& out) {
         << " are correlated: " << format_number(pair.correlation, 3) << "\n";
 }
 
+std::string residuals_text(const FitQuality& quality) {
+  if (!quality.sign.empty())
+    return "residuals have structure (" + quality.sign + ", p = " +
+           format_number(quality.chance, 2) + ")";
+  if (quality.white) return "residuals white";
+  return quality.residuals == Adequate::No ? "residuals correlated"
+                                           : "too few samples to distinguish residuals from noise";
+}
+
 std::string quality_text(const FitQuality& quality, Index ahead) {
   if (quality.samples == 0) return "no sample was compared";
   return "rmse " + format_number(quality.rmse, 4) +
@@ -149,7 +194,7 @@ std::string quality_text(const FitQuality& quality, Index ahead) {
           : quality.predicted == 0          ? "nothing to compare"
                                             : "no finite prediction") +
          (quality.noise > 0.0 ? ", noise " + format_number(quality.noise, 3) : "") +
-         (quality.white ? ", residuals white" : ", residuals correlated");
+         ", " + residuals_text(quality);
 }
 
 void write_quality(const std::string& title, const std::vector<FitQuality>& channels,
@@ -173,6 +218,12 @@ std::string format_json(const Fit& fit) {
   json["initial"] = initial_json(fit);
   json["fit"] = quality_json(fit.quality, fit.prediction);
   json["adequacy"] = adequacy_json(fit.adequacy);
+  const FitStanding standing = standing_of(fit);
+  json["verdict"] = {{"sound", standing.is_sound()},
+                     {"sentence", sentence_of(standing)},
+                     {"not_determined", standing.open},
+                     {"at_bounds", standing.at_ends}};
+  json["profiles"] = profiles_json(fit);
   json["gap"] = gap_json(fit);
   json["identifiable"] = fit.combinations.empty();
   json["combinations"] = Json::array();
@@ -210,6 +261,7 @@ std::string format_text(const Fit& fit) {
         << format_number(fit.gap->after, 3) << " of the spread, noise floor "
         << format_number(fit.gap->noise_floor, 3) << "\n";
   }
+  out << "Verdict: " << sentence_of(standing_of(fit)) << "\n";
   for (const std::string& note : fit.notes) out << "Note: " << note << "\n";
   return out.str();
 }

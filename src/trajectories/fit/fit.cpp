@@ -9,11 +9,11 @@
 #include "core/base/text.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/number_range.hpp"
-#include "fit_errors.hpp"
+#include "fit_adequacy.hpp"
+#include "fit_numbers.hpp"
 #include "fit_quality.hpp"
 #include "fit_search.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "records/binding/other_records.hpp"
 
@@ -45,38 +45,6 @@ void check_enough(const FitEngine& engine, const FitUnknowns& unknowns) {
                     format_number(taken) + " unknowns (parameters and initial states) for " +
                         format_number(values) + " measured values",
                     "give more samples, or mark terms, parameters and initial values as fixed");
-}
-
-/// Intervals of the numbers; the errors go by the place among the global parameters.
-std::vector<FittedParameter> numbers_of(const FitEngine& engine, const FitUnknowns& unknowns,
-                                        const FitPoint& point, const FitErrors& errors,
-                                        double freedom) {
-  const double reach = student_quantile_975(std::max(1.0, freedom));
-  const Vector start = engine.model.values();
-  const std::vector<std::string> names = engine.model.names();
-  std::vector<FittedParameter> numbers;
-  for (Index p = 0; p < start.size(); ++p) {
-    FittedParameter number{.name = names[static_cast<std::size_t>(p)],
-                           .start = start[p],
-                           .value = point.parameters.col(p).mean()};
-    const auto place = std::find(unknowns.global.begin(), unknowns.global.end(), p);
-    if (place == unknowns.global.end()) {
-      const Vector own = point.parameters.col(p);
-      number.per_record.assign(own.begin(), own.end());
-    } else {
-      const Index i = place - unknowns.global.begin();
-      if (errors.at_bound[static_cast<std::size_t>(i)])
-        number.bound = number.value <= unknowns.lower[p] ? "min" : "max";
-      const double error = std::sqrt(errors.covariance(i, i));
-      if (errors.known[static_cast<std::size_t>(i)] && error > 0.0 && std::isfinite(error)) {
-        number.standard_error = error;
-        number.ci95 = {{std::max(number.value - reach * error, unknowns.lower[p]),
-                        std::min(number.value + reach * error, unknowns.upper[p])}};
-      }
-    }
-    numbers.push_back(std::move(number));
-  }
-  return numbers;
 }
 
 std::vector<FitCorrelation> correlations_of(const FitEngine& engine,
@@ -160,21 +128,17 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
   return {system.symbolic().with_equations(std::move(equations)), std::move(parameters)};
 }
 
-constexpr double kExactFit = 99.999;  // per cent; the residual is rounding of the file
-
-/// Residuals are noise where they have no correlation in time, which few samples do not show.
-Adequacy adequacy_of_run(const std::vector<FitQuality>& channels) {
-  constexpr Index kFewestSamples = 20;
-  std::vector<AdequacyPart> parts;
-  for (const FitQuality& quality : channels) {
-    const Adequate fits = quality.samples < kFewestSamples ? Adequate::Undetermined
-                          : quality.white                  ? Adequate::Yes
-                          : quality.fit_percent < kExactFit || quality.noise > 0
-                              ? Adequate::No
-                              : Adequate::Undetermined;
-    parts.push_back({quality.channel, fits, quality.samples, quality.noise > 0.0});
-  }
-  return adequacy_of(std::move(parts));
+/// Where fixed initial values hold, if that is not time 0.
+std::string start_note(const SystemModel& system, const Dataset& data) {
+  const auto& initial = system.symbolic().initial();
+  const bool fixed = std::any_of(initial.begin(), initial.end(),
+                                 [](const auto& one) { return one && one->fixed; });
+  for (const Trajectory& record : data.trajectories)
+    if (fixed && record.time[0] != 0.0)
+      return "fixed initial values hold at the first row of a record (" + record.source +
+             ": t = " + format_number(record.time[0]) +
+             "); if they hold earlier, give --start-time or a row with that time and no values";
+  return "";
 }
 
 /// Why there is no gap on records that were given for it.
@@ -182,6 +146,19 @@ std::string no_gap(const FitOptions& options) {
   return "no sample of the held-out records comes after the first " +
          std::to_string(options.window) +
          ", which give the initial states: there is no gap (see --start-samples)";
+}
+
+/// What the residuals of a channel say; empty where they are noise or rounding.
+std::string note_of(const FitQuality& quality) {
+  if (quality.residuals == Adequate::No)
+    return "the residuals of " + quality.channel + " are not white (" + quality.sign +
+           ", p = " + format_number(quality.chance, 2) +
+           "): the model lacks something (see `lacuna diagnose`), and intervals hold for this "
+           "model only";
+  if (quality.residuals == Adequate::Undetermined && !(quality.fit_percent >= kExactFit))
+    return std::to_string(quality.samples) + " samples of " + quality.channel +
+           " are too few to show a deviation of the model as large as the noise";
+  return "";
 }
 
 std::vector<std::string> notes_of(const Fit& fit) {
@@ -192,10 +169,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
     if (number.bound)
       notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
   for (const FitQuality& quality : fit.quality)
-    if (!quality.white && !(quality.fit_percent >= kExactFit))
-      notes.push_back("the residuals of " + quality.channel +
-                      " are not white: the model lacks something (see `lacuna diagnose`), and "
-                      "intervals hold for this model only");
+    if (const std::string note = note_of(quality); !note.empty()) notes.push_back(note);
   if (fit.starts > 1)
     notes.push_back(std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) +
                     " searches came to the same numbers");
@@ -233,11 +207,62 @@ std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
 
 }  // namespace
 
-Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
+FitStanding standing_of(const Fit& fit) {
+  FitStanding standing{.converged = fit.converged,
+                       .fits = fit.adequacy.fits,
+                       .numbers = fit.numbers.size()};
+  for (const FittedParameter& number : fit.numbers) {
+    const auto& errors = number.per_record_errors;
+    const bool each = !number.per_record.empty() &&
+                      std::all_of(errors.begin(), errors.end(),
+                                  [](double error) { return std::isfinite(error); });
+    if (number.bound)
+      standing.at_ends.push_back(number.name);
+    else if (!number.ci95 && !each)
+      standing.open.push_back(number.name);
+  }
+  standing.is_exact = fit.adequacy.fits == Adequate::Undetermined && !fit.quality.empty() &&
+                      std::all_of(fit.quality.begin(), fit.quality.end(),
+                                  [](const FitQuality& quality) {
+                                    return quality.fit_percent >= kExactFit;
+                                  });
+  return standing;
+}
+
+std::string sentence_of(const FitStanding& standing) {
+  if (!standing.converged) return "The fit did not converge.";
+  std::string numbers = "The parameters are estimated";
+  const std::size_t off = standing.open.size() + standing.at_ends.size();
+  if (off > 0) {
+    std::vector<std::string> parts;
+    if (!standing.open.empty())
+      parts.push_back("the records do not determine " + join(standing.open, ", "));
+    if (!standing.at_ends.empty())
+      parts.push_back(join(standing.at_ends, ", ") + " ended at the end of the range");
+    numbers = std::to_string(standing.numbers - off) + " of " +
+              std::to_string(standing.numbers) + " parameters are determined (" +
+              join(parts, "; ") + ")";
+  }
+  switch (standing.fits) {
+    case Adequate::Yes:
+      return numbers + ", and the residuals are noise.";
+    case Adequate::No:
+      return numbers + "; the residuals have structure.";
+    case Adequate::Undetermined:
+      break;
+  }
+  if (standing.is_exact) return numbers + "; the residual is rounding.";
+  return numbers +
+         "; the samples are too few to show whether the residuals are noise.";
+}
+
+Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_out_records,
         const FitOptions& options, const RunContext& context) {
   check_flow(system.symbolic(), "fit");
-  check_is_view(system.model(), data);
-  check_columns(data, "fit");
+  check_is_view(system.model(), records);
+  check_columns(records, "fit");
+  const Dataset data = begun_at(records, options.start_time);
+  const Dataset held_out = begun_at(held_out_records, options.start_time);
   if (!held_out.trajectories.empty()) check_is_view(system.model(), held_out);
   check_columns(held_out, "fit");
   check_number_range(data);
@@ -259,22 +284,20 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
                     "start from other numbers, or give ranges to its parameters");
   context.report("errors of the numbers", 0.9);
   Fit result{.model = system};
-  result.quality = quality_of(engine, best.point, best.path, options.prediction, 0);
-  result.adequacy = adequacy_of_run(result.quality);
-  const bool white = std::all_of(result.quality.begin(), result.quality.end(),
-                                 [](const FitQuality& quality) { return quality.white; });
-  FitErrors errors = errors_of(engine, unknowns, best, white);
-  if (errors.open.cols() > 0) {
-    best = nearest_minimum(engine, unknowns, best, errors.open, context);
-    errors = errors_of(engine, unknowns, best, white);
-  }
   result.degrees_of_freedom = degrees_of_freedom(engine, unknowns);
-  result.numbers = numbers_of(engine, unknowns, best.point, errors, result.degrees_of_freedom);
+  const KnownNumbers known = known_numbers(engine, unknowns, best, options.profile, context);
+  best = known.minimum;
+  const FitErrors& errors = known.errors;
+  result.quality = quality_of(engine, best.point, best.path, options.prediction, 0);
+  result.adequacy = adequacy_of_run(engine, unknowns, best, context.seed, result.quality);
+  result.numbers = numbers_of(engine, unknowns, known);
   result.model = with_numbers(system, model, result.numbers);
+  if (options.profile) result.profiles = curves_of(engine, unknowns, known);
   result.correlations = correlations_of(engine, unknowns, errors);
   result.initial = starts_of(engine, unknowns, best.point, errors);
   result.records = engine.records.sources;
   result.combinations = errors.combinations;
+  add_limits(result.numbers, result.combinations);
   result.converged = best.converged;
   result.starts = search.starts;
   result.agreeing = search.agreeing;
@@ -284,6 +307,9 @@ Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
     result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options);
   result.notes = notes_of(result);
   if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
+  if (const std::string note = start_note(system, data); !note.empty())
+    result.notes.push_back(note);
+  result.notes.insert(result.notes.end(), data.notes.begin(), data.notes.end());
   result.runs = runs_of(engine, best.path);
   return result;
 }

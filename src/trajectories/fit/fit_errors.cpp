@@ -182,6 +182,23 @@ void hold_open(const Matrix& open, std::vector<bool>& held, FitErrors& errors) {
   }
 }
 
+/// What a profile begins with: errors with those at bounds let go, and how much larger than by
+/// the Fisher information they are because residuals are correlated.
+void add_profile_scales(const FitLinear& linear, std::vector<Index> kept, FitErrors& errors) {
+  const Index g = errors.covariance.rows();
+  const Vector fisher = covariance_of_kept(linear, kept, true).diagonal();
+  errors.inflation = Vector::Ones(g);
+  for (const Index i : kept) {
+    const double ratio = errors.covariance(i, i) / fisher[i];
+    if (std::isfinite(ratio) && ratio > 0.0) errors.inflation[i] = ratio;
+  }
+  for (Index i = 0; i < g; ++i)
+    if (errors.at_bound[static_cast<std::size_t>(i)]) kept.push_back(i);
+  errors.free_errors = covariance_of_kept(linear, kept, true).diagonal().cwiseSqrt();
+  for (double& error : errors.free_errors)
+    if (!std::isfinite(error)) error = 0.0;
+}
+
 /// Standard errors of the starts of all records.
 /// @param open directions of the global numbers of which nothing is known, G x d, as changes.
 Matrix start_errors(const FitLinear& linear, const Matrix& covariance, const Matrix& open,
@@ -223,6 +240,7 @@ FitErrors errors_of(FitEngine& engine, const FitUnknowns& unknowns, const FitMin
   for (Index i = 0; i < g; ++i)
     if (!held[static_cast<std::size_t>(i)]) kept.push_back(i);
   errors.covariance = covariance_of_kept(linear, kept, white);
+  add_profile_scales(linear, kept, errors);
   add_undetermined_parameters(engine, unknowns, values, names, errors);
   Vector sizes = Vector::Ones(engine.states() + static_cast<Index>(unknowns.local.size()));
   sizes.head(engine.states()) = sizes_of(minimum.path);

@@ -12,6 +12,8 @@ struct FitErrors {
   Matrix covariance;           ///< G x G of the global parameters; 0 where nothing is said
   std::vector<bool> known;     ///< G: whether a number has an error
   std::vector<bool> at_bound;  ///< G
+  Vector free_errors;          ///< G: by the Fisher information, bounds let go; 0: none
+  Vector inflation;            ///< G: variance over that of the Fisher information
   Matrix starts;               ///< R x (m + locals): standard errors; NaN where there is none
   std::vector<FitCombination> combinations;
   Matrix open;  ///< G x d: directions of which nothing is known, as fractions of the numbers

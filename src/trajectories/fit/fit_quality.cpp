@@ -172,6 +172,7 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
     quality.fit_percent = spread > 0.0 ? 100.0 * (1.0 - std::sqrt(all.squares / spread))
                                        : std::numeric_limits<double>::quiet_NaN();
     quality.white = quality.structure < kStructure;
+    quality.residuals = quality.white ? Adequate::Yes : Adequate::No;
     found.push_back(std::move(quality));
   }
   return found;

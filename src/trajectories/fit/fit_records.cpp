@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
@@ -143,7 +144,39 @@ void guess_starts(const ParametrisedModel& model, const Dataset& view, FitRecord
   }
 }
 
+/// The record behind one more row of the same values.
+Trajectory with_first_row(const Trajectory& record, double time) {
+  const auto repeated = [](const Matrix& values) {
+    if (values.rows() == 0) return values;
+    Matrix all(values.rows() + 1, values.cols());
+    all << values.row(0), values;
+    return all;
+  };
+  Trajectory begun = record;
+  begun.time.resize(record.samples() + 1);
+  begun.time << time, record.time;
+  begun.states = repeated(record.states);
+  begun.inputs = repeated(record.inputs);
+  begun.derivatives = repeated(record.derivatives);
+  begun.marks = repeated(marks_of(record));
+  begun.marks.row(0).setConstant(number_of(Mark::Missing));
+  return begun;
+}
+
 }  // namespace
+
+Dataset begun_at(Dataset data, const std::optional<double>& time) {
+  if (!time) return data;
+  for (Trajectory& record : data.trajectories) {
+    if (!(*time <= record.time[0]))
+      throw DataError(record.source,
+                      "it begins at t = " + format_number(record.time[0]) +
+                          ", before the start time " + format_number(*time),
+                      "give a start time that is not behind the first sample");
+    if (*time < record.time[0]) record = with_first_row(record, *time);
+  }
+  return data;
+}
 
 FitRecords fit_records(const ParametrisedModel& model, const Dataset& view) {
   FitRecords records;

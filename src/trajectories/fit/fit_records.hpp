@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,11 @@ struct FitRecords {
   Index first(Index record) const { return series.begins[static_cast<std::size_t>(record)]; }
   Index end(Index record) const { return series.begins[static_cast<std::size_t>(record) + 1]; }
 };
+
+/// Records that begin at a time, with a row of no value there where the first sample comes
+/// later; inputs are those of the first sample until then. Nothing: as they are.
+/// @throws DataError where a record begins before it, or where the time is not finite.
+Dataset begun_at(Dataset data, const std::optional<double>& time);
 
 /// @param view records in the variables of the model, as of model_view().
 /// @throws DataError when nothing is measured.

@@ -16,15 +16,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Blocks of neighbouring samples whose gradients show the correlation of the residuals.
 constexpr Index kBlocks = 40;
 
-/// Places of the columns [initial states, parameters] in the order [initial, local, global].
-std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unknowns) {
-  std::vector<Index> order;
-  for (Index k = 0; k < engine.states(); ++k) order.push_back(k);
-  for (const auto* part : {&unknowns.local, &unknowns.global})
-    for (const Index p : *part) order.push_back(engine.states() + p);
-  return order;
-}
-
 void add_row(RowFold& fold, Index column, double entry, double target) {
   double* row = fold.next_row();
   for (Index j = 0; j < fold.columns(); ++j) row[j * fold.stride()] = 0.0;
@@ -119,6 +110,14 @@ void add_gradients(const Matrix& rows, const Vector& residual, const Matrix& eli
 
 }  // namespace
 
+std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unknowns) {
+  std::vector<Index> order;
+  for (Index k = 0; k < engine.states(); ++k) order.push_back(k);
+  for (const auto* part : {&unknowns.local, &unknowns.global})
+    for (const Index p : *part) order.push_back(engine.states() + p);
+  return order;
+}
+
 FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> local) {
   FitUnknowns unknowns{std::move(local), {}, model.symbolic().initial(), {}, {}};
   unknowns.lower = Vector::Constant(model.size(), -kInfinity);
@@ -210,7 +209,8 @@ FitMinimum minimise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
       minimise_blocks(blocks, blocks.blocks_of(start),
                       {degrees_of_freedom(engine, unknowns), kSmall, most_iterations,
                        in_order(unknowns, unknowns.lower, engine.states(), -kInfinity),
-                       in_order(unknowns, unknowns.upper, engine.states(), kInfinity)},
+                       in_order(unknowns, unknowns.upper, engine.states(), kInfinity),
+                       true},
                       context);
   best.converged = found.converged;
   best.iterations = found.iterations;

@@ -19,6 +19,9 @@ struct FitUnknowns {
 
 FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> local);
 
+/// Places of the columns [initial states, parameters] in the order [initial, local, global].
+std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unknowns);
+
 /// The problem linearised at a point.
 struct FitLinear {
   /// R of [initial states, local, global parameters | residual] of each record.

@@ -123,6 +123,10 @@ FitCombination combination_of(const DeterminedBy& problem, const Vector& directi
   const std::vector<Index> members = members_of(direction);
   for (const Index i : members)
     found.members.push_back(problem.names[static_cast<std::size_t>(i)]);
+  if (members.empty()) {  // a direction without a finite entry: rounding, or no finite rows
+    found.message = "the records do not determine some parameters";
+    return found;
+  }
   if (members.size() == 1) {
     found.message = found.members[0] + ": the records do not determine it";
     return found;

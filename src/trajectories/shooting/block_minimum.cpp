@@ -62,11 +62,22 @@ Matrix common_of(const std::vector<Matrix>& blocks, const Matrix& rest, Index co
   return *fold.finish();
 }
 
+/// A number moved by a step of its logarithm, by a factor of at most kMostFactor.
+double by_factor(double value, double step) {
+  constexpr double kMostFactor = 10.0;
+  const double most = std::log(kMostFactor);
+  return value * std::exp(std::clamp(step / value, -most, most));
+}
+
 /// The point moved and put into its ranges.
 BlockPoint moved(BlockPoint point, const BlockStep& step, const BlockTask& task) {
   const Index k = point.own.cols(), c = point.common.size();
   point.own += step.own;
-  point.common += step.common;
+  for (Index j = 0; j < c; ++j) {
+    double& value = point.common[j];
+    const bool positive = task.by_factors && task.lower[k + j] > 0.0 && value > 0.0;
+    value = positive ? by_factor(value, step.common[j]) : value + step.common[j];
+  }
   point.common = point.common.cwiseMax(task.lower.tail(c)).cwiseMin(task.upper.tail(c)).eval();
   for (Index j = 0; j < k; ++j)
     point.own.col(j) = point.own.col(j).cwiseMax(task.lower[j]).cwiseMin(task.upper[j]).eval();

@@ -45,6 +45,8 @@ struct BlockTask {
       0.0;  ///< decrease that is not worth a step, of the cost per degree of freedom
   int most_iterations = 0;
   Vector lower, upper;  ///< k + c: ranges of own, then of common unknowns
+  /// Whether common unknowns with a positive range move by factors: steps of their logarithms.
+  bool by_factors = false;
 };
 
 /// Where it ended; the problem's present point is this one.

@@ -15,6 +15,7 @@ namespace lacuna {
 enum class Blanks {
   Cut,   ///< it is left out and a new record begins
   Mark,  ///< the state is filled in between its neighbours and marked as missing
+  Keep,  ///< the same, and a jump in time begins no new record: samples may be taken at will
 };
 
 /// Which column plays which role; what is not said is found by the rules of the data format:

@@ -19,6 +19,9 @@ struct FitOptions {
   double spread = 3.0;    ///< by which factor they differ from the model's numbers
   Index window = 50;      ///< first samples of a held-out record that give its initial state
   Index prediction = 10;  ///< samples ahead of the error of prediction
+  /// Where records begin and initial values hold; nothing: at the first row of each.
+  std::optional<double> start_time = {};
+  bool profile = false;   ///< whether profiles of the likelihood are wanted, at any cost
 };
 
 /// A number that was fitted.
@@ -29,8 +32,11 @@ struct FittedParameter {
   double value = 0.0;     ///< the estimate
   std::optional<double> standard_error = {};
   std::optional<std::array<double, 2>> ci95 = {};  ///< nothing where it is not determined
+  std::optional<double> at_least = {};  ///< lower 97.5 % limit, where the upper one is open
+  std::optional<double> at_most = {};   ///< upper 97.5 % limit, where the lower one is open
   std::optional<std::string> bound = {};           ///< "min" or "max" where it ended there
   std::vector<double> per_record = {};             ///< where each record has its own
+  std::vector<double> per_record_errors = {};      ///< standard errors; NaN: not determined
 };
 
 /// Two numbers whose estimates depend on one another.
@@ -57,7 +63,11 @@ struct FitQuality {
   double noise = 0.0;        ///< what the samples show of their noise; 0: not known
   double prediction = 0.0;   ///< rms error so many samples ahead
   double structure = 0.0;    ///< of the residuals: correlation in time, standard deviations
-  bool white = true;         ///< no significant correlation
+  bool white = true;         ///< no significant structure, of samples that would show it
+  Adequate residuals = Adequate::Undetermined;  ///< whether nothing but noise is left
+  double chance = 1.0;       ///< probability of structure like this where the model is right
+  double power = 0.0;        ///< probability that structure as large as the noise is seen
+  std::string sign = {};     ///< what shows structure: "trend", "runs", ...
   std::vector<double> rmse_per_record = {};
 };
 
@@ -73,6 +83,13 @@ struct FitGap {
 struct FitCombination {
   std::vector<std::string> members;
   std::string message;  ///< "k1 and k4 only as k1*k4"
+};
+
+/// How much worse the records are met while a number is held and all others are fitted to it.
+struct FitProfile {
+  std::string name;
+  std::vector<double> values, deviance;  ///< values rising; 0 at the estimate
+  double limit = 0.0;                    ///< deviance at the ends of the 95 % interval
 };
 
 /// A record beside the free run of the fitted model.
@@ -93,6 +110,7 @@ struct Fit {
   Adequacy adequacy = {};          ///< of the free run, by channels
   std::optional<FitGap> gap = {};  ///< where samples of held-out records could be compared
   std::vector<FitCombination> combinations = {};  ///< empty: all numbers are determined
+  std::vector<FitProfile> profiles = {};          ///< where they were wanted
   bool converged = true;
   int starts = 1, agreeing = 1;  ///< from how many starts, how many came to the best
   /// Steps of integration in a sampling interval; 0: implicit ones, for a stiff model.
@@ -103,14 +121,37 @@ struct Fit {
   std::vector<FitRun> runs = {};  ///< one for each record
 };
 
+/// What a fit may be relied on for; headline and verdict are made of it.
+struct FitStanding {
+  bool converged = true;
+  Adequate fits = Adequate::Undetermined;  ///< whether the free run leaves nothing but noise
+  std::size_t numbers = 0;           ///< that were fitted
+  std::vector<std::string> open;     ///< those that the records do not determine
+  std::vector<std::string> at_ends;  ///< those that ended at the end of their range
+  bool is_exact = false;             ///< what is left is rounding, no noise can be seen
+
+  /// Whether residuals are noise, every number is determined, and none stands at an end of its
+  /// range.
+  bool is_sound() const {
+    return converged && fits == Adequate::Yes && open.empty() && at_ends.empty();
+  }
+};
+
+FitStanding standing_of(const Fit& fit);
+
+/// One sentence on it.
+std::string sentence_of(const FitStanding& standing);
+
 /// Fits free coefficients and parameters of a model, and the initial states, to records by the
 /// largest likelihood of a free run: the least sum of squares of measured minus model, each
 /// channel divided by the deviation of its residuals. Terms marked fixed, identities (dq/dt =
 /// v) and fixed parameters stay; free parameters stay in their ranges. States need not be
-/// measured. Where residuals are white, intervals are those of the Fisher information; else
-/// they come from gradients of blocks of the records, which are correlated. Intervals end where
-/// ranges do. Numbers that the records determine in combination only, or not at all, get no
-/// interval, and are named.
+/// measured. Standard errors are those of the Fisher information where residuals are white;
+/// else they come from gradients of blocks of the records, which are correlated. The ends of an
+/// interval are those of the profile of the likelihood, wherever it is asymmetric. A number
+/// whose likelihood stays as high as far as the end of its range, or 1000 times the estimate,
+/// has no interval but a limit on the other side. Numbers that the records determine in
+/// combination only, or not at all, are named.
 /// Same input and seed, same result.
 /// @param data, held_out in the variables of the model, as of read_records().
 /// @throws DataError when nothing is measured, when there are more unknowns than values, when

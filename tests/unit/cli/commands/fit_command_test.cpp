@@ -83,6 +83,78 @@ TEST(FitCommand, NothingComparedIsNoPerfectFit) {
   EXPECT_EQ(far["fit"][0]["samples"], 400);
 }
 
+constexpr const char* kOralDose =
+    "time h\nparam ka = 0.8 in 0.01..20\nparam ke = 0.3 in 0.001..20\nparam V = 15 in 1..200\n"
+    "dg/dt = -ka*g\ndc/dt = ka*g - ke*c\ny = c/V\ninitial g = 100 fixed\n"
+    "initial c = 0 fixed\n";
+
+/// An oral dose of 100 at t = 0: ka = 1.2, ke = 0.15, V = 20, in closed form.
+std::string oral_dose(const std::string& first_row) {
+  std::string rows = "t,y\n" + first_row;
+  for (const double t : {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 24.0})
+    rows += std::to_string(t) + "," +
+            std::to_string(100.0 / 20.0 * 1.2 / (1.2 - 0.15) *
+                           (std::exp(-0.15 * t) - std::exp(-1.2 * t))) +
+            "\n";
+  return rows;
+}
+
+TEST(FitCommand, ADoseAtATimeWithoutASample) {
+  const Records records;
+  const std::string model = records.folder().write("oral.ode", kOralDose);
+  const std::string blank = records.folder().write("blank.csv", oral_dose("0,\n"));
+  const std::string later = records.folder().write("later.csv", oral_dose(""));
+  const auto fitted = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"fit", model});
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const auto result = run_command(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  };
+  for (const auto& json : {fitted({blank}), fitted({later, "--start-time", "0"})}) {
+    EXPECT_NEAR(json["parameters"][0]["value"].get<double>(), 1.2, 2e-3);
+    EXPECT_NEAR(json["parameters"][1]["value"].get<double>(), 0.15, 2e-3);
+    EXPECT_NEAR(json["parameters"][2]["value"].get<double>(), 20.0, 2e-2);
+  }
+  EXPECT_THAT(fitted({later})["notes"].dump(), HasSubstr("t = 0.25"));
+  expect_failure(run_command({"fit", model, later, "--start-time", "1"}), 2,
+                 {"later.csv", "it begins at t = 0.25, before the start time 1"});
+}
+
+TEST(FitCommand, UnevenTimesMoveNoInitialValue) {
+  // A first sample, then many close together much later: the way between them is no gap.
+  const Records records;
+  const std::string model = records.folder().write(
+      "decay.ode",
+      "param tau = 0.2 in 0.001..10\ndx/dt = -x/tau\ny = x\ninitial x = 1 fixed\n");
+  std::string rows = "t,y\n0,1\n";
+  for (int i = 0; i < 30; ++i) {
+    const double t = 0.1 + 0.002 * i;
+    rows += std::to_string(t) + "," + std::to_string(std::exp(-t / 0.1)) + "\n";
+  }
+  const std::string data = records.folder().write("uneven.csv", rows);
+  const auto result = run_command({"fit", model, data, "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_NEAR(json["parameters"][0]["value"].get<double>(), 0.1, 1e-4);
+  EXPECT_EQ(json["fit"][0]["samples"], 31);
+}
+
+TEST(FitCommand, WhatIsLeftOutOfARecordIsNoted) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "driven.ode", "input u\nparam a = 1 in 0.01..10\ndx/dt = -a*x + u\ny = x\n");
+  std::string rows = "t,y,u\n";
+  for (int i = 0; i < 40; ++i)
+    rows += std::to_string(0.1 * i) + "," + std::to_string(std::exp(-0.1 * i)) +
+            (i == 3 ? ",\n" : ",0\n");
+  const std::string data = records.folder().write("driven.csv", rows);
+  const auto result = run_command({"fit", model, data, "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(nlohmann::json::parse(result.out)["notes"].dump(),
+              HasSubstr("value of 'u' missing, 1 row left out"));
+}
+
 TEST(FitCommand, ErrorsAreOneLine) {
   const Records records;
   const std::string model = records.folder().write("m.ode", "dx/dt = -0.5*x\ny = 2*x\n");

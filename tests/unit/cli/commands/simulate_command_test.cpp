@@ -136,5 +136,21 @@ TEST(SimulateCommand, IteratesMapsOneStepASample) {
                  {"--dt"});
 }
 
+TEST(SimulateCommand, InitialValuesOfTheModelAreTheStart) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "whole.ode", "param k = 0.5\ndx/dt = -k*x\ndz/dt = x\ny = 2*x\ninitial x = 3 fixed\n"
+                   "initial z = 1\n");
+  const auto own = run_command({"simulate", model, "--t-end", "1", "--dt", "0.5"});
+  const auto given =
+      run_command({"simulate", model, "--x0", "3,1", "--t-end", "1", "--dt", "0.5"});
+  EXPECT_EQ(own.status, 0) << own.err;
+  EXPECT_EQ(own.out, given.out);
+  const std::string half = records.folder().write(
+      "half.ode", "dx/dt = -x\ndz/dt = x\ninitial x = 3\n");
+  expect_failure(run_command({"simulate", half, "--t-end", "1", "--dt", "0.5"}), 2,
+                 {"--x0", "no initial value of z", "initial"});
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -41,6 +41,25 @@ TEST(FillBlanks, WithoutBlanksOrValuesThereIsNothingToFill) {
   EXPECT_TRUE(fill_blanks(table, {1}).table.values.col(1).array().isNaN().all());
 }
 
+TEST(AssignRoles, KeptBlanksAndJumpsBeginNoRecord) {
+  Table table;
+  table.source = "uneven.csv";
+  table.columns = {{"t", "s"}, {"x", ""}};
+  table.values = Matrix(12, 2);
+  for (Index i = 0; i < 12; ++i)
+    table.values.row(i) << (i < 2 ? 0.0 : 5.0) + 0.1 * static_cast<double>(i), 1.0;
+  table.values(0, 1) = kBlank;
+  for (Index i = 0; i < 12; ++i) table.lines.push_back(static_cast<std::size_t>(i) + 2);
+  ColumnRoles roles;
+  roles.blanks = Blanks::Mark;
+  EXPECT_EQ(assign_roles(table, roles).trajectories.size(), 2u) << "a gap";
+  roles.blanks = Blanks::Keep;
+  const Dataset kept = assign_roles(table, roles);
+  ASSERT_EQ(kept.trajectories.size(), 1u);
+  EXPECT_EQ(kept.trajectories[0].samples(), 12);
+  EXPECT_EQ(kept.trajectories[0].marks(0, 0), number_of(Mark::Missing));
+}
+
 TEST(AssignRoles, ChannelsWithRatesOfTheirOwnKeepTheRowsThatAllHave) {
   Table table;
   table.source = "rates.csv";

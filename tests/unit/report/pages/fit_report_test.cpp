@@ -102,11 +102,36 @@ TEST(FitReport, TheHeadlineIsMadeOfTheAdequacy) {
   EXPECT_THAT(fit_page(fit).headline, HasSubstr("the residuals have structure"));
   fit.adequacy = adequacy_of({{"y", Adequate::Yes, 200, true}});
   EXPECT_THAT(fit_page(fit).headline, HasSubstr("the residuals are noise"));
-  EXPECT_EQ(fit_page(fit).tone, Tone::Good);
+  EXPECT_THAT(fit_page(fit).headline, HasSubstr("1 of 3 parameters are determined"));
+  EXPECT_EQ(fit_page(fit).tone, Tone::Doubtful) << "a is not determined, b at a bound";
+  Fit all = fit;
+  all.numbers.resize(1);
+  EXPECT_EQ(fit_page(all).tone, Tone::Good);
+  EXPECT_EQ(fit_page(all).headline,
+            "The parameters are estimated, and the residuals are noise.");
   fit.adequacy = {};
   EXPECT_THAT(fit_page(fit).headline, HasSubstr("too few to show"));
   EXPECT_EQ(fit_page(fit).tone, Tone::Doubtful);
   EXPECT_EQ(nlohmann::json::parse(format_json(fit))["adequacy"]["fits"], "untold");
+}
+
+TEST(FitReport, LimitsAndTestsAreShown) {
+  Fit fit = example();
+  fit.numbers[1].at_least = 0.5;
+  fit.quality[0].sign = "trend";
+  fit.quality[0].chance = 0.002;
+  fit.profiles = {{"k", {1.0, 2.0}, {4.0, 0.0}, 3.84}};
+  const std::string text = format_text(fit);
+  EXPECT_THAT(text, HasSubstr("not determined: at least 0.5, no upper limit"));
+  EXPECT_THAT(text, HasSubstr("residuals have structure (trend, p = 0.002)"));
+  EXPECT_THAT(text, HasSubstr("Verdict: 1 of 3 parameters"));
+  const auto json = nlohmann::json::parse(format_json(fit));
+  EXPECT_EQ(json["parameters"][1]["at_least"], 0.5);
+  EXPECT_EQ(json["fit"][0]["residuals"]["p_value"], 0.002);
+  EXPECT_EQ(json["verdict"]["sound"], false);
+  EXPECT_EQ(json["verdict"]["not_determined"][0], "a");
+  EXPECT_EQ(json["verdict"]["at_bounds"][0], "b");
+  EXPECT_EQ(json["profiles"][0]["deviance"][0], 4.0);
 }
 
 TEST(FitReport, ThePageShowsNumbersAndRuns) {

@@ -87,5 +87,15 @@ TEST(Identifiability, NumbersKnownOnlyTogetherInPracticeAreNamed) {
   EXPECT_THAT(said(seen, values, {"a", "b"}), ::testing::ElementsAre("a and b only as b/a"));
 }
 
+TEST(Identifiability, ADirectionThatIsNotFiniteIsNoCrash) {
+  const Matrix triangle = Matrix::Identity(2, 2);
+  const Vector values = Vector::Ones(2);
+  const std::vector<std::string> names{"a", "b"};
+  const FitCombination found =
+      combination_of({triangle, values, names}, Vector::Constant(2, std::nan("")));
+  EXPECT_TRUE(found.members.empty());
+  EXPECT_FALSE(found.message.empty());
+}
+
 }  // namespace
 }  // namespace lacuna

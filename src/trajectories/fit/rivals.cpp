@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/trajectories/fit/rivals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "core/base/check.hpp"
+#include "core/base/text.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/statistics/interval.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Mean squares of the residuals of each channel.
+Vector variances_of(const Fit& fit) {
+  Vector variances(static_cast<Index>(fit.quality.size()));
+  for (Index c = 0; c < variances.size(); ++c)
+    variances[c] = std::pow(fit.quality[static_cast<std::size_t>(c)].rmse, 2);
+  return variances.cwiseMax(std::numeric_limits<double>::min());
+}
+
+/// Log-likelihood of each value, channel by channel, records one behind the other.
+Vector log_likelihoods(const Fit& fit) {
+  const Vector variances = variances_of(fit);
+  std::vector<double> all;
+  for (Index c = 0; c < variances.size(); ++c)
+    for (const FitRun& run : fit.runs)
+      for (Index i = 0; i < run.time.size(); ++i) {
+        const double residual = run.measured(i, c) - run.model(i, c);
+        if (std::isfinite(residual))
+          all.push_back(-0.5 * (std::log(2.0 * std::numbers::pi * variances[c]) +
+                                residual * residual / variances[c]));
+      }
+  return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
+}
+
+/// Deviation of a sum of values that are correlated with their neighbours: Newey and West, over
+/// the cube root of n neighbours.
+double deviation_of_sum(const Vector& values) {
+  const auto n = static_cast<double>(values.size());
+  const Vector centred = values.array() - values.mean();
+  const auto lags = static_cast<Index>(std::cbrt(n));
+  double variance = centred.squaredNorm();
+  for (Index lag = 1; lag <= lags; ++lag) {
+    const double weight = 1.0 - static_cast<double>(lag) / static_cast<double>(lags + 1);
+    variance += 2.0 * weight *
+                centred.tail(values.size() - lag).dot(centred.head(values.size() - lag));
+  }
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+FitRival rival_of(const NamedFit& named, const Vector& each) {
+  const Fit& fit = named.fit;
+  const auto n = static_cast<double>(each.size());
+  FitRival rival{.name = named.name};
+  rival.unknowns = n - fit.degrees_of_freedom + static_cast<double>(fit.quality.size());
+  const double k = rival.unknowns;
+  rival.log_likelihood = each.sum();
+  rival.aicc = -2.0 * rival.log_likelihood + 2.0 * k +
+               2.0 * k * (k + 1.0) / std::max(1.0, n - k - 1.0);
+  rival.bic = -2.0 * rival.log_likelihood + k * std::log(n);
+  if (fit.gap) rival.held_out = fit.gap->after;
+  rival.fits = fit.adequacy.fits;
+  rival.converged = fit.converged;
+  return rival;
+}
+
+void check_alike(const NamedFit& first, const NamedFit& other) {
+  bool alike = first.fit.quality.size() == other.fit.quality.size();
+  for (std::size_t c = 0; alike && c < first.fit.quality.size(); ++c)
+    alike = first.fit.quality[c].channel == other.fit.quality[c].channel &&
+            first.fit.quality[c].samples == other.fit.quality[c].samples;
+  if (alike) return;
+  throw DataError(other.name, "it is not compared with the same columns as " + first.name,
+                  "give models with outputs of the same names");
+}
+
+/// Sets how far a rival is behind the best.
+void set_behind(const FitRival& best, const Vector& of_best, const Vector& own,
+                FitRival& rival) {
+  constexpr double kSupported = 2.0;  // a difference in AICc that leaves a model well supported
+  const Vector difference = of_best - own;
+  const double deviation = deviation_of_sum(difference);
+  rival.behind = deviation > 0.0 ? difference.sum() / deviation : 0.0;
+  rival.is_tied =
+      rival.aicc - best.aicc <= kSupported || rival.behind < kNormalQuantile975;
+}
+
+}  // namespace
+
+RivalComparison compare_fits(const std::vector<NamedFit>& fits) {
+  check_argument(!fits.empty(), "compare_fits", "there is no fit");
+  std::vector<Vector> each;
+  std::vector<FitRival> rivals;
+  for (const NamedFit& named : fits) {
+    check_alike(fits.front(), named);
+    each.push_back(log_likelihoods(named.fit));
+    rivals.push_back(rival_of(named, each.back()));
+  }
+  const auto best = static_cast<std::size_t>(
+      std::min_element(rivals.begin(), rivals.end(),
+                       [](const FitRival& a, const FitRival& b) { return a.aicc < b.aicc; }) -
+      rivals.begin());
+  for (std::size_t i = 0; i < rivals.size(); ++i)
+    if (i != best) set_behind(rivals[best], each[best], each[i], rivals[i]);
+  std::stable_sort(rivals.begin(), rivals.end(),
+                   [](const FitRival& a, const FitRival& b) { return a.aicc < b.aicc; });
+  return {std::move(rivals), static_cast<double>(each.front().size())};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/fit/profiles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "support/grey_box.hpp"
+
+namespace lacuna {
+namespace {
+
+/// A model at its minimum on a record.
+struct AtMinimum {
+  AtMinimum(const std::string& text, const Dataset& data, Index substeps = 4)
+      : system(parse_ode_system(text, "m.ode")),
+        model(system.parametrised()),
+        engine(fit_engine(model, fit_records(model, data))),
+        unknowns(fit_unknowns(model, {})) {
+    set_substeps(engine, substeps);
+    engine.sigma.setConstant(kSigma);
+    minimum = minimise(engine, unknowns, {model.values().transpose(), engine.records.starts},
+                       {}, 50, {});
+  }
+
+  NumberProfile profile(Index place, double error, bool curve = false) {
+    return profile_of(engine, unknowns, minimum, place,
+                      {.reach = 2.0, .error = error, .size = 1.0, .whole_curve = curve}, better,
+                      {});
+  }
+
+  static constexpr double kSigma = 0.02;
+  SystemModel system;
+  ParametrisedModel model;
+  FitEngine engine;
+  FitUnknowns unknowns;
+  FitMinimum minimum;
+  std::optional<FitMinimum> better;
+};
+
+Dataset decay_data(double rate, double step, Index samples) {
+  return support::grey_box(
+      parse_ode("dx/dt = -" + std::to_string(rate) + "*x\ny = x\n", "d.ode"),
+      {.start = Vector::Constant(1, 1.0), .step = step, .samples = samples, .noise = 0.05});
+}
+
+/// Where a function that rises is a value, by halving.
+double crossing(double inside, double outside, double value,
+                const std::function<double(double)>& function) {
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (inside + outside) / 2.0;
+    (function(middle) < value ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+TEST(ProfileOf, EndsWhereTheLikelihoodOfAFormulaEnds) {
+  // x = exp(-k t) from a known start: the cost is a formula of k.
+  const Dataset data = decay_data(2.0, 0.3, 12);
+  AtMinimum at("param k = 1.5 in 0.01..50\ndx/dt = -k*x\ny = x\ninitial x = 1 fixed\n", data);
+  const auto cost = [&](double k) {
+    const Trajectory& run = data.trajectories[0];
+    return ((run.states.rightCols(1).array() - (-k * run.time.array()).exp()) /
+            AtMinimum::kSigma)
+        .square()
+        .sum();
+  };
+  const double best = at.minimum.point.parameters(0, 0), least = cost(best);
+  const NumberProfile found = at.profile(0, 0.1, true);
+  ASSERT_TRUE(found.low && found.high);
+  const auto excess = [&](double k) { return cost(k) - least; };
+  EXPECT_NEAR(*found.low, crossing(best, 0.01, 4.0, excess), 0.03 * (best - *found.low));
+  EXPECT_NEAR(*found.high, crossing(best, 50.0, 4.0, excess), 0.03 * (*found.high - best));
+  EXPECT_GE(found.values.size(), 10u) << "a curve";
+  for (std::size_t i = 0; i < found.values.size(); ++i)
+    EXPECT_NEAR(found.deviance[i], excess(found.values[i]), 0.02 * (1.0 + found.deviance[i]));
+}
+
+TEST(ProfileOf, OthersAreFittedAgain) {
+  // Amplitude and rate: ends against the least cost over the amplitude, which is a quotient.
+  const Dataset data = decay_data(2.0, 0.2, 20);
+  AtMinimum at("param k = 1.5 in 0.01..50\ndx/dt = -k*x\ny = x\n", data);
+  const auto cost = [&](double k) {
+    const Vector shape = (-k * data.trajectories[0].time.array()).exp();
+    const Vector y = data.trajectories[0].states.rightCols(1);
+    return (y - shape * (shape.dot(y) / shape.squaredNorm())).squaredNorm() /
+           std::pow(AtMinimum::kSigma, 2);
+  };
+  const double best = at.minimum.point.parameters(0, 0), least = cost(best);
+  const NumberProfile found = at.profile(0, 0.1);
+  ASSERT_TRUE(found.low && found.high);
+  EXPECT_NEAR(cost(*found.low) - least, 4.0, 0.3);
+  EXPECT_NEAR(cost(*found.high) - least, 4.0, 0.3);
+  EXPECT_FALSE(at.better);
+}
+
+TEST(ProfileOf, ALikelihoodThatStaysHighHasNoEnd) {
+  // Every sample but the first comes long after the decay: the rate is large, no more.
+  Dataset data = decay_data(2.0, 0.3, 12);
+  Trajectory& run = data.trajectories[0];
+  for (Index i = 1; i < run.samples(); ++i) run.states(i, run.states.cols() - 1) *= 1e-3;
+  AtMinimum at("param k = 9 in 0.01..1e9\ndx/dt = -k*x\ny = x\ninitial x = 1 fixed\n", data,
+               kMostSubsteps);
+  const NumberProfile found = at.profile(0, 1.0);
+  EXPECT_TRUE(found.is_open_above);
+  EXPECT_FALSE(found.high);
+  ASSERT_TRUE(found.low);
+  EXPECT_GT(*found.low, 5.0);
+}
+
+TEST(ProfileOf, ARangeThatEndsBeforeTheLikelihoodLeavesItOpen) {
+  AtMinimum at("param k = 2 in 1.99..2.01\ndx/dt = -k*x\ny = x\n", decay_data(2.0, 0.2, 20));
+  const NumberProfile found = at.profile(0, 0.1);
+  EXPECT_TRUE(found.is_open_below);
+  EXPECT_TRUE(found.is_open_above);
+}
+
+TEST(ProfileOf, ALowerMinimumEndsIt) {
+  AtMinimum at("param k = 1.5 in 0.01..50\ndx/dt = -k*x\ny = x\n", decay_data(2.0, 0.2, 20));
+  at.minimum.point.parameters(0, 0) *= 1.3;
+  at.minimum.path = follow(at.engine, at.minimum.point, {});
+  at.profile(0, 0.1);
+  ASSERT_TRUE(at.better);
+  EXPECT_LT(at.better->path.cost, at.minimum.path.cost);
+}
+
+TEST(ProfileWork, IsThatOfTheRowsAndNumbers) {
+  AtMinimum at("param k = 1.5 in 0.01..50\ndx/dt = -k*x\ny = x\n", decay_data(2.0, 0.2, 20));
+  EXPECT_EQ(profile_work(at.engine, at.unknowns), 2.0 * 20.0 * 1.0);
+}
+
+}  // namespace
+}  // namespace lacuna
