@@ -178,8 +178,9 @@ std::string residuals_text(const FitQuality& quality) {
     return "residuals have structure (" + quality.sign + ", p = " +
            format_number(quality.chance, 2) + ")";
   if (quality.white) return "residuals white";
-  return quality.residuals == Adequate::No ? "residuals correlated"
-                                           : "too few samples to distinguish residuals from noise";
+  return quality.residuals == Adequate::No
+             ? "residuals correlated"
+             : "too few samples to distinguish residuals from noise";
 }
 
 std::string quality_text(const FitQuality& quality, Index ahead) {
