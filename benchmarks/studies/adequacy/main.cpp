@@ -118,8 +118,8 @@ int run(const StudyArguments& arguments) {
                 "# Adequacy of right and wrong structures\n\nOne record of 40 samples with "
                 "white noise of 3 % of each output's standard deviation, fitted by the "
                 "structure\nthat made it and by one that lacks something. refused: called "
-                "inadequate at the stated level of 5 %. apart: draws in\nwhich the likelihood of "
-                "the right "
+                "inadequate at the stated level of 5 %. apart: draws in\nwhich the "
+                "likelihood of the right "
                 "structure is more than 10 times that of the wrong one.\n\n" +
                     table.markdown() + "\n" + finished->origin.machine + ", " +
                     finished->origin.day + ".\n");
