@@ -91,7 +91,8 @@ Adequacy adequacy_on(const Problem& problem, const NoiseModel& noise,
                      problem.records.data.samples(), *noise.measurement[at] > 0.0});
   }
   Adequacy adequacy = adequacy_of(std::move(parts));
-  if (remaining.structure || (gap && stays_open(*gap, problem.options.decision)))
+  if (remaining.structure || (gap && (stays_open(*gap, problem.options.decision) ||
+                                          runs_away(*gap, problem.options.decision))))
     adequacy.fits = Adequate::No;
   return adequacy;
 }
@@ -127,13 +128,65 @@ void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis&
 
 }  // namespace
 
+namespace {
+
+/// What other records show of effects that need not come again there.
+HoldoutEvaluation evaluate_passing_effects(const Problem& problem,
+                                           const CompositeModel& composite, const Gap& gap,
+                                           bool continued) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  const bool driven = std::any_of(effects.begin(), effects.end(), [](const FittedEffect& one) {
+    return one.candidate.is_driven();
+  });
+  const HoldoutVerdict verdict =
+      holdout_verdict({gap.before, gap.after, gap.noise_floor}, problem.options.decision);
+  if (verdict == HoldoutVerdict::Confirmed) return {};
+  const std::string names = list_of_names(composite, problem.nominal);
+  if (driven &&
+      (verdict == HoldoutVerdict::Refuted || !composite.base->fit_options.hidden.empty()))
+    return {true, false,
+            "what " + names +
+                " would have done is known from every sample that was used, and others are "
+                "explained no better: it follows the records and explains nothing"};
+  if (!driven && continued)
+    return {true, false,
+            "what depends on time (" + names +
+                ") does not go on in the rest of the records: the part that was used does not "
+                "determine time from what moved in it"};
+  return {false, true,
+          "the records that were not used are not explained by " + names +
+              ": the names hold for the records that were used"};
+}
+
+/// Whether a model that runs away has no excuse. Of an input that nobody measured other records
+/// know nothing; with it the model has to be no worse there than without.
+bool has_run_away(const Problem& problem, const CompositeModel& composite, const Gap& gap) {
+  const DecisionOptions& decision = problem.options.decision;
+  if (!runs_away(gap, decision)) return false;
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  const bool driven = std::any_of(effects.begin(), effects.end(), [](const FittedEffect& one) {
+    return one.candidate.is_driven();
+  });
+  return !driven || !gap.free_before ||
+         gap.free_after->apart > (1.0 + decision.negligible) * gap.free_before->apart;
+}
+
+}  // namespace
+
 HoldoutEvaluation evaluate_holdout(const Problem& problem, const CompositeModel& composite,
-                                   const std::optional<Gap>& gap) {
+                                   const std::optional<Gap>& gap, bool continued) {
   const std::vector<FittedEffect>& effects = composite.explanation.effects;
   const bool only_assumed = composite.named.empty();
   if (only_assumed && composite.findings.empty()) return {};
   const bool holdout_decides = std::none_of(effects.begin(), effects.end(), may_differ);
-  if (gap && !holdout_decides) return {};
+  if (gap && has_run_away(problem, composite, *gap))
+    return {true, false,
+            "with " + list_of_names(composite, problem.nominal) +
+                " the model runs away from the records that were not used (off by " +
+                format_number(gap->free_after->apart, 3) +
+                " times their spread): what does that gets no name"};
+  if (gap && !holdout_decides)
+    return evaluate_passing_effects(problem, composite, *gap, continued);
   const std::string names = "with " + list_of_names(composite, problem.nominal) +
                             " the model fits the records that were used better and the others ";
   if (gap && std::isinf(gap->after))
@@ -173,7 +226,8 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const Verdict alone = verdict_of(problem, best);
   const std::vector<std::string> doubts = reservations(problem, best, gap);
   const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
-  const bool open = gap && stays_open(*gap, problem.options.decision);
+  const bool open = gap && (stays_open(*gap, problem.options.decision) ||
+                            runs_away(*gap, problem.options.decision));
   Diagnosis result{
       .verdict = after_holdout(alone, open, lower),
       .nominal = problem.nominal,

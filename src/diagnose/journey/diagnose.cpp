@@ -31,6 +31,7 @@ struct Records {
   Dataset unused;  ///< as `find`, with columns that the model does not know as inputs
   BoundRecords check;
   std::vector<std::string> notes = {};
+  bool continued = false;  ///< whether the others are the last parts of the same records
 };
 
 ChannelOptions channel_options(const DecisionOptions& decision) {
@@ -88,7 +89,8 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
         "gap "
         "on: give other records for that (--holdout)");
   BoundRecords known = observed_alike(std::move(check), find, channel_options(decision));
-  return {std::move(find), std::move(unused), std::move(known), std::move(all.notes)};
+  return {std::move(find), std::move(unused), std::move(known), std::move(all.notes),
+          split};
 }
 
 /// The gap on records that chose nothing, which the composite model's assumptions correct like
@@ -112,13 +114,14 @@ struct EvaluatedComposite {
   std::vector<std::string> withdrawn = {};  ///< what was, and why
 };
 
-EvaluatedComposite evaluated_on(const BoundRecords& check, const Problem& problem,
+EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
                                 const std::vector<Stage<Hypothesis>>& hypotheses,
                                 Judged judged) {
   EvaluatedComposite evaluated{settle_composite(problem, hypotheses, std::move(judged)), {}};
   for (;;) {
-    evaluated.gap = gap_of(problem, evaluated.judged.best, check);
-    evaluated.evaluation = evaluate_holdout(problem, evaluated.judged.best, evaluated.gap);
+    evaluated.gap = gap_of(problem, evaluated.judged.best, records.check);
+    evaluated.evaluation =
+        evaluate_holdout(problem, evaluated.judged.best, evaluated.gap, records.continued);
     if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
     if (!evaluated.evaluation.withdraw) return evaluated;
     evaluated.withdrawn.push_back(evaluated.evaluation.note);
@@ -224,7 +227,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   JudgedModel inputs = judge_holds(given, hypotheses);
   const Problem problem{*inputs.model, records.find, options, context, given.memory};
   EvaluatedComposite evaluated =
-      evaluated_on(records.check, problem, hypotheses, std::move(inputs.judged));
+      evaluated_on(records, problem, hypotheses, std::move(inputs.judged));
   Diagnosis diagnosis = make_answer(problem, std::move(evaluated.judged),
                                     std::move(evaluated.gap), evaluated.evaluation);
   diagnosis.notes.insert(diagnosis.notes.end(), evaluated.withdrawn.begin(),

@@ -54,6 +54,36 @@ std::optional<Shortfall> absurdity(const EffectSearch& search, const Explanation
   return std::nullopt;
 }
 
+/// Nominal coefficients that contradict what was said of them: losses (of a state in its own
+/// equation, negative as they were given) that have become gains, and those that are ten of
+/// their tolerances off.
+double contradicted(const EffectSearch& search, const Assimilation& fit) {
+  // A decision (docs/decisions.md).
+  constexpr double kMostTolerances = 10.0;
+  const OdeModel& nominal = search.problem.nominal;
+  double count = 0.0;
+  for (const MovedCoefficient& one : moved_coefficients(
+           fit, nominal, search.base.fit_options.free.size(), decision_of(search)))
+    count += one.given < 0.0 && one.changes_sign() &&
+             one.term == nominal.states()[static_cast<std::size_t>(one.equation)].name;
+  for (const CoefficientPrior& prior : search.problem.options.tolerances) {
+    const auto k = static_cast<std::size_t>(prior.place.equation);
+    const auto term = static_cast<std::size_t>(prior.place.term);
+    const double fitted = fit.model.equations()[k][term].coefficient;
+    count += std::abs(fitted - prior.mean) > kMostTolerances * prior.deviation;
+  }
+  return count;
+}
+
+/// An effect has no name where it needs what contradicts the nominal model.
+std::optional<Shortfall> turned_losses(const EffectSearch& search, const Explanation& before,
+                                       const RankedEffect& ranked) {
+  const double had = contradicted(search, before.fit);
+  const double has = contradicted(search, ranked.explanation.fit);
+  if (has > had) return Shortfall{"nominal coefficients that are contradicted", has, had};
+  return std::nullopt;
+}
+
 /// The gain has to be the effect's own: with a coefficient that is not distinguished from 0 it
 /// is that of effects before it, whose shapes have moved.
 std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
@@ -65,6 +95,7 @@ std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize&
     return Shortfall{"effect size", ranked.contribution, decision.effect_size};
   if (const double ratio = ratio_to_error(ranked.effect()); ratio < decision.significance)
     return Shortfall{"coefficient over its error", ratio, decision.significance};
+  if (const auto turned = turned_losses(search, before.explanation, ranked)) return turned;
   if (before.explanation.effects.empty()) return std::nullopt;
   if (const auto absurd = absurdity(search, before.explanation, ranked)) return absurd;
   return size.shortfall(before, ranked.explanation);

@@ -106,7 +106,7 @@ Json noise_json(const Diagnosis& diagnosis) {
   for (std::size_t k = 0; k < diagnosis.noise.measurement.size(); ++k) {
     const auto& white = diagnosis.noise.measurement[k];
     if (white && k < diagnosis.nominal.states().size())
-      json[diagnosis.nominal.states()[k].name] = *white;
+      json[diagnosis.nominal.states()[k].name] = diagnosis.noise.rounded(k);
   }
   return json;
 }
