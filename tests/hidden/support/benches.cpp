@@ -9,8 +9,6 @@
 namespace lacuna::hidden {
 namespace {
 
-constexpr double kLevel = 0.005;  ///< of the measurement noise, relative to the states
-
 std::string numbered(const std::string& name, std::uint64_t seed) {
   return name + "-" + std::to_string(seed);
 }
@@ -233,7 +231,7 @@ BenchCase bench(Bench kind, std::uint64_t seed) {
   Random random(seed);
   BenchCase result{case_of(kind, random, seed)};
   const bool on_lattice = kind == Bench::SteadyFurnace || kind == Bench::CoarseTank;
-  result.records = make_records(result.hidden, on_lattice ? 0.0 : kLevel, seed);
+  result.records = make_records(result.hidden, on_lattice ? 0.0 : kBenchNoise, seed);
   result.clean = make_records(result.hidden, 0.0, seed);
   disturb(kind, random, result.records.find.trajectories.front());
   disturb(kind, random, result.records.check.trajectories.front());

@@ -22,6 +22,9 @@ enum class Bench {
   CoarseTank,     ///< only coefficients are off; levels on a lattice coarser than the noise
 };
 
+/// Of the measurement noise, relative to the states, where no lattice takes its place.
+inline constexpr double kBenchNoise = 0.005;
+
 /// All of them, in the order above.
 std::vector<Bench> all_benches();
 
