@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "diagnose/candidates/fit_memory.hpp"
 #include "diagnose/candidates/screening.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 
@@ -10,6 +13,9 @@ namespace lacuna {
 struct SearchMemory {
   FitMemory fits = FitMemory();
   ScreeningMemory screenings = {};
+  /// The nominal model with the coefficients of a trajectory fit, where states are hidden: from
+  /// nominal ones that are far off the linearised fits do not come to them.
+  std::optional<OdeModel> start = {};
 };
 
 }  // namespace lacuna

@@ -35,6 +35,15 @@ std::string list_of_names(const CompositeModel& composite, const OdeModel& nomin
   return join(names, ", ");
 }
 
+/// Whether a model stands for the nominal one, which has no finite solution on the records.
+bool is_replaced(const OdeModel& given, const OdeModel& nominal) {
+  for (std::size_t k = 0; k < nominal.equations().size(); ++k)
+    for (std::size_t j = 0; j < nominal.equations()[k].size(); ++j)
+      if (given.equations()[k][j].coefficient != nominal.equations()[k][j].coefficient)
+        return true;
+  return false;
+}
+
 /// Whether the fit of the coefficients is a significant gain, and of the size of an effect in
 /// some equation.
 bool coefficients_off(const Problem& problem, const Baseline& base) {
@@ -42,7 +51,9 @@ bool coefficients_off(const Problem& problem, const Baseline& base) {
   const auto free = static_cast<double>(base.fit_options.free.size()) -
                     static_cast<double>(base.fitted.held.cols());
   const DecisionOptions& decision = problem.options.decision;
-  return sigma_of_gain(gain, free, 1.0) >= decision.significance &&
+  const bool gains = sigma_of_gain(gain, free, 1.0) >= decision.significance ||
+                     is_replaced(base.given.model, problem.nominal);
+  return gains &&
          largest_rate_change(problem.nominal, base.fitted) >= decision.effect_size;
 }
 
@@ -225,6 +236,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const Assimilation& fit = best.explanation.fit;
   const Verdict alone = verdict_of(problem, best);
   const std::vector<std::string> doubts = reservations(problem, best, gap);
+  const std::vector<std::string> inputs = noisy_inputs(problem, best);
   const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
   const bool open = gap && (stays_open(*gap, problem.options.decision) ||
                             runs_away(*gap, problem.options.decision));
@@ -248,6 +260,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.remaining.structure = result.remaining.structure || evaluation.lower ||
                                result.verdict == Verdict::UnnamedStructure;
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
+  result.notes.insert(result.notes.end(), inputs.begin(), inputs.end());
   if (!evaluation.note.empty()) result.notes.push_back(evaluation.note);
   add_notes(problem, result);
   result.adequacy = adequacy_on(problem, fit.noise, result.remaining, result.gap);

@@ -9,6 +9,8 @@
 #include "answer.hpp"
 #include "core/base/text.hpp"
 #include "data/records/number_range.hpp"
+#include "diagnose/candidates/search_memory.hpp"
+#include "fitted_start.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
@@ -196,6 +198,12 @@ Dataset in_variables_of(const OdeModel& model, const Dataset& records) {
                                  : model_view(model, records, FiniteDifferences{});
 }
 
+/// The records that may choose, in the variables of the model as it was given.
+Dataset choosing_part(const Dataset& data, bool split, const GapOptions& gaps) {
+  Dataset usable = usable_records(data, gaps).data;
+  return split ? split_in_time(usable).find : usable;
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -224,6 +232,12 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   preprocess(known, options, context, records);
 
   const Problem given{known, records.find, options, context};
+  if (hypotheses.empty() || hidden_states(nominal, records.find.data).empty())
+    given.memory->start.reset();
+  else
+    given.memory->start =
+        fitted_start(model, known, choosing_part(data, records.continued, options.decision.gaps),
+                     context);
   JudgedModel inputs = judge_holds(given, hypotheses);
   const Problem problem{*inputs.model, records.find, options, context, given.memory};
   EvaluatedComposite evaluated =
