@@ -55,12 +55,16 @@ class Devices : public ::testing::Test {
   }
 };
 
-TEST_F(Devices, ACoarseLatticeLacksNothing) {
-  for (const char* record : {"steps_q", "const_q", "null_q", "null_q4", "steps_fine"}) {
+/// The heater acts 20 s late in the records of steps (least squares on steps_fine leave 0.095 K
+/// with the lag and 1.48 K without) and at once in the others.
+TEST_F(Devices, SamplesOnACoarseLatticeAreNotMissing) {
+  for (const std::string record : {"steps_q", "const_q", "null_q", "null_q4", "steps_fine"}) {
     SCOPED_TRACE(record);
-    const Json answer = diagnosed("field/lattice/heater.ode",
-                                  std::string("field/lattice/") + record + ".csv");
-    EXPECT_EQ(names_in(answer), Names{});
+    const Json answer =
+        diagnosed("field/lattice/heater.ode", "field/lattice/" + record + ".csv");
+    for (const std::string& name : names_in(answer))
+      EXPECT_TRUE(record.starts_with("steps") && (name == "lag" || name == "extra-state"))
+          << name;
     for (const Json& note : answer["notes"])
       EXPECT_EQ(note.get<std::string>().find("dropout"), std::string::npos) << note;
   }
