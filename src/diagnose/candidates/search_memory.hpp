@@ -13,7 +13,8 @@ namespace lacuna {
 struct SearchMemory {
   FitMemory fits = FitMemory();
   ScreeningMemory screenings = {};
-  /// The nominal model with the coefficients of a trajectory fit, where states are hidden: from
+  /// The nominal model with the coefficients of a trajectory fit, where not every state is
+  /// measured: from
   /// nominal ones that are far off the linearised fits do not come to them.
   std::optional<OdeModel> start = {};
 };

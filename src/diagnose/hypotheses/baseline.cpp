@@ -71,7 +71,15 @@ Assimilation likeliest_fit(const Problem& problem, const Dataset& data,
   const auto fit_from = [&](const OdeModel& model, const Assimilation& start) {
     return settled(assimilate_from(model, data, start, options, quiet), data, options, quiet);
   };
-  if (options.hidden.empty()) return fit_from(problem.nominal, given);
+  if (options.hidden.empty()) {
+    Assimilation from_given = fit_from(problem.nominal, given);
+    if (!other) return from_given;
+    Assimilation from_other = fit_from(other->model, *other);
+    return from_other.deviance < from_given.deviance - kUnnoticedDeviance ||
+                   !std::isfinite(from_given.deviance)
+               ? from_other
+               : from_given;
+  }
   constexpr std::array<double, 4> kFractions{1.0, 0.1, 0.01, 1e-3};
   const std::size_t count = other ? 2 * kFractions.size() : kFractions.size();
   std::vector<std::optional<Assimilation>> fits(count);
@@ -151,8 +159,7 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
     fit_options.unseen = std::move(unseen.coefficients);
     fit_options.units = std::move(unseen.units);
   }
-  const std::optional<Assimilation> other =
-      fit_options.hidden.empty() ? std::nullopt : from_fitted_start(problem, records);
+  const std::optional<Assimilation> other = from_fitted_start(problem, records);
   Assimilation fitted = likeliest_fit(problem, data, given, other, fit_options);
   fit_options.passes = kPassesFromBaseline;
   std::vector<std::string> notes;

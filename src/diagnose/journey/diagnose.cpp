@@ -18,6 +18,7 @@
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/records/binding/read_records.hpp"
+#include "model/equations/formula_channel.hpp"
 #include "output_channels.hpp"
 #include "records/binding/other_records.hpp"
 #include "smoothed_records.hpp"
@@ -103,6 +104,8 @@ std::optional<Gap> gap_of(const Problem& problem, const CompositeModel& composit
   const Dataset corrected = correct ? correct(check.data) : check.data;
   Gap gap = measure_gap(problem.nominal, composite.explanation,
                         {check, corrected, problem.options.decision.outlying}, problem.context);
+  // Without a window in which the model has a solution there is no distance to measure.
+  if (std::isfinite(gap.before) && std::isnan(gap.after)) gap.after = INFINITY;
   const bool refuted = std::isinf(gap.after);
   if (!refuted && !std::isfinite(gap.before + gap.after)) return std::nullopt;
   return gap;
@@ -198,6 +201,15 @@ Dataset in_variables_of(const OdeModel& model, const Dataset& records) {
                                  : model_view(model, records, FiniteDifferences{});
 }
 
+/// Whether some state that has a rate was not measured: it is hidden, or made of others.
+bool has_unmeasured_states(const OdeModel& nominal, const Dataset& data) {
+  for (Index k = 0; k < nominal.dimension(); ++k)
+    if (!is_formula_channel(nominal.states()[static_cast<std::size_t>(k)]) &&
+        !data.is_measured(k))
+      return true;
+  return false;
+}
+
 /// The records that may choose, in the variables of the model as it was given.
 Dataset choosing_part(const Dataset& data, bool split, const GapOptions& gaps) {
   Dataset usable = usable_records(data, gaps).data;
@@ -232,9 +244,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   preprocess(known, options, context, records);
 
   const Problem given{known, records.find, options, context};
-  if (hypotheses.empty() || hidden_states(nominal, records.find.data).empty())
-    given.memory->start.reset();
-  else
+  if (!hypotheses.empty() && has_unmeasured_states(nominal, records.find.data))
     given.memory->start =
         fitted_start(model, known, choosing_part(data, records.continued, options.decision.gaps),
                      context);

@@ -10,8 +10,8 @@
 namespace lacuna {
 
 /// The nominal model with the coefficients that fit() finds for its structure: what a refit
-/// explains is no structure. Nothing where every state is measured, where linearised fits come
-/// there by themselves, and where no run is finite or the fit is no better.
+/// explains is no structure. Where every state is measured linearised fits come there by themselves.
+/// Nothing where no run is finite.
 /// @param model as it was given, with its outputs; @param nominal the same with output channels
 /// as states. @param measured records in the variables of the model that may choose.
 std::optional<OdeModel> fitted_start(const OdeModel& model, const OdeModel& nominal,
