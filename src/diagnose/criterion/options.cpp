@@ -68,12 +68,11 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            "(rms) than this many deviations of the states is none yet: their means are nearer.",
            0.0},
           o.diverging);
-  v.field(
-      {"input_noise", "",
-       "Noise of an input that would explain the residual, as a fraction of its deviation, up "
-       "to which it is reported as a rival: inputs are measured to half a per cent to two.",
-       0.0, 1.0},
-      o.input_noise);
+  v.field({"input_noise", "",
+           "The residual in an equation is the noise of an input where it is as much as the "
+           "noise that samples of the input show makes, up to this factor or its inverse.",
+           0.0, 1.0},
+          o.input_noise);
   v.field({"cancelling", "",
            "Terms whose sum is a smaller fraction of the largest of them nearly cancel: their "
            "numbers say nothing each, and they do not pass as an explanation.",

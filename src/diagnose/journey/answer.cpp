@@ -10,6 +10,7 @@
 #include "core/statistics/significance.hpp"
 #include "diagnose/criterion/holdout.hpp"
 #include "diagnose/hypotheses/coloured_noise.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "identifiability.hpp"
 #include "reservations.hpp"
@@ -236,7 +237,8 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const Assimilation& fit = best.explanation.fit;
   const Verdict alone = verdict_of(problem, best);
   const std::vector<std::string> doubts = reservations(problem, best, gap);
-  const std::vector<std::string> inputs = noisy_inputs(problem, best);
+  const std::vector<std::string> inputs = 
+      notes_on(problem, noisy_inputs(problem, best.explanation.fit));
   const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
   const bool open = gap && (stays_open(*gap, problem.options.decision) ||
                             runs_away(*gap, problem.options.decision));

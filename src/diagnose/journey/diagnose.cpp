@@ -9,7 +9,7 @@
 #include "answer.hpp"
 #include "core/base/text.hpp"
 #include "data/records/number_range.hpp"
-#include "diagnose/candidates/search_memory.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "fitted_start.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
@@ -244,6 +244,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   preprocess(known, options, context, records);
 
   const Problem given{known, records.find, options, context};
+  given.memory->input_noise = noise_of_inputs(records.find.data);
   if (!hypotheses.empty() && has_unmeasured_states(nominal, records.find.data))
     given.memory->start =
         fitted_start(model, known, choosing_part(data, records.continued, options.decision.gaps),

@@ -7,8 +7,8 @@
 
 #include "core/base/text.hpp"
 #include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "lacuna/core/statistics/interval.hpp"
-#include "lacuna/trajectories/smoother/disturbance_test.hpp"
 
 namespace lacuna {
 namespace {
@@ -138,7 +138,7 @@ CompositeModel with_founded_names(const Problem& problem, CompositeModel composi
         problem, *composite.base,
         explain_on(problem, *composite.base, composite.explanation.fit, rest));
     composite.refitted.reset();
-    composite.left = test_disturbances(composite.explanation.fit, problem.context);
+    composite.left = structure_left(problem, composite.explanation.fit);
     update_numbers(composite.explanation, composite.named);
     e = 0;
   }

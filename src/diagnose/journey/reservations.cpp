@@ -122,41 +122,7 @@ void add_seldom_recorded(const Problem& problem, const CompositeModel& composite
   }
 }
 
-double deviation_of_input(const Dataset& data, Index input) {
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  for (const Trajectory& record : data.trajectories) {
-    const auto values = record.inputs.col(input);
-    sum += values.sum();
-    squares += values.squaredNorm();
-    count += static_cast<double>(values.size());
-  }
-  return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
-}
-
 }  // namespace
-
-std::vector<std::string> noisy_inputs(const Problem& problem, const CompositeModel& composite) {
-  const Assimilation& fit = composite.explanation.fit;
-  const Dataset& data = composite.base->records->data;
-  const double step = median_step(data);
-  Sentences said;
-  for (const EquationStructure& left : composite.left) {
-    if (!is_substantial(left, problem.options.decision)) continue;
-    const auto k = static_cast<std::size_t>(left.equation);
-    for (Index j = 0; j < data.input_count(); ++j) {
-      const std::string& input = problem.nominal.inputs()[static_cast<std::size_t>(j)].name;
-      const double gain = std::abs(fit.model.coefficient(left.equation, input));
-      const double moves = deviation_of_input(data, j);
-      const double noise = fit.noise.disturbance[left.equation] / (gain * std::sqrt(step));
-      if (!(gain > 0.0) || !(noise <= problem.options.decision.input_noise * moves)) continue;
-      said.push_back("the residual in d" + problem.nominal.states()[k].name +
-                     "/dt is as much as noise of " + format_number(noise, 2) + " (" +
-                     format_number(100.0 * noise / moves, 2) + " % of its motion) in " + input +
-                     " makes, if that was measured: a rival of any structure");
-    }
-  }
-  return said;
-}
 
 bool stays_open(const Gap& gap, const DecisionOptions& decision) {
   // What is no size of an effect comes from the arithmetic that made or sampled the records.

@@ -20,12 +20,6 @@ namespace lacuna {
 std::vector<std::string> reservations(const Problem& problem, const CompositeModel& composite,
                                       const std::optional<Gap>& gap);
 
-/// Inputs whose own noise would explain what an equation is disturbed by: a white disturbance
-/// of density d^2 is that of an input of gain b that is sampled with noise of d / (|b| sqrt(h))
-/// at steps of h. A sentence for each where that is a small fraction of its motion
-/// (DecisionOptions::input_noise).
-std::vector<std::string> noisy_inputs(const Problem& problem, const CompositeModel& composite);
-
 /// Whether the gap stays above its floor by more than the decision allows, and not by chance:
 /// by significantly many of its standard errors, or by more than DecisionOptions::open_gap.
 bool stays_open(const Gap& gap, const DecisionOptions& decision);

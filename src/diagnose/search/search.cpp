@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.hpp"
 #include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
 #include "effect_size.hpp"
 #include "shared_form.hpp"
@@ -331,7 +332,7 @@ bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
       !size.is_near(next.fit, found.explanation.fit, candidate))
     return false;
   settle_for(search, e, plainer, std::move(next), found);
-  found.left = test_disturbances(found.explanation.fit, search.problem.context);
+  found.left = structure_left(search.problem, found.explanation.fit);
   return true;
 }
 
@@ -367,11 +368,11 @@ FoundEffects search_effects(const EffectSearch& search) {
   const EffectSize size(search.problem, search.base);
   FoundEffects found{{{}, search.base.fitted}};
   do {
-    found.left = test_disturbances(found.explanation.fit, search.problem.context);
+    found.left = structure_left(search.problem, found.explanation.fit);
   } while (may_go_on(search, found) && add_one(search, size, found));
   prefer_plain(search, size, found);
   if (agree_on_forms(search, found))
-    found.left = test_disturbances(found.explanation.fit, search.problem.context);
+    found.left = structure_left(search.problem, found.explanation.fit);
   settle_names(search, found);
   update_numbers(found.explanation, found.named);
   return found;
