@@ -3,6 +3,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
@@ -45,7 +46,9 @@ Fit determined_fit(OdeModel model, const Dataset& measured, const RunContext& co
   const FitOptions options{.restarts = kRestarts};
   Fit found = fit(SystemModel(model), measured, {}, options, context);
   for (int i = 0; i < kMostFixed && !found.combinations.empty(); ++i) {
-    const auto fixed = with_fixed(model, found.combinations.front().members.back());
+    const std::vector<std::string>& members = found.combinations.front().members;
+    if (members.empty()) break;
+    const auto fixed = with_fixed(model, members.back());
     if (!fixed) break;
     model = *fixed;
     found = fit(SystemModel(model), measured, {}, options, context);

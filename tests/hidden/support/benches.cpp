@@ -9,7 +9,7 @@
 namespace lacuna::hidden {
 namespace {
 
-std::string numbered(const std::string& name, std::uint64_t seed) {
+std::string bench_name(const std::string& name, std::uint64_t seed) {
   return name + "-" + std::to_string(seed);
 }
 
@@ -38,7 +38,7 @@ Plant motor_speed(Random& random, const SignalSpec& drive) {
 
 HiddenCase late_motor(Random& random, std::uint64_t seed) {
   const Plant plant = motor_speed(random, converter(4, 0.05));
-  CaseBuilder builder(numbered("bench-late-motor", seed),
+  CaseBuilder builder(bench_name("bench-late-motor", seed),
                       "A motor whose voltage acts part of a step late", plant);
   const double late = 0.05 * (random.uniform(0.2, 0.9) + std::floor(random.uniform(0.0, 3.0)));
   builder.hide({"w",
@@ -64,7 +64,7 @@ HiddenCase late_filter(Random& random, std::uint64_t seed) {
       1500,
       0.1,
       {levels}};
-  CaseBuilder builder(numbered("bench-late-filter", seed),
+  CaseBuilder builder(bench_name("bench-late-filter", seed),
                       "A filter whose input acts part of a step late", plant);
   const double late = step * random.uniform(1.2, 2.8);
   builder.hide({"r",
@@ -89,13 +89,13 @@ HiddenCase noisy_torque(Random& random, std::uint64_t seed) {
       4000,
       5.0,
       {{.size = 2.0, .low = 0.1, .high = 1.5}}};
-  CaseBuilder builder(numbered("bench-noisy-torque", seed),
+  CaseBuilder builder(bench_name("bench-noisy-torque", seed),
                       "A pendulum whose torque is measured with noise", plant);
   return builder.misjudge("w", "u", random.uniform(0.8, 1.2)).build();
 }
 
 HiddenCase spiked_speed(Random& random, std::uint64_t seed) {
-  CaseBuilder builder(numbered("bench-spiked-speed", seed),
+  CaseBuilder builder(bench_name("bench-spiked-speed", seed),
                       "A motor with one sample that is far off",
                       motor_speed(random, converter(10, 0.05)));
   return builder.misjudge("w", "u", random.uniform(0.8, 1.2)).build();
@@ -111,7 +111,7 @@ HiddenCase one_stroke(Random& random, std::uint64_t seed) {
                     400,
                     0.0,
                     {{.mean = 20.0, .size = 2.0, .low = 0.2, .high = 1.0}}};
-  CaseBuilder builder(numbered("bench-one-stroke", seed),
+  CaseBuilder builder(bench_name("bench-one-stroke", seed),
                       "One stroke over a guide that drags along its length", plant);
   return builder.hidden_states({{"x", {{"v", 1.0}}}})
       .hide({"v", {}, {}, "x", -random.uniform(0.3, 1.0)})
@@ -130,7 +130,7 @@ HiddenCase steady_furnace(Random& random, std::uint64_t seed) {
       900,
       0.0,
       {{.shape = SignalSpec::Shape::TwoLevel, .mean = 50.0, .size = 0.0, .held = 900, .step = 1.0}}};
-  CaseBuilder builder(numbered("bench-steady-furnace", seed),
+  CaseBuilder builder(bench_name("bench-steady-furnace", seed),
                       "A furnace that warms up behind a coarse converter", plant);
   return builder.misjudge("T", "T", random.uniform(0.7, 1.3)).build();
 }
@@ -149,7 +149,7 @@ HiddenCase coarse_tank(Random& random, std::uint64_t seed) {
                       .size = 1.5,
                       .held = 80,
                       .step = 0.5}}};
-  CaseBuilder builder(numbered("bench-coarse-tank", seed),
+  CaseBuilder builder(bench_name("bench-coarse-tank", seed),
                       "A tank whose level is read on a coarse lattice", plant);
   return builder.misjudge("h", "sqrt(h)", random.uniform(0.7, 1.3)).build();
 }
