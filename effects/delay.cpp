@@ -26,7 +26,13 @@ Candidate delayed(const Scope& scope, const Expression& form, const Expression& 
   const double longest = 0.25 * scope.duration;
   const double spacing = std::max(0.5 * timescale, scope.step);
   std::vector<double> starts;
-  if (shortest < scope.step && spacing < longest) starts.push_back(0.5 * scope.step);
+  if (shortest < scope.step && spacing < longest) {
+    // An input that is held jumps at samples: its likelihood has a bend at each whole step.
+    constexpr int kFirstSteps = 4;
+    for (int i = 0; i < kFirstSteps; ++i) starts.push_back((0.5 + i) * scope.step);
+    std::erase_if(starts, [&](double start) { return start >= std::min(spacing, longest); });
+    if (starts.empty()) starts.push_back(0.5 * scope.step);
+  }
   for (double delay = spacing; delay < longest && delay <= kMostStarts * spacing;
        delay += spacing)
     starts.push_back(delay);

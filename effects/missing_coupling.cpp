@@ -29,6 +29,7 @@ std::vector<Candidate> missing_coupling_forms(const Scope& scope, Index equation
 std::optional<Reading> missing_coupling_reading(const FittedForm& fitted) {
   const Expression& form = fitted.candidate.form;
   const Index equation = fitted.candidate.equation;
+  if (!fitted.candidate.memory.empty()) return std::nullopt;  // a state of an effect is no part
   if (is_variable(form) && in_other_part(fitted.scope, equation, form))
     return Reading{"coupling to " + form.name(), Precedence::Contextual};
   if (!is_difference(form) || form.operands()[1] != own_state(fitted.scope, equation) ||

@@ -13,6 +13,7 @@ Candidate drifting(const Expression& term) {
 
 std::vector<Candidate> parameter_drift_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
+  if (!determines_time(scope)) return result;
   for (const Expression& term : nonlinear_terms(scope, equation))
     result.push_back(drifting(term));
   for (const Expression& x : all_variables(scope))

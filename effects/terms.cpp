@@ -128,6 +128,16 @@ bool in_other_part(const Scope& scope, Index equation, const Expression& state) 
   return false;
 }
 
+bool determines_time(const Scope& scope) {
+  // Facts: a sine forgets half of itself in a sixth of its period; in fewer than two periods
+  // what comes back is not distinguished from what goes on.
+  constexpr double kMemoriesInPeriod = 6.0, kPeriods = 2.0;
+  double fastest = scope.duration;
+  for (const VariableRange& variable : scope.variables)
+    if (!variable.is_input) fastest = std::min(fastest, variable.timescale);
+  return kPeriods * kMemoriesInPeriod * fastest <= scope.duration;
+}
+
 std::vector<Expression> all_variables(const Scope& scope) {
   std::vector<Expression> all;
   for (const VariableRange& variable : scope.variables)

@@ -8,7 +8,7 @@ namespace {
 
 std::vector<Candidate> time_trend_forms(const Scope& scope, Index equation) {
   const Expression t = Expression::variable("t");
-  if (has_term(scope, equation, t)) return {};
+  if (has_term(scope, equation, t) || !determines_time(scope)) return {};
   return {plain_candidate(t, t)};
 }
 

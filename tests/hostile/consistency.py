@@ -15,6 +15,7 @@ import sys
 GAP = 1.5            # times its noise floor that a gap of an explained record may be
 SEEN = 0.002         # share of the spread below which a gap is of no size
 SIGNIFICANT = 3.0    # standard deviations
+OPEN = 2.0           # noise floors, be it by chance or not
 UNDETERMINED = 1e6   # half an interval over its number from which on a word has to be said
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 NOT_FINITE = re.compile(r"(?<![\w.])[-+]?(?:nan|inf|infinity)(?![\w.])", re.IGNORECASE)
@@ -186,7 +187,7 @@ def diagnosis_faults(json):
 def is_above(gap):
     sigma = gap.get("above_floor")
     return (not (is_number(sigma) and sigma < SIGNIFICANT)
-            or gap["after"] >= SIGNIFICANT * gap["noise_floor"])
+            or gap["after"] > OPEN * gap["noise_floor"])
 
 
 def fit_faults(json):

@@ -21,6 +21,8 @@ using Faults = std::vector<std::string>;
 constexpr double kGapOfExplained = 1.5;  ///< times its noise floor
 constexpr double kSeenGap = 0.002;  ///< fraction of the spread below which it is of no size
 constexpr double kSignificantGap = 3.0;  ///< standard deviations
+constexpr double kOpenGap = 2.0;         ///< noise floors, be it by chance or not
+constexpr double kRunsAway = 1.0;        ///< spreads of the states
 /// Half an interval over its number from which on a word has to be said.
 constexpr double kUndetermined = 1e6;
 
@@ -166,9 +168,12 @@ inline void add_diagnosis(const Json& json, Faults& found) {
   const double after = gap["after"], floor = gap["noise_floor"];
   const double sigma = number_in(gap, "above_floor").value_or(INFINITY);
   const bool open = after > std::max(kGapOfExplained * floor, kSeenGap) &&
-                    (sigma >= kSignificantGap || after >= kSignificantGap * floor);
+                    (sigma >= kSignificantGap || after > kOpenGap * floor);
   add_if(open && (explained || verdict == "no-discrepancy" || verdict == "coefficients-only"),
          verdict + " beside a gap", found);
+  const Json free = gap.value("free_run", Json());
+  add_if(explained && !free.is_null() && number_in(free, "after").value_or(INFINITY) > kRunsAway,
+         "explained by a model that runs away", found);
 }
 
 inline void add_fit_quality(const Json& quality, Faults& found) {

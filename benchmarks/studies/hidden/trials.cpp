@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "trials.hpp"
 
+#include <algorithm>
 #include <set>
 
+#include "hidden/support/benches.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/ordinary.hpp"
 #include "hidden/support/twins.hpp"
@@ -120,6 +122,35 @@ std::vector<Trial> twin_trials(int draws) {
       for (int draw = 0; draw < draws; ++draw, ++seed)
         trials.push_back({hides ? hidden::twin(kind, seed) : hidden::complete_twin(kind, seed),
                           1.0, levels[seed % levels.size()], seed});
+  return trials;
+}
+
+namespace {
+
+Outcome run_bench(hidden::Bench kind, std::uint64_t seed, const DiagnosisOptions& options) {
+  const hidden::BenchCase made = hidden::bench(kind, seed);
+  Outcome outcome = judge(made.hidden, made.records, made.clean, options);
+  const auto forbidden = static_cast<int>(std::count_if(
+      made.forbidden.begin(), made.forbidden.end(), [&](const std::string& name) {
+        return outcome.score.answer.find(" " + name + " ") != std::string::npos;
+      }));
+  outcome.score.spurious = std::max(outcome.score.spurious, forbidden);
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Trial> bench_trials(int draws, const std::string& part,
+                                const DiagnosisOptions& options, Cells<Outcome>& cells) {
+  std::vector<Trial> trials;
+  std::uint64_t seed = 7000;
+  for (const hidden::Bench kind : hidden::all_benches())
+    for (int draw = 0; draw < draws; ++draw, ++seed) {
+      const Trial trial{hidden::bench(kind, seed).hidden, 1.0, hidden::kBenchNoise, seed};
+      if (trial.hidden.name.find(part) == std::string::npos) continue;
+      add_reported(cells, trial, [=] { return run_bench(kind, trial.seed, options); });
+      trials.push_back(trial);
+    }
   return trials;
 }
 

@@ -29,6 +29,11 @@ std::vector<Trial> ordinary_trials(int count);
 /// Effects of every family and all complete systems, in records that were smoothed, at 1 %.
 std::vector<Trial> smoothed_trials();
 
+/// Benches on which a wrong name is likely, each kind drawn so often. @param cells gets one for
+/// each of them; a name that no answer may have counts as one too many.
+std::vector<Trial> bench_trials(int draws, const std::string& part,
+                                const DiagnosisOptions& options, Cells<Outcome>& cells);
+
 /// Twins of devices at 0.2, 0.5 and 1 % noise: each kind drawn so often, and as often without
 /// what it hides.
 std::vector<Trial> twin_trials(int draws);

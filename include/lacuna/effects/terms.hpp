@@ -39,6 +39,10 @@ bool is_input(const Scope& scope, const Expression& expression);
 /// state: no path of terms leads from one to the other, in either direction.
 bool in_other_part(const Scope& scope, Index equation, const Expression& state);
 
+/// Whether records are long enough to distinguish what changes with time from what moves in
+/// them: two mean periods of the fastest state, as far as how long it remembers says.
+bool determines_time(const Scope& scope);
+
 /// States, then inputs.
 std::vector<Expression> all_variables(const Scope& scope);
 

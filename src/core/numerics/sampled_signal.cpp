@@ -42,25 +42,35 @@ double SampledSignal::third_difference(Index interval) const {
   return points_ == 4 ? differences_(3, first_of(interval)) : 0.0;
 }
 
-SpanLine SampledSignal::held_line(double from, double to) {
+SampledSignal::HeldSpan SampledSignal::held_span(double from, double to) {
   const Index n = time_.size();
   if (from < time_[interval_]) interval_ = 0;
   while (interval_ + 1 < n && time_[interval_ + 1] <= from) ++interval_;
-  SpanLine line;
-  double least = std::numeric_limits<double>::infinity(), most = -least, a = -1.0;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  HeldSpan span{{}, kInfinity, -kInfinity};
+  double a = -1.0;
   for (Index i = interval_; a < 1.0; ++i) {
     const bool last = i + 1 >= n || time_[i + 1] >= to;
     const double b = last ? 1.0 : 2.0 * (time_[i + 1] - from) / (to - from) - 1.0;
     const double value = differences_(0, i);
-    line.mean += 0.5 * value * (b - a);
-    line.slope += 0.75 * value * (b * b - a * a);
-    least = std::min(least, value);
-    most = std::max(most, value);
+    span.curve.mean += 0.5 * value * (b - a);
+    span.curve.slope += 0.75 * value * (b * b - a * a);
+    span.curve.bend += 1.25 * value * ((b * b * b - b) - (a * a * a - a));
+    span.least = std::min(span.least, value);
+    span.most = std::max(span.most, value);
     a = b;
   }
-  const double steepest = std::max(0.0, std::min(line.mean - least, most - line.mean));
-  line.slope = std::clamp(line.slope, -steepest, steepest);
-  return line;
+  return span;
+}
+
+SpanCurve SampledSignal::held_moments(double from, double to) {
+  return held_span(from, to).curve;
+}
+
+SpanCurve SampledSignal::held_line(double from, double to) {
+  const auto [curve, least, most] = held_span(from, to);
+  const double steepest = std::max(0.0, std::min(curve.mean - least, most - curve.mean));
+  return {curve.mean, std::clamp(curve.slope, -steepest, steepest), 0.0};
 }
 
 Vector interpolate_cubic(const Vector& time, const Vector& values, const Vector& queries) {

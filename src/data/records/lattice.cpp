@@ -24,21 +24,13 @@ std::vector<double> distinct_values(const Dataset& data, Index state) {
   return values;
 }
 
-}  // namespace
-
-std::optional<double> lattice_of(const Dataset& data, Index state) {
-  constexpr std::size_t kFewestLevels = 8;  // fewer say nothing of what they have in common
-  constexpr double kRounding = 1e-3;        // of a multiple, as a fraction of q
-  constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
-  const std::vector<double> values = distinct_values(data, state);
-  if (values.size() < kFewestLevels) return std::nullopt;
-  std::vector<double> gaps(values.size() - 1);
-  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
+/// Euclid's algorithm on the gaps, made more exact by the large ones; nothing where the spacing
+/// is as fine as the digits of doubles.
+std::optional<double> common_spacing(std::vector<double> gaps, double smallest) {
+  constexpr double kRounding = 1e-3;  // of a multiple, as a fraction of q
   std::sort(gaps.begin(), gaps.end());
-  const double smallest = (values.back() - values.front()) / kMostLevels;
   double spacing = gaps.front();
   for (std::size_t i = 1; i < gaps.size() && spacing > smallest; ++i) {
-    // Euclid's algorithm on the gaps.
     double rest = std::abs(std::remainder(gaps[i], spacing));
     const double limit = kRounding * spacing;
     if (rest <= limit) spacing = gaps[i] / std::round(gaps[i] / spacing);
@@ -50,6 +42,58 @@ std::optional<double> lattice_of(const Dataset& data, Index state) {
   }
   if (!(spacing > smallest)) return std::nullopt;
   return spacing;
+}
+
+/// A coarser lattice whose values were printed with digits of spacing `digit`: of steps q the
+/// text shows round(k q / digit) digit. q is the slope of the line through values over
+/// multiples, which are counted from gap to gap; all values lie nearer to it than a digit.
+std::optional<double> printed_lattice(const std::vector<double>& values, double digit) {
+  // A fact: where steps are not much wider than what rounding moves their ends by, values fit
+  // to some lattice by chance.
+  constexpr double kFewestDigits = 4.0;
+  constexpr double kRounded = 0.75;  // digits that rounding moves a value, and the line's error
+  double least = values.back() - values.front();
+  for (std::size_t i = 1; i < values.size(); ++i)
+    least = std::min(least, values[i] - values[i - 1]);
+  // The least gap is a step less at most a digit.
+  double spacing = least + 0.5 * digit;
+  if (least < (kFewestDigits - 0.5) * digit) return std::nullopt;
+  double multiple = 0.0, sum_k = 0.0, sum_v = 0.0, sum_kk = 0.0, sum_kv = 0.0;
+  std::vector<double> multiples{0.0};
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double from_first = values[i] - values.front();
+    multiple += std::round((values[i] - values[i - 1]) / spacing);
+    multiples.push_back(multiple);
+    sum_k += multiple;
+    sum_v += from_first;
+    sum_kk += multiple * multiple;
+    sum_kv += multiple * from_first;
+    const auto n = static_cast<double>(i + 1);
+    const double spread = n * sum_kk - sum_k * sum_k;
+    if (spread > 0.0) spacing = (n * sum_kv - sum_k * sum_v) / spread;
+  }
+  const double mean = (sum_v - spacing * sum_k) / static_cast<double>(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(values[i] - values.front() - mean - spacing * multiples[i]) >
+        kRounded * digit)
+      return std::nullopt;
+  return spacing;
+}
+
+}  // namespace
+
+std::optional<double> lattice_of(const Dataset& data, Index state) {
+  constexpr std::size_t kFewestLevels = 8;  // fewer say nothing of what they have in common
+  constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
+  const std::vector<double> values = distinct_values(data, state);
+  if (values.size() < kFewestLevels) return std::nullopt;
+  std::vector<double> gaps(values.size() - 1);
+  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
+  const double smallest = (values.back() - values.front()) / kMostLevels;
+  const std::optional<double> spacing = common_spacing(std::move(gaps), smallest);
+  if (!spacing) return std::nullopt;
+  const std::optional<double> steps = printed_lattice(values, *spacing);
+  return steps ? steps : spacing;
 }
 
 }  // namespace lacuna

@@ -59,6 +59,20 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
        "called explained.",
        1.0},
       o.explained_gap);
+  v.field({"open_gap", "noise floors",
+           "What leaves a larger gap there is not called explained, be it by chance or not.",
+           1.0},
+          o.open_gap);
+  v.field({"diverging", "standard deviations",
+           "A model that runs freely over whole records that were not used and is farther off "
+           "(rms) than this many deviations of the states is none yet: their means are nearer.",
+           0.0},
+          o.diverging);
+  v.field({"input_noise", "",
+           "The residual in an equation is the noise of an input where it is as much as the "
+           "noise that samples of the input show makes, up to this factor or its inverse.",
+           0.0, 1.0},
+          o.input_noise);
   v.field({"cancelling", "",
            "Terms whose sum is a smaller fraction of the largest of them nearly cancel: their "
            "numbers say nothing each, and they do not pass as an explanation.",

@@ -48,12 +48,17 @@ double fraction_of_states(const Dataset& data, Index input) {
   return 1.0 - rest.squaredNorm() / moved.squaredNorm();
 }
 
+bool is_still_input(const Dataset& data, Index input) {
+  const Vector u = values_of(data, &Trajectory::inputs, input);
+  return variance(u) <= 1e-20 * u.squaredNorm() / static_cast<double>(u.size());
+}
+
 void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptions& options,
                      std::vector<Hint>& hints) {
   for (Index j = 0; j < data.input_count(); ++j) {
     const std::string& name = model.inputs()[static_cast<std::size_t>(j)].name;
     const Vector u = values_of(data, &Trajectory::inputs, j);
-    if (variance(u) <= 1e-20 * u.squaredNorm() / static_cast<double>(u.size())) {
+    if (is_still_input(data, j)) {
       hints.push_back(
           {HintKind::Excitation,
            "the input " + name +
@@ -147,6 +152,22 @@ void add_state_hints(const OdeModel& model, const BoundRecords& records,
                      "record for longer"});
 }
 
+/// Whether all that is seen is one way from a start to a rest under inputs that never change:
+/// its rate is some function of the state, and of the time as well.
+bool is_one_transient(const BoundRecords& records, const HintOptions& options) {
+  const Dataset& data = records.data;
+  if (data.input_count() == 0) return false;
+  for (Index j = 0; j < data.input_count(); ++j)
+    if (!is_still_input(data, j)) return false;
+  double fastest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < records.channels.size(); ++k)
+    if (records.channels[k].measured)
+      fastest = std::min(fastest, steps_in_period(data, static_cast<Index>(k),
+                                                  known_noise(records.channels[k])));
+  return std::isfinite(fastest) &&
+         static_cast<double>(longest_record(data).samples()) < options.periods * fastest;
+}
+
 /// Terms of an equation whose coefficients the records do not distinguish.
 std::optional<Hint> alike_terms(const OdeModel& model, Index equation, Matrix terms,
                                 double alike) {
@@ -202,6 +223,11 @@ std::vector<Hint> motion_hints(const OdeModel& model, const BoundRecords& record
   std::vector<Hint> hints;
   add_input_hints(model, records.data, options, hints);
   add_state_hints(model, records, options, hints);
+  if (is_one_transient(records, options))
+    hints.push_back({HintKind::Excitation,
+                     "all there is to see is one way to a rest under inputs that never change: "
+                     "whatever is missing may be a function of any state, or of time",
+                     "use a record in which the inputs move", Withheld::Names});
   for (Index k = 0; k < model.dimension(); ++k)
     if (auto hint = alike_terms(model, k, term_means(model, k, records.data, windows),
                                 options.alike_terms))

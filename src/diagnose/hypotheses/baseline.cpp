@@ -63,20 +63,31 @@ Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assim
 
 /// The nominal coefficients fitted. Where states are hidden a large disturbance explains
 /// everything and determines no coefficients; beside a small one they go where they belong.
-Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
-                           const Assimilation& given, const AssimilationOptions& options,
-                           const RunContext& context) {
-  const RunContext quiet = context.beside_others();
-  const auto fit_from = [&](const Assimilation& start) {
-    return settled(assimilate_from(nominal, data, start, options, quiet), data, options, quiet);
+/// @param other another start with other coefficients, if there is one.
+Assimilation likeliest_fit(const Problem& problem, const Dataset& data,
+                           const Assimilation& given, const std::optional<Assimilation>& other,
+                           const AssimilationOptions& options) {
+  const RunContext quiet = problem.context.beside_others();
+  const auto fit_from = [&](const OdeModel& model, const Assimilation& start) {
+    return settled(assimilate_from(model, data, start, options, quiet), data, options, quiet);
   };
-  if (options.hidden.empty()) return fit_from(given);
+  if (options.hidden.empty()) {
+    Assimilation from_given = fit_from(problem.nominal, given);
+    if (!other) return from_given;
+    Assimilation from_other = fit_from(other->model, *other);
+    return from_other.deviance < from_given.deviance - kUnnoticedDeviance ||
+                   !std::isfinite(from_given.deviance)
+               ? from_other
+               : from_given;
+  }
   constexpr std::array<double, 4> kFractions{1.0, 0.1, 0.01, 1e-3};
-  std::array<std::optional<Assimilation>, kFractions.size()> fits;
-  parallel_for(kFractions.size(), context.threads, [&](std::size_t i) {
-    Assimilation start = given;
-    start.noise.disturbance *= kFractions[i];
-    fits[i] = fit_from(start);
+  const std::size_t count = other ? 2 * kFractions.size() : kFractions.size();
+  std::vector<std::optional<Assimilation>> fits(count);
+  parallel_for(count, problem.context.threads, [&](std::size_t i) {
+    const bool from_given = i < kFractions.size();
+    Assimilation start = from_given ? given : *other;
+    start.noise.disturbance *= kFractions[i % kFractions.size()];
+    fits[i] = fit_from(from_given ? problem.nominal : other->model, start);
   });
   std::size_t best = 0;
   for (std::size_t i = 1; i < fits.size(); ++i)
@@ -84,6 +95,21 @@ Assimilation likeliest_fit(const OdeModel& nominal, const Dataset& data,
         !std::isfinite(fits[best]->deviance))
       best = i;
   return std::move(*fits[best]);
+}
+
+/// The model with the coefficients of a trajectory fit, where there are some, on records.
+std::optional<Assimilation> from_fitted_start(const Problem& problem,
+                                              const BoundRecords& records) {
+  const std::optional<OdeModel>& start = problem.memory->start;
+  if (!start || start->states().size() != problem.nominal.states().size())
+    return std::nullopt;
+  std::vector<std::optional<Hold>> holds;
+  for (const Quantity& input : problem.nominal.inputs()) holds.push_back(input.hold);
+  const OdeModel model = start->with_holds(holds);
+  AssimilationOptions as_fitted;
+  as_fitted.hidden = hidden_states(problem.nominal, records.data);
+  Assimilation fit = assimilate_from_starts(model, records, as_fitted, problem.context);
+  return std::isfinite(fit.deviance) ? std::optional(std::move(fit)) : std::nullopt;
 }
 
 }  // namespace
@@ -100,12 +126,19 @@ Baseline plain_baseline(const Problem& problem) {
   given.omitted = std::move(outliers.outliers);
   if (outliers.any_false)
     given = assimilate_from(nominal, records.data, given, as_given, context);
+  const bool has_solution = std::isfinite(given.deviance);
+  if (!has_solution)
+    if (auto fitted = from_fitted_start(problem, records)) given = *std::move(fitted);
   if (!std::isfinite(given.deviance))
     throw DataError(records.data.trajectories.front().source,
                     "the model has no finite solution from one sample to the next",
                     "check that model and record have the same units, above all of time");
   Baseline base = fitted_baseline(problem, std::move(given), free_coefficients(nominal));
   base.notes.insert(base.notes.begin(), outliers.notes.begin(), outliers.notes.end());
+  if (!has_solution)
+    base.notes.insert(base.notes.begin(),
+                      "with the coefficients as they were given the model has no finite "
+                      "solution on the records; those of a fit take their place");
   return base;
 }
 
@@ -126,7 +159,8 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
     fit_options.unseen = std::move(unseen.coefficients);
     fit_options.units = std::move(unseen.units);
   }
-  Assimilation fitted = likeliest_fit(nominal, data, given, fit_options, context);
+  const std::optional<Assimilation> other = from_fitted_start(problem, records);
+  Assimilation fitted = likeliest_fit(problem, data, given, other, fit_options);
   fit_options.passes = kPassesFromBaseline;
   std::vector<std::string> notes;
   if (!std::isfinite(fitted.deviance)) {

@@ -2,6 +2,7 @@
 #include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
 #include "core/statistics/information.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/search/effect_size.hpp"
 
 namespace lacuna {
@@ -20,7 +21,7 @@ double log_choices(const std::vector<NamedEffect>& named) {
 CompositeModel bare_composite(const Problem& problem, std::string hypothesis,
                               std::shared_ptr<const Baseline> base) {
   Explanation nothing{{}, base->fitted};
-  std::vector<EquationStructure> left = test_disturbances(nothing.fit, problem.context);
+  std::vector<EquationStructure> left = structure_left(problem, nothing.fit);
   return {.hypothesis = std::move(hypothesis),
           .base = std::move(base),
           .explanation = std::move(nothing),

@@ -11,6 +11,7 @@
 #include "core/numerics/qr.hpp"
 #include "core/statistics/significance.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/search/disturbed_alone.hpp"
 #include "diagnose/search/effect_names.hpp"
 
@@ -288,7 +289,7 @@ Proposals SharedProcess::do_propose(const Problem& problem, const CompositeModel
                            .base = best.base,
                            .explanation = std::move(pair->explanation),
                            .named = std::move(pair->named)};
-  composite.left = test_disturbances(composite.explanation.fit, problem.context);
+  composite.left = structure_left(problem, composite.explanation.fit);
   composite.findings = best.findings;
   composite.notes = best.notes;
   update_numbers(composite.explanation, composite.named);

@@ -10,6 +10,7 @@
 #include "core/statistics/significance.hpp"
 #include "diagnose/criterion/holdout.hpp"
 #include "diagnose/hypotheses/coloured_noise.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "identifiability.hpp"
 #include "reservations.hpp"
@@ -35,6 +36,15 @@ std::string list_of_names(const CompositeModel& composite, const OdeModel& nomin
   return join(names, ", ");
 }
 
+/// Whether a model stands for the nominal one, which has no finite solution on the records.
+bool is_replaced(const OdeModel& given, const OdeModel& nominal) {
+  for (std::size_t k = 0; k < nominal.equations().size(); ++k)
+    for (std::size_t j = 0; j < nominal.equations()[k].size(); ++j)
+      if (given.equations()[k][j].coefficient != nominal.equations()[k][j].coefficient)
+        return true;
+  return false;
+}
+
 /// Whether the fit of the coefficients is a significant gain, and of the size of an effect in
 /// some equation.
 bool coefficients_off(const Problem& problem, const Baseline& base) {
@@ -42,7 +52,9 @@ bool coefficients_off(const Problem& problem, const Baseline& base) {
   const auto free = static_cast<double>(base.fit_options.free.size()) -
                     static_cast<double>(base.fitted.held.cols());
   const DecisionOptions& decision = problem.options.decision;
-  return sigma_of_gain(gain, free, 1.0) >= decision.significance &&
+  const bool gains = sigma_of_gain(gain, free, 1.0) >= decision.significance ||
+                     is_replaced(base.given.model, problem.nominal);
+  return gains &&
          largest_rate_change(problem.nominal, base.fitted) >= decision.effect_size;
 }
 
@@ -91,7 +103,8 @@ Adequacy adequacy_on(const Problem& problem, const NoiseModel& noise,
                      problem.records.data.samples(), *noise.measurement[at] > 0.0});
   }
   Adequacy adequacy = adequacy_of(std::move(parts));
-  if (remaining.structure || (gap && stays_open(*gap, problem.options.decision)))
+  if (remaining.structure || (gap && (stays_open(*gap, problem.options.decision) ||
+                                          runs_away(*gap, problem.options.decision))))
     adequacy.fits = Adequate::No;
   return adequacy;
 }
@@ -127,13 +140,65 @@ void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis&
 
 }  // namespace
 
+namespace {
+
+/// What other records show of effects that need not come again there.
+HoldoutEvaluation evaluate_passing_effects(const Problem& problem,
+                                           const CompositeModel& composite, const Gap& gap,
+                                           bool continued) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  const bool driven = std::any_of(effects.begin(), effects.end(), [](const FittedEffect& one) {
+    return one.candidate.is_driven();
+  });
+  const HoldoutVerdict verdict =
+      holdout_verdict({gap.before, gap.after, gap.noise_floor}, problem.options.decision);
+  if (verdict == HoldoutVerdict::Confirmed) return {};
+  const std::string names = list_of_names(composite, problem.nominal);
+  if (driven &&
+      (verdict == HoldoutVerdict::Refuted || !composite.base->fit_options.hidden.empty()))
+    return {true, false,
+            "what " + names +
+                " would have done is known from every sample that was used, and others are "
+                "explained no better: it follows the records and explains nothing"};
+  if (!driven && continued)
+    return {true, false,
+            "what depends on time (" + names +
+                ") does not go on in the rest of the records: the part that was used does not "
+                "determine time from what moved in it"};
+  return {false, true,
+          "the records that were not used are not explained by " + names +
+              ": the names hold for the records that were used"};
+}
+
+/// Whether a model that runs away has no excuse. Of an input that nobody measured other records
+/// know nothing; with it the model has to be no worse there than without.
+bool has_run_away(const Problem& problem, const CompositeModel& composite, const Gap& gap) {
+  const DecisionOptions& decision = problem.options.decision;
+  if (!runs_away(gap, decision)) return false;
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  const bool driven = std::any_of(effects.begin(), effects.end(), [](const FittedEffect& one) {
+    return one.candidate.is_driven();
+  });
+  return !driven || !gap.free_before ||
+         gap.free_after->apart > (1.0 + decision.negligible) * gap.free_before->apart;
+}
+
+}  // namespace
+
 HoldoutEvaluation evaluate_holdout(const Problem& problem, const CompositeModel& composite,
-                                   const std::optional<Gap>& gap) {
+                                   const std::optional<Gap>& gap, bool continued) {
   const std::vector<FittedEffect>& effects = composite.explanation.effects;
   const bool only_assumed = composite.named.empty();
   if (only_assumed && composite.findings.empty()) return {};
   const bool holdout_decides = std::none_of(effects.begin(), effects.end(), may_differ);
-  if (gap && !holdout_decides) return {};
+  if (gap && has_run_away(problem, composite, *gap))
+    return {true, false,
+            "with " + list_of_names(composite, problem.nominal) +
+                " the model runs away from the records that were not used (off by " +
+                format_number(gap->free_after->apart, 3) +
+                " times their spread): what does that gets no name"};
+  if (gap && !holdout_decides)
+    return evaluate_passing_effects(problem, composite, *gap, continued);
   const std::string names = "with " + list_of_names(composite, problem.nominal) +
                             " the model fits the records that were used better and the others ";
   if (gap && std::isinf(gap->after))
@@ -172,8 +237,11 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const Assimilation& fit = best.explanation.fit;
   const Verdict alone = verdict_of(problem, best);
   const std::vector<std::string> doubts = reservations(problem, best, gap);
+  const std::vector<std::string> inputs = 
+      notes_on(problem, noisy_inputs(problem, best.explanation.fit));
   const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
-  const bool open = gap && stays_open(*gap, problem.options.decision);
+  const bool open = gap && (stays_open(*gap, problem.options.decision) ||
+                            runs_away(*gap, problem.options.decision));
   Diagnosis result{
       .verdict = after_holdout(alone, open, lower),
       .nominal = problem.nominal,
@@ -197,6 +265,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.remaining.structure = result.remaining.structure || evaluation.lower ||
                                result.verdict == Verdict::UnnamedStructure;
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
+  result.notes.insert(result.notes.end(), inputs.begin(), inputs.end());
   if (!evaluation.note.empty()) result.notes.push_back(evaluation.note);
   add_notes(problem, result);
   result.adequacy = adequacy_on(problem, fit.noise, result.remaining, result.gap);

@@ -17,11 +17,14 @@ struct HoldoutEvaluation {
   std::string note = {};  ///< empty: nothing
 };
 
-/// Evaluates records that were not used. They never choose between composite models. Effects
-/// that need not come again (an input that was not measured, what depends on t) are not asked
-/// for it.
+/// Evaluates records that were not used. They never choose between composite models. What runs
+/// away from them is no model. Effects that need not come again (an input that was not
+/// measured, what depends on t) are kept where they do little, but for what depends on t where
+/// the others are the rest of the same records, and for an input of states that nobody
+/// measured, which follows whatever was measured.
+/// @param continued whether the others are the rest of the records that were used.
 HoldoutEvaluation evaluate_holdout(const Problem& problem, const CompositeModel& composite,
-                                   const std::optional<Gap>& gap);
+                                   const std::optional<Gap>& gap, bool continued = false);
 
 /// The answer. @param judged the composite model and the trail; @param gap on other records.
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,

@@ -10,6 +10,8 @@
 #include "answer.hpp"
 #include "core/base/text.hpp"
 #include "data/records/number_range.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
+#include "fitted_start.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
@@ -17,6 +19,7 @@
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/records/binding/read_records.hpp"
+#include "model/equations/formula_channel.hpp"
 #include "output_channels.hpp"
 #include "records/binding/other_records.hpp"
 #include "smoothed_records.hpp"
@@ -32,6 +35,7 @@ struct Records {
   Dataset unused;  ///< as `find`, with columns that the model does not know as inputs
   BoundRecords check;
   std::vector<std::string> notes = {};
+  bool continued = false;  ///< whether the others are the last parts of the same records
 };
 
 ChannelOptions channel_options(const DecisionOptions& decision) {
@@ -89,7 +93,8 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
         "gap "
         "on: give other records for that (--holdout)");
   BoundRecords known = observed_alike(std::move(check), find, channel_options(decision));
-  return {std::move(find), std::move(unused), std::move(known), std::move(all.notes)};
+  return {std::move(find), std::move(unused), std::move(known), std::move(all.notes),
+          split};
 }
 
 /// The gap on records that chose nothing, which the composite model's assumptions correct like
@@ -100,6 +105,8 @@ std::optional<Gap> gap_of(const Problem& problem, const CompositeModel& composit
   const Dataset corrected = correct ? correct(check.data) : check.data;
   Gap gap = measure_gap(problem.nominal, composite.explanation,
                         {check, corrected, problem.options.decision.outlying}, problem.context);
+  // Without a window in which the model has a solution there is no distance to measure.
+  if (std::isfinite(gap.before) && std::isnan(gap.after)) gap.after = INFINITY;
   const bool refuted = std::isinf(gap.after);
   if (!refuted && !std::isfinite(gap.before + gap.after)) return std::nullopt;
   return gap;
@@ -130,7 +137,7 @@ void doubt_what_is_left_out(EvaluatedComposite& evaluated) {
 }
 
 /// @param problem without a deadline. @param context with it.
-EvaluatedComposite evaluated_on(const BoundRecords& check, const Problem& problem,
+EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
                                 const RunContext& context,
                                 const std::vector<Stage<Hypothesis>>& hypotheses,
                                 Judged judged) {
@@ -139,8 +146,9 @@ EvaluatedComposite evaluated_on(const BoundRecords& check, const Problem& proble
   EvaluatedComposite evaluated{settle_composite(problem, hypotheses, std::move(judged)), {}};
   for (;;) {
     evaluated.gap =
-        gap_in_time(hurried, evaluated.judged.best, check, evaluated.judged.stages);
-    evaluated.evaluation = evaluate_holdout(problem, evaluated.judged.best, evaluated.gap);
+        gap_in_time(hurried, evaluated.judged.best, records.check, evaluated.judged.stages);
+    evaluated.evaluation =
+        evaluate_holdout(problem, evaluated.judged.best, evaluated.gap, records.continued);
     if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
     if (!evaluated.evaluation.withdraw) {
       doubt_what_is_left_out(evaluated);
@@ -231,6 +239,21 @@ RunContext with_time_for_an_answer(const RunContext& context) {
   return searching;
 }
 
+/// Whether some state that has a rate was not measured: it is hidden, or made of others.
+bool has_unmeasured_states(const OdeModel& nominal, const Dataset& data) {
+  for (Index k = 0; k < nominal.dimension(); ++k)
+    if (!is_formula_channel(nominal.states()[static_cast<std::size_t>(k)]) &&
+        !data.is_measured(k))
+      return true;
+  return false;
+}
+
+/// The records that may choose, in the variables of the model as it was given.
+Dataset choosing_part(const Dataset& data, bool split, const GapOptions& gaps) {
+  Dataset usable = usable_records(data, gaps).data;
+  return split ? split_in_time(usable).find : usable;
+}
+
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -260,12 +283,17 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
 
   const RunContext searching = with_time_for_an_answer(context);
   const Problem given{known, records.find, options, searching};
+  given.memory->input_noise = noise_of_inputs(records.find.data);
+  if (!hypotheses.empty() && has_unmeasured_states(nominal, records.find.data))
+    given.memory->start =
+        fitted_start(model, known, choosing_part(data, records.continued, options.decision.gaps),
+                     context);
   JudgedModel inputs = judge_holds(given, hypotheses);
   const RunContext unhurried = context.unhurried();
   const Problem problem{*inputs.model, records.find, options, unhurried, given.memory};
   const bool whole = left_out_line(inputs.judged.stages).empty();
   EvaluatedComposite evaluated = evaluated_on(
-      records.check, problem, context, whole ? hypotheses : std::vector<Stage<Hypothesis>>(),
+      records, problem, context, whole ? hypotheses : std::vector<Stage<Hypothesis>>(),
       std::move(inputs.judged));
   Diagnosis diagnosis = make_answer(problem, std::move(evaluated.judged),
                                     std::move(evaluated.gap), evaluated.evaluation);

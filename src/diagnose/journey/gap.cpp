@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "diagnose/candidates/candidate_column.hpp"
+#include "free_run.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "trajectories/smoother/hidden_states.hpp"
 #include "trajectories/smoother/outlier_check.hpp"
@@ -48,7 +49,7 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
     const double unit = scale[static_cast<Index>(k)];
     if (!noise.measurement[k] || unit == 0.0) continue;
     const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
-    sum += std::pow(std::hypot(*noise.measurement[k], colour) / unit, 2);
+    sum += std::pow(std::hypot(noise.rounded(k), colour) / unit, 2);
     count += 1.0;
   }
   return std::sqrt(sum / count);
@@ -145,6 +146,34 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
            after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
 }
 
+/// Runs over whole records, of the nominal model and of the augmented one.
+struct FreeRuns {
+  std::optional<RunApart> before, after;
+};
+
+/// Along what both run.
+struct WholeRecords {
+  const HeldOutRecords& held_out;
+  const Vector& scale;
+  const std::vector<Index>& begins;
+};
+
+FreeRuns run_freely_both(const OdeModel& nominal, const Assimilation& fit,
+                         const WholeRecords& along, Index least, const RunContext& context) {
+  std::vector<Matrix> full, own;
+  for (const LinearisedRecord& record : fit.records) {
+    full.push_back(record.path);
+    own.push_back(record.path.leftCols(nominal.dimension()));
+  }
+  const auto run = [&](const OdeModel& model, const std::vector<Matrix>& paths,
+                       const Dataset& records) {
+    return run_freely({model, paths, records, fit.noise, along.scale, along.begins}, least,
+                      context);
+  };
+  return {run(nominal, own, along.held_out.given.data),
+          run(fit.model, full, along.held_out.corrected)};
+}
+
 std::vector<std::string> sources_of(const Dataset& data) {
   std::vector<std::string> sources;
   for (const Trajectory& record : data.trajectories)
@@ -181,16 +210,19 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   const Index length = window_samples(fit);
   Comparison all;
   std::vector<GapRecord> runs;
+  std::vector<Index> begins;
   for (std::size_t r = 0; r < fit.records.size(); ++r) {
     const Index samples = std::min(length, fit.records[r].samples());
     const Trajectory& given = held_out.given.data.trajectories[r];
     const Index begin =
         first_known(nominal, explanation.effects, held_out.corrected.trajectories[r], samples);
+    begins.push_back(begin);
     Comparison one = compare_on(nominal, fit, r, given, scale, {begin, samples});
     all.before.add(one.before);
     all.after.add(one.after);
     runs.push_back(std::move(one.runs));
   }
+  const FreeRuns free = run_freely_both(nominal, fit, {held_out, scale, begins}, length, context);
   const Vector& time = fit.records.front().time;
   const double floor = noise_floor(fit.noise, scale);
   return {
@@ -203,7 +235,9 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
       static_cast<double>(length) * (time[1] - time[0]),
       sources_of(held_out.given.data),
       all.before.diverged + all.after.diverged,
-      std::move(runs)};
+      std::move(runs),
+      free.before,
+      free.after};
 }
 
 }  // namespace lacuna

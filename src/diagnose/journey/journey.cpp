@@ -2,9 +2,13 @@
 #include "journey.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/base/text.hpp"
+#include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
 namespace {
@@ -91,6 +95,56 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
   append(so_far.trail, std::move(inner));
 }
 
+/// Why an effect cannot carry a name, whatever it explains: the interval of its size holds 0, or
+/// it acts in so few samples that it is what happened once.
+std::optional<Rival> unfounded(const Problem& problem, const CompositeModel& composite,
+                               std::size_t e) {
+  const DecisionOptions& decision = problem.options.decision;
+  const FittedEffect& effect = composite.explanation.effects[e];
+  if (effect.candidate.is_driven()) return std::nullopt;
+  Rival rival{composite.hypothesis, says(composite, problem.nominal)};
+  const auto ends = interval95(effect.coefficient, effect.deviation);
+  if (ends[0] <= 0.0 && ends[1] >= 0.0) {
+    rival.quantity = "coefficient over its error";
+    rival.value = std::abs(effect.coefficient) / effect.deviation;
+    rival.threshold = kNormalQuantile975;
+    return rival;
+  }
+  if (effect.candidate.place != Place::Rate) return std::nullopt;
+  const double fraction = acting_fraction(effect, composite.explanation.fit, decision.acting);
+  if (fraction >= decision.acting) return std::nullopt;
+  rival.quantity = "fraction of the samples in which it acts";
+  rival.value = fraction;
+  rival.threshold = decision.acting;
+  return rival;
+}
+
+/// The composite model without the effects that cannot carry names, the others fitted again.
+CompositeModel with_founded_names(const Problem& problem, CompositeModel composite,
+                                  std::vector<Rival>& trail) {
+  for (std::size_t e = 0; e < composite.named.size();) {
+    std::optional<Rival> rival = unfounded(problem, composite, e);
+    if (!rival) {
+      ++e;
+      continue;
+    }
+    trail.push_back(*std::move(rival));
+    const auto place = static_cast<std::ptrdiff_t>(e);
+    std::vector<FittedEffect> rest = composite.explanation.effects;
+    rest.erase(rest.begin() + place);
+    if (rest.empty()) return without_names(problem, composite);
+    composite.named.erase(composite.named.begin() + place);
+    composite.explanation = with_joint_errors(
+        problem, *composite.base,
+        explain_on(problem, *composite.base, composite.explanation.fit, rest));
+    composite.refitted.reset();
+    composite.left = structure_left(problem, composite.explanation.fit);
+    update_numbers(composite.explanation, composite.named);
+    e = 0;
+  }
+  return composite;
+}
+
 /// The composite model with names only where they explain most, and coefficients that hold.
 CompositeModel with_claims(const Problem& problem, CompositeModel composite,
                            std::vector<Rival>& trail) {
@@ -164,7 +218,8 @@ Judged choose_composite(const Problem& problem, const Hypotheses& hypotheses, Ju
 }
 
 Judged settle_composite(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {
-  so_far.best = with_claims(problem, std::move(so_far.best), so_far.trail);
+  so_far.best = with_founded_names(
+      problem, with_claims(problem, std::move(so_far.best), so_far.trail), so_far.trail);
   return judge_phase(problem, hypotheses, Phase::Residual, std::move(so_far));
 }
 

@@ -129,10 +129,14 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision) {
   if (!(gap.after > decision.explained_gap * gap.noise_floor) ||
       !(gap.after > std::hypot(gap.noise_floor, decision.effect_size)))
     return false;
-  // Scatter over few windows, or one that stands for most of it, hides no gap that is as many
-  // deviations of the noise as a significant one.
+  // Scatter over few windows, or one that stands for most of it, hides no gap that is large
+  // against the noise.
   return gap.above_floor >= decision.significance ||
-         gap.after >= decision.significance * gap.noise_floor;
+         gap.after > decision.open_gap * gap.noise_floor;
+}
+
+bool runs_away(const Gap& gap, const DecisionOptions& decision) {
+  return gap.free_after && !(gap.free_after->apart <= decision.diverging);
 }
 
 Sentences reservations(const Problem& problem, const CompositeModel& composite,
@@ -141,6 +145,10 @@ Sentences reservations(const Problem& problem, const CompositeModel& composite,
   if (gap && stays_open(*gap, problem.options.decision))
     said.push_back("the gap on the records that were not used stays at " +
                    format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
+  if (gap && runs_away(*gap, problem.options.decision))
+    said.push_back("no model yet: run freely over the whole of the records that were not used "
+                   "it is off by " +
+                   format_number(gap->free_after->apart, 3) + " times their spread");
   if (composite.named.empty() && composite.findings.empty()) return said;
   said.insert(said.end(), composite.doubts.begin(), composite.doubts.end());
   add_bounds(composite, said);

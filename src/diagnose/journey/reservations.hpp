@@ -21,7 +21,11 @@ std::vector<std::string> reservations(const Problem& problem, const CompositeMod
                                       const std::optional<Gap>& gap);
 
 /// Whether the gap stays above its floor by more than the decision allows, and not by chance:
-/// by significantly many of its standard errors, or of the deviations of the noise.
+/// by significantly many of its standard errors, or by more than DecisionOptions::open_gap.
 bool stays_open(const Gap& gap, const DecisionOptions& decision);
+
+/// Whether the augmented model, run freely over whole records, is farther off than the decision
+/// allows (DecisionOptions::diverging).
+bool runs_away(const Gap& gap, const DecisionOptions& decision);
 
 }  // namespace lacuna

@@ -246,10 +246,63 @@ RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current
   return rough;
 }
 
+/// Whether a candidate is an input that the equation has by its value, and that acts late.
+bool is_late_input(const Candidate& candidate, const EffectSearch& search) {
+  const Expression& x = candidate.argument;
+  if (x.operation() != Operation::Variable || candidate.shapes.size() != 1 ||
+      !candidate.memory.empty() || candidate.within ||
+      !contains(candidate.form, Operation::Delay))
+    return false;
+  return search.base.scope.range_of(x).is_input &&
+         search.problem.nominal.coefficient(candidate.equation, x.name()) != 0.0;
+}
+
+/// An input that acts late, from the nominal coefficients and from between the first whole
+/// steps: without the delay coefficients go far to make up for it, and from there no fit comes
+/// back.
+std::optional<Explanation> late_from_nominal(const EffectSearch& search,
+                                             const Candidate& candidate) {
+  constexpr double kFirstSteps = 4.5;  // a fact of the search: later ones are known without
+  const Scope& scope = search.base.scope;
+  const double whole =
+      search.problem.nominal.coefficient(candidate.equation, candidate.argument.name());
+  std::optional<Explanation> best;
+  for (const Vector& start : candidate.starts) {
+    if (!(start[0] <= kFirstSteps * scope.step)) continue;
+    Explanation next =
+        explain_on(search.problem, search.base, search.base.given, {{candidate, start, whole, 0.0}});
+    if (std::isfinite(next.fit.deviance) &&
+        (!best || next.fit.deviance < best->fit.deviance))
+      best = std::move(next);
+  }
+  return best;
+}
+
+/// The short list's inputs that act late, fitted so, where nothing is named yet.
+void add_late_inputs(const EffectSearch& search, const Explanation& current,
+                     const ShortList& list, std::vector<RankedEffect>& effects) {
+  if (!current.effects.empty() || !search.base.fit_options.hidden.empty()) return;
+  std::vector<const Candidate*> late;
+  for (const Listed& one : list.candidates)
+    if (is_late_input(one.screened.candidate, search)) late.push_back(&one.screened.candidate);
+  const RunContext& context = search.problem.context;
+  const RunContext quiet{context.stop, {}, 1, context.seed};
+  const Problem problem = alone(search.problem, quiet);
+  const EffectSearch each{problem, search.base, search.effects};
+  std::vector<std::optional<Explanation>> fits(late.size());
+  parallel_for(late.size(), context.threads,
+               [&](std::size_t i) { fits[i] = late_from_nominal(each, *late[i]); });
+  for (std::optional<Explanation>& fit : fits)
+    if (fit)
+      effects.push_back(
+          judged(search, current, *std::move(fit), static_cast<double>(list.screened)));
+}
+
 /// Fits the best of a rough ranking exactly.
 std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explanation& current,
                                        const Requirements& required, RoughRanking rough,
-                                       double tried) {
+                                       const ShortList& list) {
+  const auto tried = static_cast<double>(list.screened);
   const RunContext& context = search.problem.context;
   context.report("fitting candidates exactly", 0.0);
   const RunContext quiet = context.beside_others();
@@ -261,6 +314,7 @@ std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explana
                       tried);
       });
   std::move(fitted.begin(), fitted.end(), rough.effects.begin());
+  add_late_inputs(search, current, list, rough.effects);
   std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
     return !required.sound(ranked) || !required.plausible(ranked);
   });
@@ -284,7 +338,7 @@ Ranking rank(const EffectSearch& search, const Explanation& current) {
   ranking.tried = list.tried;
   ranking.effects =
       rank_exactly(search, current, required, rank_roughly(search, current, required, list),
-                   static_cast<double>(list.screened));
+                   list);
   set_probabilities(ranking, criterion_of(search.problem, search.base, current));
   put_least_intricate_first(ranking.effects, search);
   return ranking;

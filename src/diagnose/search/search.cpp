@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.hpp"
 #include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
 #include "effect_size.hpp"
 #include "shared_form.hpp"
@@ -54,6 +55,36 @@ std::optional<Shortfall> absurdity(const EffectSearch& search, const Explanation
   return std::nullopt;
 }
 
+/// Nominal coefficients that contradict what was said of them: losses (of a state in its own
+/// equation, negative as they were given) that have become gains, and those that are ten of
+/// their tolerances off.
+double contradicted(const EffectSearch& search, const Assimilation& fit) {
+  // A decision (docs/decisions.md).
+  constexpr double kMostTolerances = 10.0;
+  const OdeModel& nominal = search.problem.nominal;
+  double count = 0.0;
+  for (const MovedCoefficient& one : moved_coefficients(
+           fit, nominal, search.base.fit_options.free.size(), decision_of(search)))
+    count += one.given < 0.0 && one.changes_sign() &&
+             one.term == nominal.states()[static_cast<std::size_t>(one.equation)].name;
+  for (const CoefficientPrior& prior : search.problem.options.tolerances) {
+    const auto k = static_cast<std::size_t>(prior.place.equation);
+    const auto term = static_cast<std::size_t>(prior.place.term);
+    const double fitted = fit.model.equations()[k][term].coefficient;
+    count += std::abs(fitted - prior.mean) > kMostTolerances * prior.deviation;
+  }
+  return count;
+}
+
+/// An effect has no name where it needs what contradicts the nominal model.
+std::optional<Shortfall> turned_losses(const EffectSearch& search, const Explanation& before,
+                                       const RankedEffect& ranked) {
+  const double had = contradicted(search, before.fit);
+  const double has = contradicted(search, ranked.explanation.fit);
+  if (has > had) return Shortfall{"nominal coefficients that are contradicted", has, had};
+  return std::nullopt;
+}
+
 /// The gain has to be the effect's own: with a coefficient that is not distinguished from 0 it
 /// is that of effects before it, whose shapes have moved.
 std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
@@ -65,6 +96,7 @@ std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize&
     return Shortfall{"effect size", ranked.contribution, decision.effect_size};
   if (const double ratio = ratio_to_error(ranked.effect()); ratio < decision.significance)
     return Shortfall{"coefficient over its error", ratio, decision.significance};
+  if (const auto turned = turned_losses(search, before.explanation, ranked)) return turned;
   if (before.explanation.effects.empty()) return std::nullopt;
   if (const auto absurd = absurdity(search, before.explanation, ranked)) return absurd;
   return size.shortfall(before, ranked.explanation);
@@ -311,7 +343,7 @@ bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
       !size.is_near(next.fit, found.explanation.fit, candidate))
     return false;
   settle_for(search, e, plainer, std::move(next), found);
-  found.left = test_disturbances(found.explanation.fit, search.problem.context);
+  found.left = structure_left(search.problem, found.explanation.fit);
   return true;
 }
 
@@ -348,14 +380,14 @@ FoundEffects search_effects(const EffectSearch& search) {
   FoundEffects found{{{}, search.base.fitted}};
   try {
     do {
-      found.left = test_disturbances(found.explanation.fit, search.problem.context);
+      found.left = structure_left(search.problem, found.explanation.fit);
     } while (may_go_on(search, found) && add_in_time(search, size, found));
     prefer_plain(search, size, found);
     if (agree_on_forms(search, found))
-      found.left = test_disturbances(found.explanation.fit, search.problem.context);
+      found.left = structure_left(search.problem, found.explanation.fit);
   } catch (const OutOfTime&) {
-    found.left =
-        test_disturbances(found.explanation.fit, search.problem.context.unhurried());
+    const RunContext unhurried = search.problem.context.unhurried();
+    found.left = structure_left(alone(search.problem, unhurried), found.explanation.fit);
   }
   settle_names(search, found);
   update_numbers(found.explanation, found.named);

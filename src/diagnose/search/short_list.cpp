@@ -42,6 +42,16 @@ bool is_searched(const Candidate& candidate, const Explanation& current, const S
       [&](const FittedEffect& adopted) { return covers(adopted.candidate, candidate, scope); });
 }
 
+/// Whether a candidate is a function of an input that never changes: whatever it says of that
+/// input is a constant's.
+bool is_of_still_input(const Candidate& candidate, const Scope& scope) {
+  return std::any_of(scope.variables.begin(), scope.variables.end(),
+                     [&](const VariableRange& range) {
+                       return range.is_input && !(range.high > range.low) &&
+                              candidate.depends_on(range.name);
+                     });
+}
+
 std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanation& current) {
   const Scope& scope = search.base.scope;
   std::vector<Candidate> proposed;
@@ -59,7 +69,8 @@ std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanat
         });
   };
   for (Candidate& candidate : merged(proposed))
-    if (is_searched(candidate, current, scope) && !is_shut_out(candidate))
+    if (is_searched(candidate, current, scope) && !is_of_still_input(candidate, scope) &&
+        !is_shut_out(candidate))
       result.push_back(without_clash(std::move(candidate), taken));
   return result;
 }

@@ -21,6 +21,31 @@ Index slot_of(const Expression& variable, const VariableIndex& names) {
                    suggestion(variable.name(), names.names()));
 }
 
+/// Degree of a formula in its delayed variables together: 0, 1, or 2 for whatever is not
+/// affine.
+int degree_in_delays(const Expression& expression) {
+  constexpr int kNotAffine = 2;
+  if (expression.operation() == Operation::Delay) return 1;
+  int largest = 0, sum = 0, last = 0;
+  for (const Expression& operand : expression.operands()) {
+    last = degree_in_delays(operand);
+    largest = std::max(largest, last);
+    sum += last;
+  }
+  switch (expression.operation()) {
+    case Operation::Add:
+    case Operation::Subtract:
+    case Operation::Negate:
+      return largest;
+    case Operation::Multiply:
+      return std::min(sum, kNotAffine);
+    case Operation::Divide:
+      return last == 0 ? largest : kNotAffine;
+    default:
+      return largest == 0 ? 0 : kNotAffine;
+  }
+}
+
 /// Adds the distinct delayed variables of an expression to those found before.
 void collect_delays(const Expression& expression, const VariableIndex& names,
                     std::vector<DelayedVariable>& delays) {
@@ -131,6 +156,11 @@ void ProgramBuilder::build(Program& program, std::span<const Expression> outputs
                            const Variables& variables) {
   const VariableIndex names(variables);
   for (const Expression& output : outputs) collect_delays(output, names, program.delays_);
+  const bool affine = program.delays_.empty() ||
+                      std::all_of(outputs.begin(), outputs.end(), [](const Expression& output) {
+                        return degree_in_delays(output) < 2;
+                      });
+  for (DelayedVariable& delayed : program.delays_) delayed.affine = affine;
   program.slot_count_ = static_cast<Index>(names.names().size() + program.delays_.size());
   Translator translator(names, program.delays_);
   std::vector<int> shown;

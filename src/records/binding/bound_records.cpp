@@ -119,6 +119,15 @@ Vector visible_noise(const BoundRecords& records) {
   return visible;
 }
 
+std::vector<double> coarse_lattices(const BoundRecords& records) {
+  std::vector<double> lattices;
+  for (const Channel& channel : records.channels) {
+    const bool coarse = channel.measured && channel.noise.kind == NoiseKind::Quantised;
+    lattices.push_back(coarse ? channel.noise.lattice.value_or(0.0) : 0.0);
+  }
+  return lattices;
+}
+
 bool mostly_repeats(const BoundRecords& records) {
   return std::any_of(
       records.channels.begin(), records.channels.end(),

@@ -95,8 +95,10 @@ void write_delayed_held(const Eigen::Ref<const Matrix>& slots, const StepGrid& g
   const Vector time = slots.col(slots.cols() - 1)(samples);
   SampledSignal signal(time, slots.col(delay.slot)(samples), Interpolation::Held);
   for (Index i = 0; i + 1 < time.size(); ++i) {
-    const SpanLine line = signal.held_line(time[i] - delay.delay, time[i + 1] - delay.delay);
-    out.segment<3>(grid.begin(i)) << line.at(0.0), line.mean, line.at(1.0);
+    const double from = time[i] - delay.delay, to = time[i + 1] - delay.delay;
+    const SpanCurve curve =
+        delay.affine ? signal.held_moments(from, to) : signal.held_line(from, to);
+    out.segment<3>(grid.begin(i)) << curve.at(0.0), curve.at(0.5), curve.at(1.0);
   }
   out[out.size() - 1] = out[out.size() - 2];
 }

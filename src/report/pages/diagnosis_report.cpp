@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/report/pages/diagnosis_report.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "diagnosis_sentences.hpp"
@@ -82,6 +83,16 @@ Json changes_json(const Diagnosis& diagnosis) {
   return list;
 }
 
+Json free_run_json(const Gap& gap) {
+  if (!gap.free_after) return {};
+  const auto apart = [](const std::optional<RunApart>& run) {
+    return run && std::isfinite(run->apart) ? Json(run->apart) : Json();
+  };
+  return {{"before", apart(gap.free_before)},
+          {"after", apart(gap.free_after)},
+          {"time", gap.free_after->duration}};
+}
+
 Json gap_json(const Gap& gap) {
   return {{"metric", gap.metric},
           {"before", gap.before},
@@ -90,6 +101,7 @@ Json gap_json(const Gap& gap) {
           {"above_floor", gap.above_floor},
           {"ratio", gap.ratio()},
           {"window", gap.window},
+          {"free_run", free_run_json(gap)},
           {"records", gap.records}};
 }
 
@@ -107,7 +119,7 @@ Json noise_json(const Diagnosis& diagnosis) {
   for (std::size_t k = 0; k < diagnosis.noise.measurement.size(); ++k) {
     const auto& white = diagnosis.noise.measurement[k];
     if (white && k < diagnosis.nominal.states().size())
-      json[diagnosis.nominal.states()[k].name] = *white;
+      json[diagnosis.nominal.states()[k].name] = diagnosis.noise.rounded(k);
   }
   return json;
 }

@@ -15,6 +15,9 @@ namespace {
 /// Coefficients further off than this are reported.
 constexpr double kSignificant = 3.0;
 
+/// Spreads of the states from where on their means are nearer than a run.
+constexpr double kMeanIsNearer = 1.0;
+
 const Quantity& state_of(const Diagnosis& diagnosis, Index equation) {
   return diagnosis.nominal.states()[static_cast<std::size_t>(equation)];
 }
@@ -46,6 +49,15 @@ std::string hint_sentence(const Hint& hint) {
          ".";
 }
 
+/// What was gained on other records, and what has no name.
+std::string partly_explained(const Diagnosis& diagnosis) {
+  const std::string rest = "Partly explained: effects are named, but significant structure is left";
+  const auto& gap = diagnosis.gap;
+  if (!gap || !(gap->after < gap->before) || !std::isfinite(gap->before)) return rest + ".";
+  return rest + ": on other records the gap falls from " + percent(gap->before) + " to " +
+         percent(gap->after) + " (noise alone: " + percent(gap->noise_floor) + ").";
+}
+
 std::string headline(const Diagnosis& diagnosis) {
   if (withheld_by(diagnosis.hints) == Withheld::Answer)
     return "No effect is sought: the records and the model do not fit together.";
@@ -57,10 +69,14 @@ std::string headline(const Diagnosis& diagnosis) {
     case Verdict::Explained:
       return "Explained: what is missing has a name, nothing significant is left.";
     case Verdict::PartlyExplained:
-      return "Partly explained: effects are named, but significant structure is left.";
+      return partly_explained(diagnosis);
     case Verdict::UnnamedStructure:
       if (withheld_by(diagnosis.hints) != Withheld::Nothing)
         return "Something is missing; no effect is named, the hint comes first.";
+      if (diagnosis.gap && diagnosis.gap->free_after &&
+          !(diagnosis.gap->free_after->apart <= kMeanIsNearer))
+        return "No model yet: run freely, it leaves the records that were not used; what is "
+               "missing has no name.";
       if (diagnosis.remaining.equations.empty())
         return "No structure is missing in the records that were used; on others a gap stays.";
       return "Something is missing that no known effect explains.";

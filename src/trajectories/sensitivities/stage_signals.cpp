@@ -32,7 +32,7 @@ DrivingSignals::DrivingSignals(const DrivingSamples& samples) : time_(samples.ti
     const Interpolation between = next();
     delayed_.push_back({SampledSignal(time_, samples.delayed.col(j), between),
                         samples.delays[static_cast<std::size_t>(j)],
-                        between == Interpolation::Held});
+                        between == Interpolation::Held, samples.affine});
   }
 }
 
@@ -47,8 +47,12 @@ void DrivingSignals::at(const SpanOfTime& span, double fraction, double* signals
   write(t);
   for (Delayed& delayed : delayed_) {
     const double from = span.begin - delayed.delay;
-    write(delayed.held ? delayed.signal.held_line(from, from + span.length).at(fraction)
-                       : delayed.signal(t - delayed.delay));
+    if (!delayed.held)
+      write(delayed.signal(t - delayed.delay));
+    else if (delayed.affine)
+      write(delayed.signal.held_moments(from, from + span.length).at(fraction));
+    else
+      write(delayed.signal.held_line(from, from + span.length).at(fraction));
   }
 }
 

@@ -34,6 +34,7 @@ struct DrivingSamples {
   Matrix delayed;              ///< n x d: the variables that are delayed, without delay
   std::vector<double> delays;  ///< d
   std::vector<Interpolation> signals = {};  ///< of inputs, then delayed; empty: cubic
+  bool affine = false;  ///< whether the model is affine in its delayed variables
 };
 
 /// A part of a sampling interval.
@@ -56,15 +57,15 @@ class DrivingSignals {
   }
 
   /// Inputs, t and delayed variables at a fraction of a span: `size()` values, so far apart. Of
-  /// a delayed variable that is held, which jumps inside of spans, it is the line of least
-  /// squares.
+  /// a delayed variable that is held, which jumps inside of spans, it is the parabola of least
+  /// squares where the model is affine in it, else the line.
   void at(const SpanOfTime& span, double fraction, double* signals, Index stride = 1);
 
  private:
   struct Delayed {
     SampledSignal signal;
     double delay;
-    bool held;
+    bool held, affine;
   };
   Vector time_;
   std::vector<SampledSignal> inputs_;

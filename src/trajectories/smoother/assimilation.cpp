@@ -98,6 +98,13 @@ Assimilation after_turns(const AssimilationTask& task, Assimilation state, bool 
 Assimilation assimilated(const AssimilationTask& task, Assimilation state, bool fresh,
                          const RunContext& context) {
   state.least_noise = resolution_of(task.data);
+  // A fact of the filter: below this fraction of a lattice noise makes no difference to what
+  // its values say, and their probabilities lose their digits.
+  constexpr double kFractionOfLattice = 0.05;
+  for (Index k = 0; k < state.least_noise.size(); ++k)
+    state.least_noise[k] =
+        std::max(state.least_noise[k],
+                 kFractionOfLattice * state.noise.lattice_of(static_cast<std::size_t>(k)));
   state = relinearised(task, std::move(state));
   // A guessed path may lie where the model has no slope, as the root of an empty tank.
   if (!task.options.hidden.empty() && !is_linearised(state)) {
@@ -230,6 +237,7 @@ Assimilation assimilate(const OdeModel& model, const BoundRecords& records,
   start.omitted = outliers;
   start.estimated_noise = visible_noise(records);
   start.noise = first_noise(model, data, start.estimated_noise, options);
+  start.noise.lattice = coarse_lattices(records);
   for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
     const Matrix& states = data.trajectories[r].states;
     start.records.emplace_back();

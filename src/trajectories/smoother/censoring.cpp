@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "censoring.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -17,7 +18,41 @@ double log_probability(double z) {
   return -0.5 * z * z - std::log(-z) - kLogRootTwoPi + std::log1p(-s + 3.0 * s * s);
 }
 
+double density(double z) { return std::exp(-0.5 * z * z - kLogRootTwoPi); }
+
+/// Mean (beyond `low`), variance and log of the probability of the tail between `low`, far from
+/// 0, and `low` + width, where the density falls as exp(-low z).
+struct FarInterval {
+  double beyond, variance, log_probability;
+
+  FarInterval(double low, double width) {
+    const double rest = std::exp(-low * width), inside = -std::expm1(-low * width);
+    beyond = 1.0 / low - width * rest / inside;
+    variance = 1.0 / (low * low) - width * width * rest / (inside * inside);
+    log_probability = -0.5 * low * low - kLogRootTwoPi + std::log(inside / low);
+  }
+};
+
 }  // namespace
+
+Truncation::Truncation(double low, double high) {
+  const double side = low + high < 0.0 ? -1.0 : 1.0;  // the upper tail has no rounding
+  const double near = side > 0.0 ? low : -high, far = side > 0.0 ? high : -low;
+  if (near > -kFarBelow) {
+    const FarInterval tail(near, far - near);
+    deviance = -2.0 * tail.log_probability;
+    shift = side * (near + tail.beyond);
+    fraction = 1.0 - tail.variance;
+    return;
+  }
+  const double inside = 0.5 * (std::erfc(near * M_SQRT1_2) - std::erfc(far * M_SQRT1_2));
+  const double probability = std::max(inside, 1e-300);
+  const double mean = (density(near) - density(far)) / probability;
+  deviance = -2.0 * std::log(probability);
+  shift = side * mean;
+  fraction = std::clamp(mean * mean + (far * density(far) - near * density(near)) / probability,
+                        0.0, 1.0);
+}
 
 Truncation::Truncation(double z) {
   const double log_phi = log_probability(z);

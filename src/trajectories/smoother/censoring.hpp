@@ -17,6 +17,13 @@ struct Truncation {
   double fraction = 0.0;  ///< delta, 0 .. 1
 
   explicit Truncation(double z);
+
+  /// Of which low < z < high is known, z in deviations from the mean: with P = Phi(high) -
+  /// Phi(low) the mean moves by lambda = (phi(low) - phi(high)) / P deviations and the variance
+  /// shrinks by the fraction delta = lambda^2 + (high phi(high) - low phi(low)) / P (the same,
+  /// Ch. 13.10.1): a value on a lattice, of which the rounding is known and no noise. `low` is
+  /// less than `high`.
+  Truncation(double low, double high);
 };
 
 }  // namespace lacuna

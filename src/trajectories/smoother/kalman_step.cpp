@@ -27,11 +27,13 @@ Variances::Variances(const LinearisedRecord& record, const NoiseModel& noise,
     : white(map.channels()),
       colour(map.size - record.states()),
       disturbance(noise.disturbance.array().square()),
-      start(map.size) {
+      start(map.size),
+      half(map.channels()) {
   const Index m = record.states();
   for (Index c = 0; c < map.channels(); ++c) {
     const auto k = static_cast<std::size_t>(map.state[static_cast<std::size_t>(c)]);
     white[c] = *noise.measurement[k] * *noise.measurement[k];
+    half[c] = 0.5 * noise.lattice_of(k);
     const Index place = map.colour[static_cast<std::size_t>(c)];
     if (place < map.size)
       colour[place - m] = noise.coloured[k]->deviation * noise.coloured[k]->deviation;

@@ -32,6 +32,7 @@ struct Variances {
   Vector colour;       ///< per colour state
   Vector disturbance;  ///< spectral density per equation
   Vector start;        ///< N: of the deviation before the first sample
+  Vector half;         ///< per channel: half the spacing of its lattice, or 0
 
   Variances(const LinearisedRecord& record, const NoiseModel& noise, const ChannelMap& map);
 };
@@ -199,7 +200,10 @@ class KalmanStep {
   /// shows, which is no outlier and not missing. The gain is left in gain().
   LACUNA_INLINE Innovation update(Index channel, double measured, Mark mark = Mark::Value) {
     const Innovation whole = expect(channel, measured);
-    const Innovation seen = is_clipped(mark) ? censored(whole, mark) : whole;
+    const double half = variances_.half[channel];
+    const Innovation seen = is_clipped(mark) ? censored(whole, mark)
+                            : half > 0.0     ? rounded(whole, half)
+                                             : whole;
     for (Index p = 0; p < shape_.stride(); p += kLane) {
       const Pack gain = at<kLane>(row_.data() + p).values / seen.variance;
       at<kLane>(gain_.data() + p).values = gain;
@@ -267,6 +271,21 @@ class KalmanStep {
       return {0.0, std::numeric_limits<double>::infinity(), known.deviance, 1.0, slope};
     return {side * known.shift / known.fraction * deviation, at_end.variance / known.fraction,
             known.deviance, 1.0, slope};
+  }
+
+  /// The same of the knowledge that the value lay so near to what was written, `half` the
+  /// spacing of its lattice. The deviance is that of a density, by which lattices and none
+  /// compare.
+  static Innovation rounded(const Innovation& written, double half) {
+    constexpr double kLeastFraction = 1e-12;  // fraction of the variance: nothing new is known
+    const double deviation = std::sqrt(written.variance);
+    const Truncation known((written.value - half) / deviation,
+                           (written.value + half) / deviation);
+    const double deviance = known.deviance + 2.0 * std::log(2.0 * half) - std::log(2.0 * M_PI);
+    if (known.fraction < kLeastFraction)
+      return {0.0, std::numeric_limits<double>::infinity(), deviance, 1.0, 0.0};
+    return {known.shift / known.fraction * deviation, written.variance / known.fraction,
+            deviance, 1.0, 0.0};
   }
 
   LACUNA_INLINE void add_disturbance(Index i) {

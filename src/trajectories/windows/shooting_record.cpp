@@ -85,6 +85,7 @@ std::vector<DrivingSamples> driving_samples(const ShootingRecord& record, const 
     all.delayed.col(static_cast<Index>(all.delays.size())) =
         samples_of(delay, record, rates.dimension());
     all.delays.push_back(delay.delay);
+    all.affine = delay.affine;
     const Index input = delay.slot - rates.dimension();
     all.signals.push_back(input < 0 ? Interpolation::Cubic
                                     : record.holds[static_cast<std::size_t>(input)]);
@@ -93,7 +94,8 @@ std::vector<DrivingSamples> driving_samples(const ShootingRecord& record, const 
   for (std::size_t r = 0; r + 1 < record.begins.size(); ++r) {
     const Index first = record.begins[r], n = record.begins[r + 1] - first;
     driving.push_back({all.time.segment(first, n), all.inputs.middleRows(first, n),
-                       all.delayed.middleRows(first, n), all.delays, all.signals});
+                       all.delayed.middleRows(first, n), all.delays, all.signals,
+                       all.affine});
   }
   return driving;
 }

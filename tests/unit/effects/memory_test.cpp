@@ -95,6 +95,15 @@ TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
   EXPECT_NEAR(made[0].shapes[0].high, 0.8, 1e-12) << "one resolution of 10 s above";
 }
 
+TEST(ParameterDrift, IsNotToldFromWhatMovesInLessThanTwoPeriods) {
+  Scope scope = oscillator_scope();
+  EXPECT_TRUE(determines_time(scope));
+  for (VariableRange& variable : scope.variables) variable.timescale = scope.duration / 11.0;
+  EXPECT_FALSE(determines_time(scope));
+  EXPECT_EQ(forms_of<kParameterDrift>(scope, 1), Forms{});
+  EXPECT_EQ(forms_of<kTimeTrend>(scope, 1), Forms{});
+}
+
 TEST(ParameterDrift, IsOfEveryTermThatVaries) {
   EXPECT_EQ(forms_of<kParameterDrift>(oscillator_scope(), 1), (Forms{"t*q", "t*v", "t*F"}));
 }

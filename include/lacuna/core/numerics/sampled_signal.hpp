@@ -16,12 +16,15 @@ enum class Interpolation : Index {
   Cubic = 4,   ///< the error falls as step^4
 };
 
-/// A straight line over a span of time.
-struct SpanLine {
-  double mean = 0.0, slope = 0.0;  ///< mean + slope (2 share - 1)
+/// A curve over a span of time, in Legendre polynomials of x = 2 share - 1.
+struct SpanCurve {
+  double mean = 0.0, slope = 0.0, bend = 0.0;  ///< mean + slope x + bend (3 x^2 - 1) / 2
 
   /// The value at a fraction (0..1) of the span.
-  double at(double fraction) const noexcept { return mean + slope * (2.0 * fraction - 1.0); }
+  double at(double fraction) const noexcept {
+    const double x = 2.0 * fraction - 1.0;
+    return mean + slope * x + 0.5 * bend * (3.0 * x * x - 1.0);
+  }
 };
 
 /// One sampled quantity as a function of time: in each sampling interval a polynomial, in
@@ -64,13 +67,25 @@ class SampledSignal {
   /// Third derivative over 3! in an interval; 0 unless cubic.
   double third_difference(Index interval) const;
 
-  /// Of a held signal over a span in which it may jump: the line of least squares, which has
-  /// its mean and, unless the line would leave the values of the signal, its first moment.
-  SpanLine held_line(double from, double to);
+  /// Of a held signal over a span in which it may jump: the parabola of least squares, which
+  /// has its mean and its first and second moments. A linear system does to fourth order in
+  /// the length of the span under it what it does under the signal.
+  SpanCurve held_moments(double from, double to);
+
+  /// The same where a function that need not be linear is made of it: the line of least
+  /// squares, less steep where it would leave the values of the signal.
+  SpanCurve held_line(double from, double to);
 
   const Vector& time() const noexcept { return time_; }  ///< of the n samples
 
  private:
+  /// The parabola of least squares, with the ends of the values that the signal has.
+  struct HeldSpan {
+    SpanCurve curve;
+    double least, most;
+  };
+  HeldSpan held_span(double from, double to);
+
   Index first_of(Index interval) const {
     return std::clamp(interval, before_, time_.size() - points_ + before_) - before_;
   }

@@ -37,6 +37,9 @@ struct DecisionOptions {
   double pile_up = 5.0;
 
   double explained_gap = 1.5;
+  double open_gap = 2.0;
+  double diverging = 1.0;
+  double input_noise = 0.6;
   double cancelling = 0.1;
   double out_of_scale = 10.0;
   double acting = 0.01;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct GapRecord {
   Index length = 0;      ///< samples of a window
 };
 
+/// How far a model goes from whole records when it runs freely.
+struct RunApart {
+  double apart = 0.0;     ///< rms of (measured - run) / standard deviation of the state
+  double duration = 0.0;  ///< the longest time for which it was compared
+};
+
 /// How far records and model are apart, before and after.
 struct Gap {
   std::string metric;
@@ -33,6 +40,9 @@ struct Gap {
   std::vector<std::string> records;
   Index diverged = 0;  ///< windows in which a model has no finite solution; they do not count
   std::vector<GapRecord> runs = {};  ///< what the numbers are made of
+  /// Of one run over each record as a whole; nothing where the models do not foretell
+  /// themselves for the length of a window.
+  std::optional<RunApart> free_before = {}, free_after = {};
 
   /// after / before.
   double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }

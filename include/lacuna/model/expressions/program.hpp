@@ -51,8 +51,14 @@ class VariableIndex {
 struct DelayedVariable {
   Index slot = 0;      ///< which variable
   double delay = 0.0;  ///< time units, >= 0
+  /// Whether all outputs of the program are affine in its delayed variables, so that the mean
+  /// and the first moments of one over a step say all that it does there.
+  bool affine = false;
 
-  bool operator==(const DelayedVariable&) const = default;
+  /// The same past of the same variable, whatever is made of it.
+  bool operator==(const DelayedVariable& other) const {
+    return slot == other.slot && delay == other.delay;
+  }
 };
 
 /// Expressions compiled to one straight-line program in which every common subexpression is

@@ -67,6 +67,10 @@ std::vector<StateNoise> noise_of(const BoundRecords& records);
 /// (StateNoise::white), or as values on a lattice. m entries; 0 where they show none.
 Vector visible_noise(const BoundRecords& records);
 
+/// Spacings of the lattices of values that are coarser than their noise (NoiseKind::Quantised):
+/// m entries, 0 where there is none.
+std::vector<double> coarse_lattices(const BoundRecords& records);
+
 /// Whether most samples of some measured state are as the one before them: values on a coarse
 /// lattice, whose rounding is not noise that is independent from sample to sample.
 bool mostly_repeats(const BoundRecords& records);

@@ -56,8 +56,8 @@ StepGrid step_grid(std::vector<Interpolation> signals);
 Matrix step_slots(const Vector& time, const Matrix& values, const StepGrid& grid);
 
 /// Delayed variables at begins, middles and ends of steps. Of a held signal, which jumps
-/// inside of steps then, each step has the straight line of least squares, less steep where it
-/// would leave the values that the signal has.
+/// inside of steps then, each step has the parabola of least squares where all is affine in it
+/// (SampledSignal::held_moments()), else the line (SampledSignal::held_line()).
 /// @param slots as step_slots() has them. @return rows x d.
 Matrix delayed_step_slots(const Eigen::Ref<const Matrix>& slots, const StepGrid& grid,
                           const std::vector<DelayedVariable>& delays);

@@ -29,8 +29,22 @@ struct NoiseModel {
   /// equation holds exactly.
   Vector disturbance;
 
+  /// Per state the spacing of the lattice on which its values are, where it is coarser than
+  /// their noise; 0 or missing where it is not. A sample then says in which interval the value
+  /// lay before it was rounded, and `measurement` is the noise before that.
+  std::vector<double> lattice = {};
+
   Index states() const noexcept { return disturbance.size(); }  ///< m
   Index measured() const noexcept;  ///< number of states that are measured
+
+  /// Spacing of the lattice of a state; 0 where there is none that counts.
+  double lattice_of(std::size_t state) const noexcept {
+    return state < lattice.size() ? lattice[state] : 0.0;
+  }
+
+  /// Standard deviation of noise and rounding of a measured state together: rounding to a
+  /// lattice of spacing q has q / sqrt(12).
+  double rounded(std::size_t state) const noexcept;
 };
 
 /// A standard deviation of a noise model that is fitted.

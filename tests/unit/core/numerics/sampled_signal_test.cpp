@@ -91,15 +91,35 @@ TEST(SampledSignal, TheLineOfAHeldSignalHasItsMeanAndMoment) {
   SampledSignal signal(Vector{{0.0, 1.0, 2.0, 3.0}}, Vector{{0.0, 1.0, 0.0, 5.0}},
                        Interpolation::Held);
   // 1 on the middle half of the span.
-  const SpanLine even = signal.held_line(0.5, 2.5);
+  const SpanCurve even = signal.held_line(0.5, 2.5);
   EXPECT_DOUBLE_EQ(even.mean, 0.5);
   EXPECT_NEAR(even.slope, 0.0, 1e-15);
   // Least squares on a fine grid for a jump in the first tenth.
-  const SpanLine line = signal.held_line(1.9, 2.9);
+  const SpanCurve line = signal.held_line(1.9, 2.9);
   EXPECT_NEAR(line.mean, 0.1, 1e-15);
   EXPECT_NEAR(line.slope, -0.1, 1e-15) << "no value below 0: -0.27 would be the best line";
   EXPECT_DOUBLE_EQ(signal.held_line(-2.0, -1.0).mean, 0.0) << "before the record";
   EXPECT_DOUBLE_EQ(signal.held_line(4.0, 5.0).mean, 5.0) << "behind it";
+}
+
+TEST(SampledSignal, TheMomentsOfAHeldSignalAreExact) {
+  SampledSignal signal(Vector{{0.0, 1.0, 2.0, 3.0}}, Vector{{0.0, 1.0, -2.0, 5.0}},
+                       Interpolation::Held);
+  for (const double from : {0.3, 0.8, 1.0, -0.4}) {
+    const double to = from + 1.7;
+    const SpanCurve curve = signal.held_moments(from, to);
+    double signals[3] = {}, curves[3] = {};
+    const int n = 200000;
+    for (int i = 0; i < n; ++i) {
+      const double fraction = (i + 0.5) / n, x = 2.0 * fraction - 1.0;
+      const double value = signal(from + fraction * (to - from));
+      for (int k = 0; k < 3; ++k) {
+        signals[k] += value * std::pow(x, k) / n;
+        curves[k] += curve.at(fraction) * std::pow(x, k) / n;
+      }
+    }
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(curves[k], signals[k], 1e-4) << from << " " << k;
+  }
 }
 
 TEST(SampledSignal, SamplesHaveToFitAndTimesToIncrease) {

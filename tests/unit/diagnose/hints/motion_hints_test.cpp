@@ -86,6 +86,18 @@ TEST(MotionHints, TellFewSamplesAndFewPeriods) {
   EXPECT_THAT(kinds_of(brief), ::testing::Contains(HintKind::Sampling));
 }
 
+TEST(MotionHints, OneWayToARestTellsNoStructure) {
+  Dataset data = good();
+  data.trajectories = {rows_of(data.trajectories[0], 0, 200)};
+  EXPECT_EQ(withheld_by(hints_of(data)), Withheld::Nothing) << "the input moves";
+  data.trajectories[0].inputs.setConstant(0.7);
+  const std::vector<Hint> hints = hints_of(data);
+  EXPECT_EQ(withheld_by(hints), Withheld::Names);
+  data = good();
+  data.trajectories[0].inputs.setConstant(0.7);
+  EXPECT_EQ(withheld_by(hints_of(data)), Withheld::Nothing) << "many periods";
+}
+
 TEST(StepsInPeriod, AreThoseOfASineWithNoise) {
   Dataset data = support::oscillator_record();  // q = sin 2t in steps of 0.01
   EXPECT_NEAR(steps_in_period(data, 0, 0.0), 100.0 * std::numbers::pi, 8.0);

@@ -34,9 +34,9 @@ class Answer : public ::testing::Test {
     made.left = {{1, 10.0, left, 1.0, 0.5}};
     return made;
   }
-  HoldoutEvaluation evaluated(const CompositeModel& judged,
-                              const std::optional<Gap>& other) const {
-    return evaluate_holdout(asked_.problem(), judged, other);
+  HoldoutEvaluation evaluated(const CompositeModel& judged, const std::optional<Gap>& other,
+                              bool continued = false) const {
+    return evaluate_holdout(asked_.problem(), judged, other, continued);
   }
   Diagnosis answer(CompositeModel judged, const HoldoutEvaluation& evaluation = {}) const {
     return make_answer(asked_.problem(), {std::move(judged)}, {}, evaluation);
@@ -108,13 +108,43 @@ TEST_F(Answer, SamplesThatRepeatNeedMoreThanALittle) {
 }
 
 TEST_F(Answer, WhatNeedNotComeAgainIsNotAskedForIt) {
-  EXPECT_FALSE(evaluated(composite("sin(5*t)"), gap(10.0, 11.0)).withdraw);
+  const HoldoutEvaluation other = evaluated(composite("sin(5*t)"), gap(10.0, 11.0));
+  EXPECT_TRUE(other.lower && !other.withdraw);
+  EXPECT_FALSE(evaluated(composite("sin(5*t)"), gap(10.0, 1.5)).lower);
+  EXPECT_FALSE(evaluated(nameless(0.0), gap(10.0, 11.0)).withdraw) << "there is no name";
+  EXPECT_TRUE(evaluated(composite("sin(5*t)"), std::nullopt).lower) << "nothing was compared";
+}
+
+TEST_F(Answer, WhatDependsOnTimeGoesOnInTheRestOfARecord) {
+  EXPECT_TRUE(evaluated(composite("sin(5*t)"), gap(10.0, 9.0), true).withdraw);
+  EXPECT_FALSE(evaluated(composite("sin(5*t)"), gap(10.0, 1.5), true).withdraw);
+}
+
+TEST_F(Answer, AnInputThatFollowsEverySampleExplainsNothing) {
   CompositeModel driven = composite("u");
   driven.explanation.effects[0].candidate.memory = {
       {"u", parse_expression("-u"), parse_expression("0"), true}};
-  EXPECT_FALSE(evaluated(driven, gap(10.0, 11.0)).withdraw);
-  EXPECT_FALSE(evaluated(nameless(0.0), gap(10.0, 11.0)).withdraw) << "there is no name";
-  EXPECT_TRUE(evaluated(composite("sin(5*t)"), std::nullopt).lower) << "nothing was compared";
+  EXPECT_TRUE(evaluated(driven, gap(10.0, 11.0)).withdraw) << "others are worse with it";
+  EXPECT_FALSE(evaluated(driven, gap(10.0, 9.0)).withdraw);
+  EXPECT_TRUE(evaluated(driven, gap(10.0, 9.0)).lower);
+  EXPECT_FALSE(evaluated(driven, gap(10.0, 1.5)).lower);
+  Baseline base = *driven.base;
+  base.fit_options.hidden = {false, true};
+  driven.base = std::make_shared<const Baseline>(base);
+  EXPECT_TRUE(evaluated(driven, gap(10.0, 9.0)).withdraw) << "of a state that nobody measured";
+}
+
+TEST_F(Answer, AModelThatRunsAwayGetsNoName) {
+  Gap away = gap(10.0, 1.5);
+  away.free_before = {2.0, 10.0};
+  away.free_after = {1.5, 10.0};
+  EXPECT_TRUE(evaluated(composite("sign(v)"), away).withdraw);
+  CompositeModel driven = composite("u");
+  driven.explanation.effects[0].candidate.memory = {
+      {"u", parse_expression("-u"), parse_expression("0"), true}};
+  EXPECT_FALSE(evaluated(driven, away).withdraw) << "no worse than without it";
+  away.free_after = {50.0, 10.0};
+  EXPECT_TRUE(evaluated(driven, away).withdraw);
 }
 
 TEST_F(Answer, TheVerdictIsNamesAndWhatIsLeft) {

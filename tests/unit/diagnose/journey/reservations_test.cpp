@@ -53,11 +53,26 @@ TEST_F(Reservations, TheGapStaysOpenByMoreThanChance) {
   EXPECT_TRUE(
       speaks_of(said(composite(stop(-0.1)), gap_of(1.6, 4.0)), "1.6 times its noise floor"));
   EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(1.6, 2.0)).empty());
-  EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(2.9, 0.0)).empty());
-  EXPECT_TRUE(speaks_of(said(composite(stop(-0.1)), gap_of(3.1, 0.0)), "3.1 times its noise"))
-      << "a scatter that is as large hides no gap of three deviations of the noise";
+  EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(1.9, 0.0)).empty());
+  EXPECT_TRUE(speaks_of(said(composite(stop(-0.1)), gap_of(2.1, 0.0)), "2.1 times its noise"))
+      << "no scatter hides a gap of twice the noise";
   asked_.options.decision.explained_gap = 2.0;
   EXPECT_TRUE(said(composite(stop(-0.1)), gap_of(1.6, 4.0)).empty());
+}
+
+TEST_F(Reservations, AModelThatRunsAwayIsNone) {
+  Gap away = gap_of(1.0, 0.0);
+  EXPECT_FALSE(runs_away(away, asked_.options.decision)) << "nothing was compared";
+  away.free_after = {0.4, 10.0};
+  EXPECT_FALSE(runs_away(away, asked_.options.decision));
+  away.free_after = {1.2, 10.0};
+  EXPECT_TRUE(runs_away(away, asked_.options.decision));
+  EXPECT_TRUE(speaks_of(said(composite(stop(-0.1)), away), "1.2 times their spread"));
+  away.free_after = {INFINITY, 10.0};
+  EXPECT_TRUE(runs_away(away, asked_.options.decision));
+  asked_.options.decision.diverging = 2.0;
+  away.free_after = {1.2, 10.0};
+  EXPECT_FALSE(runs_away(away, asked_.options.decision));
 }
 
 TEST_F(Reservations, NamesWithWhichTheModelIsDisturbedAsBeforeAreSaid) {

@@ -192,5 +192,19 @@ TEST(VariableIndex, FindsTheSlotOfAName) {
   EXPECT_EQ(VariableIndex({.states = {"x", "x"}, .inputs = {}}).find("x"), 0);
 }
 
+TEST(Program, KnowsWhetherItIsAffineInItsDelays) {
+  const auto is_affine = [](const std::string& text) {
+    const Expression formula = parse_expression(text);
+    const Program program({&formula, 1}, {{"x"}, {"u"}});
+    return program.delays().front().affine;
+  };
+  EXPECT_TRUE(is_affine("2*x*delay(u,0.1)-u"));
+  EXPECT_TRUE(is_affine("-delay(u,0.1)/(1+x^2)+sin(x)"));
+  EXPECT_FALSE(is_affine("delay(u,0.1)^2"));
+  EXPECT_FALSE(is_affine("delay(u,0.1)*delay(x,0.2)"));
+  EXPECT_FALSE(is_affine("x/delay(u,0.1)"));
+  EXPECT_FALSE(is_affine("sqrt(delay(u,0.1))"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -87,6 +87,14 @@ TEST(StepGrid, DelayedHeldSignalsKeepTheirIntegral) {
     EXPECT_GE(line.minCoeff(), values.minCoeff() - 1e-12);
     EXPECT_LE(line.maxCoeff(), values.maxCoeff() + 1e-12);
   }
+  const Matrix exact = delayed_step_slots(slots, grid, {{0, 0.13, true}});
+  for (Index i = 2; i + 1 < 8; ++i) {
+    const Eigen::Vector3d curve = exact.col(0).segment<3>(grid.begin(i));
+    const double before = values[i - 2], after = values[i - 1], jump = -0.4;  // at 0.3 of it
+    EXPECT_NEAR((curve[0] + 4.0 * curve[1] + curve[2]) / 6.0, 0.3 * before + 0.7 * after, 1e-12);
+    // The integral of x from -1 to 1, by Simpson's rule, is that of the two steps.
+    EXPECT_NEAR((curve[2] - curve[0]) / 3.0, 0.5 * (after - before) * (1.0 - jump * jump), 1e-12);
+  }
   const Matrix whole = delayed_step_slots(slots, grid, {{0, 0.2}});
   for (Index i = 2; i + 1 < 8; ++i)
     for (Index q = 0; q < 3; ++q)

@@ -54,5 +54,41 @@ TEST(Truncation, SaysNothingFarAbove) {
   EXPECT_NEAR(known.fraction, 0.0, 1e-300);
 }
 
+/// Moments between two ends by the trapezoidal rule.
+Truncation integrated(double low, double high) {
+  const int n = 200000;
+  const double h = (high - low) / n, middle = 0.5 * (low + high);
+  double sums[3] = {};
+  for (int i = 0; i <= n; ++i) {
+    const double x = low + i * h;
+    const double w = (i == 0 || i == n ? 0.5 : 1.0) * h *
+                     std::exp(-0.5 * (x * x - middle * middle));
+    for (int k = 0; k < 3; ++k) sums[k] += w * std::pow(x, k);
+  }
+  Truncation exact(0.0);
+  exact.deviance = -2.0 * std::log(sums[0]) + middle * middle + std::log(2.0 * M_PI);
+  exact.shift = sums[1] / sums[0];
+  exact.fraction = 1.0 - (sums[2] / sums[0] - exact.shift * exact.shift);
+  return exact;
+}
+
+TEST(Truncation, BetweenTwoEndsHasTheMomentsOfTheTruncatedNormal) {
+  for (const double low : {-30.0, -9.0, -1.0, -0.2, 0.0, 0.7, 6.0, 24.0, 40.0})
+    for (const double width : {0.01, 0.5, 3.0}) {
+      const Truncation known(low, low + width), exact = integrated(low, low + width);
+      const double far = std::abs(low) > 20.0 ? 1e-2 : 1e-5;  // by a series there
+      EXPECT_NEAR(known.deviance, exact.deviance, far * std::abs(exact.deviance) + 1e-5);
+      EXPECT_NEAR(known.shift, exact.shift, far * std::max(1.0, std::abs(exact.shift)))
+          << low << " " << width;
+      EXPECT_NEAR(known.fraction, exact.fraction, far) << low << " " << width;
+    }
+}
+
+TEST(Truncation, BetweenNarrowEndsIsTheVarianceOfRounding) {
+  const double step = 0.1;
+  const Truncation known(0.3 - 0.5 * step, 0.3 + 0.5 * step);
+  EXPECT_NEAR(1.0 - known.fraction, step * step / 12.0, 1e-5);
+}
+
 }  // namespace
 }  // namespace lacuna
