@@ -9,9 +9,9 @@ namespace lacuna {
 
 /// The profile of one number: the least cost over all others while it is held.
 struct NumberProfile {
-  std::vector<double> values, deviance;  ///< points that were looked at, values rising
+  std::vector<double> values = {}, deviance = {};  ///< points that were looked at, values rising
   double limit = 0.0;                    ///< deviance at the ends of the interval
-  std::optional<double> low, high;       ///< ends; nothing where the likelihood has none
+  std::optional<double> low = {}, high = {};  ///< ends; nothing where the likelihood has none
   bool is_open_below = false, is_open_above = false;  ///< up to the end of the range or far off
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/effects/families.hpp"
+#include "lacuna/effects/terms.hpp"
 #include "support/effect_forms.hpp"
 
 namespace lacuna {

@@ -126,8 +126,8 @@ struct FitStanding {
   bool converged = true;
   Adequate fits = Adequate::Undetermined;  ///< whether the free run leaves nothing but noise
   std::size_t numbers = 0;           ///< that were fitted
-  std::vector<std::string> open;     ///< those that the records do not determine
-  std::vector<std::string> at_ends;  ///< those that ended at the end of their range
+  std::vector<std::string> open = {};     ///< those that the records do not determine
+  std::vector<std::string> at_ends = {};  ///< those that ended at the end of their range
   bool is_exact = false;             ///< what is left is rounding, no noise can be seen
 
   /// Whether residuals are noise, every number is determined, and none stands at an end of its

@@ -75,7 +75,7 @@ TEST(BaseColumns, WithFewNeverLeavesLessThanTheBestSubset) {
                   for (Index c = 0; c < 5; ++c)
                     if (c != out) kept.push_back(c);
                   const Matrix few = columns(Eigen::all, kept);
-                  least = std::min(least, squares_left(joined(few, more), target));
+                  least = std::min(least, residual_squares(joined(few, more), target));
                 }
                 return least;
               }(),
