@@ -10,6 +10,7 @@
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/validation/validate.hpp"
+#include "lower_terms.hpp"
 #include "records/binding/other_records.hpp"
 
 namespace lacuna {
@@ -148,10 +149,13 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
   if (task.measured == Measured::AllStates)
     task.pipeline = with_centred_library(task.pipeline, records.excerpt(), centred);
   Identification found = find_equations(std::move(records), task, context);
-  found.result.warnings.insert(found.result.warnings.end(), centred.begin(), centred.end());
   if (!context.leads()) return found;
   const RunContext alone = context.alone();
   IdentificationResult& result = found.result;
+  if (!centred.empty())
+    result = with_lower_terms(given.pipeline, task.pipeline, found.records, std::move(result),
+                              alone);
+  result.warnings.insert(result.warnings.end(), centred.begin(), centred.end());
   const bool is_map = result.model.is_map();
   const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
   warn_of_records(task, result, data);

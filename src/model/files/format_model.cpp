@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
+#include "core/statistics/determined.hpp"
 #include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
@@ -36,19 +37,21 @@ std::string quantities_text(const std::vector<Quantity>& quantities) {
 }
 
 /// What is known of a coefficient or a parameter. An error or interval that is not finite says
-/// nothing, and JSON has no way to write it.
+/// nothing, and JSON has no way to write it; nor does an interval of what is not determined.
 template <class Number>
-void add_errors(const Number& number, OrderedJson& object) {
+void add_errors(double value, const Number& number, OrderedJson& object) {
   if (number.standard_error && std::isfinite(*number.standard_error))
     object["stderr"] = *number.standard_error;
-  if (number.ci95 && std::isfinite((*number.ci95)[0]) && std::isfinite((*number.ci95)[1]))
+  if (!number.ci95) return;
+  const auto [low, high] = *number.ci95;
+  if (std::isfinite(low) && std::isfinite(high) && is_determined(value, high / 2.0 - low / 2.0))
     object["ci95"] = *number.ci95;
 }
 
 std::string summand_text(const WeightedTerm& summand) {
   OrderedJson object{{"term", summand.term.name()}, {"coefficient", summand.coefficient}};
   if (summand.fixed) object["fixed"] = true;
-  add_errors(summand, object);
+  add_errors(summand.coefficient, summand, object);
   return dump(object);
 }
 
@@ -59,7 +62,7 @@ std::string parameter_text(const Parameter& parameter) {
   if (parameter.min) object["min"] = *parameter.min;
   if (parameter.max) object["max"] = *parameter.max;
   if (parameter.per_record) object["per_record"] = true;
-  add_errors(parameter, object);
+  add_errors(parameter.value, parameter, object);
   return dump(object);
 }
 

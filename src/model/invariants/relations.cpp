@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -49,18 +50,27 @@ std::optional<Vector> flattest(const MonomialMoments& moments, const Set& set) {
   return Vector(c / c[0]);
 }
 
-/// Whether what a combination varies by is noise, over samples and over blocks of them.
-bool is_noise(const MonomialMoments& moments, const Set& set, const Vector& c,
-              const RelationOptions& options) {
-  const double white = form(moments.white, set, c), lasting = form(moments.lasting, set, c);
-  const double slack = (1.0 + options.noise_slack) * (1.0 + options.noise_slack);
-  if (form(moments.covariance, set, c) >
-      slack * with_chance(moments.samples, options) * (white + lasting))
-    return false;
+/// By what factor a variance may be above that of noise which is known to a share only.
+double slack_of(const RelationOptions& options) {
+  return (1.0 + options.noise_slack) * (1.0 + options.noise_slack);
+}
+
+/// Whether what a combination varies by from sample to sample is noise.
+bool is_noise_in_samples(const MonomialMoments& moments, const Set& set, const Vector& c,
+                         const RelationOptions& options) {
+  const double noise = form(moments.white, set, c) + form(moments.lasting, set, c);
+  return form(moments.covariance, set, c) <=
+         slack_of(options) * with_chance(moments.samples, options) * noise;
+}
+
+/// Whether the same holds for means of blocks, where what lasts is left.
+bool is_noise_in_means(const MonomialMoments& moments, const Set& set, const Vector& c,
+                       const RelationOptions& options) {
   const Vector means = moments.block_means(Eigen::all, set) * c;
   const double left = means.squaredNorm() / static_cast<double>(means.size());
-  const double allowed = white / static_cast<double>(moments.block) + lasting;
-  return left <= slack * with_chance(means.size(), options) * allowed;
+  const double allowed = form(moments.white, set, c) / static_cast<double>(moments.block) +
+                         form(moments.lasting, set, c);
+  return left <= slack_of(options) * with_chance(means.size(), options) * allowed;
 }
 
 /// Whether the noise of a combination is that of its gradient, as is assumed. Where its
@@ -151,6 +161,75 @@ bool is_multiple(const MonomialMoments& moments, const Set& set, const Relation&
   return false;
 }
 
+/// A polynomial by the exponents of its monomials.
+using Polynomial = std::map<std::vector<int>, double>;
+
+Polynomial product(const Polynomial& one, const Polynomial& other) {
+  Polynomial result;
+  for (const auto& [left, a] : one)
+    for (const auto& [right, b] : other) {
+      std::vector<int> sum = left;
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += right[k];
+      result[sum] += a * b;
+    }
+  return result;
+}
+
+/// A sum of states that moves by less than their noise, solved for one of them.
+struct StillSum {
+  std::size_t state = 0;
+  Polynomial rest;  ///< state = rest wherever the sum is what it is on average
+};
+
+/// @param set monomials of degree 1 whose combination c hardly moves.
+StillSum still_sum(const MonomialMoments& moments, const Set& set, const Vector& c) {
+  const auto exponents = [&](Index j) -> const std::vector<int>& {
+    return moments.exponents[static_cast<std::size_t>(set[static_cast<std::size_t>(j)])];
+  };
+  const Index last = c.size() - 1;
+  const std::vector<int>& solved = exponents(last);
+  StillSum sum;
+  sum.state = static_cast<std::size_t>(std::find(solved.begin(), solved.end(), 1) -
+                                       solved.begin());
+  double value = 0.0;
+  for (Index j = 0; j <= last; ++j) {
+    value += c[j] * moments.mean[set[static_cast<std::size_t>(j)]];
+    if (j < last) sum.rest[exponents(j)] = -c[j] / c[last];
+  }
+  sum.rest[std::vector<int>(solved.size(), 0)] = value / c[last];
+  return sum;
+}
+
+/// A combination of monomials with a state replaced by what a sum that hardly moves has for it.
+Polynomial without_state(const MonomialMoments& moments, const Set& set, const Vector& c,
+                         const StillSum& sum) {
+  Polynomial result;
+  for (Index j = 0; j < c.size(); ++j) {
+    std::vector<int> other =
+        moments.exponents[static_cast<std::size_t>(set[static_cast<std::size_t>(j)])];
+    const int power = std::exchange(other[sum.state], 0);
+    Polynomial term{{other, c[j]}};
+    for (int i = 0; i < power; ++i) term = product(term, sum.rest);
+    for (const auto& [exponents, coefficient] : term) result[exponents] += coefficient;
+  }
+  return result;
+}
+
+/// Whether a relation is the product of a sum that hardly moves, z - 3 say, and something that
+/// moves: with z = 3 nothing of it is left. In (z - 3) x the motion of z is averaged out as
+/// soon as x oscillates, so that neither samples nor means of them show it.
+bool is_product_with(const MonomialMoments& moments, const Set& set, const Vector& c,
+                     const StillSum& sum, double scatter) {
+  const Polynomial left = without_state(moments, set, c, sum);
+  for (std::size_t term = 0; term < moments.exponents.size(); ++term) {
+    const auto at = left.find(moments.exponents[term]);
+    if (at == left.end()) continue;
+    const auto place = static_cast<Index>(term);
+    if (std::abs(at->second) * root(moments.covariance(place, place)) > scatter) return false;
+  }
+  return true;
+}
+
 /// Goes through sets of monomials, fewest first.
 class RelationSearch {
  public:
@@ -198,19 +277,34 @@ class RelationSearch {
     context_.check_stop();
     if (std::any_of(set.begin(), set.end(), [&](Index term) { return follows(term); })) return;
     const std::optional<Vector> c = flattest(moments_, set);
-    if (!c || !is_noise(moments_, set, *c, options_) || !is_first_order(moments_, set, *c) ||
+    if (!c || !is_noise_in_samples(moments_, set, *c, options_) ||
+        !is_first_order(moments_, set, *c) ||
         !is_strong(moments_, set, *c, options_.strength))
       return;
+    const bool is_sum = degree_of(moments_, set.back()) == 1;
+    if (!is_noise_in_means(moments_, set, *c, options_)) {
+      if (is_sum) still_.push_back(still_sum(moments_, set, *c));
+      return;
+    }
     Relation relation = relation_of(moments_, set, *c);
     // A state that is 0 itself is one, and no product.
-    if (degree_of(moments_, set.back()) > 1 && is_multiple(moments_, set, relation)) return;
+    if (!is_sum && is_product(set, *c, relation)) return;
     found_.push_back(std::move(relation));
     leading_.push_back(set.back());
+  }
+
+  /// Whether what vanishes is a product, of which one factor says more.
+  bool is_product(const Set& set, const Vector& c, const Relation& relation) const {
+    return is_multiple(moments_, set, relation) ||
+           std::any_of(still_.begin(), still_.end(), [&](const StillSum& sum) {
+             return is_product_with(moments_, set, c, sum, relation.scatter);
+           });
   }
 
   const MonomialMoments& moments_;
   const RelationOptions& options_;
   const RunContext& context_;
+  std::vector<StillSum> still_;  ///< that are no relations, as they move over longer times
   std::vector<Relation> found_;
   std::vector<Index> leading_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/statistics/determined.hpp"
 #include "diagnosis_sentences.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
@@ -26,9 +27,11 @@ Json to_json(const Location& place) {
   return json;
 }
 
-/// A number whose error is not known has no interval, and none of width 0.
-Json interval_json(const std::array<double, 2>& ends) {
-  return ends[0] < ends[1] ? Json(ends) : Json();
+/// A number whose error is not known has no interval, and none of width 0, nor one that says
+/// nothing of it.
+Json interval_json(double estimate, const std::array<double, 2>& ends) {
+  const double half = ends[1] / 2.0 - ends[0] / 2.0;
+  return half > 0.0 && is_determined(estimate, half) ? Json(ends) : Json();
 }
 
 Json disagreement_json(const Diagnosis& diagnosis) {
@@ -54,7 +57,7 @@ Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
             {"cause", effect.cause},
             {"term", effect.term},
             {"coefficient", effect.coefficient},
-            {"ci95", interval_json(effect.ci95())},
+            {"ci95", interval_json(effect.coefficient, effect.ci95())},
             {"parameters", Json::object()},
             {"sigma", effect.sigma},
             {"gap_closed", effect.gap_closed},
@@ -76,7 +79,7 @@ Json changes_json(const Diagnosis& diagnosis) {
                     {"term", change.term},
                     {"nominal", change.nominal},
                     {"estimated", change.estimated},
-                    {"ci95", interval_json(change.ci95())},
+                    {"ci95", interval_json(change.estimated, change.ci95())},
                     {"sigma", change.sigma}});
     if (!change.determined) list.back()["ci95"] = nullptr;
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "core/statistics/determined.hpp"
 #include "free_runs.hpp"
 #include "readable.hpp"
 #include "relation_text.hpp"
@@ -121,7 +122,8 @@ std::vector<Fact> facts_of(const IdentificationReport& report, const Dataset& da
 
 std::string interval_text(const WeightedTerm& summand) {
   if (!summand.ci95) return "-";
-  const double half = ((*summand.ci95)[1] - (*summand.ci95)[0]) / 2.0;
+  const double half = (*summand.ci95)[1] / 2.0 - (*summand.ci95)[0] / 2.0;
+  if (!is_determined(summand.coefficient, half)) return "not determined";
   const int digits = digits_of(summand.coefficient, half);
   return format_number((*summand.ci95)[0], digits) + " to " +
          format_number((*summand.ci95)[1], digits);

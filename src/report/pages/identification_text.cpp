@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/base/text.hpp"
+#include "core/statistics/determined.hpp"
 #include "lacuna/report/pages/identification_report.hpp"
 #include "readable.hpp"
 #include "relation_text.hpp"
@@ -20,7 +21,9 @@ std::string indented(const std::string& text) {
 }
 
 std::string error_text(const WeightedTerm& summand) {
-  return summand.standard_error ? format_number(*summand.standard_error, 2) : "-";
+  if (!summand.standard_error) return "-";
+  const bool known = is_determined(summand.coefficient, *summand.standard_error);
+  return format_number(*summand.standard_error, 2) + (known ? "" : " (not determined)");
 }
 
 std::string coefficient_table(const OdeModel& model, bool full) {

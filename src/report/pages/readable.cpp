@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "core/statistics/determined.hpp"
 #include "data/records/piece_name.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 
@@ -40,7 +41,9 @@ int digits_of(double value, double error) {
 
 std::string with_error(double value, double error) {
   if (error == 0.0) return format_number(value, 4);
-  return format_number(value, digits_of(value, error)) + " +- " + format_number(error, 2);
+  const std::string number = format_number(value, digits_of(value, error));
+  if (!is_determined(value, error)) return number + " (not determined)";
+  return number + " +- " + format_number(error, 2);
 }
 
 std::string coefficient_text(const WeightedTerm& summand, bool full) {

@@ -13,7 +13,8 @@ namespace lacuna {
 /// there is no error.
 int digits_of(double value, double error);
 
-/// The number and its error, to the digits that the error allows: "-0.398 +- 0.005".
+/// The number and its error, to the digits that the error allows: "-0.398 +- 0.005"; "3e-12 (not
+/// determined)" where it is not (is_determined()).
 std::string with_error(double value, double error);
 
 /// A coefficient to the digits of its interval; without one 6, or all with `full`.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/text.hpp"
+#include "core/statistics/determined.hpp"
 #include "readable.hpp"
 
 namespace lacuna {
@@ -38,7 +39,9 @@ std::string relation_text(const Relation& relation) {
   std::string text;
   for (const RelationTerm& term : relation.terms)
     text += (text.empty() ? "" : " ") + factor_text(term, text.empty()) + term.term;
-  return text + " = " + with_error(relation.value, relation.scatter);
+  // Beside so much scatter a value is what rounding leaves of 0.
+  const bool is_value = is_determined(relation.value, relation.scatter);
+  return text + " = " + with_error(is_value ? relation.value : 0.0, relation.scatter);
 }
 
 std::string relation_sentence(const Relation& relation) {

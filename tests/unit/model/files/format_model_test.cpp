@@ -62,5 +62,12 @@ TEST(FormatModel, ErrorsThatAreNotFiniteAreLeftOut) {
   EXPECT_EQ(parse_model(text, "m").coefficient(0, "x"), 1.0);
 }
 
+TEST(FormatModel, IntervalsThatSayNothingAreLeftOut) {
+  const std::string text =
+      format_model(decay({Term::parse("x", kOnlyX), 7.5e-12, 1e71, {{-2e71, 2e71}}}));
+  EXPECT_THAT(text, ::testing::HasSubstr("\"stderr\":1e+71"));
+  EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("ci95")));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -177,6 +177,35 @@ TEST(Relations, TheSquareOfASmallMotionIsNone) {
     }
 }
 
+TEST(Relations, AProductWithASmallMotionIsNone) {
+  // z moves by less than its noise and shows it in means only; in (z - 3) x, which oscillates,
+  // and in (z - 3) (x + y) it is averaged out there too.
+  for (const double drift : {0.006, 0.008, 0.01})
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      Dataset data = orbit();
+      data.states.push_back({"z", ""});
+      Trajectory& record = data.trajectories[0];
+      record.states.conservativeResize(Eigen::NoChange, 3);
+      record.states.col(2) = 3.0 + drift * (0.1 * record.time.array()).sin();
+      const auto found = find_relations(add_noise(data, Vector::Constant(3, 0.02), seed));
+      ASSERT_EQ(found.size(), 1U) << drift << ", " << seed;
+      EXPECT_THAT(names_of(found[0]), ElementsAre("x^2", "y^2"));
+    }
+}
+
+TEST(Relations, AProductWithASmallMotionOfASumIsNone) {
+  // y - 3 x moves by less than its noise.
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Dataset data = orbit();
+    Matrix& states = data.trajectories[0].states;
+    const auto& time = data.trajectories[0].time.array();
+    states.col(0) = time.cos() + 0.3 * (2.3 * time).sin();
+    states.col(1) = (3.0 * states.col(0).array() + 1.0 + 0.02 * (0.1 * time).sin()).matrix();
+    EXPECT_TRUE(find_relations(add_noise(data, Vector::Constant(2, 0.02), seed)).empty())
+        << seed;
+  }
+}
+
 TEST(Relations, FewSamplesTellNone) {
   Dataset data = orbit();
   data.trajectories[0] = rows_of(data.trajectories[0], 0, 30);

@@ -14,6 +14,15 @@ TEST(IdentificationText, ShowsEquationsAndErrors) {
   EXPECT_THAT(text, HasSubstr("0.01"));
 }
 
+TEST(IdentificationText, SaysWhatIsNotDetermined) {
+  const Variables variables{{"x", "y"}, {}};
+  IdentificationReport report = sample_report();
+  report.result.model = report.result.model.with_equations(
+      {{{Term::parse("y", variables), 1.0}},
+       {{Term::parse("x", variables), 7.5e-12, 2e71, std::array{-4e71, 4e71}}}});
+  EXPECT_THAT(format_text(report), HasSubstr("2e+71 (not determined)"));
+}
+
 TEST(IdentificationText, ShowsHowWellItFits) {
   const std::string text = format_text(sample_report());
   EXPECT_THAT(text, HasSubstr("dx/dt: known without a fit"));

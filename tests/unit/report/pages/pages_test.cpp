@@ -51,6 +51,17 @@ TEST(Pages, IdentificationShowsWhatItShould) {
   EXPECT_THAT(html, HasSubstr("-2.02 to -1.98"));
 }
 
+TEST(Pages, IdentificationSaysWhatIsNotDetermined) {
+  IdentificationReport report = sample_report();
+  const Variables variables{{"x", "y"}, {}};
+  report.result.model = report.result.model.with_equations(
+      {{{Term::parse("y", variables), 1.0}},
+       {{Term::parse("x", variables), 7.5e-12, 2e71, std::array{-4e71, 4e71}}}});
+  const std::string html = format_html(identification_page(report, oscillation()));
+  EXPECT_THAT(html, HasSubstr("not determined"));
+  EXPECT_THAT(html, ::testing::Not(HasSubstr("e+71 to")));
+}
+
 TEST(Pages, IdentificationThatDoesNotFitSaysSoFirst) {
   IdentificationReport report = sample_report();
   report.result.fit[1].fits_to_noise = false;

@@ -20,6 +20,7 @@ TEST(Readable, DigitsFollowTheError) {
   EXPECT_EQ(with_error(1234.5, 100.0), "1.23e+03 +- 1e+02");
   EXPECT_EQ(with_error(0.123456, 0.0), "0.1235");
   EXPECT_EQ(with_error(0.01234, 0.5), "0.012 +- 0.5");
+  EXPECT_EQ(with_error(7.5e-12, 2e71), "7.5e-12 (not determined)");
   EXPECT_EQ(digits_of(1.0, 0.0), 4);
 }
 

@@ -14,6 +14,7 @@ TEST(RelationText, ReadsLikeAnEquation) {
   EXPECT_EQ(relation_text({{{"x", 1.0, 0.0}, {"y", 0.5012, 0.002}}, -1.0, 0.1, 0.1}),
             "x + 0.5*y = -1 +- 0.1");
   EXPECT_EQ(relation_text({{{"z", 1.0, 0.0}}, 3.0, 0.0, 0.0}), "z = 3");
+  EXPECT_EQ(relation_text({{{"z", 1.0, 0.0}}, 7.5e-12, 2e71, 2e71}), "z = 0 +- 2e+71");
 }
 
 TEST(RelationText, SaysWhatCannotBeToldApart) {
