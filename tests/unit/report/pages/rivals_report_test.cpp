@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-RivalComparison example() {
+RivalComparison two_rivals() {
   RivalComparison comparison;
   comparison.values = 40.0;
   comparison.rivals = {{.name = "a.ode", .unknowns = 4.0, .aicc = 10.0, .fits = Adequate::Yes},
@@ -33,12 +33,12 @@ RivalComparison example() {
 }
 
 TEST(RivalsReport, TextNamesWhatIsNotDistinguished) {
-  const std::string text = format_text(example());
+  const std::string text = format_text(two_rivals());
   EXPECT_THAT(text, HasSubstr("The records do not distinguish these: a.ode, b.ode."));
   EXPECT_THAT(text, HasSubstr("residuals have structure, tied"));
   EXPECT_THAT(text, HasSubstr("did not converge"));
   EXPECT_THAT(text, ::testing::Not(HasSubstr("held-out")));
-  RivalComparison alone = example();
+  RivalComparison alone = two_rivals();
   alone.rivals[1].is_tied = false;
   alone.rivals[0].held_out = 0.2;
   alone.rivals[0].fits = Adequate::No;
@@ -48,7 +48,7 @@ TEST(RivalsReport, TextNamesWhatIsNotDistinguished) {
 }
 
 TEST(RivalsReport, JsonHasTheFieldsOfTheFormat) {
-  const auto json = nlohmann::json::parse(format_json(example()));
+  const auto json = nlohmann::json::parse(format_json(two_rivals()));
   EXPECT_EQ(json["format"], "lacuna.rivals/1");
   EXPECT_EQ(json["rivals"][1]["behind_sigma"], 0.4);
   EXPECT_EQ(json["rivals"][1]["tied"], true);
