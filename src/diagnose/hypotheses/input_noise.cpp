@@ -44,10 +44,13 @@ double white_noise_in(const Dataset& alone) {
 }  // namespace
 
 std::vector<InputNoise> noise_of_inputs(const Dataset& data) {
+  // A fact of numbers in double precision: what is below it is no noise of a sensor.
+  constexpr double kRounding = 1e-12;
   std::vector<InputNoise> all;
   for (Index j = 0; j < data.input_count(); ++j) {
     const Dataset alone = input_alone(data, j);
-    all.push_back({white_noise_in(alone), deviation_of(alone)});
+    const double noise = white_noise_in(alone), deviation = deviation_of(alone);
+    all.push_back({noise > kRounding * deviation ? noise : 0.0, deviation});
   }
   return all;
 }

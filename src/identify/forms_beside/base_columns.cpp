@@ -78,31 +78,4 @@ double BaseColumns::left_without_two(const Vector& column) const {
   return more.left + least;
 }
 
-double BaseColumns::left_with_few(const Vector& column, Index others) const {
-  if (!std::isfinite(left_) || !column.allFinite()) return kInfinity;
-  const Added more = added(column);
-  if (more.size == 0.0) return kInfinity;
-  Vector h = h_ - more.h * more.along;
-  Matrix inverse = inverse_ + more.along * more.along.transpose() / more.size;
-  double left = more.left;
-  for (Index count = h.size(); count > others; --count) {
-    Index least = -1;
-    double worth = kInfinity;
-    for (Index i = 0; i < h.size(); ++i)
-      if (inverse(i, i) > 0.0 && h[i] * h[i] < worth * inverse(i, i)) {
-        worth = h[i] * h[i] / inverse(i, i);
-        least = i;
-      }
-    if (least < 0) return kInfinity;
-    left += worth;
-    const Vector along = inverse.col(least) / inverse(least, least);
-    h -= h[least] * along;
-    inverse -= along * inverse.row(least).eval();
-    inverse.row(least).setZero();
-    inverse.col(least).setZero();
-    inverse.diagonal()[least] = -1.0;  // it is gone
-  }
-  return left;
-}
-
 }  // namespace lacuna

@@ -22,10 +22,6 @@ class BaseColumns {
   /// h_D' ((A'A)^-1_DD)^-1 h_D is what two columns D are worth.
   double left_without_two(const Vector& column) const;
 
-  /// With one column more and no more than so many of the others: those that are missed least go
-  /// one after another. What goes by h_i^2 / (A'A)^-1_ii leaves that much more.
-  double left_with_few(const Vector& column, Index others) const;
-
  private:
   /// A column as it changes the solution.
   struct Added {

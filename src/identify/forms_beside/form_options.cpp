@@ -17,11 +17,6 @@ void describe_search(FormOptions& o, OptionVisitor& v) {
        "of terms where that begins.",
        1.0},
       o.thinned);
-  v.field({"hopeless", "",
-           "A form that with fewer parameters, its shapes fitted roughly, has a residual (sum of "
-           "squares) so many times the largest that is allowed is tried no further.",
-           1.0},
-          o.hopeless);
   v.field(
       {"denominators", "",
        "Denominators in several variables that go on from the implicit form of an equation.",

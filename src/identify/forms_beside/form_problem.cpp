@@ -17,9 +17,6 @@
 namespace lacuna {
 namespace {
 
-/// Enough to rank forms, which are fitted again.
-constexpr int kEvaluationsRoughly = 25;
-
 /// Whether a candidate is taken in already: with other numbers it would only cancel itself.
 bool has_form(const EquationForms& equation, const Candidate& candidate) {
   return std::any_of(
@@ -142,6 +139,8 @@ std::vector<Term> FormProblem::linear_terms() const {
 
 std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
                                           const std::vector<Candidate>& candidates) const {
+  // A fact of the search: enough to rank forms, which are fitted again.
+  constexpr int kEvaluationsRoughly = 25;
   std::vector<Start> starts = all_starts(candidates);
   set_residuals(rated({{equation}}, starts).col(0), starts);
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
@@ -154,8 +153,7 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
   }
   const auto fit = [&](std::size_t count, int evaluations) {
     parallel_for(std::min(count, trials.size()), context_.threads, [&](std::size_t i) {
-      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), evaluations,
-                                  kUnnoticedExactly);
+      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), evaluations);
     });
   };
   fit(trials.size(), kEvaluationsRoughly);
@@ -169,16 +167,14 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
 Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
                            const Limit& limit) const {
   equation.forms.push_back(form);
-  Trial now{equation, polish(equation, equation.forms.size() - 1, kEvaluationsExactly,
-                             kUnnoticedOnTheWay)};
+  Trial now{equation, polish(equation, equation.forms.size() - 1, kEvaluationsExactly)};
   now.equation = equation;
   if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
   while (now.left <= limit(now.equation) &&
          now.equation.terms.size() + now.equation.forms.size() > 1) {
     Trial next = without_least(now.equation);
     if (next.left > limit(next.equation) && !next.equation.forms.empty())
-      next.left = polish(next.equation, next.equation.forms.size() - 1, kEvaluationsExactly,
-                         kUnnoticedOnTheWay);
+      next.left = polish(next.equation, next.equation.forms.size() - 1, kEvaluationsExactly);
     if (!(next.left <= limit(next.equation))) break;
     now = std::move(next);
   }
@@ -211,32 +207,6 @@ Trial FormProblem::chosen(const EquationForms& from, const MissingForm& form,
       few.forms.push_back(from.forms[static_cast<std::size_t>(c - terms)]);
   }
   return thinned(std::move(few), form, limit);
-}
-
-bool FormProblem::may_replace(const BaseColumns& terms, const MissingForm& form,
-                             const Limit& limit) const {
-  const Index shapes = form.shapes.size();
-  // One parameter is to spare, and one is the coefficient of the form.
-  const Index others = static_cast<Index>(limit.parameters) - 2 - shapes;
-  if (others < 0) return false;
-  const double most =
-      options_.hopeless *
-      (limit.left + limit.penalty * static_cast<double>(limit.parameters));
-  const ShapeScale scale(form.candidate.shapes);
-  MissingForm now = form;
-  const auto left = [&](const Vector& at) {
-    context_.check_stop();
-    if (shapes > 0) now.shapes = scale.shapes(at);
-    return terms.left_with_few(rows_.columns({now.expression()}).col(0), others);
-  };
-  if (shapes == 0) return left(Vector()) <= most;
-  const Vector start = scale.unit(form.shapes);
-  if (left(start) <= most) return true;
-  const auto log_left = [&](const Vector& at) {
-    return std::log(std::max(left(at), 1e-300));
-  };
-  const int evaluations = kEvaluationsRoughly * static_cast<int>(shapes * shapes);
-  return left(least_in_cube(log_left, start, {0.03, 0.01, evaluations})) <= most;
 }
 
 bool FormProblem::alike(const MissingForm& a, const MissingForm& b, Plainness kind) const {
@@ -278,16 +248,15 @@ double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
   return std::abs(both.col(0).dot(both.col(1))) / (both.col(0).norm() * both.col(1).norm());
 }
 
-double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations,
-                           double unnoticed) const {
+double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations) const {
   EquationForms others = equation;
   others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(place));
   const BaseColumns base(columns(others), rows_.target(equation.equation));
-  return fit_shapes(base, equation.forms[place], evaluations, unnoticed);
+  return fit_shapes(base, equation.forms[place], evaluations);
 }
 
-double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form, int evaluations,
-                               double unnoticed) const {
+double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
+                               int evaluations) const {
   const ShapeScale scale(form.candidate.shapes);
   const auto left = [&](const Vector& at) {
     context_.check_stop();
@@ -298,7 +267,7 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form, int e
   if (form.shapes.size() == 0) return base.left_with(rows_.columns({form.expression()}).col(0));
   const Vector start = scale.unit(form.shapes);
   const int most = evaluations * static_cast<int>(start.size() * start.size());
-  return std::exp(left(least_in_cube(left, start, {0.03, unnoticed, most})));
+  return std::exp(left(least_in_cube(left, start, {0.03, 1e-7, most})));
 }
 
 Matrix FormProblem::rated(const std::vector<Beside>& equations,

@@ -14,10 +14,6 @@ namespace lacuna {
 /// Evaluations for a shape when it is fitted to the last digits.
 inline constexpr int kEvaluationsExactly = 80;
 
-/// Changes of the logarithm of a sum of squares that are not noticed: in the end, and where it
-/// is asked whether a form will do: that of a thousand rows of noise scatters by 0.04.
-inline constexpr double kUnnoticedExactly = 1e-7, kUnnoticedOnTheWay = 1e-5;
-
 /// A candidate at one of its starting points.
 struct Start {
   MissingForm form;
@@ -102,17 +98,6 @@ class FormProblem {
   /// as the residual stays within a limit; infinite where already the form does not.
   Trial thinned(EquationForms equation, const MissingForm& form, const Limit& limit) const;
 
-  /// Whether a form may replace an equation by fewer parameters: beside the columns of a set of
-  /// terms of which no more stay than leave a parameter to spare, its shapes fitted roughly, the
-  /// residual is less than FormOptions::hopeless times the limit. Else thinned() and chosen()
-  /// from this set come to nothing.
-  bool may_replace(const BaseColumns& terms, const MissingForm& form, const Limit& limit) const;
-
-  /// Columns of an equation as what stays beside a form.
-  BaseColumns base_of(const EquationForms& equation) const {
-    return BaseColumns(columns(equation), rows_.target(equation.equation));
-  }
-
   /// The form with those terms of an equation that it needs beside it, chosen by a penalty for
   /// each in units of what the limit leaves on average in a row; thinned to the limit.
   Trial chosen(const EquationForms& from, const MissingForm& form, const Limit& limit) const;
@@ -129,10 +114,8 @@ class FormProblem {
   /// Correlation of two forms over the samples.
   double likeness(const MissingForm& a, const MissingForm& b) const;
 
-  /// Fits the shapes of one form. @param unnoticed change of the logarithm of the residual at
-  /// which that ends. @return the residual.
-  double polish(EquationForms& equation, std::size_t place, int evaluations,
-                double unnoticed = kUnnoticedExactly) const;
+  /// Fits the shapes of one form. @return the residual.
+  double polish(EquationForms& equation, std::size_t place, int evaluations) const;
 
   /// The residual with each of the starting points more: starts x equations. Columns of the
   /// starting points are made once for all equations.
@@ -143,8 +126,7 @@ class FormProblem {
   Trial without_least(const EquationForms& equation) const;
 
   /// Fits the shapes of a form beside columns that stay. @return the residual.
-  double fit_shapes(const BaseColumns& base, MissingForm& form, int evaluations,
-                    double unnoticed) const;
+  double fit_shapes(const BaseColumns& base, MissingForm& form, int evaluations) const;
 
   FormRows rows_;
   Vector noise_;

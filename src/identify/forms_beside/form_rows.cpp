@@ -10,7 +10,6 @@
 #include "data/derivatives/moving_polynomial.hpp"
 #include "data/records/known_noise.hpp"
 #include "regression/formulations/test_functions.hpp"
-#include "trajectories/refiners/record_stretches.hpp"
 
 namespace lacuna {
 namespace {
@@ -56,33 +55,21 @@ TestFunction narrow_function(const Dataset& data, const std::optional<Vector>& s
   return choose_test_function(data, {.radius = narrow, .order = {}}, 1, noise);
 }
 
-/// Stretches of long records that have room for all rows side by side: rows that are farther
-/// apart hold no more, and their samples in between are evaluated for each form.
-Dataset enough_for_rows(const Dataset& data, const TestFunction& function) {
-  const double step = total_duration(data) / static_cast<double>(data.samples());
-  const auto samples = [&](double time) {
-    return static_cast<Index>(std::ceil(time / std::max(step, 1e-300)));
-  };
-  return record_stretches(data, samples(kMostRows * test_function_spacing(function)),
-                          samples(2.0 * function.radius));
-}
-
 }  // namespace
 
-FormRows::FormRows(const Dataset& all, const Vector& noise, const std::vector<Term>& library,
+FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library,
                    int threads, const std::optional<Vector>& seen) {
-  const TestFunction function = narrow_function(all, seen);
-  const Dataset data = enough_for_rows(all, function);
   variables_ = {names_of(data.states), names_of(data.inputs)};
   states_.resize(data.samples(), data.state_count());
   rates_.resize(data.samples(), data.state_count());
   slots_.resize(data.samples(), variables_.count());
-  take_in(data, noise, function, threads);
+  take_in(data, noise, threads, seen);
   take_in(library, threads);
 }
 
-void FormRows::take_in(const Dataset& data, const Vector& noise, const TestFunction& function,
-                       int threads) {
+void FormRows::take_in(const Dataset& data, const Vector& noise, int threads,
+                       const std::optional<Vector>& seen) {
+  const TestFunction function = narrow_function(data, seen);
   const double spacing =
       std::max(test_function_spacing(function), total_duration(data) / kMostRows);
   std::vector<Part> parts;

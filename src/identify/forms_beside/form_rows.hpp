@@ -15,15 +15,14 @@ namespace lacuna {
 /// The weak form of a dataset with its rows at hand, K x columns, so that one form more costs
 /// one column. Rows are whitened: white noise sigma of a state is white noise sigma of its
 /// target (see WeakForm). Test functions are as wide as the noise asks for, and not so wide
-/// that few rows are left. Of records with room for many more rows than distinguish forms
-/// stretches are taken, evenly spread.
+/// that few rows are left.
 class FormRows {
  public:
   /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
   ///   argument makes bends out of jumps.
   /// @param library terms whose columns are made once.
   /// @param seen as of FormSearch.
-  FormRows(const Dataset& all, const Vector& noise, const std::vector<Term>& library = {},
+  FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library = {},
            int threads = 1, const std::optional<Vector>& seen = {});
 
   const Variables& variables() const { return variables_; }
@@ -55,8 +54,8 @@ class FormRows {
   };
 
   /// Samples and rows of all records.
-  void take_in(const Dataset& data, const Vector& noise, const TestFunction& function,
-               int threads);
+  void take_in(const Dataset& data, const Vector& noise, int threads,
+               const std::optional<Vector>& seen);
 
   /// Columns of terms.
   void take_in(const std::vector<Term>& library, int threads);

@@ -18,19 +18,6 @@ bool jumps(const Expression& form) {
          std::any_of(form.operands().begin(), form.operands().end(), jumps);
 }
 
-/// Whether a form is in a list with the same shapes.
-bool is_among(const std::vector<MissingForm>& forms, const MissingForm& form) {
-  return std::any_of(forms.begin(), forms.end(), [&](const MissingForm& other) {
-    return other.shapes.size() == form.shapes.size() && other.shapes == form.shapes &&
-           other.candidate.form == form.candidate.form;
-  });
-}
-
-/// Whether a form has fewer parameters than an equation.
-bool has_room(const MissingForm& form, const Limit& limit) {
-  return 1 + static_cast<std::size_t>(form.shapes.size()) < limit.parameters;
-}
-
 /// Without a form that is there twice: two that were shaped apart may have become one.
 std::vector<MissingForm> distinct(const std::vector<MissingForm>& forms) {
   std::vector<MissingForm> result;
@@ -115,28 +102,18 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     if (std::isfinite(now.left) && is_fewer && Limit::prefers(now, best)) best = now;
   };
   std::vector<Start> starts = all_starts(candidates);
-  std::erase_if(starts, [&](const Start& start) { return !has_room(start.form, limit); });
-  if (starts.empty()) return equation;
   const std::array<const EquationForms*, 3> bases{&equation, &linear, &whole};
   const Matrix rated = problem_->rated({{equation, true}, {linear}, {whole}}, starts);
-  const BaseColumns among_all = problem_->base_of(whole);
-  std::vector<MissingForm> chosen_with;  // of the whole library
   for (std::size_t b = 0; b < bases.size(); ++b) {
     const EquationForms* const from = bases[b];
     set_residuals(rated.col(static_cast<Index>(b)), starts);
     const std::vector<Start> best_starts = best_of(starts, tried);
-    const BaseColumns among = problem_->base_of(*from);
     std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
     parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
       const MissingForm& form = best_starts[i].form;
-      if (from != &whole && problem_->may_replace(among, form, limit))
-        trials[i][0] = problem_->thinned(*from, form, limit);
-      if (from != &linear && !is_among(chosen_with, form) &&
-          problem_->may_replace(among_all, form, limit))
-        trials[i][1] = problem_->chosen(whole, form, limit);
+      if (from != &whole) trials[i][0] = problem_->thinned(*from, form, limit);
+      if (from != &linear) trials[i][1] = problem_->chosen(whole, form, limit);
     });
-    if (from != &linear)
-      for (const Start& start : best_starts) chosen_with.push_back(start.form);
     for (const auto& of_start : trials)
       for (const std::optional<Trial>& trial : of_start)
         if (trial) take(*trial);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/identify/journey/identify_records.hpp"
 
-#include <limits>
 #include <utility>
 
 #include "centred_library.hpp"
@@ -48,7 +47,7 @@ void add_forms(const RecordStream& records, const IdentificationTask& task,
 IdentificationTask with_effort(IdentificationTask task) {
   if (task.options.effort != Thoroughness::Full) return task;
   for (FormOptions* forms : {&task.options.forms, &task.options.advice.search})
-    forms->hopeless = std::numeric_limits<double>::infinity();
+    forms->worth_asking = 0.0;
   return task;
 }
 

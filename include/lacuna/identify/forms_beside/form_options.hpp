@@ -22,7 +22,6 @@ struct FormOptions {
   int rough_fits = 100;
   int exact_fits = 6;
   int thinned = 60;
-  double hopeless = 4.0;
   int denominators = 8;
 
   double alike = 0.99;

@@ -51,38 +51,6 @@ TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {
   EXPECT_NEAR(BaseColumns(columns, target).left_without_two(more), least, 1e-10);
 }
 
-/// Columns at right angles: the least coefficients go first.
-TEST(BaseColumns, WithFewTheOthersGoOneAfterAnother) {
-  const Matrix columns = Matrix::Identity(8, 4);
-  const Vector target = Vector{{4.0, 1.0, 3.0, 2.0, 5.0, 0.0, 0.0, 0.0}};
-  const BaseColumns base(columns, target);
-  const Vector more = Vector::Unit(8, 4);
-  EXPECT_NEAR(base.left_with_few(more, 4), 0.0, 1e-12);
-  EXPECT_NEAR(base.left_with_few(more, 2), 1.0 + 4.0, 1e-12);
-  EXPECT_NEAR(base.left_with_few(more, 0), 1.0 + 4.0 + 9.0 + 16.0, 1e-12);
-  EXPECT_TRUE(std::isinf(base.left_with_few(columns.col(1), 2))) << "nothing of it is new";
-}
-
-TEST(BaseColumns, WithFewNeverLeavesLessThanTheBestSubset) {
-  const Matrix columns = noise(40, 5, 10);
-  const Vector target = noise(40, 1, 11), more = noise(40, 1, 12);
-  const BaseColumns base(columns, target);
-  EXPECT_NEAR(base.left_with_few(more, 4),
-              [&] {
-                double least = std::numeric_limits<double>::infinity();
-                for (Index out = 0; out < 5; ++out) {
-                  std::vector<Index> kept;
-                  for (Index c = 0; c < 5; ++c)
-                    if (c != out) kept.push_back(c);
-                  const Matrix few = columns(Eigen::all, kept);
-                  least = std::min(least, residual_squares(joined(few, more), target));
-                }
-                return least;
-              }(),
-              1e-10);
-  EXPECT_GE(base.left_with_few(more, 3), base.left_without_two(more) - 1e-10);
-}
-
 TEST(BaseColumns, DependentColumnsCountOnceAndWhatIsNotFiniteIsNoColumn) {
   const Matrix columns = noise(40, 3, 7);
   const Vector target = noise(40, 1, 8);

@@ -47,25 +47,6 @@ TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
   EXPECT_NEAR(rms, sigma, 0.15 * sigma);
 }
 
-/// Ten times as long a record gives rows as close together, of a part of its samples.
-TEST(FormRows, AreThoseOfStretchesOfALongRecord) {
-  const double sigma = 0.01;
-  const Index samples = 200000;
-  Dataset data = circle(samples, sigma);
-  Trajectory& record = data.trajectories.front();
-  record.time *= 50.0;
-  for (Index i = 0; i < samples; ++i)
-    record.states(i, 0) += 2.0 * (std::cos(record.time[i]) - std::cos(record.time[i] / 50.0));
-  for (Index i = 0; i < samples; ++i)
-    record.states(i, 1) -= 2.0 * (std::sin(record.time[i]) - std::sin(record.time[i] / 50.0));
-  const FormRows rows(data, Vector::Constant(2, sigma));
-  EXPECT_LT(rows.values({parse_expression("x")}).rows(), samples / 2);
-  EXPECT_GT(rows.rows(), 500);
-  const Vector residual = rows.target(0) - rows.columns({parse_expression("y")}).col(0);
-  EXPECT_NEAR(std::sqrt(residual.squaredNorm() / static_cast<double>(rows.rows())), sigma,
-              0.15 * sigma);
-}
-
 TEST(FormRows, GiveTheValuesAtTheSamples) {
   const FormRows rows(circle(101, 0.0), Vector::Zero(2));
   const Matrix values = rows.values({parse_expression("x^2+y^2")});

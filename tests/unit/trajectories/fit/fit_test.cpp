@@ -337,11 +337,13 @@ TEST(StandingOf, SoundnessNeedsNoiseDeterminedNumbersAndRangesThatAreKept) {
             const bool expected = converged && fits == Adequate::Yes && known && !bound;
             EXPECT_EQ(standing.is_sound(), expected);
             const std::string sentence = sentence_of(standing);
-            if (fits != Adequate::Yes)
+            if (fits != Adequate::Yes) {
               EXPECT_EQ(sentence.find("and the residuals are noise"), std::string::npos)
                   << sentence;
-            if (converged && !expected && fits == Adequate::Yes)
+            }
+            if (converged && !expected && fits == Adequate::Yes) {
               EXPECT_THAT(sentence, HasSubstr("0 of 1 parameters are determined"));
+            }
             sound += expected ? 1 : 0;
           }
   EXPECT_EQ(sound, 2);
