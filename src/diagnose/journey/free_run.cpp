@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "dynamics/integration/automatic.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -55,9 +56,15 @@ Vector channel_along(const OdeModel& model, Index channel, const OdeModel& own,
   return sum;
 }
 
-/// A run over part of a record, of whose inputs all are known: all states of the model, as far
-/// as it has come.
-Matrix run_of(const FreeRunTask& task, const std::vector<Index>& kept, const Vector& start,
+/// A run as far as it has come, and whether it grew beyond bounds there: where no step is small
+/// enough (a state that a sign holds in its jump) it ends too, and runs nowhere.
+struct FreeRun {
+  Matrix states;
+  bool diverged = false;
+};
+
+/// A run over part of a record, of whose inputs all are known: all states of the model.
+FreeRun run_of(const FreeRunTask& task, const std::vector<Index>& kept, const Vector& start,
               const Trajectory& whole, const Trajectory& part, const RunContext& context) {
   const OdeModel& model = task.model;
   const OdeModel own = with_rates_only(model, kept);
@@ -76,7 +83,7 @@ Matrix run_of(const FreeRunTask& task, const std::vector<Index>& kept, const Vec
   for (Index k = 0; k < model.dimension(); ++k)
     if (is_formula_channel(model.states()[static_cast<std::size_t>(k)]))
       all.col(k) = channel_along(model, k, own, run.states, reached);
-  return all;
+  return {std::move(all), run.status == IntegrationStatus::Diverged};
 }
 
 /// The states by which runs are compared: measured ones that move.
@@ -113,8 +120,15 @@ Vector next_to(const Vector& start, const FreeRunTask& task) {
   return moved;
 }
 
+/// Samples from one on of which all inputs are known.
+Index known_inputs(const Trajectory& record, Index begin) {
+  Index end = begin;
+  while (end < record.samples() && record.inputs.row(end).allFinite()) ++end;
+  return end - begin;
+}
+
 Trajectory part_from(const Trajectory& record, Index begin) {
-  const Index n = std::min(kMostSamples, record.samples() - begin);
+  const Index n = std::min(kMostSamples, known_inputs(record, begin));
   Trajectory part;
   part.source = record.source;
   part.time = record.time.segment(begin, n);
@@ -154,12 +168,12 @@ std::optional<RunApart> run_freely(const FreeRunTask& task, Index least,
     const Trajectory part = part_from(whole, task.begins[r]);
     const Vector start = task.paths[r].row(task.begins[r]).transpose();
     if (!start.allFinite() || part.samples() < least) continue;
-    const Matrix run = run_of(task, kept, start, whole, part, context);
-    const Matrix nearby = run_of(task, kept, next_to(start, task), whole, part, context);
-    const Index rows = together(run, nearby, task);
-    if (rows == run.rows() && rows < part.samples()) all.sum = INFINITY;  // it has no further
-    if (rows < std::min(least, run.rows())) continue;
-    const Squares squares = squares_of(run, rows, part, task);
+    const FreeRun run = run_of(task, kept, start, whole, part, context);
+    const FreeRun nearby = run_of(task, kept, next_to(start, task), whole, part, context);
+    const Index rows = together(run.states, nearby.states, task);
+    if (run.diverged && rows == run.states.rows()) all.sum = INFINITY;
+    if (rows < std::min(least, run.states.rows())) continue;
+    const Squares squares = squares_of(run.states, rows, part, task);
     if (rows == 0) continue;
     all.sum += squares.sum;
     all.count += squares.count;
