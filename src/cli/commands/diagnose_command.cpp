@@ -205,7 +205,7 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
                       const RunContext& context) {
   const OdeModel model = with_holds(load_model(request.model), request.data);
   const auto differentiator = registry.make<Differentiator>(request.differentiator);
-  context.report("reading data", 0.0);
+  context.unhurried().report("reading data", 0.0);
   const Dataset data = with_given_limits(
       records_for(model, request.data, roles_of(request), *differentiator, Columns::All),
       request.limits);

@@ -146,10 +146,11 @@ Identification read_and_identify(const IdentifyRequest& options, const Identific
   const auto use = [&](RecordStream records) {
     return identify_records(std::move(records), task, context);
   };
-  context.report("reading data", 0.0);
+  const RunContext reading = context.unhurried();
+  reading.report("reading data", 0.0);
   const bool needs_all = options.hidden || !orders.empty();
   if (!needs_all && reads_in_pieces(options.data, options.memory))
-    return with_stream(*open_records(options.data.paths, roles_in_pieces(options.data), context,
+    return with_stream(*open_records(options.data.paths, roles_in_pieces(options.data), reading,
                                      options.memory),
                        context, use);
   Dataset data = read_data(options.data);
