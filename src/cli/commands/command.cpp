@@ -39,6 +39,16 @@ std::string check_seed(const std::string& text) {
   return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
 
+/// A check of a number of seconds; CLI::Range lets NaN through.
+std::string check_time_limit(const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && stop == end && value >= kShortestLimit && value <= kLongestLimit)
+    return "";
+  return "'" + text + "' is no time from 0.001 to 1e9 seconds";
+}
+
 /// Bytes of "4G", "500MB", "200k" or plain digits, as digits. @throws CLI::ValidationError.
 std::string bytes_of(std::string text) {
   constexpr std::string_view kUnits = "kMGT";
@@ -114,7 +124,7 @@ void declare_effort_options(CLI::App& app, RunOptions& options) {
   app.add_option("--time-limit", options.time_limit,
                  "Seconds after which the run ends with the answer that it has by then and names "
                  "the stages left out")
-      ->check(CLI::Range(kShortestLimit, kLongestLimit))
+      ->check(check_time_limit, "0.001 to 1e9", "time limit")
       ->type_name("S");
 }
 

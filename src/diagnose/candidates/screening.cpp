@@ -9,8 +9,8 @@
 
 #include "core/base/parallel.hpp"
 #include "core/numerics/qr.hpp"
+#include "forms/candidate/nelder_mead.hpp"
 #include "forms/candidate/shape_scale.hpp"
-#include "forms/candidate/shape_search.hpp"
 #include "key_text.hpp"
 
 namespace lacuna {
@@ -211,7 +211,7 @@ void Screening::polish(ScreenedCandidate& screened) const {
   };
   const int budget = kEvaluationsOfShapes * static_cast<int>(screened.shapes.size());
   const Vector best =
-      scale.shapes(least_in_cube(loss, scale.unit(screened.shapes),
+      scale.shapes(nelder_mead(loss, scale.unit(screened.shapes),
                                {.unnoticed = kUnnoticedDeviance, .evaluations = budget}));
   screened.consider(best, score(screened.candidate, as_span(best)));
   screened.tried += evaluations;

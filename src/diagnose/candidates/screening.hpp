@@ -50,7 +50,7 @@ class Screening {
   /// Best of the starting points.
   ScreenedCandidate at_starts(const Candidate& candidate) const;
 
-  /// Searches the shapes from where they are (least_in_cube()).
+  /// Searches the shapes from where they are (nelder_mead()).
   void polish(ScreenedCandidate& screened) const;
 
   /// What stands for the assimilation.

@@ -215,8 +215,8 @@ IdentificationResult with_forms_beside(const RecordStream& records, const Pipeli
                                        const std::vector<Stage<Effect>>& effects,
                                        IdentificationResult alone, const FormOptions& options,
                                        const RunContext& context) {
-  if (leaves_nothing(alone, options.worth_asking) || !pipeline.equations.empty()) return alone;
   context.check_stop();
+  if (leaves_nothing(alone, options.worth_asking) || !pipeline.equations.empty()) return alone;
   const ExtendedPipeline extended(records, pipeline, options, alone, context);
   if (!has_rows_for_forms(extended)) return alone;
   const Dataset& data = records.excerpt();
