@@ -130,7 +130,7 @@ std::optional<Gap> gap_in_time(const Problem& problem, const CompositeModel& com
 }
 
 /// What is named before all was judged that may stand in its place is no whole explanation.
-void doubt_what_is_left_out(EvaluatedComposite& evaluated) {
+void doubt_omissions(EvaluatedComposite& evaluated) {
   const CompositeModel& best = evaluated.judged.best;
   if (left_out_line(evaluated.judged.stages).empty()) return;
   if (!best.named.empty() || !best.findings.empty()) evaluated.evaluation.lower = true;
@@ -151,7 +151,7 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
         evaluate_holdout(problem, evaluated.judged.best, evaluated.gap, records.continued);
     if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
     if (!evaluated.evaluation.withdraw) {
-      doubt_what_is_left_out(evaluated);
+      doubt_omissions(evaluated);
       return evaluated;
     }
     evaluated.withdrawn.push_back(evaluated.evaluation.note);

@@ -10,7 +10,7 @@
 namespace lacuna {
 
 /// The nominal model with the coefficients that fit() finds for its structure: what a refit
-/// explains is no structure. Where every state is measured linearised fits come there by themselves.
+/// explains is no structure. Where every state is measured linearised fits come there too.
 /// Nothing where no run is finite.
 /// @param model as it was given, with its outputs; @param nominal the same with output channels
 /// as states. @param measured records in the variables of the model that may choose.

@@ -269,8 +269,8 @@ std::optional<Explanation> late_from_nominal(const EffectSearch& search,
   std::optional<Explanation> best;
   for (const Vector& start : candidate.starts) {
     if (!(start[0] <= kFirstSteps * scope.step)) continue;
-    Explanation next =
-        explain_on(search.problem, search.base, search.base.given, {{candidate, start, whole, 0.0}});
+    Explanation next = explain_on(search.problem, search.base, search.base.given,
+                                  {{candidate, start, whole, 0.0}});
     if (std::isfinite(next.fit.deviance) &&
         (!best || next.fit.deviance < best->fit.deviance))
       best = std::move(next);

@@ -31,7 +31,7 @@ void run_unless_quick(const IdentificationTask& task, IdentificationResult& resu
     run_stage(result.stages, name, work);
 }
 
-/// Forms beside the library, where it is short of them.
+/// Basis functions that the library lacks, where it is short of them.
 void add_forms(const RecordStream& records, const IdentificationTask& task,
                IdentificationResult& result, const RunContext& context) {
   std::vector<StageDone> stages = result.stages;

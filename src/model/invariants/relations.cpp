@@ -50,7 +50,7 @@ std::optional<Vector> flattest(const MonomialMoments& moments, const Set& set) {
   return Vector(c / c[0]);
 }
 
-/// By what factor a variance may be above that of noise which is known to a share only.
+/// By what factor a variance may be above that of noise which is known in part only.
 double slack_of(const RelationOptions& options) {
   return (1.0 + options.noise_slack) * (1.0 + options.noise_slack);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of the fitted numbers are known, and between which limits.
+// Which of the parameters are known, and between which limits.
 #pragma once
 
 #include <optional>

@@ -267,7 +267,7 @@ FittedDirections::FittedDirections(const Matrix& rows, std::vector<Index> begins
     auto part = common.middleRows(first, count);
     part -= (own_.back() * (own_.back().transpose() * part)).eval();
   }
-  // What is left of a column that the own ones have is rounding.
+  // The residual of a column that the own ones have is rounding.
   constexpr double kRounding = 1e-9;
   std::vector<Index> kept;
   for (Index j = 0; j < common.cols(); ++j)

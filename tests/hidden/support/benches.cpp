@@ -129,7 +129,11 @@ HiddenCase steady_furnace(Random& random, std::uint64_t seed) {
       1.0,
       900,
       0.0,
-      {{.shape = SignalSpec::Shape::TwoLevel, .mean = 50.0, .size = 0.0, .held = 900, .step = 1.0}}};
+      {{.shape = SignalSpec::Shape::TwoLevel,
+        .mean = 50.0,
+        .size = 0.0,
+        .held = 900,
+        .step = 1.0}}};
   CaseBuilder builder(bench_name("bench-steady-furnace", seed),
                       "A furnace that warms up behind a coarse converter", plant);
   return builder.misjudge("T", "T", random.uniform(0.7, 1.3)).build();

@@ -128,7 +128,7 @@ struct FitStanding {
   std::size_t numbers = 0;           ///< that were fitted
   std::vector<std::string> open = {};     ///< those that the records do not determine
   std::vector<std::string> at_ends = {};  ///< those that ended at the end of their range
-  bool is_exact = false;             ///< what is left is rounding, no noise can be seen
+  bool is_exact = false;             ///< residuals are rounding, no noise can be seen
 
   /// Whether residuals are noise, every number is determined, and none stands at an end of its
   /// range.
@@ -137,6 +137,8 @@ struct FitStanding {
   }
 };
 
+/// How a fit stands: whether it converged and describes the records, and which of its parameters
+/// are not determined or at the end of their range.
 FitStanding standing_of(const Fit& fit);
 
 /// One sentence on it.

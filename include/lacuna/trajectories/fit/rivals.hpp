@@ -15,7 +15,7 @@ struct NamedFit {
   Fit fit;
 };
 
-/// What the records say of one structure beside the others.
+/// How well one structure describes the records, beside the others.
 struct FitRival {
   std::string name;
   double unknowns = 0.0;        ///< numbers, initial values and deviations of noise
