@@ -27,7 +27,8 @@ Candidate delayed(const Scope& scope, const Expression& form, const Expression& 
   const double spacing = std::max(0.5 * timescale, scope.step);
   std::vector<double> starts;
   if (shortest < scope.step && spacing < longest) {
-    // An input that is held jumps at samples: its likelihood has a bend at each whole step.
+    // An input that is held jumps at samples: its likelihood has a bend at each whole step. A
+    // fact of the search: beyond so many steps the starts of all delays are near enough.
     constexpr int kFirstSteps = 4;
     for (int i = 0; i < kFirstSteps; ++i) starts.push_back((0.5 + i) * scope.step);
     std::erase_if(starts, [&](double start) { return start >= std::min(spacing, longest); });

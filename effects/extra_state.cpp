@@ -11,8 +11,8 @@ namespace {
 // it hardly fills.
 constexpr double kLeastSteps = 1.0 / 3.0, kMostOfRecord = 0.25;
 
-// Of what fills a store beside the state's own: between the two the state and the other
-// variable have each their part.
+// A decision: the least fraction of what fills a store that the state or the other variable has
+// where both have a part.
 constexpr double kLeastFraction = 0.05;
 
 ShapeParameter time_constant(const Scope& scope) {

@@ -27,7 +27,7 @@ std::vector<double> distinct_values(const Dataset& data, Index state) {
 /// Euclid's algorithm on the gaps, made more exact by the large ones; nothing where the spacing
 /// is as fine as the digits of doubles.
 std::optional<double> common_spacing(std::vector<double> gaps, double smallest) {
-  constexpr double kRounding = 1e-3;  // of a multiple, as a fraction of q
+  constexpr double kRounding = 1e-3;  // a fact of printed digits: fraction of q
   std::sort(gaps.begin(), gaps.end());
   double spacing = gaps.front();
   for (std::size_t i = 1; i < gaps.size() && spacing > smallest; ++i) {
@@ -83,6 +83,7 @@ std::optional<double> printed_lattice(const std::vector<double>& values, double 
 }  // namespace
 
 std::optional<double> lattice_of(const Dataset& data, Index state) {
+  // Facts of counting.
   constexpr std::size_t kFewestLevels = 8;  // fewer say nothing of what they have in common
   constexpr double kMostLevels = 67108864;  // 2^26: finer lattices are decimal digits
   const std::vector<double> values = distinct_values(data, state);
