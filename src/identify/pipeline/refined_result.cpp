@@ -2,6 +2,7 @@
 #include "refined_result.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/text.hpp"
 
@@ -106,8 +107,10 @@ void judge(const Dataset& data, const RefinedModel& refined, IdentificationResul
     fit.misfit = refined.misfit[static_cast<std::size_t>(*tested)];
     fit.fits_to_noise = refined.fits_to_noise[static_cast<std::size_t>(*tested)];
     if (!fit.fits_to_noise || *fit.fits_to_noise) continue;
-    fit.doubt = "d" + fit.equation + "/dt: trajectories of the model are off by " +
-                format_number(*fit.misfit, 2) + " times the measurement noise";
+    fit.doubt = "d" + fit.equation + "/dt: trajectories of the model " +
+                (std::isfinite(*fit.misfit)
+                     ? "are off by " + format_number(*fit.misfit, 2) + " times the measurement noise"
+                     : "leave the range of numbers");
     result.warnings.push_back(fit.doubt);
   }
 }

@@ -165,8 +165,9 @@ SplitRecords split_in_time(const Dataset& data) {
   for (std::size_t r = 0; r < data.trajectories.size(); ++r) {
     Trajectory record = data.trajectories[r];
     const Index kept = record.samples() - record.samples() / 4;
-    for (const Index i : {kept - 1, kept})
-      for (Index k = 0; k < data.state_count() && i < record.samples(); ++k)
+    const Index end = std::min(kept + kLongestRun, record.samples());
+    for (Index i = std::max<Index>(0, kept - kLongestRun); i < end; ++i)
+      for (Index k = 0; k < data.state_count(); ++k)
         if (mark_of(seen[r], i, k) == Mark::Outlier) set_mark(record, i, k, Mark::Outlier);
     parts.find.trajectories.push_back(rows_of(record, 0, kept));
     Trajectory last = rows_of(record, kept, record.samples() - kept);

@@ -81,7 +81,9 @@ std::vector<std::string> findings_of(const IdentificationResult& result) {
                        format_number(fit.target_rms, 3) + " rms";
     if (fit.noise_floor) text += ", noise alone gives " + format_number(*fit.noise_floor, 3);
     if (fit.misfit)
-      text += "; trajectories are off by " + format_number(*fit.misfit, 3) + " times the noise";
+      text += std::isfinite(*fit.misfit)
+                  ? "; trajectories are off by " + format_number(*fit.misfit, 3) + " times the noise"
+                  : "; trajectories leave the range of numbers";
     sentences.push_back(text + ".");
   }
   if (result.validation)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <tuple>
 
@@ -54,7 +55,10 @@ std::string fit_line(const EquationFit& fit, Evolution evolution) {
           format_number(fit.target_rms, 3) + ", " + std::to_string(fit.rows) + " rows";
   if (fit.noise_floor)
     line += ", measurement noise alone gives " + format_number(*fit.noise_floor, 2);
-  if (fit.misfit) line += ", trajectories off by " + format_number(*fit.misfit, 3) + " x noise";
+  if (fit.misfit)
+    line += std::isfinite(*fit.misfit)
+                ? ", trajectories off by " + format_number(*fit.misfit, 3) + " x noise"
+                : ", trajectories leave the range of numbers";
   if (fit.fits_to_noise) line += *fit.fits_to_noise ? ": fits to the noise" : ": does not fit";
   return line + "\n";
 }

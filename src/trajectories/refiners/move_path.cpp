@@ -10,16 +10,20 @@
 namespace lacuna {
 namespace {
 
-/// The initial state of a window.
+/// The initial state of a window. Each state is counted in its own unit, whatever those of the
+/// others are: where it is not determined it moves by the least number of these.
 Vector start_of(const Matrix& head, const Vector& values) {
   // A fact of rounding.
   constexpr double kSingular = 1e-10;
   const Index m = head.rows();
   const Vector target = head.col(head.cols() - 1) - head.middleCols(m, values.size()) * values;
-  const auto triangle = head.leftCols(m).triangularView<Eigen::Upper>();
-  const Vector pivots = head.leftCols(m).diagonal().cwiseAbs();
-  if (pivots.minCoeff() > kSingular * pivots.maxCoeff()) return triangle.solve(target);
-  return smallest_least_squares(triangle, target);
+  Matrix triangle = head.leftCols(m).triangularView<Eigen::Upper>();
+  const Vector unit = triangle.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+  triangle = triangle * unit.asDiagonal();
+  const Vector start = triangle.diagonal().cwiseAbs().minCoeff() > kSingular
+                           ? Vector(triangle.triangularView<Eigen::Upper>().solve(target))
+                           : smallest_least_squares(triangle, target);
+  return unit.cwiseProduct(start);
 }
 
 /// The solution of x' = J x + b at the nodes of a window, middles by Hermite's cubic.

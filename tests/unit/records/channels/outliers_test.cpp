@@ -45,6 +45,32 @@ TEST(MarkOutliers, FindsThoseAtTheEnds) {
     }
 }
 
+TEST(MarkOutliers, FindsThoseThatAreOffTogether) {
+  for (const Index length : {2, 3})
+    for (const double size : {0.4, -20.0})
+      for (const bool alternates : {false, true}) {
+        Dataset data = noisy();
+        Matrix& states = data.trajectories[0].states;
+        for (Index i = 0; i < length; ++i)
+          states(150 + i, 1) += alternates && i % 2 == 1 ? -size : size;
+        const Matrix marks = marks_of(data)[0];
+        EXPECT_EQ(marks.sum(), static_cast<double>(length)) << size << ", " << alternates;
+        EXPECT_EQ(marks.col(1).segment(150, length).sum(), static_cast<double>(length));
+      }
+}
+
+TEST(MarkOutliers, AKinkIsNone) {
+  // Slopes that change between two samples, little and much beside the noise.
+  for (const double slope : {0.01, 0.05, 0.2, 1.0})
+    for (const double place : {100.5, 200.4, 300.7}) {
+      Dataset data = noisy();
+      Matrix& states = data.trajectories[0].states;
+      for (Index i = 0; i < states.rows(); ++i)
+        states(i, 0) += slope * std::abs(static_cast<double>(i) - place);
+      EXPECT_EQ(marks_of(data)[0].sum(), 0.0) << slope << ", " << place;
+    }
+}
+
 TEST(MarkOutliers, AMotionThatBeginsFastIsNone) {
   // exp(-t / tau) from coarse to fine, with little noise.
   for (const double samples : {2.0, 3.0, 5.0, 10.0, 40.0})

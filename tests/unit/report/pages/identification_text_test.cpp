@@ -23,6 +23,13 @@ TEST(IdentificationText, SaysWhatIsNotDetermined) {
   EXPECT_THAT(format_text(report), HasSubstr("2e+71 (not determined)"));
 }
 
+TEST(IdentificationText, SaysWhereTrajectoriesDoNotStayFinite) {
+  IdentificationReport report = sample_report();
+  report.result.fit[1].misfit = INFINITY;
+  EXPECT_THAT(format_text(report), HasSubstr("trajectories leave the range of numbers"));
+  EXPECT_THAT(format_text(report), ::testing::Not(HasSubstr("inf x")));
+}
+
 TEST(IdentificationText, ShowsHowWellItFits) {
   const std::string text = format_text(sample_report());
   EXPECT_THAT(text, HasSubstr("dx/dt: known without a fit"));
