@@ -20,10 +20,9 @@ Vector start_of(const Matrix& head, const Vector& values) {
   Matrix triangle = head.leftCols(m).triangularView<Eigen::Upper>();
   const Vector unit = triangle.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   triangle = triangle * unit.asDiagonal();
-  const Vector start = triangle.diagonal().cwiseAbs().minCoeff() > kSingular
-                           ? Vector(triangle.triangularView<Eigen::Upper>().solve(target))
-                           : smallest_least_squares(triangle, target);
-  return unit.cwiseProduct(start);
+  if (triangle.diagonal().cwiseAbs().minCoeff() > kSingular)
+    return unit.cwiseProduct(Vector(triangle.triangularView<Eigen::Upper>().solve(target)));
+  return unit.cwiseProduct(Vector(smallest_least_squares(triangle, target)));
 }
 
 /// The solution of x' = J x + b at the nodes of a window, middles by Hermite's cubic.
