@@ -119,7 +119,8 @@ struct SimulateRequest {
   ModelSource model = {};
   DataOptions data = {};  ///< holds and names
   std::string x0 = {};
-  double t_start = 0.0, t_end = 0.0;
+  std::optional<double> t_start = {};  // nothing: where the model starts, or 0
+  double t_end = 0.0;
   std::optional<double> step = {};
   std::optional<Vector> times = {};  ///< in place of start, end and step
   RecordSources inputs = {};         ///< one

@@ -58,11 +58,11 @@ Vector initial_values(const OdeModel& model) {
   return start;
 }
 
-/// @param usual step where none is given.
-Vector parse_times(const SimulateRequest& options, double usual) {
+/// @param usual step and begin where none is given.
+Vector parse_times(const SimulateRequest& options, double usual, double begin) {
   if (options.times) return *options.times;
   const double step = options.step.value_or(usual);
-  const double span = options.t_end - options.t_start;
+  const double first = options.t_start.value_or(begin), span = options.t_end - first;
   if (!(step > 0.0) || !(span > 0.0) || !std::isfinite(span / step))
     throw ConfigError("--dt, --t-end", "the step and the duration must be above 0",
                       "give --t-end later than --t-start and --dt above 0");
@@ -70,7 +70,7 @@ Vector parse_times(const SimulateRequest& options, double usual) {
     throw ConfigError("--dt, --t-end", "this asks for more than 1e9 samples",
                       "take a longer --dt or an earlier --t-end");
   const auto steps = static_cast<Index>(std::floor(span / step * (1.0 + 1e-12) + 1e-9));
-  return sample_times(options.t_start, step, steps + 1);
+  return sample_times(first, step, steps + 1);
 }
 
 /// The input file in the inputs of the model; its first record is the one.
@@ -116,12 +116,30 @@ Matrix inputs_at(const Vector& times, RecordInput& inputs, Index count) {
   return values;
 }
 
-Run run(const OdeModel& model, const Integrator& integrator, const SimulateRequest& options,
-        const RunContext& context) {
-  const Vector start =
-      options.x0.empty() ? initial_values(model) : parse_start(model, options.x0);
-  constexpr double kStepOfMaps = 1.0, kNone = 0.0;  // by definition; to be given
-  const Vector times = parse_times(options, model.is_map() ? kStepOfMaps : kNone);
+/// The times behind one at which the initial values hold.
+/// @throws ConfigError where the simulation begins before it.
+Vector from_initial_time(double begin, const Vector& times) {
+  if (times[0] < begin)
+    throw ConfigError("--t-start",
+                      "the initial values of the model hold at t = " + format_number(begin) +
+                          ", behind the begin of the simulation",
+                      "begin there or later, or give --x0");
+  Vector all(times.size() + 1);
+  all << begin, times;
+  return all;
+}
+
+Run without_first_row(Run run) {
+  const Index rows = run.orbit.time.size() - 1;
+  run.orbit.time = run.orbit.time.tail(rows).eval();
+  run.orbit.states = run.orbit.states.bottomRows(rows).eval();
+  run.inputs = run.inputs.bottomRows(run.inputs.rows() - 1).eval();
+  return run;
+}
+
+Run run_from(const Vector& start, const Vector& times, const OdeModel& model,
+             const Integrator& integrator, const SimulateRequest& options,
+             const RunContext& context) {
   if (model.inputs().empty())
     return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};
   const Dataset record = input_records(model, options);
@@ -131,6 +149,20 @@ Run run(const OdeModel& model, const Integrator& integrator, const SimulateReque
       simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times, context);
   return {std::move(orbit), inputs_at(times, inputs, static_cast<Index>(model.inputs().size())),
           notes_beyond(times, record)};
+}
+
+Run run(const OdeModel& model, const Integrator& integrator, const SimulateRequest& options,
+        const RunContext& context) {
+  constexpr double kStepOfMaps = 1.0, kNone = 0.0;  // by definition; to be given
+  const bool own = options.x0.empty();
+  const Vector start = own ? initial_values(model) : parse_start(model, options.x0);
+  const std::optional<double> begin = own ? model.initial_time() : std::nullopt;
+  const Vector times =
+      parse_times(options, model.is_map() ? kStepOfMaps : kNone, begin.value_or(0.0));
+  if (!begin || times[0] == *begin)
+    return run_from(start, times, model, integrator, options, context);
+  return without_first_row(run_from(start, from_initial_time(*begin, times), model, integrator,
+                                    options, context));
 }
 
 /// States and, behind them, the outputs that are called otherwise.
@@ -227,7 +259,7 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
   app.add_option("--x0", options.x0,
                  "Start: one number per state, in the order of the model; else its `initial`")
       ->type_name("v1,v2,...");
-  app.add_option("--t-start", options.t_start, "First time, in the model's time unit")
+  app.add_option("--t-start", options.t_start, "First time, in the model's time unit; default: that of the initial values, or 0")
       ->capture_default_str();
   app.add_option("--t-end", options.t_end, "Last time, in the model's time unit")->required();
   app.add_option("--dt", options.step,

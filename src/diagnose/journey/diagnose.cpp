@@ -278,6 +278,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
+  const std::vector<StateNoise> shown = noise_of(records.find);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
   preprocess(known, options, context.unhurried(), records);
 
@@ -287,7 +288,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   if (!hypotheses.empty() && has_unmeasured_states(nominal, records.find.data))
     given.memory->start =
         fitted_start(model, known, choosing_part(data, records.continued, options.decision.gaps),
-                     context);
+                     shown, context);
   JudgedModel inputs = judge_holds(given, hypotheses);
   const RunContext unhurried = context.unhurried();
   const Problem problem{*inputs.model, records.find, options, unhurried, given.memory};

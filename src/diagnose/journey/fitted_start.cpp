@@ -41,9 +41,10 @@ std::optional<OdeModel> with_fixed(const OdeModel& model, const std::string& num
 
 /// The fit; of numbers that the records determine only together one stays as it was given, so
 /// that the others are determined.
-Fit determined_fit(OdeModel model, const Dataset& measured, const RunContext& context) {
+Fit determined_fit(OdeModel model, const Dataset& measured,
+                   const std::vector<StateNoise>& noise, const RunContext& context) {
   constexpr int kMostFixed = 3;  // a fact of cost: of each the model is fitted once more
-  const FitOptions options{.restarts = kRestarts};
+  const FitOptions options{.restarts = kRestarts, .noise = noise};
   Fit found = fit(SystemModel(model), measured, {}, options, context);
   for (int i = 0; i < kMostFixed && !found.combinations.empty(); ++i) {
     const std::vector<std::string>& members = found.combinations.front().members;
@@ -66,11 +67,13 @@ bool have_the_same_terms(const OdeModel& one, const OdeModel& other) {
 }  // namespace
 
 std::optional<OdeModel> fitted_start(const OdeModel& model, const OdeModel& nominal,
-                                     const Dataset& measured, const RunContext& context) {
+                                     const Dataset& measured,
+                                     const std::vector<StateNoise>& noise,
+                                     const RunContext& context) {
   context.report("fitting the nominal structure to whole records", 0.0);
   const RunContext quiet{context.stop, {}, context.threads, context.seed};
   try {
-    const Fit found = determined_fit(with_shown_holds(model, measured), measured, quiet);
+    const Fit found = determined_fit(with_shown_holds(model, measured), measured, noise, quiet);
     const OdeModel fitted = found.model.model();
     if (!have_the_same_terms(fitted, model)) return std::nullopt;
     return with_coefficients_of(fitted, nominal);

@@ -69,10 +69,26 @@ Equation checked_equation(const Equation& equation, const std::string& state,
 
 void check_initial(const InitialValue& initial, const std::string& state) {
   const double deviation = initial.deviation.value_or(1.0);
+  if (!std::isfinite(initial.time.value_or(0.0)))
+    throw ModelError("initial value of " + state, "its time is not finite", "give a number");
   if (!std::isfinite(initial.value) || !(deviation > 0.0) || !std::isfinite(deviation))
     throw ModelError("initial value of " + state,
                      "it is not finite or its deviation is not above 0",
                      "give a number and, where it is known, a deviation above 0");
+}
+
+/// A model starts at one time.
+void check_one_time(const std::vector<std::optional<InitialValue>>& initial) {
+  std::optional<double> time;
+  for (const std::optional<InitialValue>& one : initial) {
+    if (!one || !one->time) continue;
+    if (time && *time != *one->time)
+      throw ModelError("initial values",
+                       "they hold at two times, " + format_number(*time) + " and " +
+                           format_number(*one->time),
+                       "give all of them at the same time");
+    time = one->time;
+  }
 }
 
 const Equation& equation_at(const OdeModel& model, Index equation) {
@@ -195,9 +211,16 @@ OdeModel OdeModel::with_initial(std::vector<std::optional<InitialValue>> initial
                         "give one entry for each state");
   for (std::size_t k = 0; k < initial.size(); ++k)
     if (initial[k]) check_initial(*initial[k], states_[k].name);
+  check_one_time(initial);
   OdeModel result = *this;
   result.initial_ = std::move(initial);
   return result;
+}
+
+std::optional<double> OdeModel::initial_time() const {
+  for (const std::optional<InitialValue>& initial : initial_)
+    if (initial && initial->time) return initial->time;
+  return std::nullopt;
 }
 
 OdeModel OdeModel::with_holds(const std::vector<std::optional<Hold>>& holds) const {

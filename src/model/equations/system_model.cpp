@@ -156,6 +156,9 @@ std::string range_problem(const Parameter& parameter) {
   if ((parameter.min && parameter.value < *parameter.min) ||
       (parameter.max && parameter.value > *parameter.max))
     return "its value " + format_number(parameter.value) + " is not in its range " + range;
+  if (parameter.deviation && !(*parameter.deviation > 0.0 && std::isfinite(*parameter.deviation)))
+    return "its deviation is not above 0";
+  if (parameter.deviation && !parameter.free) return "what is fixed has no deviation";
   return "";
 }
 
@@ -225,7 +228,12 @@ ParametrisedModel SystemModel::parametrised() const {
   std::vector<FreeShape> shapes;
   for (const Parameter& p : parameters_)
     if (p.free)
-      shapes.push_back({.name = p.name, .value = p.value, .lower = p.min, .upper = p.max});
+      shapes.push_back({.name = p.name,
+                        .value = p.value,
+                        .prior = p.deviation ? std::optional(Prior{p.value, *p.deviation})
+                                             : std::nullopt,
+                        .lower = p.min,
+                        .upper = p.max});
   for (const Equation& equation : symbolic_.equations())
     for (const WeightedTerm& summand : equation)
       if (delays_depend_on(summand.term.expression(), free))

@@ -62,6 +62,7 @@ std::string parameter_text(const Parameter& parameter) {
   if (parameter.min) object["min"] = *parameter.min;
   if (parameter.max) object["max"] = *parameter.max;
   if (parameter.per_record) object["per_record"] = true;
+  if (parameter.deviation) object["deviation"] = *parameter.deviation;
   add_errors(parameter.value, parameter, object);
   return dump(object);
 }
@@ -76,6 +77,7 @@ std::string initial_text(const InitialValue& initial) {
   OrderedJson object{{"value", initial.value}};
   if (initial.fixed) object["fixed"] = true;
   if (initial.deviation) object["deviation"] = *initial.deviation;
+  if (initial.time) object["at"] = *initial.time;
   return dump(object);
 }
 

@@ -14,8 +14,9 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 }
 
 std::string parameter_line(const Parameter& parameter) {
-  std::string text = with_unit(
-      "param " + parameter.name + " = " + format_number(parameter.value), parameter.unit);
+  std::string text = "param " + parameter.name + " = " + format_number(parameter.value);
+  if (parameter.deviation) text += " +- " + format_number(*parameter.deviation);
+  text = with_unit(text, parameter.unit);
   if (parameter.min || parameter.max)
     text += " in " + (parameter.min ? format_number(*parameter.min) : "") + ".." +
             (parameter.max ? format_number(*parameter.max) : "");
@@ -54,6 +55,7 @@ std::string equations_text(const OdeModel& model) {
 
 std::string initial_text(const std::string& state, const InitialValue& initial) {
   return "initial " + state + " = " + format_number(initial.value) +
+         (initial.time ? " at " + format_number(*initial.time) : "") +
          (initial.deviation ? " deviation " + format_number(*initial.deviation) : "") +
          (initial.fixed ? " fixed\n" : "\n");
 }

@@ -179,7 +179,8 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
     entry.expect_keys(
-        {"name", "value", "unit", "free", "min", "max", "per_record", "stderr", "ci95"});
+        {"name", "value", "unit", "free", "min", "max", "per_record", "deviation", "stderr",
+         "ci95"});
     const JsonPlace name = entry.at("name");
     check_quantity_name(name, name.text(), taken);
     Parameter parameter{.name = name.text(),
@@ -189,10 +190,11 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
                         .min = read_number(entry, "min"),
                         .max = read_number(entry, "max"),
                         .per_record = read_flag(entry, "per_record", false),
+                        .deviation = read_number(entry, "deviation"),
                         .standard_error = read_error(entry)};
     if (const auto interval = entry.find("ci95")) parameter.ci95 = read_interval(*interval);
     if (const std::string problem = range_problem(parameter); !problem.empty())
-      entry.fail("parameter '" + parameter.name + "': " + problem, "mend value or range");
+      entry.fail("parameter '" + parameter.name + "': " + problem, "mend value, range or deviation");
     parameters.push_back(std::move(parameter));
   }
   return parameters;
@@ -223,9 +225,9 @@ std::vector<std::optional<InitialValue>> read_initial(const JsonPlace& object,
   for (const std::string& name : object.keys()) {
     const JsonPlace entry = object.at(name);
     const std::size_t state = state_named(entry, name, variables);
-    entry.expect_keys({"value", "fixed", "deviation"});
+    entry.expect_keys({"value", "fixed", "deviation", "at"});
     const InitialValue value{entry.at("value").number(), read_flag(entry, "fixed", false),
-                             read_number(entry, "deviation")};
+                             read_number(entry, "deviation"), read_number(entry, "at")};
     if (value.deviation && !(*value.deviation > 0.0))
       entry.at("deviation").fail("a deviation is not above 0", "use \"fixed\": true for 0");
     initial[state] = value;

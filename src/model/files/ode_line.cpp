@@ -12,8 +12,10 @@ namespace lacuna {
 namespace {
 
 /// Words that may stand behind a value.
-constexpr std::array<std::string_view, 4> kBehindValues = {"fixed", "in", "deviation",
-                                                           "per_record"};
+constexpr std::array<std::string_view, 5> kBehindValues = {"fixed", "in", "deviation",
+                                                           "per_record", "at"};
+/// What no value goes on with, whether a blank stands in front of it or not.
+constexpr std::string_view kDeviation = "+-";
 
 bool is_word_character(char c) {
   const std::array<char, 2> word{'x', c};
@@ -132,6 +134,7 @@ std::string_view OdeLine::value() {
   std::size_t end = begin;
   for (; end < text_.size() && text_[end] != '['; ++end) {
     position_ = end;
+    if (text_.substr(end, kDeviation.size()) == kDeviation) break;
     const bool starts_word = end == begin || !is_word_character(text_[end - 1]);
     if (starts_word && text_[end] != ' ' &&
         std::any_of(kBehindValues.begin(), kBehindValues.end(),

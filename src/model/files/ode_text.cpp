@@ -182,13 +182,14 @@ void read_parameter(OdeLine& line, Statements& said) {
   line.expect('=');
   const std::string place = line.place();
   parameter.value = read_value(line, said);
+  if (line.take("+-")) parameter.deviation = read_value(line, said);
   parameter.unit = line.unit();
   if (line.take("in")) read_range(line, said, parameter);
   parameter.free = !line.take("fixed");
   parameter.per_record = line.take("per_record");
   if (const std::string problem = range_problem(parameter); !problem.empty())
     throw ModelError(place, "parameter '" + parameter.name + "': " + problem,
-                     "mend value or range");
+                     "mend value, range or deviation");
   said.values.emplace(parameter.name, Expression::number(parameter.value));
   said.parameters.push_back(std::move(parameter));
 }
@@ -199,7 +200,9 @@ void read_initial(OdeLine& line, Statements& said) {
   line.expect('=');
   initial.value.value = read_value(line, said);
   line.unit();
-  if (line.take("deviation")) initial.value.deviation = read_value(line, said);
+  if (line.take("at")) initial.value.time = read_value(line, said);
+  if (line.take("deviation") || line.take("+-"))
+    initial.value.deviation = read_value(line, said);
   initial.value.fixed = line.take("fixed");
   said.initial.push_back(std::move(initial));
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "data/records/check_record.hpp"
+#include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
 #include "fit_adequacy.hpp"
 #include "fit_numbers.hpp"
@@ -122,6 +123,7 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
     if (!parameter.free) continue;
     numbers[i].unit = parameter.unit;
     parameter.value = numbers[i].value;
+    parameter.deviation.reset();  // what was known before is part of the estimate now
     parameter.standard_error = numbers[i].standard_error;
     parameter.ci95 = numbers[i++].ci95;
   }
@@ -134,10 +136,11 @@ std::string start_note(const SystemModel& system, const Dataset& data) {
   const bool fixed = std::any_of(initial.begin(), initial.end(),
                                  [](const auto& one) { return one && one->fixed; });
   for (const Trajectory& record : data.trajectories)
-    if (fixed && record.time[0] != 0.0)
+    if (fixed && record.time[0] != 0.0 && !system.symbolic().initial_time())
       return "fixed initial values hold at the first row of a record (" + record.source +
              ": t = " + format_number(record.time[0]) +
-             "); if they hold earlier, give --start-time or a row with that time and no values";
+             "); if they hold earlier, write `initial ... at T` in the model, or give "
+             "--start-time";
   return "";
 }
 
@@ -261,15 +264,18 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   check_flow(system.symbolic(), "fit");
   check_is_view(system.model(), records);
   check_columns(records, "fit");
-  const Dataset data = begun_at(records, options.start_time);
-  const Dataset held_out = begun_at(held_out_records, options.start_time);
+  check_known(options.noise, records, "fit");
+  const std::optional<double> begin =
+      options.start_time ? options.start_time : system.symbolic().initial_time();
+  const Dataset data = begun_at(records, begin);
+  const Dataset held_out = begun_at(held_out_records, begin);
   if (!held_out.trajectories.empty()) check_is_view(system.model(), held_out);
   check_columns(held_out, "fit");
   check_number_range(data);
   check_number_range(held_out);
   check_are_others(data, held_out);
   const ParametrisedModel model = system.parametrised();
-  FitEngine engine = fit_engine(model, fit_records(model, data));
+  FitEngine engine = fit_engine(model, fit_records(model, data, options.noise));
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));
   check_enough(engine, unknowns);
   const FitPoint start{model.values().transpose().replicate(engine.records.records(), 1),

@@ -36,6 +36,17 @@ void drop_known(const FitUnknowns& unknowns, Eigen::Ref<Matrix> rows) {
   }
 }
 
+/// Takes out the parameters of which more was known before than all records show.
+void drop_known_parameters(const FitUnknowns& unknowns, Matrix& rows) {
+  const auto first = rows.cols() - static_cast<Index>(unknowns.global.size());
+  for (Index i = 0; first + i < rows.cols(); ++i) {
+    const auto& prior = unknowns.priors[static_cast<std::size_t>(
+        unknowns.global[static_cast<std::size_t>(i)])];
+    auto column = rows.col(first + i);
+    if (prior && column.norm() * prior->tolerance < 1.0) column.setZero();
+  }
+}
+
 /// Rows of [initial, local, global] of all values, and what they belong to.
 struct LinearRows {
   Matrix rows;
@@ -87,6 +98,7 @@ MinimumResiduals residuals_of(FitEngine& engine, const FitUnknowns& unknowns,
   all.residuals.channels = engine.count();
   for (Index r = 0; r < engine.records.records(); ++r)
     add_record(engine, unknowns, minimum, r, order, all);
+  drop_known_parameters(unknowns, all.rows);
   const Index own = engine.states() + static_cast<Index>(unknowns.local.size());
   FittedDirections directions(all.rows, std::move(all.begins), own);
   return {std::move(all.residuals), std::move(directions)};

@@ -74,9 +74,21 @@ void advance_implicitly(FitEngine& engine, Index sample, Vector& x,
     x.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
+/// Errors of implicit steps, as fractions of the states, that are far below what the residuals
+/// show. Of records with 1 % of noise a hundred times smaller ones give the same parameters in
+/// five times the time; larger ones than kCoarsest move derivatives.
+double tolerance_of(const FitEngine& engine) {
+  constexpr double kOfNoise = 1e-3, kCoarsest = 1e-6;
+  double least = kCoarsest / kOfNoise;
+  for (Index c = 0; c < engine.count(); ++c)
+    least = std::min(
+        least, engine.sigma[c] / engine.records.channels[static_cast<std::size_t>(c)].spread);
+  return std::clamp(kOfNoise * least, RadauFlow::kTolerance, kCoarsest);
+}
+
 /// A path begins: what implicit steps know of another one must not decide on its steps.
 void begin_path(FitEngine& engine) {
-  if (engine.implicit) engine.implicit->flow.begin();
+  if (engine.implicit) engine.implicit->flow.begin(tolerance_of(engine));
 }
 
 /// Goes to the next sample, keeping the states of all stages.

@@ -74,9 +74,11 @@ Matrix covariance_of_kept(const FitLinear& linear, const std::vector<Index>& kep
   if (!white && linear.gradients.cols() > 2 * count) {
     const Matrix gradients = linear.gradients(kept, Eigen::all);
     const auto blocks = static_cast<double>(gradients.cols());
-    inverse = (blocks / (blocks - static_cast<double>(count)) * inverse *
-               (gradients * gradients.transpose()) * inverse)
-                  .eval();
+    const Matrix known = linear.prior.leftCols(g)(Eigen::all, kept);
+    const Matrix scatter =
+        blocks / (blocks - static_cast<double>(count)) * gradients * gradients.transpose() +
+        known.transpose() * known;
+    inverse = (inverse * scatter * inverse).eval();
   }
   all(kept, kept) = inverse;
   return all;

@@ -87,7 +87,7 @@ double time_scale_of(const ShootingRecord& series, const Column& column, double 
 }
 
 void add_channel(const Dataset& view, Index column, const Expression& formula,
-                 FitRecords& records) {
+                 const KnownNoise& known, FitRecords& records) {
   const Column samples = column_of(view, column);
   if (samples.valid.sum() < 2.0) return;
   const Quantity& quantity = view.states[static_cast<std::size_t>(column)];
@@ -96,7 +96,8 @@ void add_channel(const Dataset& view, Index column, const Expression& formula,
   records.valid.conservativeResize(view.samples(), c + 1);
   records.values.col(c) = samples.values;
   records.valid.col(c) = samples.valid;
-  const StateNoise noise = analyse_noise_of(view, column);
+  const StateNoise noise = known ? (*known)[static_cast<std::size_t>(column)]
+                                 : analyse_noise_of(view, column);
   records.channels.push_back({quantity.name, quantity.unit, formula,
                               noise.kind == NoiseKind::None ? 0.0 : noise.sigma,
                               spread_of(samples)});
@@ -178,7 +179,8 @@ Dataset begun_at(Dataset data, const std::optional<double>& time) {
   return data;
 }
 
-FitRecords fit_records(const ParametrisedModel& model, const Dataset& view) {
+FitRecords fit_records(const ParametrisedModel& model, const Dataset& view,
+                       const KnownNoise& noise) {
   FitRecords records;
   const OdeModel& symbolic = model.symbolic();
   records.series = series_of(model, view);
@@ -188,11 +190,11 @@ FitRecords fit_records(const ParametrisedModel& model, const Dataset& view) {
     if (is_hidden(view, k) || !view.is_measured(k)) continue;
     records.scale[k] = spread_of(column_of(view, k));
     add_channel(view, k,
-                Expression::variable(symbolic.states()[static_cast<std::size_t>(k)].name),
+                Expression::variable(symbolic.states()[static_cast<std::size_t>(k)].name), noise,
                 records);
   }
   for (const auto& [output, column] : measured_outputs(symbolic, view))
-    add_channel(view, column, output.formula, records);
+    add_channel(view, column, output.formula, noise, records);
   if (records.channels.empty())
     throw DataError("records", "nothing of the model is measured",
                     "name columns as states or outputs of the model");

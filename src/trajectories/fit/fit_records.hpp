@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/parametrised_model.hpp"
 #include "trajectories/windows/shooting_record.hpp"
 
@@ -43,7 +44,9 @@ struct FitRecords {
 Dataset begun_at(Dataset data, const std::optional<double>& time);
 
 /// @param view records in the variables of the model, as of model_view().
+/// @param noise of each column of the view, where it is known.
 /// @throws DataError when nothing is measured.
-FitRecords fit_records(const ParametrisedModel& model, const Dataset& view);
+FitRecords fit_records(const ParametrisedModel& model, const Dataset& view,
+                       const KnownNoise& noise = {});
 
 }  // namespace lacuna

@@ -39,6 +39,15 @@ void add_initial(const FitUnknowns& unknowns, const Vector& start, RowFold& fold
   }
 }
 
+/// What is known of some parameters, as rows behind a first column.
+void add_priors(const FitUnknowns& unknowns, const std::vector<Index>& parameters,
+                const FitPoint& point, Index record, Index first, RowFold& fold) {
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (const auto& prior = unknowns.priors[static_cast<std::size_t>(parameters[i])])
+      add_row(fold, first + static_cast<Index>(i), 1.0 / prior->tolerance,
+              (prior->value - point.parameters(record, parameters[i])) / prior->tolerance);
+}
+
 /// The records as blocks; own unknowns are [initial states, local parameters].
 class RecordBlocks final : public BlockProblem {
  public:
@@ -75,7 +84,7 @@ class RecordBlocks final : public BlockProblem {
 
   BlockTriangles linearise() override {
     linear_ = lacuna::linearise(engine_, unknowns_, best_.point, best_.path, gains_);
-    return {linear_.records, none_};
+    return {linear_.records, linear_.prior};
   }
 
  private:
@@ -86,7 +95,6 @@ class RecordBlocks final : public BlockProblem {
   FitPoint point_;
   FitPath path_;
   FitLinear linear_;
-  Matrix none_;
 };
 
 /// Values per unknown in the order [initial states, local, global]; states have no range.
@@ -119,7 +127,7 @@ std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unkn
 }
 
 FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> local) {
-  FitUnknowns unknowns{std::move(local), {}, model.symbolic().initial(), {}, {}};
+  FitUnknowns unknowns{std::move(local), {}, model.symbolic().initial(), model.priors(), {}, {}};
   unknowns.lower = Vector::Constant(model.size(), -kInfinity);
   unknowns.upper = Vector::Constant(model.size(), kInfinity);
   for (Index p = 0; p < model.size(); ++p)
@@ -157,9 +165,14 @@ FitLinear linearise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
           }
         });
     add_initial(unknowns, point.starts.row(r).transpose(), fold);
+    add_priors(unknowns, unknowns.local, point, r, engine.states(), fold);
     linear.records.push_back(*fold.finish());
     all.add_triangle(linear.records.back().bottomRightCorner(g + 1, g + 1));
   }
+  RowFold prior(g + 1);
+  add_priors(unknowns, unknowns.global, point, 0, 0, prior);
+  linear.prior = *prior.finish();
+  all.add_triangle(linear.prior);
   linear.reduced = *all.finish();
   if (!with_gradients || g == 0) return linear;
   linear.gradients = Matrix::Zero(g, kBlocks);
@@ -187,6 +200,12 @@ double total_cost(const FitUnknowns& unknowns, const FitPoint& point, const FitP
                *initial->deviation)
                   .square()
                   .sum();
+  const auto add_prior = [&](Index p, const Vector& values) {
+    if (const auto& prior = unknowns.priors[static_cast<std::size_t>(p)])
+      cost += ((values.array() - prior->value) / prior->tolerance).square().sum();
+  };
+  for (const Index p : unknowns.local) add_prior(p, point.parameters.col(p));
+  for (const Index p : unknowns.global) add_prior(p, point.parameters.col(p).head(1));
   return cost;
 }
 

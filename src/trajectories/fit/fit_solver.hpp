@@ -14,6 +14,7 @@ struct FitUnknowns {
   std::vector<Index> local;   ///< parameters that each record has for itself
   std::vector<Index> global;  ///< all others
   std::vector<std::optional<InitialValue>> initial;  ///< m
+  std::vector<std::optional<Prior>> priors;          ///< P
   Vector lower, upper;                               ///< P, infinite where there is none
 };
 
@@ -27,6 +28,7 @@ struct FitLinear {
   /// R of [initial states, local, global parameters | residual] of each record.
   std::vector<Matrix> records;
   Matrix reduced;  ///< R of the global parameters | residual, all records, others eliminated
+  Matrix prior;    ///< R of what is known of the global parameters | its residual
 
   /// Gradients by the global parameters of blocks of neighbouring samples, G x blocks; initial
   /// states and local parameters eliminated.
@@ -45,7 +47,7 @@ struct FitMinimum {
   int iterations = 0;
 };
 
-/// Cost of a path with what is known of the initial states.
+/// Cost of a path with what is known of the initial states and the parameters.
 double total_cost(const FitUnknowns& unknowns, const FitPoint& point, const FitPath& path);
 
 /// Values less unknowns; at least 1.

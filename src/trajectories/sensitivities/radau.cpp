@@ -13,10 +13,9 @@ namespace {
 
 constexpr double kRoot = 2.4494897427831780982;  // of 6
 
-/// Facts of the method: errors are below this fraction of a state or of a thousandth of its
-/// largest value, as are those of the explicit steps in its place; Newton's method leaves a
-/// thousandth.
-constexpr double kTolerance = 1e-8, kOfLargest = 1e-3, kNewton = 1e-3;
+/// Facts of the method: a state counts as a thousandth of its largest value at least; Newton's
+/// method leaves a thousandth of the error that is let pass.
+constexpr double kOfLargest = 1e-3, kNewton = 1e-3;
 constexpr int kMostIterations = 10, kMostSteps = 20000;
 
 Matrix square_of(const Matrix& entries, Index row, const std::vector<MatrixPlace>& places,
@@ -67,7 +66,8 @@ Matrix radau_variation(double h, const RadauSlopes& slopes, const Matrix& deviat
   return Matrix(system.partialPivLu().solve(right)).bottomRows(m);
 }
 
-void RadauFlow::begin() {
+void RadauFlow::begin(double tolerance) {
+  tolerance_ = tolerance;
   step_ = 0.0;
   seen_.resize(0);
 }
@@ -178,7 +178,7 @@ double RadauFlow::size(const Vector& change, double h, const Vector& x) const {
   const Vector state =
       x.cwiseAbs().cwiseMax((x + shift_.col(2)).cwiseAbs()).cwiseMax(kOfLargest * seen_);
   Vector scale =
-      (kTolerance * state).cwiseMax(rounding).cwiseMax(std::numeric_limits<double>::min());
+      (tolerance_ * state).cwiseMax(rounding).cwiseMax(std::numeric_limits<double>::min());
   if (accuracy_.size() > 0) scale = scale.cwiseMax(accuracy_);
   return change.cwiseQuotient(scale).norm() / std::sqrt(static_cast<double>(x.size()));
 }

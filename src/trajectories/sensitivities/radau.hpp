@@ -39,13 +39,17 @@ class RadauFlow {
   /// @param accuracy of each state: errors of steps below are let pass; empty: none are.
   explicit RadauFlow(Vector accuracy = {}) : accuracy_(std::move(accuracy)) {}
 
+  /// Steps whose error is a smaller fraction of a state are let pass unless told otherwise.
+  static constexpr double kTolerance = 1e-8;
+
   /// Another path begins: nothing of the last one is remembered.
-  void begin();
+  /// @param tolerance of its steps: errors below this fraction of a state, or of a thousandth
+  ///   of its largest value, are let pass.
+  void begin(double tolerance = kTolerance);
 
   /// Goes from t0 to t1, between which the signals are smooth.
   /// @param sensitivity nothing, or m x m, or m x (m + P): derivatives of the state by what
-  /// they
-  ///   are derivatives by, then by the parameters of the rates; carried on to t1.
+  ///   they are derivatives by, then by the parameters of the rates; carried on to t1.
   /// @return false where it cannot: x and the derivatives are not those of t1 then.
   bool advance(Rates& rates, DriveSlots drive, double t0, double t1, Vector& x,
                Matrix* sensitivity = nullptr);
@@ -59,6 +63,7 @@ class RadauFlow {
   void vary(Rates& rates, double h, Matrix& sensitivity) const;
 
   Vector accuracy_;
+  double tolerance_ = kTolerance;
   double step_ = 0.0;                         // the next one; 0: not known yet
   Vector seen_;                               // the largest values of the states so far
   Matrix shift_;                              // m x 3: states of the stages less the begin

@@ -38,11 +38,14 @@ struct Output {
   Expression formula;
 };
 
-/// What is known of a state at the first sample of each record.
+/// What is known of a state where records begin.
 struct InitialValue {
   double value = 0.0;                    ///< to start from
   bool fixed = false;                    ///< known exactly
   std::optional<double> deviation = {};  ///< one standard deviation, > 0; nothing: not known
+  /// The time at which it holds, the same for all states that have one; nothing: that of the
+  /// first sample of each record.
+  std::optional<double> time = {};
 };
 
 class CompiledModel;
@@ -98,8 +101,12 @@ class OdeModel {
   OdeModel with_outputs(std::vector<Output> outputs) const;
 
   /// The model with this start. @throws ArgumentError when there are not as many entries as
-  /// states; ModelError for a value that is not finite or a deviation that is not above 0.
+  /// states; ModelError for a value that is not finite, a deviation that is not above 0, and
+  /// times that are not one.
   OdeModel with_initial(std::vector<std::optional<InitialValue>> initial) const;
+
+  /// The time at which the start holds; nothing: that of the first sample of each record.
+  std::optional<double> initial_time() const;
 
   /// The model with other equations. @throws ModelError as the constructor.
   OdeModel with_equations(std::vector<Equation> equations) const;

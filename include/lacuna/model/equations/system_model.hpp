@@ -21,6 +21,8 @@ struct Parameter {
   std::optional<double> min = {};  ///< smallest admissible value
   std::optional<double> max = {};  ///< largest admissible value
   bool per_record = false;         ///< free for each record by itself
+  /// Standard deviation, > 0, of what is known of the value before any record is seen.
+  std::optional<double> deviation = {};
   std::optional<double> standard_error = {};
   std::optional<std::array<double, 2>> ci95 = {};
 };
@@ -63,7 +65,8 @@ class SystemModel {
   std::set<std::string> names_;  ///< of the parameters
 };
 
-/// What is wrong with the value and the range of a parameter; empty where nothing is.
+/// What is wrong with the value, the range and the deviation of a parameter; empty where
+/// nothing is.
 std::string range_problem(const Parameter& parameter);
 
 }  // namespace lacuna

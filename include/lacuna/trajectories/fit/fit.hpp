@@ -8,6 +8,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/adequacy.hpp"
 #include "lacuna/model/equations/system_model.hpp"
 
@@ -19,9 +20,11 @@ struct FitOptions {
   double spread = 3.0;    ///< by which factor they differ from the model's numbers
   Index window = 50;      ///< first samples of a held-out record that give its initial state
   Index prediction = 10;  ///< samples ahead of the error of prediction
-  /// Where records begin and initial values hold; nothing: at the first row of each.
+  /// Where records begin and initial values hold; nothing: where the model has it
+  /// (OdeModel::initial_time()), or at the first row of each.
   std::optional<double> start_time = {};
   bool profile = false;   ///< whether profiles of the likelihood are wanted, at any cost
+  KnownNoise noise = {};  ///< of each column of the records; nothing: analyse_noise() finds it
 };
 
 /// A number that was fitted.
@@ -153,7 +156,8 @@ std::string sentence_of(const FitStanding& standing);
 /// interval are those of the profile of the likelihood, wherever it is asymmetric. A number
 /// whose likelihood stays as high as far as the end of its range, or 1000 times the estimate,
 /// has no interval but a limit on the other side. Numbers that the records determine in
-/// combination only, or not at all, are named.
+/// combination only, or not at all, are named. What is known of a parameter before
+/// (Parameter::deviation, of a normal distribution) is part of the likelihood.
 /// Same input and seed, same result.
 /// @param data, held_out in the variables of the model, as of read_records().
 /// @throws DataError when nothing is measured, when there are more unknowns than values, when

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "data/formats/read_text.hpp"
 #include "unit/cli/commands/records.hpp"
 
@@ -150,6 +152,26 @@ TEST(SimulateCommand, InitialValuesOfTheModelAreTheStart) {
       "half.ode", "dx/dt = -x\ndz/dt = x\ninitial x = 3\n");
   expect_failure(run_command({"simulate", half, "--t-end", "1", "--dt", "0.5"}), 2,
                  {"--x0", "no initial value of z", "initial"});
+}
+
+TEST(SimulateCommand, BeginsWhereTheInitialValuesHold) {
+  const Records records;
+  const std::string model =
+      records.folder().write("m.ode", "dx/dt = -x\ninitial x = 2 at -1 fixed\n");
+  const auto own = run_command({"simulate", model, "--t-end", "1", "--dt", "1"});
+  const auto given = run_command(
+      {"simulate", model, "--x0", "2", "--t-start", "-1", "--t-end", "1", "--dt", "1"});
+  EXPECT_EQ(own.status, 0) << own.err;
+  EXPECT_EQ(own.out, given.out);
+  const auto later =
+      run_command({"simulate", model, "--t-start", "0", "--t-end", "1", "--dt", "1"});
+  EXPECT_EQ(later.status, 0) << later.err;
+  ASSERT_NE(later.out.find("\n0,"), std::string::npos) << later.out;
+  EXPECT_NEAR(std::stod(later.out.substr(later.out.find("\n0,") + 3)), 2.0 * std::exp(-1.0),
+              1e-7);
+  expect_failure(
+      run_command({"simulate", model, "--t-start", "-2", "--t-end", "1", "--dt", "1"}), 2,
+      {"--t-start", "hold at t = -1"});
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ OdeModel off_by(double factor) {
 TEST(FittedStart, HasTheCoefficientsOfTheRecord) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const OdeModel nominal = off_by(1.6);
-  const auto start = fitted_start(nominal, nominal, data, RunContext{});
+  const auto start = fitted_start(nominal, nominal, data, analyse_noise(data), RunContext{});
   ASSERT_TRUE(start);
   EXPECT_NEAR(start->coefficient(1, "q"), -4.0, 0.02);
   EXPECT_NEAR(start->coefficient(1, "v"), -0.2, 0.01);
@@ -29,8 +29,8 @@ TEST(FittedStart, IsNoneWhereNoRunIsFinite) {
   const OdeModel oscillator = support::oscillator();
   const OdeModel wild = oscillator.with_term(
       1, {.term = Term::parse("sqrt(-1-q^2)", oscillator.variables()), .coefficient = 1.0});
-  EXPECT_FALSE(fitted_start(wild, wild, support::hidden_record(support::nothing, 0.01),
-                            RunContext{}));
+  const Dataset data = support::hidden_record(support::nothing, 0.01);
+  EXPECT_FALSE(fitted_start(wild, wild, data, analyse_noise(data), RunContext{}));
 }
 
 }  // namespace

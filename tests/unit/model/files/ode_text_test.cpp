@@ -222,6 +222,44 @@ TEST(OdeText, ASumHasAnyNumberOfSummands) {
   EXPECT_EQ(format_model(parse_ode(format_ode(model), "again")), format_model(model));
 }
 
+TEST(OdeText, WhatIsKnownBeforehand) {
+  const SystemModel system = parse_ode_system(
+      "param a = 1.1 +- 0.3 [1/h] in 0.1..10\nparam b = 2+-0.5 per_record\n"
+      "dx/dt = -a*x\ndy/dt = a*x - b*y\ninitial x = 100 at -0.25 fixed\n"
+      "initial y = 1 [mg] at -1/4 +- 0.5\n",
+      "m.ode");
+  const Parameter &a = system.parameters()[0], &b = system.parameters()[1];
+  EXPECT_EQ(a.value, 1.1);
+  EXPECT_EQ(a.deviation, 0.3);
+  EXPECT_EQ(a.unit, "1/h");
+  EXPECT_EQ(a.max, 10.0);
+  EXPECT_EQ(b.value, 2.0);
+  EXPECT_EQ(b.deviation, 0.5);
+  EXPECT_TRUE(b.per_record);
+  const auto priors = system.parametrised().priors();
+  ASSERT_EQ(priors.size(), 2u);
+  ASSERT_TRUE(priors[0]);
+  EXPECT_EQ(priors[0]->tolerance, 0.3);
+  EXPECT_EQ(system.symbolic().initial_time(), -0.25);
+  EXPECT_TRUE(system.symbolic().initial()[0]->fixed);
+  EXPECT_EQ(system.symbolic().initial()[1]->deviation, 0.5);
+  EXPECT_EQ(format_model(parse_ode_system(format_ode(system), "again")), format_model(system));
+  EXPECT_EQ(format_ode(parse_system(format_model(system), "again")), format_ode(system));
+}
+
+TEST(OdeText, WhatIsKnownBeforehandIsChecked) {
+  const auto parse = [](const char* text) { parse_ode(text, "m.ode"); };
+  expect_error<ModelError>([&] { parse("param a = 1 +- 0\ndx/dt = -a*x\n"); }, "m.ode:1:10",
+                           "deviation is not above 0", "deviation");
+  expect_error<ModelError>([&] { parse("param a = 1 +- 2 fixed\ndx/dt = -a*x\n"); },
+                           "m.ode:1:10", "what is fixed has no deviation", "deviation");
+  expect_error<ModelError>(
+      [&] {
+        parse("dx/dt = -x\ndy/dt = x\ninitial x = 1 at 0\ninitial y = 1 at 1\n");
+      },
+      "initial values", "two times, 0 and 1", "same time");
+}
+
 constexpr const char* kMap = R"(time s
 state x
 state y
