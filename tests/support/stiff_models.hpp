@@ -97,7 +97,8 @@ inline Vector gate_after(const Vector& state, double input, double time) {
 
 /// A gate that follows its input in 5 ns and charges a capacitor in 1 ms, every 10 us; in
 /// closed form.
-inline StiffRecord gate(double noise = 0.0, const std::string& text = gate_text()) {
+inline StiffRecord gate(double noise = 0.0, const std::string& text = gate_text(),
+                        std::uint64_t seed = 1) {
   const Vector times = sample_times(0.0, 1e-5, 400);
   Matrix input(times.size(), 1), states(times.size(), 2);
   Vector state{{1.0, 0.0}};
@@ -109,7 +110,7 @@ inline StiffRecord gate(double noise = 0.0, const std::string& text = gate_text(
   const OdeModel model = parse_ode(text, "gate");
   Dataset data{"s", model.states(), model.inputs(), {}, {}};
   data.trajectories = {{"stiff", times, states, input, Matrix()}};
-  add_noise(noise, 1, data);
+  add_noise(noise, seed, data);
   return {text, data};
 }
 
