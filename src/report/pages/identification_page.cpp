@@ -33,9 +33,38 @@ std::vector<std::string> equations_where(const IdentificationResult& result, Hol
   return names;
 }
 
-/// The headline of a validated model.
-void report_verdict(const Validation& validation, Page& page) {
-  page.headline = validation.sentence;
+/// "33 terms in 3 equations"; identities are known and do not count.
+std::string size_of(const IdentificationResult& result) {
+  std::size_t terms = 0, equations = 0;
+  for (std::size_t k = 0; k < result.fit.size(); ++k) {
+    if (!is_fitted(result.fit[k])) continue;
+    terms += result.model.equations()[k].size();
+    ++equations;
+  }
+  return std::to_string(terms) + (terms == 1 ? " term in " : " terms in ") +
+         std::to_string(equations) + (equations == 1 ? " equation" : " equations");
+}
+
+/// What a model is worth, behind its size.
+std::string worth_of(ValidationVerdict verdict) {
+  switch (verdict) {
+    case ValidationVerdict::FitsToNoise:
+      return " describe the record to its noise.";
+    case ValidationVerdict::Approximation:
+      return " describe the record roughly, not to its noise.";
+    case ValidationVerdict::WrongLibrary:
+      return " do not describe the record: it needs other terms.";
+    case ValidationVerdict::Undecided:
+      return " were found; the record does not show whether they hold.";
+  }
+  return " were found.";
+}
+
+/// The headline of a validated model; the sentence with numbers is the first finding.
+void report_verdict(const IdentificationResult& result, Page& page) {
+  const Validation& validation = *result.validation;
+  page.headline = size_of(result) + worth_of(validation.verdict);
+  page.findings = {validation.sentence};
   switch (validation.verdict) {
     case ValidationVerdict::FitsToNoise:
       page.tone = Tone::Good;
@@ -59,7 +88,7 @@ void report_headline(const IdentificationReport& report, Page& page) {
                     (result.model.is_map() ? "next value." : "derivative.");
     page.tone = Tone::Bad;
   } else if (result.validation) {
-    report_verdict(*result.validation, page);
+    report_verdict(result, page);
   } else if (!bad.empty()) {
     page.headline = "Equations were found, but not all fit to the noise: " + join(bad, ", ") +
                     (bad.size() == 1 ? " does not." : " do not.");
@@ -67,7 +96,7 @@ void report_headline(const IdentificationReport& report, Page& page) {
   } else if (!unknown.empty() || result.adequacy.fits == Adequate::Undetermined) {
     page.headline = "Equations were found; how large the noise is cannot be estimated.";
   } else {
-    page.headline = "Equations were found that explain the record to its noise.";
+    page.headline = size_of(result) + " describe the record to its noise.";
   }
   if (report.sync && !report.sync->result.settled) page.tone = Tone::Doubtful;
 }
@@ -82,7 +111,8 @@ std::vector<std::string> findings_of(const IdentificationResult& result) {
     if (fit.noise_floor) text += ", noise alone gives " + format_number(*fit.noise_floor, 3);
     if (fit.misfit)
       text += std::isfinite(*fit.misfit)
-                  ? "; trajectories are off by " + format_number(*fit.misfit, 3) + " times the noise"
+                  ? "; trajectories are off by " + format_number(*fit.misfit, 3) +
+                        " times the noise"
                   : "; trajectories leave the range of numbers";
     sentences.push_back(text + ".");
   }
@@ -200,7 +230,8 @@ Page identification_page(const IdentificationReport& report, const Dataset& data
       "Identification of " +
       (data.trajectories.empty() ? "a record" : short_name(file_of(data.trajectories.front())));
   report_headline(report, page);
-  page.findings = findings_of(result);
+  const std::vector<std::string> findings = findings_of(result);
+  page.findings.insert(page.findings.end(), findings.begin(), findings.end());
   page.facts = facts_of(report, data, runs);
   page.equations = equations_mathml(result.model);
   if (!runs.empty()) add_pictures(view, page);
