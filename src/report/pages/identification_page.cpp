@@ -33,37 +33,52 @@ std::vector<std::string> equations_where(const IdentificationResult& result, Hol
   return names;
 }
 
-/// "33 terms in 3 equations"; identities are known and do not count.
-std::string size_of(const IdentificationResult& result) {
+struct ModelSize {
   std::size_t terms = 0, equations = 0;
+};
+
+/// Identities are known and do not count.
+ModelSize size_of(const IdentificationResult& result) {
+  ModelSize size;
   for (std::size_t k = 0; k < result.fit.size(); ++k) {
     if (!is_fitted(result.fit[k])) continue;
-    terms += result.model.equations()[k].size();
-    ++equations;
+    size.terms += result.model.equations()[k].size();
+    ++size.equations;
   }
-  return std::to_string(terms) + (terms == 1 ? " term in " : " terms in ") +
-         std::to_string(equations) + (equations == 1 ? " equation" : " equations");
+  return size;
 }
 
-/// What a model is worth, behind its size.
-std::string worth_of(ValidationVerdict verdict) {
+/// "33 terms in 3 equations describe the record to its noise."
+std::string sized(const ModelSize& size, const std::string& singular, const std::string& plural) {
+  const auto counted = [](std::size_t count, const std::string& word) {
+    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+  };
+  return counted(size.terms, "term") + " in " + counted(size.equations, "equation") + " " +
+         (size.terms == 1 ? singular : plural);
+}
+
+std::string worth_of(const ModelSize& size, ValidationVerdict verdict) {
   switch (verdict) {
     case ValidationVerdict::FitsToNoise:
-      return " describe the record to its noise.";
+      return sized(size, "describes the record to its noise.",
+                   "describe the record to its noise.");
     case ValidationVerdict::Approximation:
-      return " describe the record roughly, not to its noise.";
+      return sized(size, "describes the record roughly, not to its noise.",
+                   "describe the record roughly, not to its noise.");
     case ValidationVerdict::WrongLibrary:
-      return " do not describe the record: it needs other terms.";
+      return sized(size, "does not describe the record: it needs other terms.",
+                   "do not describe the record: it needs other terms.");
     case ValidationVerdict::Undecided:
-      return " were found; the record does not show whether they hold.";
+      break;
   }
-  return " were found.";
+  return sized(size, "was found; the record does not show whether it holds.",
+               "were found; the record does not show whether they hold.");
 }
 
 /// The headline of a validated model; the sentence with numbers is the first finding.
 void report_verdict(const IdentificationResult& result, Page& page) {
   const Validation& validation = *result.validation;
-  page.headline = size_of(result) + worth_of(validation.verdict);
+  page.headline = worth_of(size_of(result), validation.verdict);
   page.findings = {validation.sentence};
   switch (validation.verdict) {
     case ValidationVerdict::FitsToNoise:
@@ -96,7 +111,7 @@ void report_headline(const IdentificationReport& report, Page& page) {
   } else if (!unknown.empty() || result.adequacy.fits == Adequate::Undetermined) {
     page.headline = "Equations were found; how large the noise is cannot be estimated.";
   } else {
-    page.headline = size_of(result) + " describe the record to its noise.";
+    page.headline = worth_of(size_of(result), ValidationVerdict::FitsToNoise);
   }
   if (report.sync && !report.sync->result.settled) page.tone = Tone::Doubtful;
 }

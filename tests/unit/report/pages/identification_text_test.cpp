@@ -65,7 +65,7 @@ TEST(IdentificationText, RelationsAreExplained) {
   report.result.relations = {testing::sample_relation()};
   EXPECT_THAT(format_text(report), ::testing::Not(HasSubstr("x^2 + y^2")));
   EXPECT_THAT(format_text(report, {{}, true}),
-              HasSubstr("Relations\n  x^2 + y^2 = 4 +- 0.01 on these data"));
+              HasSubstr("Relations\n  x^2 + y^2 = 4 +- 0.02 on these data"));
 }
 
 TEST(IdentificationText, ATermThatIsWorthItsPenaltyIsLeftOutForAReason) {
