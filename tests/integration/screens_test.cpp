@@ -67,7 +67,8 @@ TEST_F(Screens, DiagnosisAndFitOfAPendulum) {
   expect_a_screen("diagnose --model " + kShipped + "pendulum.ode " + kShipped +
                   "pendulum_scope_1.csv.gz --holdout " + kShipped + "pendulum_scope_2.csv.gz" +
                   kPendulumNames);
-  expect_a_screen("fit " + kShipped + "pendulum.ode " + kShipped + "pendulum_scope_1.csv.gz" + kPendulumNames);
+  expect_a_screen("fit " + kShipped + "pendulum.ode " + kShipped + "pendulum_scope_1.csv.gz" +
+                  kPendulumNames);
 }
 
 TEST_F(Screens, SynchronisationAndComparison) {

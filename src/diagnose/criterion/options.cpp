@@ -46,23 +46,20 @@ void describe_search(DecisionOptions& o, OptionVisitor& v) {
 
 /// How channels and explanations are judged.
 void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
-  v.field(
-      {"outlying", "standard deviations",
-           "A sample that is farther off is an outlier; at 6 this happens to one in 5e8 "
-           "samples of normal noise.",
-       1.0},
-      o.outlying);
+  v.field({"outlying", "standard deviations",
+           "A sample that is farther off is an outlier; at 6 one in 5e8 samples of normal noise.",
+           1.0},
+          o.outlying);
   v.field({"pile_up", "",
            "A channel is clipped where its largest (or smallest) value occurs so many times "
            "as often as any value next to it.",
            1.0},
           o.pile_up);
-  v.field(
-      {"explained_gap", "noise floors",
+  v.field({"explained_gap", "noise floors",
            "A model is called explained only where the gap on records that were not used is "
            "at most this large, allowing for chance.",
-       1.0},
-      o.explained_gap);
+           1.0},
+          o.explained_gap);
   v.field({"open_gap", "noise floors",
            "A model with a larger gap there is not called explained, be it by chance or not.",
            1.0},

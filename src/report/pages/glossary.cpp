@@ -20,7 +20,8 @@ constexpr std::array kWords = {
          "Of the candidates compared, how likely each is to be the right one by the records, if "
          "one of them is. It is no statement on candidates that nobody tried."},
     Word{"95 %",
-         "An interval that holds the true value in 95 of 100 such experiments; +- is half its width."},
+         "An interval that holds the true value in 95 of 100 such experiments; +- is half its "
+         "width."},
     Word{"gap",
          "How far a model that runs by itself in windows of a record is off, as a fraction of the "
          "spread of the states."},

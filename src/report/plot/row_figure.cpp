@@ -46,7 +46,7 @@ RowFrame frame_of(const RowFigure& figure) {
     note = std::max(note, svg::width_of(svg::shortened(row.note, kNote)));
   }
   const Vector values = values_of(figure);
-  return {scale_of({&values}), is_long ? 40.0 : label + 16.0, svg::kWidth - note - 18.0,
+  return {scale_of({&values}), is_long ? 10.0 : label + 16.0, svg::kWidth - note - 18.0,
           is_long};
 }
 
@@ -80,7 +80,7 @@ Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, do
   Markup all = element("title", Markup::text(row.label + ": " + format_number(row.value, 6) +
                                              (row.note.empty() ? "" : ", " + row.note)));
   all += frame.labels_above
-             ? svg::label(8.0, top + 14.0, svg::shortened(row.label, kLongLabel), "start")
+             ? svg::label(16.0, top + 14.0, svg::shortened(row.label, kLongLabel), "start")
              : svg::label(frame.left - 10.0, middle + 4.0, row.label, "end");
   all += figure.intervals ? interval(row, frame, middle) : bar(row, frame, middle);
   all += svg::label(frame.right + 8.0, middle + 4.0, svg::shortened(row.note, kNote), "start",
