@@ -162,7 +162,9 @@ Command declare_fit(CLI::App& root) {
       ->type_name("FILE|-");
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
       ->type_name("FILE|-");
-  declare_digits_option(*app, options->digits);
+  declare_digits_option(*app, options->digits,
+                        "Digits of numbers in a .ode file of --model-out: auto (two of the 95 % "
+                        "interval), full, or so many; JSON has all [default: auto]");
   declare_report_options(*app, options->report);
   declare_run_options(*app, options->run);
   return {app, [options](const Session& session) { return fit_command(session, *options); }};

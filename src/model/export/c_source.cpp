@@ -127,8 +127,8 @@ std::string jacobian_body(const SystemModel& system, const Dialect& dialect) {
         entries += assignment("jacobian_", k * m + j, code(slopes[j], dialect));
     }
   }
-  return locals(system, dialect, used) + "  for (int k = 0; k < " + std::to_string(m * m) +
-         "; ++k) jacobian_[k] = 0.0;\n" + entries;
+  return locals(system, dialect, used) + "  for (int lacuna_i = 0; lacuna_i < " +
+         std::to_string(m * m) + "; ++lacuna_i) jacobian_[lacuna_i] = 0.0;\n" + entries;
 }
 
 /// A step of the method of Runge and Kutta of order 4, the inputs held.

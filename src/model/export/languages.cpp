@@ -24,7 +24,7 @@ const NameRules& c_names() {
           "throw true try typedef typeid typename typeof typeof_unqual union unsigned using "
           "virtual void volatile wchar_t while xor xor_eq "
           "final import module override std "
-          "fabs pow t state_ input_ rate_ output_ jacobian_ step_ at_ part stage k "
+          "fabs pow t state_ input_ rate_ output_ jacobian_ "
           "NULL NAN INFINITY EOF MAXFLOAT MATH_ERRNO MATH_ERREXCEPT math_errhandling errno "
           "assert offsetof DOMAIN SING OVERFLOW UNDERFLOW TLOSS PLOSS EDOM ERANGE "
           "BIG_ENDIAN LITTLE_ENDIAN PDP_ENDIAN BYTE_ORDER EXIT_FAILURE EXIT_SUCCESS "
