@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "progress_log.hpp"
 
-#include <algorithm>
+#include <new>
 #include <system_error>
 
 #include "progress_line.hpp"
@@ -37,7 +37,7 @@ void ProgressLog::note(const Progress& progress) {
   fraction_ = progress.fraction;
 }
 
-void ProgressLog::write_lines() {
+void ProgressLog::write_lines() try {
   std::unique_lock lock(mutex_);
   while (!ended_.wait_for(lock, interval_, [this] { return ends_; })) {
     const auto passed = std::chrono::steady_clock::now() - begin_;
@@ -45,6 +45,7 @@ void ProgressLog::write_lines() {
                         std::chrono::duration_cast<std::chrono::seconds>(passed))
             << std::flush;
   }
+} catch (const std::bad_alloc&) {  // a line is not worth the run
 }
 
 }  // namespace lacuna::cli
