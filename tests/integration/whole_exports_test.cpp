@@ -126,7 +126,7 @@ TEST(WholeExports, ModelicaDeclaresAll) {
   for (const char* line :
        {"  parameter Real k1(unit=\"1/s\") = 0.5;\n", "  parameter Real k4 = 0.25;\n",
         "  input Real u(unit=\"V\");\n", "  Real x1(start=1.5, fixed=true);\n",
-        "  output Real y(unit=\"V\");\n", "  der(x1) = -(k1*sqrt(x1)) + k4*u;\n",
+        "  output Real y(unit=\"V\");\n", "  der(x1) = -(k1*sqrt(x1)) + u*k4;\n",
         "  y = 3.0*x2 + k1*x1^2.0;\n"})
     EXPECT_THAT(text, HasSubstr(line));
 }
@@ -139,7 +139,7 @@ TEST(WholeExports, SpiceHasOutputsAndStart) {
   const std::string deck = place.write(
       "deck.cir", "* tanks\n" + text +
                       "Vu u 0 2\nX1 u x1 x2 y lacuna_model\n.tran 1m 10m uic\n"
-                      ".meas tran start find v(x1) at=0\n.meas tran out find v(y) at=1m\n.end\n");
+                      ".meas tran start find v(x1) at=1m\n.meas tran out find v(y) at=1m\n.end\n");
   const std::vector<double> found =
       printed_numbers("ngspice -b " + deck +
                       " 2>/dev/null | sed -n 's/^\\(start\\|out\\) *= *\\([^ ]*\\).*/\\2/p'");
