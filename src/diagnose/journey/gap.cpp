@@ -144,6 +144,16 @@ Matrix with_channels(const OdeModel& model, const LinearisedRecord& record, Matr
   return paths;
 }
 
+/// What the measurement adds to the states (n x m): nothing to those that nobody measured, whose
+/// columns are where a search began.
+Matrix added_by_measurement(const Trajectory& given, const Matrix& corrected,
+                            const NoiseModel& noise) {
+  Matrix added = given.states - corrected.leftCols(given.states.cols());
+  for (Index k = 0; k < added.cols(); ++k)
+    if (!noise.measurement[static_cast<std::size_t>(k)]) added.col(k).setZero();
+  return added;
+}
+
 /// On one record.
 Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
                       const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
@@ -164,7 +174,8 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
           // What the measurement adds stands in what the augmented model says of the samples.
           {given.source, given.time, said_by(given, noise),
            with_channels(nominal, bare, window_paths(bare, {given.states, own}, noise, grid)),
-           after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
+           after.leftCols(m) + added_by_measurement(given, corrected, noise), grid.begin,
+           grid.length}};
 }
 
 /// Runs over whole records, of the nominal model and of the augmented one.
